@@ -1,0 +1,94 @@
+//! Rigid body in a bending path.
+
+use crate::element::{Element, TransferMatrix};
+use crate::error::{InvalidParameter, Requirement};
+use crate::scalar::{Frequency, Real};
+use crate::state::Bending;
+use nalgebra::Matrix4;
+
+/// Rigid body with one input and one output end in a bending path; small motions, no longitudinal displacement.
+///
+/// Transfer matrix on `[Y, Θ, M, Q]`, with the output end at b1 and the mass centre at c1 along the path:
+///
+/// ```text
+/// 1              b1                  0   0
+/// 0              1                   0   0
+/// -mλ²(b1-c1)    λ²(J_I - m b1 c1)   1   b1
+/// -mλ²           -mλ²c1              0   1
+/// ```
+///
+/// A mass centre beside the path (`m b2 c2` in the paper) enters as `inertia := J_I - m b2 c2`.
+///
+/// # Source
+/// Eq. (16) of the paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body<T> {
+    /// Mass m [kg], zero or positive.
+    pub mass: T,
+    /// Moment of inertia J_I about the input end [kg m²], at least `mass * centre_x²`.
+    pub inertia: T,
+    /// Position b1 of the output end from the input end [m].
+    pub output_x: T,
+    /// Position c1 of the mass centre from the input end [m].
+    pub centre_x: T,
+}
+
+impl<T: Real> Element for Body<T> {
+    type State = Bending;
+
+    fn validate(&self) -> Result<(), InvalidParameter> {
+        Requirement::NonNegative.check("mass", self.mass)?;
+        Requirement::Finite.check("output_x", self.output_x)?;
+        Requirement::Finite.check("centre_x", self.centre_x)?;
+        let about_centre = self.mass * self.centre_x * self.centre_x;
+        Requirement::at_least(about_centre, "mass * centre_x²").check("inertia", self.inertia)
+    }
+}
+
+impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Body<T> {
+    #[rustfmt::skip]
+    fn transfer_matrix(&self, x: S) -> Matrix4<S> {
+        let (zero, one) = (S::zero(), S::one());
+        let b1 = S::from_parameter(self.output_x);
+        let lambda_squared = x.lambda_squared();
+        let a = lambda_squared * self.mass;
+        let b = lambda_squared * (self.mass * self.centre_x);
+        let j = lambda_squared * self.inertia;
+        Matrix4::new(
+            one,          b1,         zero, zero,
+            zero,         one,        zero, zero,
+            b - a * b1,   j - b * b1, one,  b1,
+            -a,           -b,         zero, one,
+        )
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for Body<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        let (mass, centre_x) = (next(), next() - 1.0);
+        Body { mass, inertia: mass * centre_x * centre_x + next(), output_x: next() - 1.0, centre_x }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_of_point_masses_on_its_centre_is_valid_whatever_the_rounding() {
+        for k in 1..1000 {
+            let (mass, centre_x) = (0.1 * f64::from(k), 1.0 / f64::from(k + 2));
+            for inertia in [mass * (centre_x * centre_x), mass * centre_x * centre_x] {
+                assert_eq!(Body { mass, inertia, output_x: 1.0, centre_x }.validate(), Ok(()));
+            }
+        }
+    }
+
+    #[test]
+    fn an_inertia_below_that_of_the_mass_centre_is_refused_with_its_bound() {
+        let error = Body { mass: 2.0, inertia: 0.4, output_x: 1.0, centre_x: 0.5 }.validate().unwrap_err();
+        assert_eq!((error.parameter, error.value), ("inertia", 0.4));
+        assert_eq!(error.requirement, Requirement::AtLeast { bound: 0.5, formula: "mass * centre_x²" });
+    }
+}

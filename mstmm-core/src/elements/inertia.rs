@@ -1,0 +1,41 @@
+//! Rotary inertia.
+
+use crate::element::{Element, TransferMatrix};
+use crate::error::{InvalidParameter, Requirement};
+use crate::scalar::{Frequency, Real};
+use crate::state::Rotation;
+use nalgebra::Matrix2;
+
+/// Rotary inertia on a rotation path.
+///
+/// Transfer matrix on `[Θ, M]`: `[[1, 0], [Jλ², 1]]`.
+///
+/// # Source
+/// The rotation of a rigid body, eq. (15) of the paper with `b = c = 0`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia<T> {
+    /// Moment of inertia J [kg m²], zero or positive.
+    pub inertia: T,
+}
+
+impl<T: Real> Element for Inertia<T> {
+    type State = Rotation;
+
+    fn validate(&self) -> Result<(), InvalidParameter> {
+        Requirement::NonNegative.check("inertia", self.inertia)
+    }
+}
+
+impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Inertia<T> {
+    #[inline]
+    fn transfer_matrix(&self, x: S) -> Matrix2<S> {
+        Matrix2::new(S::one(), S::zero(), x.lambda_squared() * self.inertia, S::one())
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for Inertia<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        Inertia { inertia: next() }
+    }
+}

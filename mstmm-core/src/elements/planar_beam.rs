@@ -1,0 +1,82 @@
+//! Beam in planar motion: bending and longitudinal vibration.
+
+use crate::beam_functions::{bending_matrix, cosine_and_sinc};
+use crate::element::{Element, TransferMatrix};
+use crate::error::{InvalidParameter, Requirement};
+use crate::scalar::{Frequency, Real};
+use crate::state::Planar;
+use nalgebra::Matrix6;
+
+/// Uniform Euler-Bernoulli beam with exact longitudinal vibration; the two motions do not couple along a beam.
+///
+/// Transfer matrix on `[X, Y, Θ, M, Qx, Qy]`: rows and columns `[Y, Θ, M, Qy]` are those of a bending beam, rows and
+/// columns `[X, Qx]` are, with `ζ² = -mλ²l²/EA`,
+///
+/// ```text
+/// cos ζ           -(l/EA) sin ζ/ζ
+/// (EA/l) ζ sin ζ   cos ζ
+/// ```
+///
+/// # Source
+/// Eq. (19) of the paper for bending; longitudinal vibration `EA X'' = mλ² X` with `Qx = -EA X'` in its sign
+/// convention.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarBeam<T> {
+    /// Length l [m], positive.
+    pub length: T,
+    /// Axial stiffness EA [N], positive.
+    pub axial_stiffness: T,
+    /// Bending stiffness EI [N m²], positive.
+    pub bending_stiffness: T,
+    /// Mass per length m [kg/m], positive.
+    pub mass_per_length: T,
+}
+
+impl<T: Real> Element for PlanarBeam<T> {
+    type State = Planar;
+
+    fn validate(&self) -> Result<(), InvalidParameter> {
+        Requirement::Positive.check("length", self.length)?;
+        Requirement::Positive.check("axial_stiffness", self.axial_stiffness)?;
+        Requirement::Positive.check("bending_stiffness", self.bending_stiffness)?;
+        Requirement::Positive.check("mass_per_length", self.mass_per_length)
+    }
+}
+
+impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PlanarBeam<T> {
+    fn transfer_matrix(&self, x: S) -> Matrix6<S> {
+        let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = *self;
+        let lambda_squared = x.lambda_squared();
+        let zeta_squared = -lambda_squared * (mass_per_length / axial_stiffness * length * length);
+        let (cosine, sinc) = cosine_and_sinc(zeta_squared);
+        let bending = bending_matrix(length, bending_stiffness, mass_per_length, lambda_squared);
+        let mut u = Matrix6::zeros();
+        u[(0, 0)] = cosine;
+        u[(4, 4)] = cosine;
+        u[(0, 4)] = -(sinc * (length / axial_stiffness));
+        u[(4, 0)] = zeta_squared * sinc * (axial_stiffness / length);
+        const BENDING: [usize; 4] = [1, 2, 3, 5];
+        for (row, &planar_row) in BENDING.iter().enumerate() {
+            for (column, &planar_column) in BENDING.iter().enumerate() {
+                u[(planar_row, planar_column)] = bending[(row, column)];
+            }
+        }
+        u
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for PlanarBeam<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        PlanarBeam {
+            length: next(),
+            axial_stiffness: next(),
+            bending_stiffness: next(),
+            mass_per_length: next(),
+        }
+    }
+
+    fn halves(self) -> Option<Self> {
+        Some(PlanarBeam { length: self.length / 2.0, ..self })
+    }
+}

@@ -1,0 +1,88 @@
+//! Rigid body in planar motion.
+
+use crate::element::{Element, TransferMatrix};
+use crate::error::{InvalidParameter, Requirement};
+use crate::scalar::{Frequency, Real};
+use crate::state::Planar;
+use nalgebra::Matrix6;
+
+/// Rigid body with one input and one output end in planar motion; small rotations.
+///
+/// Transfer matrix on `[X, Y, Θ, M, Qx, Qy]`, with the output end at (b1, b2) and the mass centre at (c1, c2):
+///
+/// ```text
+/// 1            0             -b2                        0   0    0
+/// 0            1             b1                         0   0    0
+/// 0            0             1                          0   0    0
+/// mλ²(b2-c2)   -mλ²(b1-c1)   λ²[J_I - m(b1c1 + b2c2)]   1   -b2  b1
+/// -mλ²         0             mλ²c2                      0   1    0
+/// 0            -mλ²          -mλ²c1                     0   0    1
+/// ```
+///
+/// # Source
+/// Eq. (15) of the paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarBody<T> {
+    /// Mass m [kg], zero or positive.
+    pub mass: T,
+    /// Moment of inertia J_I about the input end [kg m²], at least `mass * (centre_x² + centre_y²)`.
+    pub inertia: T,
+    /// Position b1 of the output end along x [m].
+    pub output_x: T,
+    /// Position b2 of the output end along y [m].
+    pub output_y: T,
+    /// Position c1 of the mass centre along x [m].
+    pub centre_x: T,
+    /// Position c2 of the mass centre along y [m].
+    pub centre_y: T,
+}
+
+impl<T: Real> Element for PlanarBody<T> {
+    type State = Planar;
+
+    fn validate(&self) -> Result<(), InvalidParameter> {
+        Requirement::NonNegative.check("mass", self.mass)?;
+        Requirement::Finite.check("output_x", self.output_x)?;
+        Requirement::Finite.check("output_y", self.output_y)?;
+        Requirement::Finite.check("centre_x", self.centre_x)?;
+        Requirement::Finite.check("centre_y", self.centre_y)?;
+        let about_centre = self.mass * (self.centre_x * self.centre_x + self.centre_y * self.centre_y);
+        Requirement::at_least(about_centre, "mass * (centre_x² + centre_y²)").check("inertia", self.inertia)
+    }
+}
+
+impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PlanarBody<T> {
+    #[rustfmt::skip]
+    fn transfer_matrix(&self, x: S) -> Matrix6<S> {
+        let (o, i) = (S::zero(), S::one());
+        let (b1, b2) = (S::from_parameter(self.output_x), S::from_parameter(self.output_y));
+        let lambda_squared = x.lambda_squared();
+        let a = lambda_squared * self.mass;
+        let ac1 = lambda_squared * (self.mass * self.centre_x);
+        let ac2 = lambda_squared * (self.mass * self.centre_y);
+        let j = lambda_squared * self.inertia;
+        Matrix6::new(
+            i,            o,            -b2,                   o, o,   o,
+            o,            i,            b1,                    o, o,   o,
+            o,            o,            i,                     o, o,   o,
+            a * b2 - ac2, ac1 - a * b1, j - b1 * ac1 - b2 * ac2, i, -b2, b1,
+            -a,           o,            ac2,                   o, i,   o,
+            o,            -a,           -ac1,                  o, o,   i,
+        )
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for PlanarBody<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        let (mass, centre_x, centre_y) = (next(), next() - 1.0, next() - 1.0);
+        PlanarBody {
+            mass,
+            inertia: mass * (centre_x * centre_x + centre_y * centre_y) + next(),
+            output_x: next() - 1.0,
+            output_y: next() - 1.0,
+            centre_x,
+            centre_y,
+        }
+    }
+}

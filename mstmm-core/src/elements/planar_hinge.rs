@@ -1,0 +1,51 @@
+//! Elastic hinge in planar motion.
+
+use crate::element::{Element, TransferMatrix};
+use crate::error::{InvalidParameter, Requirement};
+use crate::scalar::{Frequency, Real};
+use crate::state::Planar;
+use nalgebra::Matrix6;
+
+/// Massless elastic hinge in planar motion: three springs side by side.
+///
+/// Transfer matrix on `[X, Y, Θ, M, Qx, Qy]`: the identity plus `-1/K_x` at (X, Qx), `-1/K_y` at (Y, Qy) and `1/K_θ` at
+/// (Θ, M).
+///
+/// # Source
+/// Eqs. (3), (4) and (32) of the paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarHinge<T> {
+    /// Stiffness K_x along x [N/m], positive.
+    pub stiffness_x: T,
+    /// Stiffness K_y along y [N/m], positive.
+    pub stiffness_y: T,
+    /// Torsional stiffness K_θ [N m/rad], positive.
+    pub stiffness_theta: T,
+}
+
+impl<T: Real> Element for PlanarHinge<T> {
+    type State = Planar;
+
+    fn validate(&self) -> Result<(), InvalidParameter> {
+        Requirement::Positive.check("stiffness_x", self.stiffness_x)?;
+        Requirement::Positive.check("stiffness_y", self.stiffness_y)?;
+        Requirement::Positive.check("stiffness_theta", self.stiffness_theta)
+    }
+}
+
+impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PlanarHinge<T> {
+    fn transfer_matrix(&self, _x: S) -> Matrix6<S> {
+        let mut u = Matrix6::identity();
+        u[(0, 4)] = -S::from_parameter(T::one() / self.stiffness_x);
+        u[(1, 5)] = -S::from_parameter(T::one() / self.stiffness_y);
+        u[(2, 3)] = S::from_parameter(T::one() / self.stiffness_theta);
+        u
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for PlanarHinge<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        PlanarHinge { stiffness_x: next(), stiffness_y: next(), stiffness_theta: next() }
+    }
+}

@@ -1,0 +1,59 @@
+//! Translational spring and damper in parallel.
+
+use crate::element::{Element, TransferMatrix};
+use crate::error::{InvalidParameter, Requirement};
+use crate::scalar::{ComplexFrequency, Real};
+use crate::state::Translation;
+use nalgebra::Matrix2;
+
+/// Massless spring and viscous damper in parallel, `Q = (K + Cλ)(Y_I - Y_O)`.
+///
+/// Transfer matrix on `[Y, Q]`: `[[1, -1/κ], [0, 1]]` with the dynamic stiffness `κ = K + Cλ`, whose zero is the
+/// element's [`denominator`](TransferMatrix::denominator). It exists at complex frequencies λ only.
+///
+/// # Source
+/// Eq. (39) of the paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpringDamper<T> {
+    /// Stiffness K [N/m], positive.
+    pub stiffness: T,
+    /// Damping C [N s/m], zero or positive.
+    pub damping: T,
+}
+
+impl<T: Real> Element for SpringDamper<T> {
+    type State = Translation;
+
+    fn validate(&self) -> Result<(), InvalidParameter> {
+        Requirement::Positive.check("stiffness", self.stiffness)?;
+        Requirement::NonNegative.check("damping", self.damping)
+    }
+}
+
+impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for SpringDamper<T> {
+    #[inline]
+    fn transfer_matrix(&self, x: S) -> Matrix2<S> {
+        let compliance = S::one() / self.dynamic_stiffness(x);
+        Matrix2::new(S::one(), -compliance, S::zero(), S::one())
+    }
+
+    #[inline]
+    fn denominator(&self, x: S) -> Option<S> {
+        Some(self.dynamic_stiffness(x))
+    }
+}
+
+impl<T: Real> SpringDamper<T> {
+    /// `κ = K + Cλ`.
+    #[inline]
+    fn dynamic_stiffness<S: ComplexFrequency<T>>(&self, x: S) -> S {
+        S::from_parameter(self.stiffness) + x * self.damping
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for SpringDamper<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        SpringDamper { stiffness: next(), damping: next() }
+    }
+}

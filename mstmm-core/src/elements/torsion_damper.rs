@@ -1,0 +1,56 @@
+//! Torsion damper.
+
+use crate::element::{Element, TransferMatrix};
+use crate::error::{InvalidParameter, Requirement};
+use crate::scalar::{ComplexFrequency, Real};
+use crate::state::Rotation;
+use nalgebra::Matrix2;
+
+/// Massless viscous torsion damper, `M = Cλ (Θ_O - Θ_I)`.
+///
+/// Transfer matrix on `[Θ, M]`: `[[1, 1/κ], [0, 1]]` with the dynamic stiffness `κ = Cλ`, whose zero is the
+/// element's [`denominator`](TransferMatrix::denominator). It exists at complex frequencies λ only.
+///
+/// # Source
+/// Eq. (6) of the paper, on rotations as in eq. (4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TorsionDamper<T> {
+    /// Damping C [N m s/rad], zero or positive.
+    pub damping: T,
+}
+
+impl<T: Real> Element for TorsionDamper<T> {
+    type State = Rotation;
+
+    fn validate(&self) -> Result<(), InvalidParameter> {
+        Requirement::NonNegative.check("damping", self.damping)
+    }
+}
+
+impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for TorsionDamper<T> {
+    #[inline]
+    fn transfer_matrix(&self, x: S) -> Matrix2<S> {
+        let compliance = S::one() / self.dynamic_stiffness(x);
+        Matrix2::new(S::one(), compliance, S::zero(), S::one())
+    }
+
+    #[inline]
+    fn denominator(&self, x: S) -> Option<S> {
+        Some(self.dynamic_stiffness(x))
+    }
+}
+
+impl<T: Real> TorsionDamper<T> {
+    /// `κ = Cλ`.
+    #[inline]
+    fn dynamic_stiffness<S: ComplexFrequency<T>>(&self, x: S) -> S {
+        x * self.damping
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for TorsionDamper<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        TorsionDamper { damping: next() }
+    }
+}

@@ -1,0 +1,196 @@
+//! Errors: each carries the numbers that caused it.
+
+use crate::scalar::Real;
+use core::fmt;
+
+/// What a parameter must satisfy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Requirement {
+    /// Any finite number.
+    Finite,
+    /// Finite and greater than zero.
+    Positive,
+    /// Finite and not less than zero.
+    NonNegative,
+    /// Finite and at least `bound`, which comes from `formula`.
+    AtLeast {
+        /// Smallest valid value.
+        bound: f64,
+        /// Where the bound comes from, in terms of the other parameters.
+        formula: &'static str,
+    },
+}
+
+impl fmt::Display for Requirement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Requirement::Finite => write!(f, "a finite number"),
+            Requirement::Positive => write!(f, "positive and finite"),
+            Requirement::NonNegative => write!(f, "zero or positive, and finite"),
+            Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
+        }
+    }
+}
+
+/// What `operations` roundings can do to a number of size `scale`.
+fn rounding(operations: u32, scale: f64) -> f64 {
+    f64::from(operations) * f64::EPSILON * scale
+}
+
+/// A parameter out of its range, as an element sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InvalidParameter {
+    /// Name of the parameter.
+    pub parameter: &'static str,
+    /// The value that was given.
+    pub value: f64,
+    /// What it must satisfy.
+    pub requirement: Requirement,
+}
+
+impl InvalidParameter {
+    /// The same error, with the name of the element in the model.
+    pub fn of(self, element: &'static str) -> ParameterError {
+        ParameterError { element, parameter: self.parameter, value: self.value, requirement: self.requirement }
+    }
+}
+
+impl Requirement {
+    /// At least `bound`, with room for the rounding of the caller, who may have computed the same product in another
+    /// order (three roundings on either side).
+    pub fn at_least<T: Real>(bound: T, formula: &'static str) -> Self {
+        Requirement::AtLeast { bound: bound.to_f64(), formula }
+    }
+
+    /// Checks `value` and names it `parameter` if it fails.
+    ///
+    /// # Errors
+    /// [`InvalidParameter`] if the value does not satisfy the requirement; a NaN satisfies none.
+    ///
+    /// ```
+    /// use mstmm_core::Requirement;
+    /// assert!(Requirement::Positive.check("length", 1.5).is_ok());
+    /// assert!(Requirement::NonNegative.check("damping", f64::NAN).is_err());
+    /// ```
+    pub fn check<T: Real>(self, parameter: &'static str, value: T) -> Result<(), InvalidParameter> {
+        let value = value.to_f64();
+        let valid = match self {
+            Requirement::Finite => true,
+            Requirement::Positive => value > 0.0,
+            Requirement::NonNegative => value >= 0.0,
+            Requirement::AtLeast { bound, .. } => value >= bound - rounding(3, 2.0 * bound.abs()),
+        };
+        if valid && value.is_finite() {
+            return Ok(());
+        }
+        Err(InvalidParameter { parameter, value, requirement: self })
+    }
+}
+
+/// A parameter of a model out of its range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParameterError {
+    /// Keyword and label of the element, as in the model.
+    pub element: &'static str,
+    /// Name of the parameter.
+    pub parameter: &'static str,
+    /// The value that was given.
+    pub value: f64,
+    /// What it must satisfy.
+    pub requirement: Requirement,
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ParameterError { element, parameter, value, requirement } = self;
+        write!(f, "{element}: {parameter} is {value}, but must be {requirement}")
+    }
+}
+
+impl core::error::Error for ParameterError {}
+
+/// A search that cannot start or cannot return all it found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SearchError {
+    /// The range is empty, reversed or not finite.
+    Range {
+        /// Start of the range.
+        start: f64,
+        /// End of the range.
+        end: f64,
+    },
+    /// A grid needs at least three points in each direction, and no more than the search has room for.
+    Grid {
+        /// Points asked for.
+        points: usize,
+        /// Largest number of points of this direction.
+        limit: usize,
+    },
+    /// A tolerance must be positive and finite.
+    Tolerance {
+        /// The tolerance that was given.
+        tolerance: f64,
+    },
+    /// The function returned a NaN.
+    NotANumber {
+        /// First coordinate of the point.
+        x: f64,
+        /// Second coordinate of the point; zero in one dimension.
+        y: f64,
+    },
+    /// There are more results than the caller's capacity; none is returned rather than a part of them.
+    Capacity {
+        /// The capacity.
+        capacity: usize,
+    },
+}
+
+impl fmt::Display for SearchError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            SearchError::Range { start, end } => {
+                write!(f, "the search range from {start} to {end} must be finite and run upwards")
+            }
+            SearchError::Grid { points, limit } => {
+                write!(f, "a grid of {points} points was asked for; it needs at least 3 and at most {limit}")
+            }
+            SearchError::Tolerance { tolerance } => {
+                write!(f, "the tolerance {tolerance} must be positive and finite")
+            }
+            SearchError::NotANumber { x, y } => write!(f, "the function is not a number at ({x}, {y})"),
+            SearchError::Capacity { capacity } => {
+                write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SearchError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn message_names_element_parameter_and_value() {
+        let error = Requirement::Positive.check("length", -2.0).unwrap_err().of("beam 1");
+        assert_eq!(error.to_string(), "beam 1: length is -2, but must be positive and finite");
+    }
+
+    #[test]
+    fn no_requirement_accepts_a_number_that_is_not_finite() {
+        let all = [
+            Requirement::Finite,
+            Requirement::Positive,
+            Requirement::NonNegative,
+            Requirement::AtLeast { bound: 0.0, formula: "nothing" },
+        ];
+        for requirement in all {
+            for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                assert!(requirement.check("length", value).is_err(), "{requirement:?} accepts {value}");
+            }
+        }
+    }
+}

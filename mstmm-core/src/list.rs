@@ -1,0 +1,63 @@
+//! A list of fixed capacity, for results without allocation.
+
+use core::ops::Deref;
+
+/// Up to `CAP` values in an array; dereferences to the slice of those that are there.
+#[derive(Clone, Copy, Debug)]
+pub struct List<V, const CAP: usize> {
+    values: [V; CAP],
+    length: usize,
+}
+
+impl<V: Copy + Default, const CAP: usize> List<V, CAP> {
+    /// The empty list.
+    pub(crate) fn new() -> Self {
+        List { values: [V::default(); CAP], length: 0 }
+    }
+
+    /// Appends a value; gives it back if the list is full.
+    pub(crate) fn push(&mut self, value: V) -> Result<(), V> {
+        match self.values.get_mut(self.length) {
+            None => Err(value),
+            Some(place) => {
+                *place = value;
+                self.length += 1;
+                Ok(())
+            }
+        }
+    }
+
+    /// The values so far, to change.
+    pub(crate) fn as_mut_slice(&mut self) -> &mut [V] {
+        &mut self.values[..self.length]
+    }
+}
+
+impl<V, const CAP: usize> Deref for List<V, CAP> {
+    type Target = [V];
+
+    fn deref(&self) -> &[V] {
+        &self.values[..self.length]
+    }
+}
+
+impl<'a, V, const CAP: usize> IntoIterator for &'a List<V, CAP> {
+    type Item = &'a V;
+    type IntoIter = core::slice::Iter<'a, V>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn takes_no_more_than_its_capacity() {
+        let mut list = List::<u8, 2>::new();
+        assert_eq!((list.push(1), list.push(2), list.push(3)), (Ok(()), Ok(()), Err(3)));
+        assert_eq!(&*list, [1, 2]);
+    }
+}

@@ -1,0 +1,83 @@
+//! Scalars: what matrices are made of, what parameters are, and what a frequency is.
+
+mod complex;
+mod real;
+
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use num_traits::{NumAssign, One, Zero};
+
+/// A number that transfer matrices can be made of: real or complex, of any precision.
+///
+/// The functions are those that the elements need; all are analytic, so that real and complex evaluation share
+/// every formula.
+pub trait Scalar:
+    nalgebra::Scalar
+    + Copy
+    + Zero
+    + One
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// Number of terms after which a Taylor series in `z⁴`, `|z⁴| <= 1`, is exact to rounding.
+    const SERIES_TERMS: u32;
+
+    /// The scalar nearest to `value`.
+    fn from_f64(value: f64) -> Self;
+
+    /// Principal square root.
+    fn sqrt(self) -> Self;
+
+    /// Sine and cosine.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Hyperbolic sine and cosine.
+    fn sinh_cosh(self) -> (Self, Self);
+
+    /// Largest modulus among the real components: what pivots and branches compare. NaN if any component is.
+    fn size(self) -> f64;
+
+    /// `self · 2^exponent`, exact unless it leaves the range of the type.
+    fn times_power_of_two(self, exponent: i32) -> Self;
+}
+
+/// A real scalar: the type of parameters and of natural frequencies.
+pub trait Real: Scalar + NumAssign + PartialOrd {
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+
+    /// Exponential function.
+    fn exp(self) -> Self;
+
+    /// Absolute value.
+    fn abs(self) -> Self;
+}
+
+/// A scalar that stands for the frequency of a system with parameters of type `T`.
+///
+/// A real scalar is the angular frequency `ω` in rad/s, with `λ = iω`; a complex scalar is the eigenvalue `λ` in
+/// 1/s itself. Undamped elements know the frequency by `λ²` alone, which is real in both cases.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a frequency for parameters of type `{T}`",
+    note = "pass a real number for ω [rad/s], or a `Complex` number for λ [1/s]"
+)]
+pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
+    /// `λ²`: `-ω²` for a real frequency.
+    fn lambda_squared(self) -> Self;
+
+    /// A parameter as a scalar of this type.
+    fn from_parameter(parameter: T) -> Self;
+}
+
+/// A frequency that is the complex eigenvalue `λ` itself: what dashpots need.
+#[diagnostic::on_unimplemented(
+    message = "a system with a damper has complex eigenvalues: it cannot be evaluated at a real frequency",
+    label = "needs a complex λ, not `{Self}`",
+    note = "pass `Complex::new(re, im)` for λ [1/s]; an undamped motion at ω is λ = iω, `Complex::new(0.0, omega)`"
+)]
+pub trait ComplexFrequency<T>: Frequency<T> {}

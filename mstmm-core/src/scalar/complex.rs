@@ -1,0 +1,101 @@
+//! Complex scalars over any real one.
+
+use super::{ComplexFrequency, Frequency, Real, Scalar};
+use num_complex::Complex;
+use num_traits::Zero;
+
+impl<T: Real> Scalar for Complex<T> {
+    const SERIES_TERMS: u32 = T::SERIES_TERMS;
+
+    #[inline]
+    fn from_f64(value: f64) -> Self {
+        Complex::new(T::from_f64(value), T::zero())
+    }
+
+    fn sqrt(self) -> Self {
+        if self.is_zero() {
+            return self;
+        }
+        let half = T::one() / (T::one() + T::one());
+        let modulus = (self.re * self.re + self.im * self.im).sqrt();
+        let larger = ((self.re.abs() + modulus) * half).sqrt();
+        let smaller = self.im.abs() * half / larger;
+        let (re, im) = if self.re < T::zero() { (smaller, larger) } else { (larger, smaller) };
+        Complex::new(re, if self.im < T::zero() { -im } else { im })
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (s, c) = self.re.sin_cos();
+        let (sh, ch) = self.im.sinh_cosh();
+        (Complex::new(s * ch, c * sh), Complex::new(c * ch, -(s * sh)))
+    }
+
+    fn sinh_cosh(self) -> (Self, Self) {
+        let (sh, ch) = self.re.sinh_cosh();
+        let (s, c) = self.im.sin_cos();
+        (Complex::new(sh * c, ch * s), Complex::new(ch * c, sh * s))
+    }
+
+    #[inline]
+    fn size(self) -> f64 {
+        let (re, im) = (self.re.size(), self.im.size());
+        // `>` is false for a NaN on either side, and a NaN must come through
+        if re.is_nan() || re > im { re } else { im }
+    }
+
+    #[inline]
+    fn times_power_of_two(self, exponent: i32) -> Self {
+        Complex::new(self.re.times_power_of_two(exponent), self.im.times_power_of_two(exponent))
+    }
+}
+
+impl<T: Real> Frequency<T> for Complex<T> {
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        self * self
+    }
+
+    #[inline]
+    fn from_parameter(parameter: T) -> Self {
+        Complex::new(parameter, T::zero())
+    }
+}
+
+impl<T: Real> ComplexFrequency<T> for Complex<T> {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tolerance::assert_close;
+    use num_traits::One;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn square_root_squares_back_and_is_principal(re in -1e3..1e3f64, im in -1e3..1e3f64) {
+            let z = Complex::new(re, im);
+            let root = Scalar::sqrt(z);
+            assert!(root.re >= 0.0);
+            assert_close((root * root - z).size(), 0.0, z.size(), 8.0);
+        }
+
+        #[test]
+        fn circular_and_hyperbolic_functions_obey_pythagoras_and_rotate_into_each_other(re in -3.0..3.0f64, im in -3.0..3.0f64) {
+            let z = Complex::new(re, im);
+            let (s, c) = Scalar::sin_cos(z);
+            let (sh, ch) = Scalar::sinh_cosh(z);
+            let scale = (s * s).size() + (sh * sh).size() + 1.0;
+            assert_close((s * s + c * c - Complex::one()).size(), 0.0, scale, 16.0);
+            assert_close((ch * ch - sh * sh - Complex::one()).size(), 0.0, scale, 16.0);
+            let (rotated, _) = Scalar::sin_cos(Complex::<f64>::i() * z);
+            assert_close((rotated - Complex::<f64>::i() * sh).size(), 0.0, scale, 16.0);
+        }
+    }
+
+    #[test]
+    fn size_shows_a_nan_in_either_part() {
+        assert!(Complex::new(f64::NAN, 1.0).size().is_nan());
+        assert!(Complex::new(1.0, f64::NAN).size().is_nan());
+        assert_eq!(Complex::new(-3.0, 2.0).size(), 3.0);
+    }
+}

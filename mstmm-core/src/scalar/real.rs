@@ -1,0 +1,121 @@
+//! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
+
+use super::{Frequency, Real, Scalar};
+
+impl<T: Real> Frequency<T> for T {
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        -(self * self)
+    }
+
+    #[inline]
+    fn from_parameter(parameter: T) -> Self {
+        parameter
+    }
+}
+
+/// `2^exponent` for a normal exponent, from its bits.
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + i64::from(exponent)) as u64) << 52)
+}
+
+/// `value · 2^exponent` in steps that stay in range as long as the result does.
+fn scale(mut value: f64, mut exponent: i32) -> f64 {
+    while exponent > 1023 && value.is_finite() && value != 0.0 {
+        value *= power_of_two(1023);
+        exponent -= 1023;
+    }
+    while exponent < -969 && value != 0.0 {
+        value *= power_of_two(-969);
+        exponent += 969;
+    }
+    value * power_of_two(exponent.clamp(-1022, 1023))
+}
+
+/// Calls a function of the standard library or, without it, of `libm`.
+macro_rules! elementary {
+    ($std:expr, $libm:expr, $argument:expr) => {{
+        #[cfg(feature = "std")]
+        let value = $std($argument);
+        #[cfg(not(feature = "std"))]
+        let value = $libm($argument);
+        value
+    }};
+}
+
+/// Implements the real scalars for a primitive type, given its functions in `libm`.
+macro_rules! real {
+    ($type:ty, $terms:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path) => {
+        impl Scalar for $type {
+            const SERIES_TERMS: u32 = $terms;
+
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                value as $type
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                elementary!(<$type>::sqrt, $sqrt, self)
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                (elementary!(<$type>::sin, $sin, self), elementary!(<$type>::cos, $cos, self))
+            }
+
+            #[inline]
+            fn sinh_cosh(self) -> (Self, Self) {
+                (elementary!(<$type>::sinh, $sinh, self), elementary!(<$type>::cosh, $cosh, self))
+            }
+
+            #[inline]
+            fn size(self) -> f64 {
+                f64::from(<$type>::abs(self))
+            }
+
+            #[inline]
+            fn times_power_of_two(self, exponent: i32) -> Self {
+                scale(f64::from(self), exponent) as $type
+            }
+        }
+
+        impl Real for $type {
+            #[inline]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+
+            #[inline]
+            fn exp(self) -> Self {
+                elementary!(<$type>::exp, $exp, self)
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                <$type>::abs(self)
+            }
+        }
+    };
+}
+
+real!(f64, 6, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp);
+real!(f32, 4, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_of_two_are_exact_up_to_the_ends_of_the_range() {
+        assert_eq!(1.5_f64.times_power_of_two(10), 1536.0);
+        assert_eq!(
+            f64::MIN_POSITIVE.times_power_of_two(2045),
+            f64::MIN_POSITIVE * 2f64.powi(1000) * 2f64.powi(1000) * 2f64.powi(45)
+        );
+        assert_eq!(1.0_f64.times_power_of_two(-1074), f64::from_bits(1));
+        assert_eq!(2f64.powi(1000).times_power_of_two(-2000), 2f64.powi(-1000));
+        assert_eq!(1.0_f64.times_power_of_two(5000), f64::INFINITY);
+        assert_eq!(0.0_f64.times_power_of_two(5000), 0.0);
+    }
+}

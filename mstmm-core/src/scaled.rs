@@ -1,0 +1,161 @@
+//! Numbers with an exponent of their own: determinants that neither overflow nor vanish.
+
+use crate::scalar::{Real, Scalar};
+use core::cmp::Ordering;
+use core::fmt;
+use num_complex::Complex;
+
+/// `mantissa · 2^exponent`.
+///
+/// Invariant: the larger component of a finite, non-zero mantissa lies in `[1, 2)`; zero and non-finite values have
+/// exponent 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scaled<S> {
+    mantissa: S,
+    exponent: i64,
+}
+
+/// Exponent `e` with `2^e <= size < 2^(e+1)`; 0 for zero and for what is not finite.
+fn binary_exponent(size: f64) -> i32 {
+    let bits = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
+    match bits(size) {
+        0x7ff => 0,
+        0 if size == 0.0 => 0,
+        0 => bits(size * (1u64 << 54) as f64) - 1023 - 54,
+        biased => biased - 1023,
+    }
+}
+
+impl<S: Scalar> Scaled<S> {
+    /// `value · 2^exponent`, normalised.
+    pub fn new(value: S, exponent: i64) -> Self {
+        let size = value.size();
+        if size == 0.0 || !size.is_finite() {
+            return Scaled { mantissa: value, exponent: 0 };
+        }
+        let shift = binary_exponent(size);
+        Scaled { mantissa: value.times_power_of_two(-shift), exponent: exponent + i64::from(shift) }
+    }
+
+    /// The factor in `[1, 2)` (or zero, or not finite).
+    pub fn mantissa(self) -> S {
+        self.mantissa
+    }
+
+    /// The power of two.
+    pub fn exponent(self) -> i64 {
+        self.exponent
+    }
+
+    /// The product with a plain number.
+    #[must_use]
+    pub fn times(self, factor: S) -> Self {
+        let factor = Scaled::new(factor, 0);
+        Scaled::new(self.mantissa * factor.mantissa, self.exponent + factor.exponent)
+    }
+
+    /// The plain number; infinite or zero where it leaves the range of the type.
+    pub fn value(self) -> S {
+        let exponent = self.exponent.clamp(-5000, 5000);
+        self.mantissa.times_power_of_two(exponent as i32)
+    }
+}
+
+/// A modulus with an exponent of its own: what the searches for minima compare and report.
+///
+/// Ordered like the real numbers that it stands for; a NaN compares with nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Magnitude {
+    mantissa: f64,
+    exponent: i64,
+}
+
+impl Magnitude {
+    /// The plain number; infinite or zero where it leaves the range of `f64`.
+    pub fn value(self) -> f64 {
+        Scaled { mantissa: self.mantissa, exponent: self.exponent }.value()
+    }
+
+    /// Whether this is not a number.
+    pub fn is_nan(self) -> bool {
+        self.mantissa.is_nan()
+    }
+}
+
+impl PartialOrd for Magnitude {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        let ordinary = |m: f64| m != 0.0 && m.is_finite();
+        if ordinary(self.mantissa) && ordinary(other.mantissa) && self.exponent != other.exponent {
+            return self.exponent.partial_cmp(&other.exponent);
+        }
+        self.mantissa.partial_cmp(&other.mantissa)
+    }
+}
+
+impl fmt::Display for Magnitude {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.exponent.abs() < 1000 {
+            return write!(f, "{:e}", self.value());
+        }
+        write!(f, "{} * 2^{}", self.mantissa, self.exponent)
+    }
+}
+
+impl From<f64> for Magnitude {
+    fn from(value: f64) -> Self {
+        Scaled::new(value, 0).into()
+    }
+}
+
+impl<T: Real> From<Complex<T>> for Magnitude {
+    fn from(value: Complex<T>) -> Self {
+        Scaled::new(value, 0).into()
+    }
+}
+
+impl From<Scaled<f64>> for Magnitude {
+    fn from(value: Scaled<f64>) -> Self {
+        Magnitude { mantissa: value.mantissa.abs(), exponent: value.exponent }
+    }
+}
+
+impl<T: Real> From<Scaled<Complex<T>>> for Magnitude {
+    fn from(value: Scaled<Complex<T>>) -> Self {
+        let Complex { re, im } = value.mantissa;
+        let modulus = Scaled::new((re * re + im * im).sqrt().to_f64(), value.exponent);
+        Magnitude { mantissa: modulus.mantissa, exponent: modulus.exponent }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn order_is_that_of_the_numbers(a in proptest::num::f64::ANY, b in proptest::num::f64::ANY) {
+            prop_assert_eq!(Magnitude::from(a).partial_cmp(&Magnitude::from(b)), a.abs().partial_cmp(&b.abs()));
+        }
+
+        #[test]
+        fn value_returns_what_went_in(a in proptest::num::f64::ANY) {
+            prop_assert_eq!(Scaled::new(a, 0).value().to_bits(), a.to_bits());
+        }
+
+        #[test]
+        fn mantissa_is_normalised(a in proptest::num::f64::NORMAL | proptest::num::f64::SUBNORMAL) {
+            prop_assert!((1.0..2.0).contains(&Scaled::new(a, 0).mantissa().abs()));
+        }
+    }
+
+    #[test]
+    fn products_neither_overflow_nor_vanish() {
+        let huge = Scaled::new(1e300, 0).times(1e300).times(1e300);
+        let back = huge.times(1e-300).times(1e-300);
+        assert!((back.value() / 1e300 - 1.0).abs() < 8.0 * f64::EPSILON);
+        assert_eq!(huge.value(), f64::INFINITY);
+        assert!(Magnitude::from(huge) > Magnitude::from(1e300));
+        assert!(Magnitude::from(0.0) < Magnitude::from(Scaled::new(1e-300, -10_000)));
+    }
+}

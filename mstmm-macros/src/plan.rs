@@ -1,0 +1,83 @@
+//! The plan: a flat list of steps from the tips to the root. A step refers to earlier steps by index.
+
+use crate::ast::Element;
+use crate::check::Tree;
+use crate::topology::Vertex;
+use proc_macro2::Span;
+use quote::ToTokens;
+use std::collections::BTreeMap;
+use syn::Ident;
+
+/// One step; inputs are indices of earlier steps.
+pub(crate) enum Step<'a> {
+    /// A path starts from a support.
+    Tip(&'a Ident),
+    /// A path goes through an element, given as index into [`Plan::elements`].
+    Element { element: usize, input: usize, arrow: Span },
+    /// Paths are joined, in source order.
+    Connection { inputs: Vec<usize>, label: Span },
+    /// All paths end in a support: the last step.
+    Root { support: &'a Ident, input: usize },
+}
+
+/// What the emitted code evaluates, in order.
+pub(crate) struct Plan<'a> {
+    pub(crate) steps: Vec<Step<'a>>,
+    /// Elements that differ: those of one kind with the same parameters, token by token, stand here once.
+    pub(crate) elements: Vec<&'a Element>,
+}
+
+impl<'a> Plan<'a> {
+    /// Plans a checked tree: depth first from the root, inputs in source order, so that inputs precede outputs.
+    pub(crate) fn of(tree: &Tree<'_, 'a>) -> Self {
+        let mut plan = Plan { steps: Vec::new(), elements: Vec::new() };
+        let mut known = BTreeMap::new();
+        let mut step_of = BTreeMap::new();
+        for vertex in inputs_first(tree) {
+            let inputs: Vec<usize> = tree.graph.inputs(vertex).iter().map(|input| step_of[input]).collect();
+            let step = match &tree.graph.vertices[vertex] {
+                Vertex::Support(support) if vertex == tree.root => Step::Root { support, input: inputs[0] },
+                Vertex::Support(support) => Step::Tip(support),
+                Vertex::Connection(label) => Step::Connection { inputs, label: label.span() },
+                Vertex::Element(element) => {
+                    let next = plan.elements.len();
+                    let element_index = *known.entry(identity(element)).or_insert(next);
+                    if element_index == next {
+                        plan.elements.push(element);
+                    }
+                    let edge = tree.graph.edges.iter().find(|edge| edge.to == vertex);
+                    let arrow = edge.map_or_else(|| element.label.span(), |edge| edge.span);
+                    Step::Element { element: element_index, input: inputs[0], arrow }
+                }
+            };
+            step_of.insert(vertex, plan.steps.len());
+            plan.steps.push(step);
+        }
+        plan
+    }
+}
+
+/// The vertices of a tree, each behind all its inputs.
+fn inputs_first(tree: &Tree<'_, '_>) -> Vec<usize> {
+    let mut root_first = Vec::new();
+    let mut pending = vec![tree.root];
+    while let Some(vertex) = pending.pop() {
+        root_first.push(vertex);
+        pending.extend(tree.graph.inputs(vertex));
+    }
+    root_first.reverse();
+    root_first
+}
+
+/// Kind and parameters as text, in the order of the names: equal for elements that are the same.
+fn identity(element: &Element) -> (String, BTreeMap<String, String>) {
+    let kind = match &element.kind {
+        crate::ast::Kind::Keyword(keyword) => keyword.to_string(),
+        crate::ast::Kind::Type(path) => path.to_token_stream().to_string(),
+    };
+    let value = |parameter: &crate::ast::Parameter| match &parameter.value {
+        Some(value) => value.to_token_stream().to_string(),
+        None => parameter.name.to_string(),
+    };
+    (kind, element.parameters.iter().map(|p| (p.name.to_string(), value(p))).collect())
+}

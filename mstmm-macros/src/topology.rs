@@ -1,0 +1,106 @@
+//! The graph of a model: vertices and directed edges, labels resolved.
+
+use crate::ast::{Element, Label, Model, Node};
+use crate::diagnostics::Errors;
+use proc_macro2::Span;
+use std::collections::BTreeMap;
+use syn::Ident;
+
+/// A vertex: each mention of a support is one of its own, all mentions of a connection are one.
+pub(crate) enum Vertex<'a> {
+    Support(&'a Ident),
+    Connection(&'a Label),
+    Element(&'a Element),
+}
+
+impl Vertex<'_> {
+    /// The token to point at.
+    pub(crate) fn span(&self) -> Span {
+        match self {
+            Vertex::Support(keyword) => keyword.span(),
+            Vertex::Connection(label) => label.span(),
+            Vertex::Element(element) => element.label.span(),
+        }
+    }
+
+    /// How the user calls it.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Vertex::Support(keyword) => keyword.to_string(),
+            Vertex::Connection(label) => format!("conn {label}"),
+            Vertex::Element(element) => element.to_string(),
+        }
+    }
+}
+
+/// An arrow from an output to an input.
+pub(crate) struct Edge {
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+    pub(crate) span: Span,
+}
+
+/// Vertices and edges in source order.
+pub(crate) struct Graph<'a> {
+    pub(crate) vertices: Vec<Vertex<'a>>,
+    pub(crate) edges: Vec<Edge>,
+}
+
+impl<'a> Graph<'a> {
+    /// The graph of a model.
+    ///
+    /// # Errors
+    /// A label that two elements, or an element and a connection, share.
+    pub(crate) fn of(model: &'a Model) -> syn::Result<Self> {
+        let mut graph = Graph { vertices: Vec::new(), edges: Vec::new() };
+        let mut labels = BTreeMap::new();
+        let mut errors = Errors::default();
+        for path in &model.paths {
+            let mut previous = graph.vertex(&path.first, &mut labels, &mut errors);
+            for (arrow, node) in &path.rest {
+                let next = graph.vertex(node, &mut labels, &mut errors);
+                let (from, to) = if arrow.forward { (previous, next) } else { (next, previous) };
+                graph.edges.push(Edge { from, to, span: arrow.span });
+                previous = next;
+            }
+        }
+        errors.propagate()?;
+        Ok(graph)
+    }
+
+    /// The vertex of a node: a new one, unless it is a connection that was mentioned before.
+    fn vertex(&mut self, node: &'a Node, labels: &mut BTreeMap<String, usize>, errors: &mut Errors) -> usize {
+        let new = self.vertices.len();
+        let (label, vertex) = match node {
+            Node::Support(keyword) => {
+                self.vertices.push(Vertex::Support(keyword));
+                return new;
+            }
+            Node::Connection(label) => (label, Vertex::Connection(label)),
+            Node::Element(element) => (&element.label, Vertex::Element(element)),
+        };
+        let Some(&known) = labels.get(&label.to_string()) else {
+            labels.insert(label.to_string(), new);
+            self.vertices.push(vertex);
+            return new;
+        };
+        let first = &self.vertices[known];
+        if matches!((first, &vertex), (Vertex::Connection(_), Vertex::Connection(_))) {
+            return known;
+        }
+        let message = format!(
+            "label `{label}` is taken by `{}`: elements and connections share one set of labels, and an element is \
+             written once",
+            first.name()
+        );
+        errors.push(label.span(), message);
+        errors.push(first.span(), format!("label `{label}` is first used here"));
+        self.vertices.push(vertex);
+        new
+    }
+
+    /// Vertices with an arrow into `vertex`, in source order.
+    pub(crate) fn inputs(&self, vertex: usize) -> Vec<usize> {
+        self.edges.iter().filter(|edge| edge.to == vertex).map(|edge| edge.from).collect()
+    }
+}

@@ -1,0 +1,31 @@
+//! Exact vibrations of linear systems of beams, rigid bodies, springs, dampers and masses.
+#![no_std]
+
+pub use mstmm_core::{
+    Assembly, Bending, ComplexFrequency, Element, Evaluate, Frequency, InvalidParameter, Layout, Magnitude, MatrixOf,
+    ParameterError, Planar, Real, Requirement, Rotation, Scalar, Scaled, SearchError, Space, StateSpace, Support,
+    TransferMatrix, Translation, determinant, elements, search,
+};
+pub use mstmm_core::{Complex, SMatrix};
+
+/// All that a model needs: `use mstmm::prelude::*;`.
+pub mod prelude {
+    pub use crate::search::{fmin1d, fmin2d};
+    pub use crate::{Complex, Evaluate, system};
+}
+
+/// What emitted code uses; not for use by hand.
+#[doc(hidden)]
+pub mod __private {
+    pub use mstmm_core::*;
+    pub use mstmm_macros::expand_system;
+}
+
+/// Declares a model: a struct of parameters and a sketch of the system.
+#[doc = include_str!("../docs/grammar.md")]
+#[macro_export]
+macro_rules! system {
+    ($($model:tt)*) => {
+        $crate::__private::expand_system! { ($crate) $($model)* }
+    };
+}
