@@ -1,5 +1,6 @@
 //! Exact vibrations of linear systems of beams, rigid bodies, springs, dampers and masses.
 #![no_std]
+#![forbid(unsafe_code)]
 
 pub use mstmm_core::{
     Assembly, Bending, ComplexFrequency, Element, Evaluate, Frequency, InvalidParameter, Layout, Magnitude, MatrixOf,

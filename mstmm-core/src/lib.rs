@@ -3,6 +3,7 @@
 //! This crate is an implementation detail of `mstmm`, which re-exports what users need. It uses neither `std` nor
 //! `alloc`; the feature `std` (default) or `libm` only chooses where sine, cosine and exponential come from.
 #![no_std]
+#![forbid(unsafe_code)]
 
 #[cfg(any(test, feature = "std"))]
 extern crate std;

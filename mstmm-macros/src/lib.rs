@@ -1,6 +1,7 @@
 //! The procedural macro behind `mstmm::system!`.
 //!
 //! This crate is an implementation detail of `mstmm`; its language is described there.
+#![forbid(unsafe_code)]
 
 mod ast;
 mod check;
