@@ -34,17 +34,19 @@ pub struct Beam<T> {
 
 impl<T: Real> Element for Beam<T> {
     type State = Bending;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::Positive.check("length", self.length)?;
         Requirement::Positive.check("bending_stiffness", self.bending_stiffness)?;
-        Requirement::Positive.check("mass_per_length", self.mass_per_length)
+        Requirement::Positive.check("mass_per_length", self.mass_per_length)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Beam<T> {
-    fn transfer_matrix(&self, x: S) -> Matrix4<S> {
-        bending_matrix(self.length, self.bending_stiffness, self.mass_per_length, x.lambda_squared())
+    fn transfer_matrix(built: &Self, x: S) -> Matrix4<S> {
+        bending_matrix(built.length, built.bending_stiffness, built.mass_per_length, x.lambda_squared())
     }
 }
 

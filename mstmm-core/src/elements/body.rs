@@ -35,25 +35,27 @@ pub struct Body<T> {
 
 impl<T: Real> Element for Body<T> {
     type State = Bending;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::NonNegative.check("mass", self.mass)?;
         Requirement::Finite.check("output_x", self.output_x)?;
         Requirement::Finite.check("centre_x", self.centre_x)?;
         let about_centre = self.mass * self.centre_x * self.centre_x;
-        Requirement::at_least(about_centre, "mass * centre_x²").check("inertia", self.inertia)
+        Requirement::at_least(about_centre, "mass * centre_x²").check("inertia", self.inertia)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Body<T> {
     #[rustfmt::skip]
-    fn transfer_matrix(&self, x: S) -> Matrix4<S> {
+    fn transfer_matrix(built: &Self, x: S) -> Matrix4<S> {
         let (zero, one) = (S::zero(), S::one());
-        let b1 = S::from_parameter(self.output_x);
+        let b1 = S::from_parameter(built.output_x);
         let lambda_squared = x.lambda_squared();
-        let a = lambda_squared * self.mass;
-        let b = lambda_squared * (self.mass * self.centre_x);
-        let j = lambda_squared * self.inertia;
+        let a = lambda_squared * built.mass;
+        let b = lambda_squared * (built.mass * built.centre_x);
+        let j = lambda_squared * built.inertia;
         Matrix4::new(
             one,          b1,         zero, zero,
             zero,         one,        zero, zero,
@@ -80,14 +82,14 @@ mod tests {
         for k in 1..1000 {
             let (mass, centre_x) = (0.1 * f64::from(k), 1.0 / f64::from(k + 2));
             for inertia in [mass * (centre_x * centre_x), mass * centre_x * centre_x] {
-                assert_eq!(Body { mass, inertia, output_x: 1.0, centre_x }.validate(), Ok(()));
+                assert_eq!(Body { mass, inertia, output_x: 1.0, centre_x }.build(), Ok(()));
             }
         }
     }
 
     #[test]
     fn an_inertia_below_that_of_the_mass_centre_is_refused_with_its_bound() {
-        let error = Body { mass: 2.0, inertia: 0.4, output_x: 1.0, centre_x: 0.5 }.validate().unwrap_err();
+        let error = Body { mass: 2.0, inertia: 0.4, output_x: 1.0, centre_x: 0.5 }.build().unwrap_err();
         assert_eq!((error.parameter, error.value), ("inertia", 0.4));
         assert_eq!(error.requirement, Requirement::AtLeast { bound: 0.5, formula: "mass * centre_x²" });
     }

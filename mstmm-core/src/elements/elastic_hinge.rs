@@ -22,19 +22,21 @@ pub struct ElasticHinge<T> {
 
 impl<T: Real> Element for ElasticHinge<T> {
     type State = Bending;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::Positive.check("stiffness_y", self.stiffness_y)?;
-        Requirement::Positive.check("stiffness_theta", self.stiffness_theta)
+        Requirement::Positive.check("stiffness_theta", self.stiffness_theta)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for ElasticHinge<T> {
     #[inline]
-    fn transfer_matrix(&self, _x: S) -> Matrix4<S> {
+    fn transfer_matrix(built: &Self, _x: S) -> Matrix4<S> {
         let mut u = Matrix4::identity();
-        u[(0, 3)] = -S::from_parameter(T::one() / self.stiffness_y);
-        u[(1, 2)] = S::from_parameter(T::one() / self.stiffness_theta);
+        u[(0, 3)] = -S::from_parameter(T::one() / built.stiffness_y);
+        u[(1, 2)] = S::from_parameter(T::one() / built.stiffness_theta);
         u
     }
 }

@@ -20,16 +20,18 @@ pub struct Inertia<T> {
 
 impl<T: Real> Element for Inertia<T> {
     type State = Rotation;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
-        Requirement::NonNegative.check("inertia", self.inertia)
+    fn build(self) -> Result<Self, InvalidParameter> {
+        Requirement::NonNegative.check("inertia", self.inertia)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Inertia<T> {
     #[inline]
-    fn transfer_matrix(&self, x: S) -> Matrix2<S> {
-        Matrix2::new(S::one(), S::zero(), x.lambda_squared() * self.inertia, S::one())
+    fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
+        Matrix2::new(S::one(), S::zero(), x.lambda_squared() * built.inertia, S::one())
     }
 }
 

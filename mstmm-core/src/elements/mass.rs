@@ -20,16 +20,18 @@ pub struct Mass<T> {
 
 impl<T: Real> Element for Mass<T> {
     type State = Translation;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
-        Requirement::NonNegative.check("mass", self.mass)
+    fn build(self) -> Result<Self, InvalidParameter> {
+        Requirement::NonNegative.check("mass", self.mass)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Mass<T> {
     #[inline]
-    fn transfer_matrix(&self, x: S) -> Matrix2<S> {
-        Matrix2::new(S::one(), S::zero(), -(x.lambda_squared() * self.mass), S::one())
+    fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
+        Matrix2::new(S::one(), S::zero(), -(x.lambda_squared() * built.mass), S::one())
     }
 }
 

@@ -34,18 +34,20 @@ pub struct PlanarBeam<T> {
 
 impl<T: Real> Element for PlanarBeam<T> {
     type State = Planar;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::Positive.check("length", self.length)?;
         Requirement::Positive.check("axial_stiffness", self.axial_stiffness)?;
         Requirement::Positive.check("bending_stiffness", self.bending_stiffness)?;
-        Requirement::Positive.check("mass_per_length", self.mass_per_length)
+        Requirement::Positive.check("mass_per_length", self.mass_per_length)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PlanarBeam<T> {
-    fn transfer_matrix(&self, x: S) -> Matrix6<S> {
-        let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = *self;
+    fn transfer_matrix(built: &Self, x: S) -> Matrix6<S> {
+        let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = *built;
         let lambda_squared = x.lambda_squared();
         let zeta_squared = -lambda_squared * (mass_per_length / axial_stiffness * length * length);
         let (cosine, sinc) = cosine_and_sinc(zeta_squared);

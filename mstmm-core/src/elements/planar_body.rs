@@ -39,28 +39,30 @@ pub struct PlanarBody<T> {
 
 impl<T: Real> Element for PlanarBody<T> {
     type State = Planar;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::NonNegative.check("mass", self.mass)?;
         Requirement::Finite.check("output_x", self.output_x)?;
         Requirement::Finite.check("output_y", self.output_y)?;
         Requirement::Finite.check("centre_x", self.centre_x)?;
         Requirement::Finite.check("centre_y", self.centre_y)?;
         let about_centre = self.mass * (self.centre_x * self.centre_x + self.centre_y * self.centre_y);
-        Requirement::at_least(about_centre, "mass * (centre_x² + centre_y²)").check("inertia", self.inertia)
+        Requirement::at_least(about_centre, "mass * (centre_x² + centre_y²)").check("inertia", self.inertia)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PlanarBody<T> {
     #[rustfmt::skip]
-    fn transfer_matrix(&self, x: S) -> Matrix6<S> {
+    fn transfer_matrix(built: &Self, x: S) -> Matrix6<S> {
         let (o, i) = (S::zero(), S::one());
-        let (b1, b2) = (S::from_parameter(self.output_x), S::from_parameter(self.output_y));
+        let (b1, b2) = (S::from_parameter(built.output_x), S::from_parameter(built.output_y));
         let lambda_squared = x.lambda_squared();
-        let a = lambda_squared * self.mass;
-        let ac1 = lambda_squared * (self.mass * self.centre_x);
-        let ac2 = lambda_squared * (self.mass * self.centre_y);
-        let j = lambda_squared * self.inertia;
+        let a = lambda_squared * built.mass;
+        let ac1 = lambda_squared * (built.mass * built.centre_x);
+        let ac2 = lambda_squared * (built.mass * built.centre_y);
+        let j = lambda_squared * built.inertia;
         Matrix6::new(
             i,            o,            -b2,                   o, o,   o,
             o,            i,            b1,                    o, o,   o,

@@ -25,20 +25,22 @@ pub struct PlanarHinge<T> {
 
 impl<T: Real> Element for PlanarHinge<T> {
     type State = Planar;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::Positive.check("stiffness_x", self.stiffness_x)?;
         Requirement::Positive.check("stiffness_y", self.stiffness_y)?;
-        Requirement::Positive.check("stiffness_theta", self.stiffness_theta)
+        Requirement::Positive.check("stiffness_theta", self.stiffness_theta)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PlanarHinge<T> {
-    fn transfer_matrix(&self, _x: S) -> Matrix6<S> {
+    fn transfer_matrix(built: &Self, _x: S) -> Matrix6<S> {
         let mut u = Matrix6::identity();
-        u[(0, 4)] = -S::from_parameter(T::one() / self.stiffness_x);
-        u[(1, 5)] = -S::from_parameter(T::one() / self.stiffness_y);
-        u[(2, 3)] = S::from_parameter(T::one() / self.stiffness_theta);
+        u[(0, 4)] = -S::from_parameter(T::one() / built.stiffness_x);
+        u[(1, 5)] = -S::from_parameter(T::one() / built.stiffness_y);
+        u[(2, 3)] = S::from_parameter(T::one() / built.stiffness_theta);
         u
     }
 }

@@ -22,19 +22,21 @@ pub struct PointMass<T> {
 
 impl<T: Real> Element for PointMass<T> {
     type State = Bending;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::NonNegative.check("mass", self.mass)?;
-        Requirement::NonNegative.check("inertia", self.inertia)
+        Requirement::NonNegative.check("inertia", self.inertia)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PointMass<T> {
     #[inline]
-    fn transfer_matrix(&self, x: S) -> Matrix4<S> {
+    fn transfer_matrix(built: &Self, x: S) -> Matrix4<S> {
         let mut u = Matrix4::identity();
-        u[(2, 1)] = x.lambda_squared() * self.inertia;
-        u[(3, 0)] = -(x.lambda_squared() * self.mass);
+        u[(2, 1)] = x.lambda_squared() * built.inertia;
+        u[(3, 0)] = -(x.lambda_squared() * built.mass);
         u
     }
 }

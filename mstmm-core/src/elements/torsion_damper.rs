@@ -21,22 +21,24 @@ pub struct TorsionDamper<T> {
 
 impl<T: Real> Element for TorsionDamper<T> {
     type State = Rotation;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
-        Requirement::NonNegative.check("damping", self.damping)
+    fn build(self) -> Result<Self, InvalidParameter> {
+        Requirement::NonNegative.check("damping", self.damping)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for TorsionDamper<T> {
     #[inline]
-    fn transfer_matrix(&self, x: S) -> Matrix2<S> {
-        let compliance = S::one() / self.dynamic_stiffness(x);
+    fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
+        let compliance = S::one() / built.dynamic_stiffness(x);
         Matrix2::new(S::one(), compliance, S::zero(), S::one())
     }
 
     #[inline]
-    fn denominator(&self, x: S) -> Option<S> {
-        Some(self.dynamic_stiffness(x))
+    fn denominator(built: &Self, x: S) -> Option<S> {
+        Some(built.dynamic_stiffness(x))
     }
 }
 

@@ -20,16 +20,18 @@ pub struct TorsionSpring<T> {
 
 impl<T: Real> Element for TorsionSpring<T> {
     type State = Rotation;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
-        Requirement::Positive.check("stiffness", self.stiffness)
+    fn build(self) -> Result<Self, InvalidParameter> {
+        Requirement::Positive.check("stiffness", self.stiffness)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for TorsionSpring<T> {
     #[inline]
-    fn transfer_matrix(&self, _x: S) -> Matrix2<S> {
-        let compliance = S::from_parameter(T::one() / self.stiffness);
+    fn transfer_matrix(built: &Self, _x: S) -> Matrix2<S> {
+        let compliance = S::from_parameter(T::one() / built.stiffness);
         Matrix2::new(S::one(), compliance, S::zero(), S::one())
     }
 }
