@@ -8,7 +8,7 @@ use nalgebra::SMatrix;
 ///
 /// ```
 /// use mstmm_core::determinant;
-/// let matrix = nalgebra::Matrix2::new(1e200, 2e200, 3e200, 4e200);
+/// let matrix = nalgebra::Matrix2::<f64>::new(1e200, 2e200, 3e200, 4e200);
 /// let value = determinant(matrix);
 /// assert_eq!(value.times(1e-200).times(1e-200).value().round(), -2.0);
 /// ```

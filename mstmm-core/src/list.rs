@@ -26,11 +26,6 @@ impl<V: Copy + Default, const CAP: usize> List<V, CAP> {
             }
         }
     }
-
-    /// The values so far, to change.
-    pub(crate) fn as_mut_slice(&mut self) -> &mut [V] {
-        &mut self.values[..self.length]
-    }
 }
 
 impl<V, const CAP: usize> Deref for List<V, CAP> {

@@ -76,6 +76,17 @@ impl Magnitude {
         Scaled { mantissa: self.mantissa, exponent: self.exponent }.value()
     }
 
+    /// Whether the logarithm of three equally spaced samples is convex: `own² <= before · after`.
+    ///
+    /// The logarithm of a pole-free |Δ| is concave along ω between roots (undamped), and harmonic in λ, so not convex
+    /// along two axes at once, away from roots (damped): convex samples have a root between them.
+    pub(crate) fn is_log_convex(before: Magnitude, own: Magnitude, after: Magnitude) -> bool {
+        let product = |a: Magnitude, b: Magnitude| -> Magnitude {
+            Scaled::new(a.mantissa * b.mantissa, a.exponent + b.exponent).into()
+        };
+        product(own, own) <= product(before, after)
+    }
+
     /// Whether this is not a number.
     pub fn is_nan(self) -> bool {
         self.mantissa.is_nan()

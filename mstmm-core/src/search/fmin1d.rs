@@ -21,19 +21,22 @@ pub struct Minimum1d {
 ///
 /// The function is evaluated at `points` equally spaced points; each local minimum, the ends of the interval
 /// included, has its two neighbouring cells scanned again in four cells until they are shorter than `tolerance`.
+/// Where the samples rise or fall past a root, so that no point of the grid is lower than both its neighbours, the
+/// root shows as a convex logarithm (log|Δ| is concave between roots), and those cells are scanned again as well.
 ///
-/// For a Δ(ω) without poles of an undamped system each interior minimum is a root. Roots closer than two cells are
-/// lost without notice, and multiplicity is not seen.
+/// For a Δ(ω) without poles of an undamped system each interior minimum is a root. Roots closer than two cells can be
+/// lost without notice, and multiplicity is not seen. A tolerance below the rounding noise of the function finds minima
+/// of the noise.
 ///
 /// # Errors
 /// [`SearchError`] for a range that is empty, reversed or not finite, fewer than 3 points, a tolerance that is not
 /// positive, a function value that is not a number, or more than `CAP` minima.
 ///
 /// # Source
-/// fMin1D of the paper's reference [23], as section 4.1 uses it.
+/// fMin1D of the paper's reference [23], as section 4.1 uses it; the search for hidden roots is an addition.
 ///
 /// ```
-/// let minima = mstmm_core::search::fmin1d::<4, _>(|x: f64| x.sin(), 1.0..=7.0, 20, 1e-9)?;
+/// let minima = mstmm_core::search::fmin1d::<4, _>(|x: f64| x.sin(), 2.0..=7.0, 20, 1e-9)?;
 /// assert_eq!(minima.len(), 2);
 /// assert!((minima[0].x - core::f64::consts::PI).abs() < 1e-9);
 /// # Ok::<(), mstmm_core::SearchError>(())
@@ -48,22 +51,25 @@ pub fn fmin1d<const CAP: usize, V: Into<Magnitude>>(
     let mut evaluations = 0;
     let mut evaluate = |x: f64| {
         evaluations += 1;
-        Sample::new(x, function(x).into())
+        let value = function(x).into();
+        if value.is_nan() { Err(SearchError::NotANumber { x, y: 0.0 }) } else { Ok(Sample { x, value }) }
     };
     let mut minima = List::new();
-    let mut previous = None;
-    let mut current = evaluate(grid.point(0))?;
-    for index in 1..=points {
-        let next = if index < points { Some(evaluate(grid.point(index))?) } else { None };
-        // a tie belongs to the earlier point, so that a root midway between two points is found once
-        let falls = previous.is_none_or(|previous: Sample| current.value < previous.value);
-        let rises = next.is_none_or(|next| current.value <= next.value);
-        if falls && rises {
-            let minimum = refine(&mut evaluate, previous, current, next, tolerance)?;
-            minima.push(minimum).map_err(|_| SearchError::Capacity { capacity: CAP })?;
+    // five samples in a row; the middle one is judged when both neighbours can be judged, too
+    let mut window = [None; 5];
+    for index in 0..points + 2 {
+        window.rotate_left(1);
+        window[4] = if index < points { Some(evaluate(grid.point(index))?) } else { None };
+        let Some(triple) = Triple::of(window, 2) else { continue };
+        let minimum = if triple.is_minimum() {
+            Some(refine(&mut evaluate, triple, tolerance)?)
+        } else {
+            let beside_minimum = [1, 3].into_iter().any(|k| Triple::of(window, k).is_some_and(|t| t.is_minimum()));
+            if beside_minimum { None } else { find_hidden(&mut evaluate, triple, tolerance)? }
+        };
+        if let Some(minimum) = minimum {
+            keep(&mut minima, minimum, tolerance)?;
         }
-        let Some(next) = next else { break };
-        (previous, current) = (Some(current), next);
     }
     Ok(Minima { minima, evaluations })
 }
@@ -75,19 +81,87 @@ struct Sample {
     value: Magnitude,
 }
 
-impl Sample {
-    fn new(x: f64, value: Magnitude) -> Result<Self, SearchError> {
-        if value.is_nan() { Err(SearchError::NotANumber { x, y: 0.0 }) } else { Ok(Sample { x, value }) }
+/// Three samples in a row; a missing neighbour is an end of the interval.
+#[derive(Clone, Copy)]
+struct Triple {
+    before: Option<Sample>,
+    middle: Sample,
+    after: Option<Sample>,
+}
+
+impl Triple {
+    /// The triple around position `k` of five samples in a row.
+    fn of(window: [Option<Sample>; 5], k: usize) -> Option<Self> {
+        window[k].map(|middle| Triple { before: window[k - 1], middle, after: window[k + 1] })
+    }
+
+    /// Whether no neighbour is lower; a tie belongs to the earlier point, so that it counts once.
+    fn is_minimum(&self) -> bool {
+        self.before.is_none_or(|before| self.middle.value < before.value)
+            && self.after.is_none_or(|after| self.middle.value <= after.value)
+    }
+
+    /// Whether there is a root between the samples although the middle is no minimum.
+    fn hides_root(&self) -> bool {
+        match (self.before, self.after) {
+            (Some(before), Some(after)) => Magnitude::is_log_convex(before.value, self.middle.value, after.value),
+            _ => false,
+        }
     }
 }
 
+/// A sample midway between the middle and one of its neighbours, if there is a number between them.
+fn between(
+    evaluate: &mut impl FnMut(f64) -> Result<Sample, SearchError>,
+    middle: Sample,
+    outer: Option<Sample>,
+) -> Result<Option<Sample>, SearchError> {
+    let Some(outer) = outer else { return Ok(None) };
+    let x = middle.x + (outer.x - middle.x) / 2.0;
+    if x == middle.x || x == outer.x { Ok(None) } else { evaluate(x).map(Some) }
+}
+
+/// Halves the cells of a triple with a convex logarithm until one of the new points is a minimum, if any is.
+fn find_hidden(
+    evaluate: &mut impl FnMut(f64) -> Result<Sample, SearchError>,
+    mut triple: Triple,
+    tolerance: f64,
+) -> Result<Option<Minimum1d>, SearchError> {
+    while triple.hides_root() {
+        let lower = between(evaluate, triple.middle, triple.before)?;
+        let upper = between(evaluate, triple.middle, triple.after)?;
+        let window = [triple.before, lower, Some(triple.middle), upper, triple.after];
+        let inner = || [1, 2, 3].into_iter().filter_map(|k| Triple::of(window, k));
+        if let Some(minimum) = inner().find(Triple::is_minimum) {
+            return refine(evaluate, minimum, tolerance).map(Some);
+        }
+        let Some(smaller) = inner().find(Triple::hides_root) else { break };
+        if smaller.after.map(|after| after.x) <= smaller.before.map(|before| before.x + tolerance) {
+            break;
+        }
+        triple = smaller;
+    }
+    Ok(None)
+}
+
+/// Adds a minimum unless it is one that was found from a neighbouring point, too.
+fn keep<const CAP: usize>(
+    minima: &mut List<Minimum1d, CAP>,
+    new: Minimum1d,
+    tolerance: f64,
+) -> Result<(), SearchError> {
+    // each of the two stopped within one tolerance of the same root
+    if minima.iter().any(|old: &Minimum1d| (old.x - new.x).abs() <= 2.0 * tolerance) {
+        return Ok(());
+    }
+    minima.push(new).map_err(|_| SearchError::Capacity { capacity: CAP })
+}
+
 /// Halves the cells on both sides of a minimum until they are shorter than the tolerance together, or until no number
-/// is left between them. A missing neighbour is an end of the interval.
+/// is left between them.
 fn refine(
     evaluate: &mut impl FnMut(f64) -> Result<Sample, SearchError>,
-    mut before: Option<Sample>,
-    mut middle: Sample,
-    mut after: Option<Sample>,
+    Triple { mut before, mut middle, mut after }: Triple,
     tolerance: f64,
 ) -> Result<Minimum1d, SearchError> {
     loop {
@@ -95,14 +169,7 @@ fn refine(
         if end - start <= tolerance {
             break;
         }
-        let mut between = |outer: Option<Sample>| match outer {
-            Some(outer) => {
-                let x = middle.x + (outer.x - middle.x) / 2.0;
-                if x == middle.x || x == outer.x { Ok(None) } else { evaluate(x).map(Some) }
-            }
-            None => Ok(None),
-        };
-        let (lower, upper) = (between(before)?, between(after)?);
+        let (lower, upper) = (between(evaluate, middle, before)?, between(evaluate, middle, after)?);
         if lower.is_none() && upper.is_none() {
             break;
         }
@@ -168,6 +235,19 @@ mod tests {
         let found = fmin1d::<8, _>(|x: f64| x * x - 2.0, 1.0..=2.0, 3, 1e-300).unwrap();
         // |x² - 2| is the same at the two numbers next to the root
         assert!((found[0].x - 2f64.sqrt()).abs() <= f64::EPSILON);
+    }
+
+    /// The samples 0.97, 7.4, 10.4, 47 of section 4.1 rise past a root: here a steep factor does the same.
+    #[test]
+    fn a_root_that_the_samples_rise_or_fall_past_is_found() {
+        for (slope, root) in [(1.0_f64, 4.6), (-1.0, 5.4)] {
+            let f = |x: f64| (x - root) * (slope * x).exp();
+            let grid: std::vec::Vec<f64> = (0..=10).map(|k| f(f64::from(k)).abs()).collect();
+            let minimum = (1..10).any(|k| grid[k] < grid[k - 1] && grid[k] <= grid[k + 1]);
+            assert!(!minimum, "the grid shows the root: {grid:?}");
+            let found = search(f, 0.0..=10.0);
+            assert!(found.iter().any(|m| !m.at_end && (m.x - root).abs() <= 1e-9), "{found:?}");
+        }
     }
 
     #[test]

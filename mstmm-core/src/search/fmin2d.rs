@@ -24,9 +24,10 @@ pub struct Minimum2d {
 
 /// The local minima of `|function|` on a rectangle, by the paper's recursive scanning.
 ///
-/// The function is evaluated on a grid of `points[0]` by `points[1]` points; a point not above its 8 neighbours
-/// becomes a candidate. Around it the grid is halved again and again, moving to the lowest of 9 points each time,
-/// until its cells are shorter than `tolerances`. Candidates that end within a tolerance of each other are one root.
+/// The function is evaluated on a grid of `points[0]` by `points[1]` points; a point becomes a candidate where it
+/// is lowest along one axis and lowest along the other, too, or convex in its logarithm: there a steep slope hides a root
+/// from the grid (log|Δ| is harmonic, so away from roots it is not convex along both axes). Around a candidate the grid is
+/// halved again and again, moving to the lowest of 9 points each time, until its cells are shorter than `tolerances`. Candidates that end within a tolerance of each other are one root.
 ///
 /// For a pole-free Δ(λ) each interior minimum is a root (minimum-modulus principle). Roots closer than two cells are
 /// lost without notice, and multiplicity is not seen.
@@ -37,7 +38,7 @@ pub struct Minimum2d {
 /// `CAP` minima.
 ///
 /// # Source
-/// fMin2D of the paper's reference [23], as section 4.5 uses it.
+/// fMin2D of the paper's reference [23], as section 4.5 uses it; the search for hidden roots is an addition.
 ///
 /// ```
 /// use mstmm_core::search::fmin2d;
@@ -74,40 +75,55 @@ pub fn fmin2d<const CAP: usize, V: Into<Magnitude>>(
         }
         let Some(row) = ahead.checked_sub(1) else { continue };
         for column in 0..points[1] {
-            if is_candidate(&rows, [row, column], points) {
-                let start = [grids[0].point(row), grids[1].point(column)];
-                let minimum = refine(&mut evaluate, &grids, start, rows[row % 3][column])?;
-                keep(&mut minima, minimum, tolerances)?;
+            let start = [grids[0].point(row), grids[1].point(column)];
+            // a root within a cell is what makes this point a candidate
+            let known = |minimum: &Minimum2d| {
+                (minimum.x - start[0]).abs() <= grids[0].step() && (minimum.y - start[1]).abs() <= grids[1].step()
+            };
+            if is_candidate(&rows, [row, column], points) && !minima.iter().any(known) {
+                if let Some(minimum) = refine(&mut evaluate, &grids, start, rows[row % 3][column], &minima)? {
+                    minima.push(minimum).map_err(|_| SearchError::Capacity { capacity: CAP })?;
+                }
             }
         }
     }
     Ok(Minima { minima, evaluations })
 }
 
-/// Whether no neighbour of a grid point is lower; a tie belongs to the earliest point.
+/// Whether a grid point is lowest along one axis and has a convex logarithm along the other.
 fn is_candidate(rows: &[[Magnitude; MAX_ROW]; 3], [row, column]: [usize; 2], points: [usize; 2]) -> bool {
     let own = rows[row % 3][column];
-    for neighbour_row in row.saturating_sub(1)..=(row + 1).min(points[0] - 1) {
-        for neighbour_column in column.saturating_sub(1)..=(column + 1).min(points[1] - 1) {
-            let neighbour = rows[neighbour_row % 3][neighbour_column];
-            let earlier = (neighbour_row, neighbour_column) < (row, column);
-            if neighbour < own || (earlier && neighbour == own) {
-                return false;
-            }
-        }
-    }
-    true
+    let neighbours = [
+        (
+            row.checked_sub(1).map(|row| rows[row % 3][column]),
+            (row + 1 < points[0]).then(|| rows[(row + 1) % 3][column]),
+        ),
+        (column.checked_sub(1).map(|k| rows[row % 3][k]), (column + 1 < points[1]).then(|| rows[row % 3][column + 1])),
+    ];
+    // a tie belongs to the earlier point, so that it counts once
+    let lowest = neighbours
+        .map(|(before, after)| before.is_none_or(|before| own < before) && after.is_none_or(|after| own <= after));
+    let convex = neighbours.map(|(before, after)| match (before, after) {
+        (Some(before), Some(after)) => Magnitude::is_log_convex(before, own, after),
+        _ => false,
+    });
+    (lowest[0] && (lowest[1] || convex[1])) || (lowest[1] && convex[0])
 }
 
+/// Halvings after which a search that has come to the cells of a known minimum is taken to end there, too.
+const HALVINGS_TO_TELL_ROOTS_APART: u32 = 4;
+
 /// Halves the cells around the lowest point so far, moving along with it, until they are shorter than the tolerances
-/// or no number is left between two points.
+/// or no number is left between two points. `None` where that leads to a minimum that is known already.
 fn refine(
     evaluate: &mut impl FnMut(f64, f64) -> Result<Magnitude, SearchError>,
     grids: &[Grid; 2],
     mut centre: [f64; 2],
     mut value: Magnitude,
-) -> Result<Minimum2d, SearchError> {
+    known: &[Minimum2d],
+) -> Result<Option<Minimum2d>, SearchError> {
     let mut step = [grids[0].step(), grids[1].step()];
+    let mut halvings = 0;
     loop {
         let before = step;
         for axis in 0..2 {
@@ -122,9 +138,16 @@ fn refine(
         while let Some((lower, lower_value)) = lowest_neighbour(evaluate, grids, centre, step, value)? {
             (centre, value) = (lower, lower_value);
         }
+        halvings += 1;
+        // each of two searches for one root stops within a cell of it
+        let here =
+            |old: &Minimum2d| (old.x - centre[0]).abs() <= 2.0 * step[0] && (old.y - centre[1]).abs() <= 2.0 * step[1];
+        if halvings >= HALVINGS_TO_TELL_ROOTS_APART && known.iter().any(here) {
+            return Ok(None);
+        }
     }
     let on_edge = |axis: usize| centre[axis] == grids[axis].start || centre[axis] == grids[axis].end;
-    Ok(Minimum2d { x: centre[0], y: centre[1], residual: value, at_edge: on_edge(0) || on_edge(1) })
+    Ok(Some(Minimum2d { x: centre[0], y: centre[1], residual: value, at_edge: on_edge(0) || on_edge(1) }))
 }
 
 /// The lowest of the 8 neighbours at a given step inside the rectangle, if it is lower than the centre.
@@ -153,27 +176,6 @@ fn lowest_neighbour(
     Ok(lowest)
 }
 
-/// Adds a minimum unless it is one that is there already, in which case the lower of the two stays.
-fn keep<const CAP: usize>(
-    minima: &mut List<Minimum2d, CAP>,
-    new: Minimum2d,
-    tolerances: [f64; 2],
-) -> Result<(), SearchError> {
-    // each of the two stopped within a cell, so within one tolerance, of the same root
-    let same = |old: &&mut Minimum2d| {
-        (old.x - new.x).abs() <= 2.0 * tolerances[0] && (old.y - new.y).abs() <= 2.0 * tolerances[1]
-    };
-    match minima.as_mut_slice().iter_mut().find(same) {
-        Some(old) => {
-            if new.residual < old.residual {
-                *old = new;
-            }
-            Ok(())
-        }
-        None => minima.push(new).map_err(|_| SearchError::Capacity { capacity: CAP }),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -193,6 +195,18 @@ mod tests {
                 prop_assert!(found.iter().any(|m| (C::new(m.x, m.y) - root).norm() < 4e-8));
             }
         }
+    }
+
+    #[test]
+    fn a_root_that_a_steep_slope_hides_from_the_grid_is_found() {
+        let root = C::new(4.6, 4.5);
+        let f = |x: f64, y: f64| (C::new(x, y) - root) * (1.2 * x).exp();
+        let modulus = |i: i32, j: i32| f(f64::from(i), f64::from(j)).norm();
+        let lower_neighbour =
+            |i, j| [-1, 0, 1].iter().any(|di| [-1, 0, 1].iter().any(|dj| modulus(i + di, j + dj) < modulus(i, j)));
+        assert!((1..10).all(|i| (1..10).all(|j| lower_neighbour(i, j))), "the grid shows the root");
+        let found = fmin2d::<8, _>(f, [0.0..=10.0, 0.0..=10.0], [11, 11], [1e-8, 1e-8]).unwrap();
+        assert!(found.iter().any(|m| !m.at_edge && (C::new(m.x, m.y) - root).norm() < 4e-8), "{found:?}");
     }
 
     #[test]
