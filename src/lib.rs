@@ -3,16 +3,17 @@
 #![forbid(unsafe_code)]
 
 pub use mstmm_core::{
-    Assembly, Bending, ComplexFrequency, Element, Evaluate, Frequency, InvalidParameter, Layout, Magnitude, MatrixOf,
-    ParameterError, Planar, Real, Requirement, Rotation, Scalar, Scaled, SearchError, Space, StateSpace, Support,
-    TransferMatrix, Translation, determinant, elements, search,
+    Assembly, At, Bending, Characteristic, ComplexFrequency, Dual, Element, Evaluate, Frequency, FrequencyBounds,
+    InvalidParameter, Layout, Line, Magnitude, MatrixOf, ParameterError, Planar, Plane, PlaneStep, Real, Requirement,
+    Rotation, Scalar, Scaled, SearchError, Space, StateSpace, Subspace, Support, System, Tally, TransferMatrix,
+    Translation, determinant, elements, search,
 };
 pub use mstmm_core::{Complex, SMatrix};
 
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {
     pub use crate::search::{fmin1d, fmin2d};
-    pub use crate::{Complex, Evaluate, system};
+    pub use crate::{Characteristic, Complex, Evaluate, system};
 }
 
 /// What emitted code uses; not for use by hand.

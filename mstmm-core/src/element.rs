@@ -1,41 +1,86 @@
 //! The few traits: what an element is, and what a built system can evaluate.
 
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::count::Tally;
 use crate::error::{InvalidParameter, ParameterError};
 use crate::scalar::Scalar;
 use crate::scaled::Scaled;
-use crate::state::{Space, StateSpace};
+use crate::state::{Space, StateSpace, Support};
+use crate::subspace::Subspace;
 
 /// The square matrix over the states of an element `E`.
 pub type MatrixOf<E, S> = <<E as Element>::State as StateSpace>::Matrix<S>;
 
 /// An element with one input end and one output end.
 ///
-/// An element of one's own is a struct generic over its parameter type `T`, with public fields of type `T`; it takes
-/// part in a model by its path, `my_crate::Cable 4 { .. }`.
+/// The type is the struct of its parameters, generic over their scalar `T`, with public fields of type `T`. An element of
+/// one's own takes part in a model by its path, `my_crate::Cable 4 { .. }`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an element of a model",
     note = "an element implements `mstmm::Element` and `mstmm::TransferMatrix<S>`"
 )]
-pub trait Element {
+pub trait Element: Sized {
     /// Space of the states at both ends.
     type State: StateSpace;
 
-    /// Checks every parameter against its range.
+    /// The element with all that does not depend on the frequency; `Self` where the parameters are all there is.
+    type Built;
+
+    /// Checks every parameter against its range and computes what does not depend on the frequency.
     ///
     /// # Errors
     /// [`InvalidParameter`] names the first parameter out of its range, with its value.
-    fn validate(&self) -> Result<(), InvalidParameter>;
+    fn build(self) -> Result<Self::Built, InvalidParameter>;
+
+    /// Adds the element's stiffnesses and masses to the bounds from which searches take their first steps.
+    #[inline]
+    fn bound(_built: &Self::Built, _bounds: &mut FrequencyBounds) {}
 }
 
 /// The transfer equation `z_O = U(x) z_I` of an element at a frequency `x` (see [`Frequency`](crate::Frequency)).
 pub trait TransferMatrix<S: Scalar>: Element {
     /// The transfer matrix `U`.
-    fn transfer_matrix(&self, x: S) -> MatrixOf<Self, S>;
+    fn transfer_matrix(built: &Self::Built, x: S) -> MatrixOf<Self, S>;
 
     /// The factor that frees `U` of its poles, `K + Cλ` for a dashpot; `None` where `U` is an entire function.
     #[inline]
-    fn denominator(&self, _x: S) -> Option<S> {
+    fn denominator(_built: &Self::Built, _x: S) -> Option<S> {
         None
+    }
+}
+
+/// The way of an element through the plane method: from the subspace at its input end to that at its output end.
+///
+/// Every step is a polynomial in the element's entire functions: no division, no pole.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` takes no part in the plane method",
+    label = "no `PlaneStep` for this element",
+    note = "planar elements have `overall_matrix` and `overall_determinant` only; an element of your own implements \
+            `mstmm::PlaneStep<S>`"
+)]
+pub trait PlaneStep<S: Scalar>: Element {
+    /// Whether the element needs the square root of the frequency, as waves do.
+    const WAVES: bool = false;
+
+    /// What depends on the frequency; computed once for equal elements.
+    type Coefficients;
+
+    /// The coefficients at a frequency.
+    fn coefficients(built: &Self::Built, at: &At<S>) -> Self::Coefficients;
+
+    /// Takes the subspace of the input end to the output end and tells the tally what the count needs.
+    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S>;
+
+    /// The last step before the root: Δ itself.
+    #[inline]
+    fn root<C: Tally<S>>(
+        coefficients: &Self::Coefficients,
+        input: Subspace<S>,
+        support: Support,
+        tally: &mut C,
+    ) -> Scaled<S> {
+        Self::step(coefficients, input, tally).at_root(support, tally)
     }
 }
 
@@ -45,17 +90,17 @@ pub const fn space_of<E: Element>() -> Space {
     E::State::SPACE
 }
 
-/// Validates an element under its name in the model.
+/// Builds an element under its name in the model.
 #[doc(hidden)]
-pub fn validate<E: Element>(element: &E, name: &'static str) -> Result<(), ParameterError> {
-    element.validate().map_err(|error| error.of(name))
+pub fn build<E: Element>(element: E, name: &'static str) -> Result<E::Built, ParameterError> {
+    element.build().map_err(|error| error.of(name))
 }
 
 /// A determinant times the denominator of an element, if the element has one.
 #[doc(hidden)]
 #[inline]
-pub fn without_pole<E: TransferMatrix<S>, S: Scalar>(determinant: Scaled<S>, element: &E, x: S) -> Scaled<S> {
-    match element.denominator(x) {
+pub fn without_pole<E: TransferMatrix<S>, S: Scalar>(determinant: Scaled<S>, built: &E::Built, x: S) -> Scaled<S> {
+    match E::denominator(built, x) {
         None => determinant,
         Some(denominator) => determinant.times(denominator),
     }

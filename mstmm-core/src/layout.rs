@@ -62,6 +62,19 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
         self.places[STEPS - 1].columns
     }
 
+    /// Space of the state behind a step.
+    pub const fn space(&self, step: usize) -> Space {
+        self.places[step].space
+    }
+
+    /// Space of the element to which a step leads; `None` if it leads to a connection or to the root.
+    pub const fn output(&self, step: usize) -> Option<Space> {
+        match self.steps[self.downstream[step]] {
+            Step::Element(_, space) => Some(space),
+            _ => None,
+        }
+    }
+
     /// Notes for each step the one that takes it as input.
     const fn link(&mut self) {
         let mut i = 0;

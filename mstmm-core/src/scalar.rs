@@ -1,7 +1,12 @@
 //! Scalars: what matrices are made of, what parameters are, and what a frequency is.
 
 mod complex;
+mod dual;
 mod real;
+mod waves;
+
+pub use dual::Dual;
+pub use waves::WaveProducts;
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{NumAssign, One, Zero};
@@ -39,6 +44,9 @@ pub trait Scalar:
     /// Hyperbolic sine and cosine.
     fn sinh_cosh(self) -> (Self, Self);
 
+    /// Products of the circular and hyperbolic functions of `z`, scaled so that nothing overflows.
+    fn wave_products(self) -> WaveProducts<Self>;
+
     /// Largest modulus among the real components: what pivots and branches compare. NaN if any component is.
     fn size(self) -> f64;
 
@@ -50,6 +58,12 @@ pub trait Scalar:
 pub trait Real: Scalar + NumAssign + PartialOrd {
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
+
+    /// Beyond this argument `exp(-2z)` does not count beside 1, while `exp(z)` is still far from overflow.
+    const WAVE_LIMIT: f64;
+
+    /// The unit in the last place of 1.
+    const EPSILON: f64;
 
     /// Exponential function.
     fn exp(self) -> Self;
@@ -69,6 +83,9 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
 pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
     /// `λ²`: `-ω²` for a real frequency.
     fn lambda_squared(self) -> Self;
+
+    /// `sqrt(ω)` with `ω = -iλ`, to which the wave numbers of beams are proportional; of `|ω|` for a real frequency.
+    fn wave_root(self) -> Self;
 
     /// A parameter as a scalar of this type.
     fn from_parameter(parameter: T) -> Self;

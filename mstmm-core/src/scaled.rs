@@ -16,7 +16,7 @@ pub struct Scaled<S> {
 }
 
 /// Exponent `e` with `2^e <= size < 2^(e+1)`; 0 for zero and for what is not finite.
-fn binary_exponent(size: f64) -> i32 {
+pub(crate) fn binary_exponent(size: f64) -> i32 {
     let bits = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
     match bits(size) {
         0x7ff => 0,

@@ -1,10 +1,15 @@
 //! Euler-Bernoulli beam.
 
-use crate::beam_functions::bending_matrix;
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::beam_functions::{bending_matrix, plane_series};
+use crate::bounds::FrequencyBounds;
+use crate::count::{BeamSigns, Tally};
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real};
-use crate::state::Bending;
+use crate::scaled::Scaled;
+use crate::state::{Bending, Support};
+use crate::subspace::{Plane, Subspace};
 use nalgebra::Matrix4;
 
 /// Uniform Euler-Bernoulli beam, exact at every frequency.
@@ -32,21 +37,298 @@ pub struct Beam<T> {
     pub mass_per_length: T,
 }
 
+/// A beam with what does not depend on the frequency.
+#[derive(Clone, Copy, Debug)]
+pub struct BuiltBeam<T> {
+    parameters: Beam<T>,
+    /// `z / sqrt(ω) = (m/EI)^(1/4) l`.
+    wave: T,
+    /// `z⁴ / ω² = m l⁴/EI`.
+    wave_fourth: T,
+    /// Units of the minors with the wave number `β / sqrt(ω)`.
+    wave_units: Units<T>,
+    /// Units of the minors with `1/l` in place of β, for small z.
+    length_units: Units<T>,
+}
+
+/// `EI b, EI b², EI b³, EI² b⁴` and their inverses: the minors p_YM, w, p_ΘQ, p_MQ of a plane whose states have the
+/// entries `Y, Θ/b, M/(EI b²), Q/(EI b³)`, divided by the minor p_YΘ.
+#[derive(Clone, Copy, Debug)]
+struct Units<T> {
+    factors: [T; 4],
+    inverses: [T; 4],
+}
+
+impl<T: Real> Units<T> {
+    fn new(stiffness: T, b: T) -> Self {
+        let first = stiffness * b;
+        let second = first * b;
+        let factors = [first, second, second * b, second * second];
+        Units { factors, inverses: factors.map(|factor| T::one() / factor) }
+    }
+}
+
 impl<T: Real> Element for Beam<T> {
     type State = Bending;
-    type Built = Self;
+    type Built = BuiltBeam<T>;
 
-    fn build(self) -> Result<Self, InvalidParameter> {
-        Requirement::Positive.check("length", self.length)?;
-        Requirement::Positive.check("bending_stiffness", self.bending_stiffness)?;
-        Requirement::Positive.check("mass_per_length", self.mass_per_length)?;
-        Ok(self)
+    fn build(self) -> Result<BuiltBeam<T>, InvalidParameter> {
+        let Beam { length, bending_stiffness, mass_per_length } = self;
+        Requirement::Positive.check("length", length)?;
+        Requirement::Positive.check("bending_stiffness", bending_stiffness)?;
+        Requirement::Positive.check("mass_per_length", mass_per_length)?;
+        let square = (mass_per_length / bending_stiffness).sqrt();
+        let wave_number = square.sqrt();
+        let square = square * length * length;
+        Ok(BuiltBeam {
+            parameters: self,
+            wave: wave_number * length,
+            wave_fourth: square * square,
+            wave_units: Units::new(bending_stiffness, wave_number),
+            length_units: Units::new(bending_stiffness, T::one() / length),
+        })
+    }
+
+    fn bound(built: &BuiltBeam<T>, bounds: &mut FrequencyBounds) {
+        let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
+        let (l, ei, m) = (length.to_f64(), bending_stiffness.to_f64(), mass_per_length.to_f64());
+        bounds.waves(1.0 / (built.wave * built.wave).to_f64());
+        bounds.translational_stiffness(ei / (l * l * l));
+        bounds.torsional_stiffness(ei / l);
+        bounds.mass(m * l);
+        bounds.moment_of_inertia(m * l * l * l);
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Beam<T> {
-    fn transfer_matrix(built: &Self, x: S) -> Matrix4<S> {
-        bending_matrix(built.length, built.bending_stiffness, built.mass_per_length, x.lambda_squared())
+    fn transfer_matrix(built: &BuiltBeam<T>, x: S) -> Matrix4<S> {
+        let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
+        bending_matrix(length, bending_stiffness, mass_per_length, x.lambda_squared())
+    }
+}
+
+/// The second compound of the transfer matrix in units in which it has neither l, EI nor β, and those units.
+///
+/// With `ch, sh, c, s` of z: `a = (1 + ch c)/2, c = ch c, b = (ch s + sh c)/2, f = sh s/2, d = (ch s - sh c)/2,
+/// e = (1 - ch c)/2`, all divided by `2^exponent`. For small z, where these cancel, their Taylor series divided by z, z²,
+/// z³, z⁴ take the place of b, f, d, e, those multiplied by z³, z², z, z⁴ the place of the raised ones, and `1/l` that of β.
+#[derive(Clone, Copy, Debug)]
+pub struct BeamCoefficients<T, S> {
+    z: S,
+    a: S,
+    c: S,
+    b: S,
+    f: S,
+    d: S,
+    e: S,
+    raised_b: S,
+    raised_f: S,
+    raised_d: S,
+    raised_e: S,
+    units: Units<T>,
+    powers: [S; 4],
+    inverse_powers: [S; 4],
+    exponent: i32,
+}
+
+impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
+    const WAVES: bool = true;
+    type Coefficients = BeamCoefficients<T, S>;
+
+    #[inline]
+    fn coefficients(built: &BuiltBeam<T>, at: &At<S>) -> BeamCoefficients<T, S> {
+        let z = at.powers[0] * built.wave;
+        if z.size() <= 1.0 {
+            return BeamCoefficients::small(z, built, at);
+        }
+        let waves = z.wave_products();
+        let half = S::from_f64(0.5);
+        let (one, c) = (waves.one * half, waves.ch_cos);
+        let (half_c, ch_sin, sh_cos) = (c * half, waves.ch_sin * half, waves.sh_cos * half);
+        let (b, f, d, e) = (ch_sin + sh_cos, waves.sh_sin * half, ch_sin - sh_cos, one - half_c);
+        BeamCoefficients {
+            z,
+            a: one + half_c,
+            c,
+            b,
+            f,
+            d,
+            e,
+            raised_b: b,
+            raised_f: f,
+            raised_d: d,
+            raised_e: e,
+            units: built.wave_units,
+            powers: at.powers,
+            inverse_powers: at.inverse_powers,
+            exponent: waves.exponent,
+        }
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        let (before, after) = match input {
+            Subspace::Tip(support, _) => (Plane::of_tip(support), coefficients.from_tip(support)),
+            _ => {
+                let before = input.plane();
+                (before, coefficients.through(before))
+            }
+        };
+        if C::COUNTS {
+            let BeamCoefficients { z, e, b, .. } = *coefficients;
+            let clamped_stiffness = coefficients.factor(2) * b / e;
+            tally.beam(&before, &after, BeamSigns { z, one_minus_product: e, clamped_stiffness });
+        }
+        Subspace::Plane(after)
+    }
+
+    #[inline]
+    fn root<C: Tally<S>>(
+        coefficients: &Self::Coefficients,
+        input: Subspace<S>,
+        support: Support,
+        tally: &mut C,
+    ) -> Scaled<S> {
+        if C::COUNTS || matches!(input, Subspace::Tip(..)) {
+            return Self::step(coefficients, input, tally).at_root(support, tally);
+        }
+        let plane = input.plane();
+        let exponent = i64::from(plane.exponent) + i64::from(coefficients.exponent);
+        Scaled::new(coefficients.minor_at(support, plane), exponent)
+    }
+}
+
+impl<T: Real, S: Frequency<T>> BeamCoefficients<T, S> {
+    /// The coefficients for `|z| <= 1`, entire in `z⁴`.
+    #[cold]
+    fn small(z: S, built: &BuiltBeam<T>, at: &At<S>) -> Self {
+        let x = -at.lambda_squared * built.wave_fourth;
+        let [c, b, f, d, e] = plane_series(x);
+        let half = S::from_f64(0.5);
+        BeamCoefficients {
+            z,
+            a: half + c * half,
+            c,
+            b,
+            f,
+            d,
+            e,
+            raised_b: x * b,
+            raised_f: x * f,
+            raised_d: x * d,
+            raised_e: x * x * e,
+            units: built.length_units,
+            powers: [S::one(); 4],
+            inverse_powers: [S::one(); 4],
+            exponent: 0,
+        }
+    }
+
+    /// `EI b, EI b², EI b³, EI² b⁴`.
+    #[inline]
+    fn factor(&self, k: usize) -> S {
+        self.powers[k] * self.units.factors[k]
+    }
+
+    /// The inverses of the factors.
+    #[inline]
+    fn inverse(&self, k: usize) -> S {
+        self.inverse_powers[k] * self.units.inverses[k]
+    }
+
+    /// The minors of a plane in the units of the coefficients.
+    #[inline]
+    fn local(&self, p: Plane<S>) -> [S; 5] {
+        [
+            p.y_theta,
+            p.y_m * self.inverse(0),
+            p.w * self.inverse(1),
+            p.theta_q * self.inverse(2),
+            p.m_q * self.inverse(3),
+        ]
+    }
+
+    /// Takes a plane through the beam.
+    fn through(&self, plane: Plane<S>) -> Plane<S> {
+        let p = self.local(plane);
+        let minors = [
+            self.y_theta(p),
+            self.y_m(p) * self.factor(0),
+            self.w(p) * self.factor(1),
+            self.theta_q(p) * self.factor(2),
+            self.m_q(p) * self.factor(3),
+        ];
+        Plane::new(minors, plane.exponent + self.exponent)
+    }
+
+    /// The one minor that decides at the root.
+    fn minor_at(&self, support: Support, plane: Plane<S>) -> S {
+        let p = self.local(plane);
+        match support {
+            Support::Fixed => self.y_theta(p),
+            Support::Pinned => self.y_m(p) * self.factor(0),
+            Support::Guided => self.theta_q(p) * self.factor(2),
+            Support::Free => self.m_q(p) * self.factor(3),
+            Support::Roller => S::zero(),
+        }
+    }
+
+    #[inline]
+    fn y_theta(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
+        self.a * y_theta + self.b * y_m + self.f * (w + w) + self.d * theta_q + self.e * m_q
+    }
+
+    #[inline]
+    fn y_m(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
+        self.c * y_m - self.raised_d * y_theta + self.b * (w + w) + self.f * (theta_q + theta_q) + self.d * m_q
+    }
+
+    #[inline]
+    fn w(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
+        self.c * w - self.raised_f * y_theta - self.raised_d * y_m + self.b * theta_q + self.f * m_q
+    }
+
+    #[inline]
+    fn theta_q(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
+        self.c * theta_q - self.raised_b * y_theta - self.raised_f * (y_m + y_m) - self.raised_d * (w + w) + self.b * m_q
+    }
+
+    #[inline]
+    fn m_q(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
+        self.a * m_q + self.raised_e * y_theta - self.raised_b * y_m - self.raised_f * (w + w) - self.raised_d * theta_q
+    }
+
+    /// The plane behind a beam that starts at a support: a column of the compound.
+    fn from_tip(&self, support: Support) -> Plane<S> {
+        let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, .. } = *self;
+        let (factor, inverse) = (|k| self.factor(k), |k| self.inverse(k));
+        let minors = match support {
+            Support::Fixed => [e * inverse(3), d * inverse(2), f * inverse(1), b * inverse(0), a],
+            Support::Pinned => {
+                let length = self.length();
+                [d * inverse(2), (f + f) * (length * length), b * length, c, -(raised_d * factor(0))]
+            }
+            Support::Guided => {
+                let number = self.wave_number();
+                [b * inverse(0), c, -(raised_d * number), -((raised_f + raised_f) * (number * number)), -(raised_b * factor(2))]
+            }
+            Support::Free => [a, -(raised_d * factor(0)), -(raised_f * factor(1)), -(raised_b * factor(2)), raised_e * factor(3)],
+            // refused before: the roller is a support of planar states
+            Support::Roller => [S::zero(); 5],
+        };
+        Plane::unscaled(minors, self.exponent)
+    }
+
+    /// `1/b`.
+    #[inline]
+    fn length(&self) -> S {
+        self.inverse_powers[0] * (self.units.factors[0] * self.units.inverses[1])
+    }
+
+    /// `b`.
+    #[inline]
+    fn wave_number(&self) -> S {
+        self.powers[0] * (self.units.factors[1] * self.units.inverses[0])
     }
 }
 
@@ -70,7 +352,8 @@ mod tests {
     #[test]
     fn at_rest_it_is_the_static_beam() {
         let (l, ei) = (2.0_f64, 5.0);
-        let u = Beam { length: l, bending_stiffness: ei, mass_per_length: 3.0 }.transfer_matrix(0.0);
+        let beam = Beam { length: l, bending_stiffness: ei, mass_per_length: 3.0 }.build().unwrap();
+        let u = Beam::transfer_matrix(&beam, 0.0);
         let expected = [
             [1.0, l, l * l / (2.0 * ei), l.powi(3) / (6.0 * ei)],
             [0.0, 1.0, l / ei, l * l / (2.0 * ei)],

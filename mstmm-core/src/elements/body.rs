@@ -1,9 +1,14 @@
 //! Rigid body in a bending path.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real};
-use crate::state::Bending;
+use crate::scaled::Scaled;
+use crate::state::{Bending, Support};
+use crate::subspace::{Plane, Subspace};
 use nalgebra::Matrix4;
 
 /// Rigid body with one input and one output end in a bending path; small motions, no longitudinal displacement.
@@ -45,6 +50,11 @@ impl<T: Real> Element for Body<T> {
         Requirement::at_least(about_centre, "mass * centre_x²").check("inertia", self.inertia)?;
         Ok(self)
     }
+
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.mass(built.mass.to_f64());
+        bounds.moment_of_inertia(built.inertia.to_f64());
+    }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Body<T> {
@@ -62,6 +72,70 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Body<T> {
             b - a * b1,   j - b * b1, one,  b1,
             -a,           -b,         zero, one,
         )
+    }
+}
+
+/// `a = mλ²`, `b = m c1 λ²`, `j = J_I λ²` and the shift b1 to the output end.
+#[derive(Clone, Copy, Debug)]
+pub struct BodyCoefficients<T, S> {
+    a: S,
+    b: S,
+    j: S,
+    shift: T,
+}
+
+impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
+    type Coefficients = BodyCoefficients<T, S>;
+
+    #[inline]
+    fn coefficients(built: &Self, at: &At<S>) -> BodyCoefficients<T, S> {
+        let a = at.lambda_squared * built.mass;
+        BodyCoefficients { a, b: a * built.centre_x, j: at.lambda_squared * built.inertia, shift: built.output_x }
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+        let (p, shift) = (coefficients.at_input(input), coefficients.shift);
+        let moved = p.theta_q * shift;
+        let y_m = p.y_m + (p.w + p.w + moved) * shift;
+        Subspace::Plane(Plane::new([p.y_theta, y_m, p.w + moved, p.theta_q, p.m_q], p.exponent))
+    }
+
+    #[inline]
+    fn root<C: Tally<S>>(
+        coefficients: &Self::Coefficients,
+        input: Subspace<S>,
+        support: Support,
+        tally: &mut C,
+    ) -> Scaled<S> {
+        if C::COUNTS || support != Support::Free {
+            return Self::step(coefficients, input, tally).at_root(support, tally);
+        }
+        // the shift to the output end does not change p_MQ
+        let p = input.plane();
+        Scaled::new(coefficients.m_q(&p), i64::from(p.exponent))
+    }
+}
+
+impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
+    /// The plane behind the body's inertia, still at the input end.
+    #[inline]
+    fn at_input(&self, input: Subspace<S>) -> Plane<S> {
+        let BodyCoefficients { a, b, j, .. } = *self;
+        if let Subspace::Tip(Support::Free, _) = input {
+            return Plane::unscaled([S::one(), j, -b, a, j * a - b * b], 0);
+        }
+        let p = input.plane();
+        let minors = [p.y_theta, p.y_m + j * p.y_theta, p.w - b * p.y_theta, p.theta_q + a * p.y_theta, self.m_q(&p)];
+        Plane::unscaled(minors, p.exponent)
+    }
+
+    /// `p_MQ` behind the body.
+    #[inline]
+    fn m_q(&self, p: &Plane<S>) -> S {
+        let BodyCoefficients { a, b, j, .. } = *self;
+        let bw = b * p.w;
+        p.m_q + a * p.y_m + j * p.theta_q + (bw + bw) + (j * a - b * b) * p.y_theta
     }
 }
 

@@ -1,9 +1,13 @@
 //! Translational damper.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{ComplexFrequency, Real};
+use crate::line_steps::through_stiffness;
 use crate::state::Translation;
+use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
 /// Massless viscous damper, `Q = Cλ (Y_I - Y_O)`.
@@ -47,6 +51,20 @@ impl<T: Real> Damper<T> {
     #[inline]
     fn dynamic_stiffness<S: ComplexFrequency<T>>(&self, x: S) -> S {
         x * self.damping
+    }
+}
+
+impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for Damper<T> {
+    type Coefficients = S;
+
+    #[inline]
+    fn coefficients(built: &Self, at: &At<S>) -> S {
+        built.dynamic_stiffness(at.x)
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        through_stiffness(*coefficients, input, tally)
     }
 }
 

@@ -1,9 +1,13 @@
 //! Elastic hinge in a bending path.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real};
-use crate::state::Bending;
+use crate::state::{Bending, Support};
+use crate::subspace::{Plane, Subspace};
 use nalgebra::Matrix4;
 
 /// Massless elastic hinge: a translational and a torsion spring side by side in a bending path.
@@ -29,6 +33,11 @@ impl<T: Real> Element for ElasticHinge<T> {
         Requirement::Positive.check("stiffness_theta", self.stiffness_theta)?;
         Ok(self)
     }
+
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.translational_stiffness(built.stiffness_y.to_f64());
+        bounds.torsional_stiffness(built.stiffness_theta.to_f64());
+    }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for ElasticHinge<T> {
@@ -38,6 +47,46 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for ElasticHinge<T> {
         u[(0, 3)] = -S::from_parameter(T::one() / built.stiffness_y);
         u[(1, 2)] = S::from_parameter(T::one() / built.stiffness_theta);
         u
+    }
+}
+
+/// The two stiffnesses and their product.
+#[derive(Clone, Copy, Debug)]
+pub struct HingeCoefficients<S> {
+    k_y: S,
+    k_theta: S,
+    product: S,
+}
+
+impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
+    type Coefficients = HingeCoefficients<S>;
+
+    #[inline]
+    fn coefficients(built: &Self, _at: &At<S>) -> HingeCoefficients<S> {
+        HingeCoefficients {
+            k_y: S::from_parameter(built.stiffness_y),
+            k_theta: S::from_parameter(built.stiffness_theta),
+            product: S::from_parameter(built.stiffness_y * built.stiffness_theta),
+        }
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        let HingeCoefficients { k_y, k_theta, product } = *coefficients;
+        if let Subspace::Tip(Support::Fixed, _) = input {
+            return Subspace::Plane(Plane::new([S::one(), k_theta, S::zero(), k_y, product], 0));
+        }
+        let p = input.plane();
+        let minors = [
+            product * p.y_theta + k_y * p.y_m + k_theta * p.theta_q + p.m_q,
+            product * p.y_m + k_theta * p.m_q,
+            product * p.w,
+            product * p.theta_q + k_y * p.m_q,
+            product * p.m_q,
+        ];
+        let after = Plane::new(minors, p.exponent);
+        tally.hinge(&p, &after, k_y);
+        Subspace::Plane(after)
     }
 }
 

@@ -1,9 +1,14 @@
 //! Rotary inertia.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real};
+use crate::line_steps::through_inertia;
 use crate::state::Rotation;
+use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
 /// Rotary inertia on a rotation path.
@@ -26,12 +31,30 @@ impl<T: Real> Element for Inertia<T> {
         Requirement::NonNegative.check("inertia", self.inertia)?;
         Ok(self)
     }
+
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.moment_of_inertia(built.inertia.to_f64());
+    }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Inertia<T> {
     #[inline]
     fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
         Matrix2::new(S::one(), S::zero(), x.lambda_squared() * built.inertia, S::one())
+    }
+}
+
+impl<T: Real, S: Frequency<T>> PlaneStep<S> for Inertia<T> {
+    type Coefficients = S;
+
+    #[inline]
+    fn coefficients(built: &Self, at: &At<S>) -> S {
+        at.lambda_squared * built.inertia
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+        through_inertia(*coefficients, input)
     }
 }
 

@@ -41,7 +41,7 @@ where
     MatrixOf<E, C>: Index<(usize, usize), Output = C>,
 {
     let size = E::State::SPACE.size();
-    let u = element.transfer_matrix(lambda);
+    let u = E::transfer_matrix(element, lambda);
     (0..size).map(|i| (0..size).map(|j| u[(i, j)]).collect()).collect()
 }
 
@@ -143,7 +143,7 @@ where
     check(|element: E, lambda| {
         let omega = lambda.re;
         let complex = rows(&element, C::new(0.0, omega));
-        let u = element.transfer_matrix(omega);
+        let u = E::transfer_matrix(&element, omega);
         let size = complex.len();
         let real: Rows = (0..size).map(|i| (0..size).map(|j| C::from(u[(i, j)])).collect()).collect();
         assert_same(&real, &complex, largest(&complex));

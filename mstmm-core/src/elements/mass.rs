@@ -1,9 +1,14 @@
 //! Lumped mass.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real};
+use crate::line_steps::through_inertia;
 use crate::state::Translation;
+use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
 /// Lumped mass without moment effects on a translation path.
@@ -26,12 +31,30 @@ impl<T: Real> Element for Mass<T> {
         Requirement::NonNegative.check("mass", self.mass)?;
         Ok(self)
     }
+
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.mass(built.mass.to_f64());
+    }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Mass<T> {
     #[inline]
     fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
         Matrix2::new(S::one(), S::zero(), -(x.lambda_squared() * built.mass), S::one())
+    }
+}
+
+impl<T: Real, S: Frequency<T>> PlaneStep<S> for Mass<T> {
+    type Coefficients = S;
+
+    #[inline]
+    fn coefficients(built: &Self, at: &At<S>) -> S {
+        at.lambda_squared * built.mass
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+        through_inertia(*coefficients, input)
     }
 }
 

@@ -1,9 +1,13 @@
 //! Lumped mass inside a bending path.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real};
 use crate::state::Bending;
+use crate::subspace::{Plane, Subspace};
 use nalgebra::Matrix4;
 
 /// Lumped mass with rotary inertia inside a bending path: a rigid body of no length.
@@ -29,6 +33,11 @@ impl<T: Real> Element for PointMass<T> {
         Requirement::NonNegative.check("inertia", self.inertia)?;
         Ok(self)
     }
+
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.mass(built.mass.to_f64());
+        bounds.moment_of_inertia(built.inertia.to_f64());
+    }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PointMass<T> {
@@ -38,6 +47,31 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PointMass<T> {
         u[(2, 1)] = x.lambda_squared() * built.inertia;
         u[(3, 0)] = -(x.lambda_squared() * built.mass);
         u
+    }
+}
+
+/// `a = mλ²` and `j = Jλ²`.
+#[derive(Clone, Copy, Debug)]
+pub struct PointMassCoefficients<S> {
+    a: S,
+    j: S,
+}
+
+impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
+    type Coefficients = PointMassCoefficients<S>;
+
+    #[inline]
+    fn coefficients(built: &Self, at: &At<S>) -> PointMassCoefficients<S> {
+        PointMassCoefficients { a: at.lambda_squared * built.mass, j: at.lambda_squared * built.inertia }
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+        let PointMassCoefficients { a, j } = *coefficients;
+        let p = input.plane();
+        let theta_q = p.theta_q + a * p.y_theta;
+        let minors = [p.y_theta, p.y_m + j * p.y_theta, p.w, theta_q, p.m_q + a * p.y_m + j * theta_q];
+        Subspace::Plane(Plane::new(minors, p.exponent))
     }
 }
 

@@ -1,9 +1,14 @@
 //! Translational spring.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real};
+use crate::line_steps::through_stiffness;
 use crate::state::Translation;
+use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
 /// Massless translational spring, `Q = K (Y_I - Y_O)`.
@@ -26,6 +31,10 @@ impl<T: Real> Element for Spring<T> {
         Requirement::Positive.check("stiffness", self.stiffness)?;
         Ok(self)
     }
+
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.translational_stiffness(built.stiffness.to_f64());
+    }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Spring<T> {
@@ -33,6 +42,20 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Spring<T> {
     fn transfer_matrix(built: &Self, _x: S) -> Matrix2<S> {
         let compliance = S::from_parameter(T::one() / built.stiffness);
         Matrix2::new(S::one(), -compliance, S::zero(), S::one())
+    }
+}
+
+impl<T: Real, S: Frequency<T>> PlaneStep<S> for Spring<T> {
+    type Coefficients = S;
+
+    #[inline]
+    fn coefficients(built: &Self, _at: &At<S>) -> S {
+        S::from_parameter(built.stiffness)
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        through_stiffness(*coefficients, input, tally)
     }
 }
 

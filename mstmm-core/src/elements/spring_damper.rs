@@ -1,9 +1,14 @@
 //! Translational spring and damper in parallel.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{ComplexFrequency, Real};
+use crate::line_steps::through_stiffness;
 use crate::state::Translation;
+use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
 /// Massless spring and viscous damper in parallel, `Q = (K + Cλ)(Y_I - Y_O)`.
@@ -30,6 +35,10 @@ impl<T: Real> Element for SpringDamper<T> {
         Requirement::NonNegative.check("damping", self.damping)?;
         Ok(self)
     }
+
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.translational_stiffness(built.stiffness.to_f64());
+    }
 }
 
 impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for SpringDamper<T> {
@@ -50,6 +59,20 @@ impl<T: Real> SpringDamper<T> {
     #[inline]
     fn dynamic_stiffness<S: ComplexFrequency<T>>(&self, x: S) -> S {
         S::from_parameter(self.stiffness) + x * self.damping
+    }
+}
+
+impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for SpringDamper<T> {
+    type Coefficients = S;
+
+    #[inline]
+    fn coefficients(built: &Self, at: &At<S>) -> S {
+        built.dynamic_stiffness(at.x)
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        through_stiffness(*coefficients, input, tally)
     }
 }
 

@@ -1,9 +1,13 @@
 //! Torsion damper.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{ComplexFrequency, Real};
+use crate::line_steps::through_stiffness;
 use crate::state::Rotation;
+use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
 /// Massless viscous torsion damper, `M = Cλ (Θ_O - Θ_I)`.
@@ -47,6 +51,20 @@ impl<T: Real> TorsionDamper<T> {
     #[inline]
     fn dynamic_stiffness<S: ComplexFrequency<T>>(&self, x: S) -> S {
         x * self.damping
+    }
+}
+
+impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for TorsionDamper<T> {
+    type Coefficients = S;
+
+    #[inline]
+    fn coefficients(built: &Self, at: &At<S>) -> S {
+        built.dynamic_stiffness(at.x)
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        through_stiffness(*coefficients, input, tally)
     }
 }
 

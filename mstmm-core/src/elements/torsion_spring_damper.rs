@@ -1,9 +1,14 @@
 //! Torsion spring and torsion damper in parallel.
 
-use crate::element::{Element, TransferMatrix};
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{ComplexFrequency, Real};
+use crate::line_steps::through_stiffness;
 use crate::state::Rotation;
+use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
 /// Massless torsion spring and viscous torsion damper in parallel, `M = (K + Cλ)(Θ_O - Θ_I)`.
@@ -30,6 +35,10 @@ impl<T: Real> Element for TorsionSpringDamper<T> {
         Requirement::NonNegative.check("damping", self.damping)?;
         Ok(self)
     }
+
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.torsional_stiffness(built.stiffness.to_f64());
+    }
 }
 
 impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for TorsionSpringDamper<T> {
@@ -50,6 +59,20 @@ impl<T: Real> TorsionSpringDamper<T> {
     #[inline]
     fn dynamic_stiffness<S: ComplexFrequency<T>>(&self, x: S) -> S {
         S::from_parameter(self.stiffness) + x * self.damping
+    }
+}
+
+impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for TorsionSpringDamper<T> {
+    type Coefficients = S;
+
+    #[inline]
+    fn coefficients(built: &Self, at: &At<S>) -> S {
+        built.dynamic_stiffness(at.x)
+    }
+
+    #[inline]
+    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        through_stiffness(*coefficients, input, tally)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Complex scalars over any real one.
 
-use super::{ComplexFrequency, Frequency, Real, Scalar};
+use super::{ComplexFrequency, Frequency, Real, Scalar, WaveProducts};
 use num_complex::Complex;
 use num_traits::Zero;
 
@@ -37,6 +37,11 @@ impl<T: Real> Scalar for Complex<T> {
     }
 
     #[inline]
+    fn wave_products(self) -> WaveProducts<Self> {
+        WaveProducts::of_complex(self)
+    }
+
+    #[inline]
     fn size(self) -> f64 {
         let (re, im) = (self.re.size(), self.im.size());
         // `>` is false for a NaN on either side, and a NaN must come through
@@ -53,6 +58,11 @@ impl<T: Real> Frequency<T> for Complex<T> {
     #[inline]
     fn lambda_squared(self) -> Self {
         self * self
+    }
+
+    #[inline]
+    fn wave_root(self) -> Self {
+        Scalar::sqrt(Complex::new(self.im, -self.re))
     }
 
     #[inline]

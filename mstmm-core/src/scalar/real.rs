@@ -1,11 +1,16 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
-use super::{Frequency, Real, Scalar};
+use super::{Frequency, Real, Scalar, WaveProducts};
 
 impl<T: Real> Frequency<T> for T {
     #[inline]
     fn lambda_squared(self) -> Self {
         -(self * self)
+    }
+
+    #[inline]
+    fn wave_root(self) -> Self {
+        self.abs().sqrt()
     }
 
     #[inline]
@@ -45,7 +50,7 @@ macro_rules! elementary {
 
 /// Implements the real scalars for a primitive type, given its functions in `libm`.
 macro_rules! real {
-    ($type:ty, $terms:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path) => {
+    ($type:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path) => {
         impl Scalar for $type {
             const SERIES_TERMS: u32 = $terms;
 
@@ -70,6 +75,11 @@ macro_rules! real {
             }
 
             #[inline]
+            fn wave_products(self) -> WaveProducts<Self> {
+                WaveProducts::of_real(self)
+            }
+
+            #[inline]
             fn size(self) -> f64 {
                 f64::from(<$type>::abs(self))
             }
@@ -81,6 +91,9 @@ macro_rules! real {
         }
 
         impl Real for $type {
+            const WAVE_LIMIT: f64 = $limit;
+            const EPSILON: f64 = <$type>::EPSILON as f64;
+
             #[inline]
             fn to_f64(self) -> f64 {
                 f64::from(self)
@@ -99,8 +112,8 @@ macro_rules! real {
     };
 }
 
-real!(f64, 6, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp);
-real!(f32, 4, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf);
+real!(f64, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp);
+real!(f32, 4, 20.0, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf);
 
 #[cfg(test)]
 mod tests {

@@ -43,7 +43,7 @@ fn emit_step(step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> TokenStream {
     }
 }
 
-fn support(keyword: &Ident, names: &Names) -> TokenStream {
+pub(super) fn support(keyword: &Ident, names: &Names) -> TokenStream {
     let private = &names.private;
     // `check` has refused unknown keywords
     let variant = Ident::new(look_up(SUPPORTS, &keyword.to_string()).unwrap_or("Fixed"), keyword.span());

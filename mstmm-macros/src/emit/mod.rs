@@ -17,12 +17,14 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
     let system = system::system(model, plan, &names);
     let layout = layout::layout(plan, &names);
     let evaluate = evaluate::evaluate(plan, &names);
+    let characteristic = evaluate::characteristic(plan, &names);
     quote! {
         #parameters
         #system
         const _: () = {
             #layout
             #evaluate
+            #characteristic
         };
     }
 }

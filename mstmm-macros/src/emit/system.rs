@@ -12,21 +12,21 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStre
     let (visibility, parameters) = (&model.parameters.vis, &model.parameters.ident);
     let fields = plan.elements.iter().map(|element| {
         let (field, kind) = (field(element), names.element_type(element));
-        quote!(#field: #kind<T>)
+        quote!(#field: <#kind<T> as #private::Element>::Built)
     });
     let bindings = model.parameters.fields.iter().filter_map(|field| field.ident.as_ref());
     let lets = &model.lets;
     let values = plan.elements.iter().map(|element| value(element, names));
-    let validations = plan.elements.iter().map(|element| {
-        let (field, name) = (field(element), element.to_string());
-        quote!(#private::validate(&system.#field, #name)?;)
+    let bounds = plan.elements.iter().map(|element| {
+        let (field, kind) = (field(element), names.element_type(element));
+        quote!(<#kind<T> as #private::Element>::bound(&self.#field, &mut bounds);)
     });
     let system_doc =
         format!("The system of a [`{parameters}`], built: evaluate it at a frequency, or search its frequencies.");
     quote! {
         #[doc = #system_doc]
         #[derive(::core::clone::Clone, ::core::fmt::Debug)]
-        #visibility struct #system<T = f64> {
+        #visibility struct #system<T: #private::Real = f64> {
             #(#fields,)*
         }
 
@@ -36,25 +36,47 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStre
             /// # Errors
             /// The error names the first element with a parameter out of its range, the parameter and its value.
             #visibility fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
+                self.build_as()
+            }
+
+            /// Builds the system over another scalar, such as `f32` or the double-double `DoubleDouble`.
+            ///
+            /// # Errors
+            /// As `build`.
+            #visibility fn build_as<T: #private::Real>(
+                &self,
+            ) -> ::core::result::Result<#system<T>, #private::ParameterError> {
                 let Self { #(#bindings),* } = *self;
                 #(#lets)*
-                let system = #system { #(#values,)* };
-                #(#validations)*
-                ::core::result::Result::Ok(system)
+                ::core::result::Result::Ok(#system { #(#values,)* })
+            }
+        }
+
+        #[automatically_derived]
+        impl<T: #private::Real> #private::System for #system<T> {
+            type Parameter = T;
+
+            fn bounds(&self) -> #private::FrequencyBounds {
+                let mut bounds = ::core::default::Default::default();
+                #(#bounds)*
+                bounds
             }
         }
     }
 }
 
-/// `field: Type { parameter: expression, .. }`, expressions in parentheses so that an invisible group keeps its value.
+/// The built element, `field: build(Type { parameter: expression, .. }, name)?`. Expressions stand in parentheses so that
+/// an invisible group keeps its value.
 fn value(element: &Element, names: &Names) -> TokenStream {
-    let (field, kind) = (field(element), names.element_type(element));
+    let private = &names.private;
+    let (field, kind, name) = (field(element), names.element_type(element), element.to_string());
     let parameters = element.parameters.iter().map(|parameter| {
         let name = &parameter.name;
-        match &parameter.value {
+        let value = match &parameter.value {
             None => quote!(#name),
-            Some(value) => quote_spanned!(name.span()=> #name: (#value)),
-        }
+            Some(value) => quote!((#value)),
+        };
+        quote_spanned!(name.span()=> #name: #private::Scalar::from_f64(#value))
     });
-    quote!(#field: #kind { #(#parameters),* })
+    quote!(#field: #private::build(#kind::<T> { #(#parameters),* }, #name)?)
 }

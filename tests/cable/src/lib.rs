@@ -25,21 +25,23 @@ pub struct Cable<T> {
 
 impl<T: Real> Element for Cable<T> {
     type State = Translation;
+    type Built = Self;
 
-    fn validate(&self) -> Result<(), InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::Positive.check("length", self.length)?;
         Requirement::Positive.check("tension", self.tension)?;
-        Requirement::Positive.check("mass_per_length", self.mass_per_length)
+        Requirement::Positive.check("mass_per_length", self.mass_per_length)?;
+        Ok(self)
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Cable<T> {
-    fn transfer_matrix(&self, x: S) -> SMatrix<S, 2, 2> {
-        let phi_squared = -x.lambda_squared() * (self.mass_per_length / self.tension * self.length * self.length);
+    fn transfer_matrix(cable: &Self, x: S) -> SMatrix<S, 2, 2> {
+        let phi_squared = -x.lambda_squared() * (cable.mass_per_length / cable.tension * cable.length * cable.length);
         let phi = phi_squared.sqrt();
         let (sin, cos) = phi.sin_cos();
         let sinc = if phi.is_zero() { S::one() } else { sin / phi };
-        let flexibility = self.length / self.tension;
+        let flexibility = cable.length / cable.tension;
         SMatrix::<S, 2, 2>::new(cos, -(sinc * flexibility), phi * sin * (T::one() / flexibility), cos)
     }
 }

@@ -1,0 +1,96 @@
+//! Rough bounds of a system's frequencies, from which searches take their first steps.
+
+/// Extreme stiffnesses and inertias of a system, translation and rotation apart.
+///
+/// Nothing is certified by these: they only say where to start counting.
+#[derive(Clone, Copy, Debug)]
+pub struct FrequencyBounds {
+    stiffness: [Range; 2],
+    inertia: [Range; 2],
+    waves: Range,
+}
+
+/// Smallest and largest positive value so far.
+#[derive(Clone, Copy, Debug)]
+struct Range {
+    least: f64,
+    greatest: f64,
+}
+
+impl Range {
+    const EMPTY: Range = Range { least: f64::INFINITY, greatest: 0.0 };
+
+    fn include(&mut self, value: f64) {
+        if value > 0.0 {
+            self.least = self.least.min(value);
+            self.greatest = self.greatest.max(value);
+        }
+    }
+}
+
+impl Default for FrequencyBounds {
+    fn default() -> Self {
+        FrequencyBounds { stiffness: [Range::EMPTY; 2], inertia: [Range::EMPTY; 2], waves: Range::EMPTY }
+    }
+}
+
+impl FrequencyBounds {
+    /// A translational stiffness [N/m].
+    pub fn translational_stiffness(&mut self, value: f64) {
+        self.stiffness[0].include(value);
+    }
+
+    /// A torsional stiffness [N m/rad].
+    pub fn torsional_stiffness(&mut self, value: f64) {
+        self.stiffness[1].include(value);
+    }
+
+    /// A mass [kg].
+    pub fn mass(&mut self, value: f64) {
+        self.inertia[0].include(value);
+    }
+
+    /// A moment of inertia [kg m²].
+    pub fn moment_of_inertia(&mut self, value: f64) {
+        self.inertia[1].include(value);
+    }
+
+    /// A continuous element with frequencies of its own from this order [rad/s] on; it has infinitely many.
+    pub fn waves(&mut self, omega: f64) {
+        self.waves.include(omega);
+    }
+
+    /// Whether some element has infinitely many frequencies.
+    pub(crate) fn is_continuous(&self) -> bool {
+        self.waves.greatest > 0.0
+    }
+
+    /// Squares of a low and a high estimate of the system's frequencies.
+    fn estimates(&self) -> Range {
+        let mut squares = Range::EMPTY;
+        for (stiffness, inertia) in self.stiffness.iter().zip(&self.inertia) {
+            if inertia.greatest > 0.0 && stiffness.greatest > 0.0 {
+                squares.include(stiffness.least / inertia.greatest);
+                squares.include(stiffness.greatest / inertia.least);
+            }
+        }
+        squares.include(self.waves.least * self.waves.least);
+        squares.include(self.waves.greatest * self.waves.greatest);
+        if squares.greatest == 0.0 { Range { least: 1.0, greatest: 1.0 } } else { squares }
+    }
+
+    /// Logarithm to base 2 of a low estimate of the frequencies.
+    pub(crate) fn lowest_exponent(&self) -> i32 {
+        exponent(self.estimates().least) / 2 - 1
+    }
+
+    /// Logarithm to base 2 of a high estimate of the frequencies of discrete elements.
+    pub(crate) fn highest_exponent(&self) -> i32 {
+        exponent(self.estimates().greatest) / 2 + 1
+    }
+}
+
+/// Binary exponent of a positive number.
+fn exponent(value: f64) -> i32 {
+    crate::scaled::binary_exponent(value)
+}

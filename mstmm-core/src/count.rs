@@ -1,0 +1,161 @@
+//! The count of natural frequencies below a frequency, in the same pass as Δ (Wittrick and Williams along a tree).
+//!
+//! The steps of the plane method tell a tally what happens; [`Untallied`] ignores it at no cost, [`Count`] applies the
+//! rules. Each rule adds the negative eigenvalues of the stiffness that a step eliminates. A support is the limit of a
+//! stiff spring, hence the rules for exact zeros.
+
+use crate::scalar::{Real, Scalar};
+use crate::state::{Space, Support};
+use crate::subspace::{Line, Plane};
+
+/// What a beam tells the tally besides its planes.
+#[derive(Clone, Copy, Debug)]
+pub struct BeamSigns<S> {
+    /// `z = βl`.
+    pub z: S,
+    /// Positive multiple of `1 - ch z cos z`.
+    pub one_minus_product: S,
+    /// `(EI/l³) B/E`, the clamped-clamped stiffness of the input end against deflection.
+    pub clamped_stiffness: S,
+}
+
+/// Receives what the steps of the plane method have to say for the count.
+pub trait Tally<S: Scalar> {
+    /// Whether anything is received: a step may leave out what only the tally needs.
+    const COUNTS: bool;
+    /// A spring took a line from `before` to `after`.
+    fn spring(&mut self, before: &Line<S>, after: &Line<S>);
+    /// A hinge with stiffness `k_y` took a plane from `before` to `after`.
+    fn hinge(&mut self, before: &Plane<S>, after: &Plane<S>, k_y: S);
+    /// A beam took a plane from `before` to `after`.
+    fn beam(&mut self, before: &Plane<S>, after: &Plane<S>, signs: BeamSigns<S>);
+    /// A wave element of one's own took a line from `before` to `after`; held at both ends it has `held` frequencies
+    /// below this one.
+    fn line_waves(&mut self, before: &Line<S>, after: &Line<S>, held: u64, odd: bool);
+    /// A plane goes on as a line of `space`.
+    fn narrowing(&mut self, plane: &Plane<S>, space: Space);
+    /// A plane ends in the root.
+    fn plane_root(&mut self, plane: &Plane<S>, support: Support);
+    /// A line ends in the root.
+    fn line_root(&mut self, line: &Line<S>, support: Support);
+}
+
+/// The tally that ignores everything: Δ alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Untallied;
+
+impl<S: Scalar> Tally<S> for Untallied {
+    const COUNTS: bool = false;
+    #[inline(always)]
+    fn spring(&mut self, _: &Line<S>, _: &Line<S>) {}
+    #[inline(always)]
+    fn hinge(&mut self, _: &Plane<S>, _: &Plane<S>, _: S) {}
+    #[inline(always)]
+    fn beam(&mut self, _: &Plane<S>, _: &Plane<S>, _: BeamSigns<S>) {}
+    #[inline(always)]
+    fn line_waves(&mut self, _: &Line<S>, _: &Line<S>, _: u64, _: bool) {}
+    #[inline(always)]
+    fn narrowing(&mut self, _: &Plane<S>, _: Space) {}
+    #[inline(always)]
+    fn plane_root(&mut self, _: &Plane<S>, _: Support) {}
+    #[inline(always)]
+    fn line_root(&mut self, _: &Line<S>, _: Support) {}
+}
+
+/// The number of natural frequencies below the frequency of a pass.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Count {
+    below: u64,
+}
+
+impl Count {
+    /// The count so far; of all frequencies once the pass has reached the root.
+    pub fn below(&self) -> u64 {
+        self.below
+    }
+
+    fn add_if(&mut self, condition: bool) {
+        self.below += u64::from(condition);
+    }
+
+    /// Adds the negative eigenvalues of a symmetric 2×2 matrix from the sign of its determinant and its first entry.
+    fn negative_eigenvalues(&mut self, determinant_negative: bool, first_positive: bool) {
+        self.below += match (determinant_negative, first_positive) {
+            (true, _) => 1,
+            (false, true) => 0,
+            (false, false) => 2,
+        };
+    }
+}
+
+/// Sign of the first number that is not zero: whether it is negative.
+fn negative<T: Real>(candidates: impl IntoIterator<Item = T>) -> bool {
+    candidates.into_iter().find(|x| !x.is_zero()).is_some_and(|x| x < T::zero())
+}
+
+/// Sign of p_YΘ, of the limit of stiff springs where it is zero.
+fn plane_negative<T: Real>(p: &Plane<T>) -> bool {
+    negative([p.y_theta, p.theta_q, p.y_m, p.m_q])
+}
+
+/// Sign of y, of the limit of a stiff spring where it is zero.
+fn line_negative<T: Real>(line: &Line<T>) -> bool {
+    negative([line.y, -line.q])
+}
+
+impl<T: Real> Tally<T> for Count {
+    const COUNTS: bool = true;
+
+    fn spring(&mut self, before: &Line<T>, after: &Line<T>) {
+        self.add_if(line_negative(before) != line_negative(after));
+    }
+
+    fn hinge(&mut self, before: &Plane<T>, after: &Plane<T>, k_y: T) {
+        let determinant_negative = plane_negative(before) != plane_negative(after);
+        let first_positive = before.y_theta.is_zero() || before.theta_q / before.y_theta + k_y > T::zero();
+        self.negative_eigenvalues(determinant_negative, first_positive);
+    }
+
+    fn beam(&mut self, before: &Plane<T>, after: &Plane<T>, signs: BeamSigns<T>) {
+        let product_negative = signs.one_minus_product < T::zero();
+        let half_waves = (signs.z.to_f64() / core::f64::consts::PI) as u64;
+        // clamped-clamped frequencies below: i - (1 - (-1)^i sgn(1 - ch z cos z))/2
+        let odd = half_waves % 2 == 1;
+        self.below += half_waves - u64::from(odd != product_negative);
+        let determinant_negative = plane_negative(before) != (plane_negative(after) != product_negative);
+        let first_positive =
+            before.y_theta.is_zero() || before.theta_q / before.y_theta + signs.clamped_stiffness > T::zero();
+        self.negative_eigenvalues(determinant_negative, first_positive);
+    }
+
+    fn line_waves(&mut self, before: &Line<T>, after: &Line<T>, held: u64, odd: bool) {
+        self.below += held;
+        self.add_if(line_negative(before) != (line_negative(after) != odd));
+    }
+
+    fn narrowing(&mut self, plane: &Plane<T>, space: Space) {
+        let left_behind = if space.is(Space::Translation) { plane.y_m } else { plane.theta_q };
+        self.add_if(negative([left_behind, plane.m_q]) != plane_negative(plane));
+    }
+
+    fn plane_root(&mut self, plane: &Plane<T>, support: Support) {
+        let differs = |x: T| !x.is_zero() && (x < T::zero()) != plane_negative(plane);
+        match support {
+            Support::Fixed | Support::Roller => {}
+            Support::Pinned => self.add_if(differs(plane.y_m)),
+            Support::Guided => self.add_if(differs(plane.theta_q)),
+            Support::Free if plane.m_q.is_zero() => {
+                self.add_if(negative([plane.theta_q, plane.y_m]) != plane_negative(plane));
+            }
+            Support::Free => {
+                let first_positive = plane.y_theta.is_zero() || plane.theta_q / plane.y_theta > T::zero();
+                self.negative_eigenvalues(differs(plane.m_q), first_positive);
+            }
+        }
+    }
+
+    fn line_root(&mut self, line: &Line<T>, support: Support) {
+        // stiffness -q/y of the free end
+        self.add_if(support != Support::Fixed && !line.q.is_zero() && (line.q < T::zero()) == line_negative(line));
+    }
+}

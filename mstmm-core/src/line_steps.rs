@@ -1,0 +1,31 @@
+//! The steps of spring-like and mass-like elements on lines; in rotation paths `q = -μ` makes them the same.
+
+use crate::count::Tally;
+use crate::scalar::Scalar;
+use crate::state::Support;
+use crate::subspace::{Line, Subspace};
+
+/// Through a massless element of dynamic stiffness κ: `(κ y - q, κ q)`; a grounded one needs no line.
+#[inline]
+pub(crate) fn through_stiffness<S: Scalar, C: Tally<S>>(kappa: S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    let space = input.space();
+    if let Subspace::Tip(Support::Fixed, _) = input {
+        return Subspace::Grounded(kappa, space);
+    }
+    let before = input.line();
+    let after = Line::new(kappa * before.y - before.q, kappa * before.q, before.exponent);
+    tally.spring(&before, &after);
+    Subspace::Line(after, space)
+}
+
+/// Through an inertia `m λ²`: `(y, q - mλ² y)`; a free one needs no line, a fixed one does not move.
+#[inline]
+pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subspace<S> {
+    let space = input.space();
+    match input {
+        Subspace::Tip(Support::Fixed, _) => input,
+        Subspace::Grounded(k, _) => Subspace::Grounded(k + inertia, space),
+        Subspace::Line(Line { y, q, exponent }, _) => Subspace::Line(Line { y, q: q - inertia * y, exponent }, space),
+        Subspace::Tip(..) | Subspace::Plane(_) => Subspace::Grounded(inertia, space),
+    }
+}

@@ -1,0 +1,260 @@
+//! Dual numbers: a value and its derivative with respect to the frequency.
+
+use super::{ComplexFrequency, Frequency, Real, Scalar, WaveProducts};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
+use num_complex::Complex;
+use num_traits::{Num, One, Zero};
+
+/// `value + derivative ε` with `ε² = 0`. Order and equality look at the value alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Dual<S> {
+    /// The value.
+    pub value: S,
+    /// Its derivative.
+    pub derivative: S,
+}
+
+impl<S: Scalar> Dual<S> {
+    /// The variable itself: derivative 1.
+    pub fn variable(value: S) -> Self {
+        Dual { value, derivative: S::one() }
+    }
+
+    /// A constant: derivative 0.
+    pub fn constant(value: S) -> Self {
+        Dual { value, derivative: S::zero() }
+    }
+
+    /// Both parts through one linear map.
+    #[inline]
+    fn map(self, f: impl Fn(S) -> S) -> Self {
+        Dual { value: f(self.value), derivative: f(self.derivative) }
+    }
+
+    /// A function by its value and slope at `self.value`.
+    #[inline]
+    fn chain(self, value: S, slope: S) -> Self {
+        Dual { value, derivative: slope * self.derivative }
+    }
+}
+
+impl<S: Scalar> PartialEq for Dual<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl<S: Scalar> Add for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Dual { value: self.value + other.value, derivative: self.derivative + other.derivative }
+    }
+}
+
+impl<S: Scalar> Sub for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Dual { value: self.value - other.value, derivative: self.derivative - other.derivative }
+    }
+}
+
+impl<S: Scalar> Mul for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Dual {
+            value: self.value * other.value,
+            derivative: self.derivative * other.value + self.value * other.derivative,
+        }
+    }
+}
+
+impl<S: Scalar> Div for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        Dual { value, derivative: (self.derivative - value * other.derivative) / other.value }
+    }
+}
+
+impl<S: Scalar> Neg for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        self.map(|part| -part)
+    }
+}
+
+impl<T: Real> Mul<T> for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: T) -> Self {
+        self.map(|part| part * factor)
+    }
+}
+
+impl<T: Real> Mul<T> for Dual<Complex<T>> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: T) -> Self {
+        self.map(|part| part * factor)
+    }
+}
+
+/// Implements the assigning form of an operator.
+macro_rules! assign {
+    ($($trait:ident, $method:ident, $operator:tt;)*) => {$(
+        impl<S: Scalar> $trait for Dual<S> {
+            #[inline]
+            fn $method(&mut self, other: Self) {
+                *self = *self $operator other;
+            }
+        }
+    )*};
+}
+assign! { AddAssign, add_assign, +; SubAssign, sub_assign, -; MulAssign, mul_assign, *; DivAssign, div_assign, /; }
+
+impl<S: Scalar> Zero for Dual<S> {
+    fn zero() -> Self {
+        Dual::constant(S::zero())
+    }
+    fn is_zero(&self) -> bool {
+        self.value.is_zero()
+    }
+}
+
+impl<S: Scalar> One for Dual<S> {
+    fn one() -> Self {
+        Dual::constant(S::one())
+    }
+}
+
+impl<S: Scalar> Scalar for Dual<S> {
+    const SERIES_TERMS: u32 = S::SERIES_TERMS;
+
+    #[inline]
+    fn from_f64(value: f64) -> Self {
+        Dual::constant(S::from_f64(value))
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        self.chain(root, S::from_f64(0.5) / root)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.value.sin_cos();
+        (self.chain(sin, cos), self.chain(cos, -sin))
+    }
+
+    fn sinh_cosh(self) -> (Self, Self) {
+        let (sinh, cosh) = self.value.sinh_cosh();
+        (self.chain(sinh, cosh), self.chain(cosh, sinh))
+    }
+
+    #[inline]
+    fn wave_products(self) -> WaveProducts<Self> {
+        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent } = self.value.wave_products();
+        WaveProducts {
+            ch_cos: self.chain(ch_cos, sh_cos - ch_sin),
+            ch_sin: self.chain(ch_sin, sh_sin + ch_cos),
+            sh_cos: self.chain(sh_cos, ch_cos - sh_sin),
+            sh_sin: self.chain(sh_sin, ch_sin + sh_cos),
+            one: Dual::constant(one),
+            exponent,
+        }
+    }
+
+    #[inline]
+    fn size(self) -> f64 {
+        self.value.size()
+    }
+
+    #[inline]
+    fn times_power_of_two(self, exponent: i32) -> Self {
+        self.map(|part| part.times_power_of_two(exponent))
+    }
+}
+
+impl<T: Real> Frequency<T> for Dual<T> {
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        -(self * self)
+    }
+
+    #[inline]
+    fn wave_root(self) -> Self {
+        Scalar::sqrt(if self.value < T::zero() { -self } else { self })
+    }
+
+    #[inline]
+    fn from_parameter(parameter: T) -> Self {
+        Dual::constant(parameter)
+    }
+}
+
+impl<T: Real> Frequency<T> for Dual<Complex<T>> {
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        self * self
+    }
+
+    #[inline]
+    fn wave_root(self) -> Self {
+        Scalar::sqrt(self.map(|part| Complex::new(part.im, -part.re)))
+    }
+
+    #[inline]
+    fn from_parameter(parameter: T) -> Self {
+        Dual::constant(Frequency::from_parameter(parameter))
+    }
+}
+
+impl<T: Real> ComplexFrequency<T> for Dual<Complex<T>> {}
+
+impl<T: Real> PartialOrd for Dual<T> {
+    fn partial_cmp(&self, other: &Self) -> Option<core::cmp::Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
+}
+
+impl<T: Real> Rem for Dual<T> {
+    type Output = Self;
+    fn rem(self, other: Self) -> Self {
+        Dual { value: self.value % other.value, derivative: self.derivative }
+    }
+}
+
+impl<T: Real> RemAssign for Dual<T> {
+    fn rem_assign(&mut self, other: Self) {
+        *self = *self % other;
+    }
+}
+
+impl<T: Real> Num for Dual<T> {
+    type FromStrRadixErr = T::FromStrRadixErr;
+    fn from_str_radix(digits: &str, radix: u32) -> Result<Self, Self::FromStrRadixErr> {
+        T::from_str_radix(digits, radix).map(Dual::constant)
+    }
+}
+
+impl<T: Real> Real for Dual<T> {
+    const WAVE_LIMIT: f64 = T::WAVE_LIMIT;
+    const EPSILON: f64 = T::EPSILON;
+
+    fn to_f64(self) -> f64 {
+        self.value.to_f64()
+    }
+
+    fn exp(self) -> Self {
+        let exp = self.value.exp();
+        self.chain(exp, exp)
+    }
+
+    fn abs(self) -> Self {
+        if self.value < T::zero() { -self } else { self }
+    }
+}

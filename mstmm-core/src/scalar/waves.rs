@@ -1,0 +1,131 @@
+//! The products of sine, cosine and their hyperbolic kin that a bending wave needs, free of overflow.
+
+use super::Real;
+use num_complex::Complex;
+
+/// `ch z cos z`, `ch z sin z`, `sh z cos z`, `sh z sin z` and 1, all divided by `2^exponent`.
+#[derive(Clone, Copy, Debug)]
+pub struct WaveProducts<S> {
+    /// ch z cos z
+    pub ch_cos: S,
+    /// ch z sin z
+    pub ch_sin: S,
+    /// sh z cos z
+    pub sh_cos: S,
+    /// sh z sin z
+    pub sh_sin: S,
+    /// 1
+    pub one: S,
+    /// The power of two taken out.
+    pub exponent: i32,
+}
+
+/// ln 2 in two parts; the first has trailing zeros, so that its multiples up to 2^20 are exact.
+const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
+
+/// `ch x`, `sh x` and 1, divided by `2^exponent`.
+struct Hyperbolic<T> {
+    ch: T,
+    sh: T,
+    one: T,
+    exponent: i32,
+}
+
+impl<T: Real> Hyperbolic<T> {
+    #[inline]
+    fn of(x: T) -> Self {
+        let size = x.size();
+        let half = T::from_f64(0.5);
+        if size < T::WAVE_LIMIT {
+            let e = x.exp();
+            let inverse = T::one() / e;
+            return Hyperbolic { ch: (e + inverse) * half, sh: (e - inverse) * half, one: T::one(), exponent: 0 };
+        }
+        Hyperbolic::beyond_limit(x, size)
+    }
+
+    /// Here `exp(-2|x|)` does not count beside 1. An error of the scale is common to all and positive, so it is no error.
+    #[cold]
+    fn beyond_limit(x: T, size: f64) -> Self {
+        let exponent = (size / core::f64::consts::LN_2) as i32;
+        let k = T::from_f64(f64::from(exponent));
+        let rest = (x.abs() - k * T::from_f64(LN_2[0])) - k * T::from_f64(LN_2[1]);
+        let ch = rest.exp() * T::from_f64(0.5);
+        let sh = if x < T::zero() { -ch } else { ch };
+        Hyperbolic { ch, sh, one: T::one().times_power_of_two(-exponent), exponent }
+    }
+}
+
+impl<T: Real> WaveProducts<T> {
+    /// Of a real argument.
+    #[inline]
+    pub(super) fn of_real(z: T) -> Self {
+        let (sin, cos) = z.sin_cos();
+        let Hyperbolic { ch, sh, one, exponent } = Hyperbolic::of(z);
+        WaveProducts { ch_cos: ch * cos, ch_sin: ch * sin, sh_cos: sh * cos, sh_sin: sh * sin, one, exponent }
+    }
+}
+
+impl<T: Real> WaveProducts<Complex<T>> {
+    /// Of a complex argument: both parts oscillate and grow.
+    #[inline]
+    pub(super) fn of_complex(z: Complex<T>) -> Self {
+        let ((sin_re, cos_re), (sin_im, cos_im)) = (z.re.sin_cos(), z.im.sin_cos());
+        let (re, im) = (Hyperbolic::of(z.re), Hyperbolic::of(z.im));
+        let ch = Complex::new(re.ch * cos_im, re.sh * sin_im);
+        let sh = Complex::new(re.sh * cos_im, re.ch * sin_im);
+        let cos = Complex::new(cos_re * im.ch, -(sin_re * im.sh));
+        let sin = Complex::new(sin_re * im.ch, cos_re * im.sh);
+        WaveProducts {
+            ch_cos: ch * cos,
+            ch_sin: ch * sin,
+            sh_cos: sh * cos,
+            sh_sin: sh * sin,
+            one: Complex::new(re.one * im.one, T::zero()),
+            exponent: re.exponent + im.exponent,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Scalar;
+    use crate::tolerance::assert_close;
+
+    #[test]
+    fn real_and_complex_arguments_agree() {
+        for z in [1.0, 3.7, 40.0, 99.9, 100.1, 5000.0_f64] {
+            let (real, complex) = (z.wave_products(), Complex::new(z, 0.0).wave_products());
+            assert_eq!((real.exponent, real.one), (complex.exponent, complex.one.re));
+            for (a, b) in [
+                (real.ch_cos, complex.ch_cos),
+                (real.ch_sin, complex.ch_sin),
+                (real.sh_cos, complex.sh_cos),
+                (real.sh_sin, complex.sh_sin),
+            ] {
+                assert_close(a, b.re, a.abs(), 4.0);
+                assert_eq!(b.im, 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn the_scaled_form_continues_the_plain_one() {
+        let z = 100.5_f64;
+        let scaled = z.wave_products();
+        // the argument itself carries half an eps of 100, and so does its exponential
+        let scale = 2f64.powi(scaled.exponent);
+        assert_close(scaled.ch_cos * scale, z.cosh() * z.cos(), z.cosh(), 200.0);
+        assert_close(scaled.sh_sin * scale, z.sinh() * z.sin(), z.cosh(), 200.0);
+    }
+
+    #[test]
+    fn a_swapped_sign_of_the_argument_swaps_that_of_the_odd_factors() {
+        for z in [Complex::new(2.0, 1.5), Complex::new(150.0, -120.0)] {
+            let (plus, minus) = (z.wave_products(), (-z).wave_products());
+            assert_eq!((plus.ch_cos, plus.sh_sin), (minus.ch_cos, minus.sh_sin));
+            assert_eq!((plus.ch_sin, plus.sh_cos), (-minus.ch_sin, -minus.sh_cos));
+        }
+    }
+}

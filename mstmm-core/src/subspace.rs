@@ -1,0 +1,175 @@
+//! Subspaces of states: what the boundary conditions upstream of a point leave of the state there.
+//!
+//! A tip leaves half of the entries of a state free. Elements and connections map such a subspace to another of half the
+//! dimension; at the root, Δ = 0 where it meets the root's boundary condition. A line of a two-entry state is given by
+//! one of its vectors, a plane of the bending state by its 2×2 minors (Plücker coordinates).
+
+use crate::count::Tally;
+use crate::scalar::Scalar;
+use crate::scaled::Scaled;
+use crate::state::{Space, Support};
+
+/// A line of a translation or rotation path, with a power of two of its own.
+///
+/// In a rotation path `y` is the rotation θ and `q` is `-μ`: with this sign springs, inertias and joins obey the same
+/// formulas in both.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line<S> {
+    /// Displacement Y, or rotation Θ.
+    pub y: S,
+    /// Force Q, or minus the moment M.
+    pub q: S,
+    /// Power of two that multiplies both.
+    pub exponent: i32,
+}
+
+/// A plane of the bending state, with a power of two of its own.
+///
+/// The minors `p_ab` of two states that span it; `w = p_YQ = p_ΘM`, since reciprocal elements keep it Lagrangian.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane<S> {
+    /// p_YΘ
+    pub y_theta: S,
+    /// p_YM
+    pub y_m: S,
+    /// p_YQ = p_ΘM
+    pub w: S,
+    /// p_ΘQ
+    pub theta_q: S,
+    /// p_MQ
+    pub m_q: S,
+    /// Power of two that multiplies all.
+    pub exponent: i32,
+}
+
+/// What the boundary conditions upstream of a point leave of the state there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Subspace<S> {
+    /// The boundary itself: half of the entries are zero.
+    Tip(Support, Space),
+    /// `q = -k y`, never scaled: a grounded spring, a free mass, or several of them at one point.
+    Grounded(S, Space),
+    /// A line of a translation or rotation path.
+    Line(Line<S>, Space),
+    /// A plane of a bending path.
+    Plane(Plane<S>),
+}
+
+/// Where the exponents of subspaces are shifted back into the middle of the range.
+const LARGE: f64 = 1e60;
+const SMALL: f64 = 1e-60;
+
+/// The power of two to take out of entries of this size; none while they are in the middle of the range.
+#[inline]
+fn excess(size: f64) -> i32 {
+    if (SMALL..LARGE).contains(&size) || size == 0.0 || !size.is_finite() {
+        0
+    } else {
+        crate::scaled::binary_exponent(size)
+    }
+}
+
+impl<S: Scalar> Line<S> {
+    /// A line through `(y, q)`.
+    #[inline]
+    pub fn new(y: S, q: S, exponent: i32) -> Self {
+        let size = y.size().max(q.size());
+        let shift = excess(size);
+        if shift == 0 {
+            return Line { y, q, exponent };
+        }
+        Line { y: y.times_power_of_two(-shift), q: q.times_power_of_two(-shift), exponent: exponent + shift }
+    }
+}
+
+impl<S: Scalar> Plane<S> {
+    /// The plane with minors `[p_YΘ, p_YM, w, p_ΘQ, p_MQ]`.
+    #[inline]
+    pub fn new(minors: [S; 5], exponent: i32) -> Self {
+        let size = minors[0].size().max(minors[1].size()).max(minors[3].size()).max(minors[4].size());
+        let shift = excess(size);
+        if shift == 0 {
+            return Plane::unscaled(minors, exponent);
+        }
+        Plane::unscaled(minors.map(|minor| minor.times_power_of_two(-shift)), exponent + shift)
+    }
+
+    /// The same without a look at the range, for steps that cannot leave it.
+    #[inline]
+    pub(crate) fn unscaled([y_theta, y_m, w, theta_q, m_q]: [S; 5], exponent: i32) -> Self {
+        Plane { y_theta, y_m, w, theta_q, m_q, exponent }
+    }
+
+    /// The plane that a support leaves.
+    #[inline]
+    pub(crate) fn of_tip(support: Support) -> Self {
+        let minors = match support {
+            Support::Free => [1.0, 0.0, 0.0, 0.0, 0.0],
+            Support::Guided => [0.0, 1.0, 0.0, 0.0, 0.0],
+            Support::Pinned => [0.0, 0.0, 0.0, 1.0, 0.0],
+            Support::Fixed => [0.0, 0.0, 0.0, 0.0, 1.0],
+            // refused before: the roller is a support of planar states
+            Support::Roller => [0.0; 5],
+        };
+        Plane::unscaled(minors.map(S::from_f64), 0)
+    }
+
+    /// The minor that vanishes where the plane meets the boundary condition of a support.
+    #[inline]
+    pub(crate) fn minor_at(&self, support: Support) -> S {
+        match support {
+            Support::Fixed => self.y_theta,
+            Support::Pinned => self.y_m,
+            Support::Guided => self.theta_q,
+            Support::Free => self.m_q,
+            Support::Roller => S::zero(),
+        }
+    }
+}
+
+impl<S: Scalar> Subspace<S> {
+    /// The subspace of a translation or rotation path as a line.
+    #[inline]
+    pub(crate) fn line(self) -> Line<S> {
+        let (one, zero) = (S::one(), S::zero());
+        match self {
+            Subspace::Tip(Support::Fixed, _) => Line { y: zero, q: one, exponent: 0 },
+            Subspace::Grounded(k, _) => Line::new(one, -k, 0),
+            Subspace::Line(line, _) => line,
+            Subspace::Tip(..) | Subspace::Plane(_) => Line { y: one, q: zero, exponent: 0 },
+        }
+    }
+
+    /// The subspace of a bending path as a plane; a line is joined to the free plane.
+    #[inline]
+    pub(crate) fn plane(self) -> Plane<S> {
+        match self {
+            Subspace::Plane(plane) => plane,
+            Subspace::Tip(support, _) => Plane::of_tip(support),
+            Subspace::Grounded(k, space) => Plane::of_tip(Support::Free).with_stiffness(k, space),
+            Subspace::Line(line, space) => Plane::of_tip(Support::Free).with_line(line, space),
+        }
+    }
+
+    /// Space of the state in which this is a subspace.
+    #[inline]
+    pub(crate) fn space(&self) -> Space {
+        match self {
+            Subspace::Tip(_, space) | Subspace::Grounded(_, space) | Subspace::Line(_, space) => *space,
+            Subspace::Plane(_) => Space::Bending,
+        }
+    }
+
+    /// Δ: vanishes where the subspace meets the boundary condition of the root.
+    #[inline]
+    pub fn at_root<C: Tally<S>>(self, support: Support, tally: &mut C) -> Scaled<S> {
+        if let Subspace::Plane(plane) = self {
+            tally.plane_root(&plane, support);
+            return Scaled::new(plane.minor_at(support), i64::from(plane.exponent));
+        }
+        let line = self.line();
+        tally.line_root(&line, support);
+        let value = if support == Support::Fixed { line.y } else { line.q };
+        Scaled::new(value, i64::from(line.exponent))
+    }
+}
