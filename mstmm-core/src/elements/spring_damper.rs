@@ -1,6 +1,6 @@
 //! Translational spring and damper in parallel.
 
-use crate::element::{Element, TransferMatrix};
+use crate::element::{Element, TransferMatrix, off_pole};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{ComplexFrequency, Real};
 use crate::state::Translation;
@@ -33,13 +33,13 @@ impl<T: Real> Element for SpringDamper<T> {
 impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for SpringDamper<T> {
     #[inline]
     fn transfer_matrix(&self, x: S) -> Matrix2<S> {
-        let compliance = S::one() / self.dynamic_stiffness(x);
+        let compliance = S::one() / off_pole(self.dynamic_stiffness(x));
         Matrix2::new(S::one(), -compliance, S::zero(), S::one())
     }
 
     #[inline]
     fn denominator(&self, x: S) -> Option<S> {
-        Some(self.dynamic_stiffness(x))
+        Some(off_pole(self.dynamic_stiffness(x)))
     }
 }
 

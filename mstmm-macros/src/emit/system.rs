@@ -46,14 +46,14 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStre
     }
 }
 
-/// `field: Type { parameter: expression, .. }`, expressions in parentheses so that an invisible group keeps its value.
+/// `field: Type { parameter: expression, .. }`.
 fn value(element: &Element, names: &Names) -> TokenStream {
     let (field, kind) = (field(element), names.element_type(element));
     let parameters = element.parameters.iter().map(|parameter| {
         let name = &parameter.name;
         match &parameter.value {
             None => quote!(#name),
-            Some(value) => quote_spanned!(name.span()=> #name: (#value)),
+            Some(value) => quote_spanned!(name.span()=> #name: #value),
         }
     });
     quote!(#field: #kind { #(#parameters),* })
