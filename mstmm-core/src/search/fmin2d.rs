@@ -38,7 +38,7 @@ pub struct Minimum2d {
 /// `CAP` minima.
 ///
 /// # Source
-/// fMin2D of the paper's reference [23], as section 4.5 uses it; the search for hidden roots is an addition.
+/// fMin2D of the paper's reference 23, as section 4.5 uses it; the search for hidden roots is an addition.
 ///
 /// ```
 /// use mstmm_core::search::fmin2d;
