@@ -31,3 +31,8 @@ macro_rules! system {
         $crate::__private::expand_system! { ($crate) $($model)* }
     };
 }
+
+/// The README's model is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -84,6 +84,12 @@ pub trait PlaneStep<S: Scalar>: Element {
     }
 }
 
+/// A dynamic stiffness κ as a divisor: where it vanishes, at the pole of the transfer matrix or for a damper without
+/// damping, a number so small takes its place that the product with the denominator does not show it.
+pub(crate) fn off_pole<S: Scalar>(kappa: S) -> S {
+    if kappa.is_zero() { S::one().times_power_of_two(-100) } else { kappa }
+}
+
 /// The space of the states of an element.
 #[doc(hidden)]
 pub const fn space_of<E: Element>() -> Space {

@@ -10,17 +10,17 @@ use nalgebra::SMatrix;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(usize)]
 pub enum Coordinate {
-    /// Longitudinal displacement X [m]
+    /// Longitudinal displacement X \[m\]
     X = 0,
-    /// Deflection Y [m]
+    /// Deflection Y \[m\]
     Y = 1,
-    /// Rotation Θ [rad]
+    /// Rotation Θ \[rad\]
     Theta = 2,
     /// Bending moment M [N m]
     M = 3,
-    /// Axial force Qx [N]
+    /// Axial force Qx \[N\]
     Qx = 4,
-    /// Shear force Q, in planar states Qy [N]
+    /// Shear force Q, in planar states Qy \[N\]
     Q = 5,
 }
 

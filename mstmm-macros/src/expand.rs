@@ -1,6 +1,7 @@
 //! The pipeline: tokens, syntax tree, graph, checked tree, plan, code.
 
 use crate::ast::Model;
+use crate::groups::made_visible;
 use crate::{check, emit, plan::Plan, topology::Graph};
 use proc_macro2::TokenStream;
 
@@ -13,7 +14,7 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
 }
 
 fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
-    let model: Model = syn::parse2(input)?;
+    let model: Model = syn::parse2(made_visible(input))?;
     check::language(&model)?;
     let graph = Graph::of(&model)?;
     let tree = check::topology(&graph)?;

@@ -8,6 +8,7 @@ mod check;
 mod diagnostics;
 mod emit;
 mod expand;
+mod groups;
 mod keywords;
 mod parse;
 mod plan;

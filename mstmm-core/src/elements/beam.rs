@@ -29,7 +29,7 @@ use nalgebra::Matrix4;
 /// Eq. (19) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beam<T> {
-    /// Length l [m], positive.
+    /// Length l \[m\], positive.
     pub length: T,
     /// Bending stiffness EI [N m²], positive.
     pub bending_stiffness: T,

@@ -28,13 +28,13 @@ use nalgebra::Matrix4;
 /// Eq. (16) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body<T> {
-    /// Mass m [kg], zero or positive.
+    /// Mass m \[kg\], zero or positive.
     pub mass: T,
     /// Moment of inertia J_I about the input end [kg m²], at least `mass * centre_x²`.
     pub inertia: T,
-    /// Position b1 of the output end from the input end [m].
+    /// Position b1 of the output end from the input end \[m\].
     pub output_x: T,
-    /// Position c1 of the mass centre from the input end [m].
+    /// Position c1 of the mass centre from the input end \[m\].
     pub centre_x: T,
 }
 

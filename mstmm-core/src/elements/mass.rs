@@ -19,7 +19,7 @@ use nalgebra::Matrix2;
 /// Eq. (5) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mass<T> {
-    /// Mass m [kg], zero or positive.
+    /// Mass m \[kg\], zero or positive.
     pub mass: T,
 }
 

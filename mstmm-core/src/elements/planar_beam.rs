@@ -22,9 +22,9 @@ use nalgebra::Matrix6;
 /// convention.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarBeam<T> {
-    /// Length l [m], positive.
+    /// Length l \[m\], positive.
     pub length: T,
-    /// Axial stiffness EA [N], positive.
+    /// Axial stiffness EA \[N\], positive.
     pub axial_stiffness: T,
     /// Bending stiffness EI [N m²], positive.
     pub bending_stiffness: T,

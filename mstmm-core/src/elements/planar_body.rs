@@ -23,17 +23,17 @@ use nalgebra::Matrix6;
 /// Eq. (15) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarBody<T> {
-    /// Mass m [kg], zero or positive.
+    /// Mass m \[kg\], zero or positive.
     pub mass: T,
     /// Moment of inertia J_I about the input end [kg m²], at least `mass * (centre_x² + centre_y²)`.
     pub inertia: T,
-    /// Position b1 of the output end along x [m].
+    /// Position b1 of the output end along x \[m\].
     pub output_x: T,
-    /// Position b2 of the output end along y [m].
+    /// Position b2 of the output end along y \[m\].
     pub output_y: T,
-    /// Position c1 of the mass centre along x [m].
+    /// Position c1 of the mass centre along x \[m\].
     pub centre_x: T,
-    /// Position c2 of the mass centre along y [m].
+    /// Position c2 of the mass centre along y \[m\].
     pub centre_y: T,
 }
 

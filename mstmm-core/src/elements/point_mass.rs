@@ -18,7 +18,7 @@ use nalgebra::Matrix4;
 /// Eq. (16) of the paper with `b = c = 0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointMass<T> {
-    /// Mass m [kg], zero or positive.
+    /// Mass m \[kg\], zero or positive.
     pub mass: T,
     /// Moment of inertia J [kg m²], zero or positive.
     pub inertia: T,

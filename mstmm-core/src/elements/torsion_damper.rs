@@ -2,7 +2,7 @@
 
 use crate::at::At;
 use crate::count::Tally;
-use crate::element::{Element, PlaneStep, TransferMatrix};
+use crate::element::{Element, PlaneStep, TransferMatrix, off_pole};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{ComplexFrequency, Real};
 use crate::line_steps::through_stiffness;
@@ -36,13 +36,13 @@ impl<T: Real> Element for TorsionDamper<T> {
 impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for TorsionDamper<T> {
     #[inline]
     fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
-        let compliance = S::one() / built.dynamic_stiffness(x);
+        let compliance = S::one() / off_pole(built.dynamic_stiffness(x));
         Matrix2::new(S::one(), compliance, S::zero(), S::one())
     }
 
     #[inline]
     fn denominator(built: &Self, x: S) -> Option<S> {
-        Some(built.dynamic_stiffness(x))
+        Some(off_pole(built.dynamic_stiffness(x)))
     }
 }
 

@@ -33,7 +33,7 @@ pub struct Minimum1d {
 /// positive, a function value that is not a number, or more than `CAP` minima.
 ///
 /// # Source
-/// fMin1D of the paper's reference [23], as section 4.1 uses it; the search for hidden roots is an addition.
+/// fMin1D of the paper's reference 23, as section 4.1 uses it; the search for hidden roots is an addition.
 ///
 /// ```
 /// let minima = mstmm_core::search::fmin1d::<4, _>(|x: f64| x.sin(), 2.0..=7.0, 20, 1e-9)?;

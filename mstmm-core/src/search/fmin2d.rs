@@ -38,7 +38,7 @@ pub struct Minimum2d {
 /// `CAP` minima.
 ///
 /// # Source
-/// fMin2D of the paper's reference [23], as section 4.5 uses it; the search for hidden roots is an addition.
+/// fMin2D of the paper's reference 23, as section 4.5 uses it; the search for hidden roots is an addition.
 ///
 /// ```
 /// use mstmm_core::search::fmin2d;
@@ -80,10 +80,11 @@ pub fn fmin2d<const CAP: usize, V: Into<Magnitude>>(
             let known = |minimum: &Minimum2d| {
                 (minimum.x - start[0]).abs() <= grids[0].step() && (minimum.y - start[1]).abs() <= grids[1].step()
             };
-            if is_candidate(&rows, [row, column], points) && !minima.iter().any(known) {
-                if let Some(minimum) = refine(&mut evaluate, &grids, start, rows[row % 3][column], &minima)? {
-                    minima.push(minimum).map_err(|_| SearchError::Capacity { capacity: CAP })?;
-                }
+            if minima.iter().any(known) || !is_candidate(&rows, [row, column], points) {
+                continue;
+            }
+            if let Some(minimum) = refine(&mut evaluate, &grids, start, rows[row % 3][column], &minima)? {
+                minima.push(minimum).map_err(|_| SearchError::Capacity { capacity: CAP })?;
             }
         }
     }

@@ -65,8 +65,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStre
     }
 }
 
-/// The built element, `field: build(Type { parameter: expression, .. }, name)?`. Expressions stand in parentheses so that
-/// an invisible group keeps its value.
+/// The built element, `field: build(Type { parameter: expression, .. }, name)?`.
 fn value(element: &Element, names: &Names) -> TokenStream {
     let private = &names.private;
     let (field, kind, name) = (field(element), names.element_type(element), element.to_string());
@@ -74,7 +73,7 @@ fn value(element: &Element, names: &Names) -> TokenStream {
         let name = &parameter.name;
         let value = match &parameter.value {
             None => quote!(#name),
-            Some(value) => quote!((#value)),
+            Some(value) => quote!(#value),
         };
         quote_spanned!(name.span()=> #name: #private::Scalar::from_f64(#value))
     });

@@ -15,9 +15,9 @@ use mstmm::{Element, Frequency, InvalidParameter, Real, Requirement, SMatrix, Tr
 /// The wave equation `H Y'' = mλ² Y` with the transverse force `Q = -H Y'` in the sign convention of a spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cable<T> {
-    /// Length l [m], positive.
+    /// Length l \[m\], positive.
     pub length: T,
-    /// Tension H [N], positive.
+    /// Tension H \[N\], positive.
     pub tension: T,
     /// Mass per length m [kg/m], positive.
     pub mass_per_length: T,

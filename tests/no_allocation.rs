@@ -1,0 +1,152 @@
+//! Building, evaluating and searching allocate nothing, in any of the paper's five topologies.
+#![allow(unsafe_code, reason = "a global allocator cannot be written without")]
+#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
+
+#[path = "support/topologies.rs"]
+mod topologies;
+
+use core::alloc::{GlobalAlloc, Layout};
+use core::cell::Cell;
+use core::hint::black_box;
+use mstmm::prelude::*;
+use mstmm::{Magnitude, ParameterError, SMatrix, Scaled};
+use std::alloc::System;
+use topologies::{DampedOscillator, ElasticEnds, SpringAndMass, TipBody, TwoSpans};
+
+/// The system's allocator, counting what the current thread asks of it: other threads belong to the test harness.
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+impl Counting {
+    fn count() {
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+    }
+}
+
+// SAFETY: every request goes to `System` unchanged; the counter itself neither allocates nor unwinds.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        Counting::count();
+        // SAFETY: the caller's obligations are those of `System`.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        Counting::count();
+        // SAFETY: as above.
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        Counting::count();
+        // SAFETY: as above.
+        unsafe { System.realloc(block, layout, size) }
+    }
+
+    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+        // SAFETY: as above.
+        unsafe { System.dealloc(block, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Number of allocations, growths included, during `work`.
+fn allocations<R>(work: impl FnOnce() -> R) -> usize {
+    let before = ALLOCATIONS.get();
+    let result = black_box(work());
+    let count = ALLOCATIONS.get() - before;
+    drop(result);
+    count
+}
+
+/// Searches over ω, and over λ, on grids just fine enough to refine a few minima.
+fn search<D: Into<Magnitude>>(determinant: impl Fn(Complex<f64>) -> D + Copy) {
+    let along_axis = fmin1d::<32, _>(|omega| determinant(Complex::new(0.0, omega)), 0.1..=20.0, 60, 1e-6);
+    assert!(!black_box(along_axis).unwrap().is_empty());
+    let in_plane =
+        fmin2d::<32, _>(|re, im| determinant(Complex::new(re, im)), [-2.0..=1.0, 0.1..=20.0], [12, 30], [1e-6, 1e-6]);
+    assert!(!black_box(in_plane).unwrap().is_empty());
+}
+
+/// Builds, evaluates at a complex λ, and searches.
+fn assert_none<S, const N: usize>(build: impl Fn() -> Result<S, ParameterError>)
+where
+    S: Evaluate<Complex<f64>, Matrix = SMatrix<Complex<f64>, N, N>>,
+{
+    assert_eq!(allocations(&build), 0, "build");
+    let (system, lambda) = (build().unwrap(), Complex::new(-0.3, 4.0));
+    assert_eq!(allocations(|| system.overall_matrix(lambda)), 0, "overall_matrix at λ");
+    assert_eq!(allocations(|| system.overall_determinant(lambda)), 0, "overall_determinant at λ");
+    assert_eq!(allocations(|| search(|lambda| system.overall_determinant(lambda))), 0, "searches over λ");
+}
+
+/// The same at a real ω.
+fn assert_none_undamped<S, const N: usize>(build: impl Fn() -> Result<S, ParameterError>)
+where
+    S: Evaluate<f64, Matrix = SMatrix<f64, N, N>> + Evaluate<Complex<f64>, Matrix = SMatrix<Complex<f64>, N, N>>,
+{
+    let system = build().unwrap();
+    let determinant = |omega: f64| -> Scaled<f64> { system.overall_determinant(omega) };
+    assert_eq!(allocations(|| -> SMatrix<f64, N, N> { system.overall_matrix(4.0) }), 0, "overall_matrix at ω");
+    assert_eq!(allocations(|| determinant(4.0)), 0, "overall_determinant at ω");
+    assert_eq!(allocations(|| fmin1d::<32, _>(determinant, 0.1..=20.0, 60, 1e-6)), 0, "fmin1d over ω");
+    assert_none(build);
+}
+
+/// Oracle: three allocations made on purpose, one of each kind.
+#[test]
+fn the_counter_sees_allocations() {
+    assert_eq!(allocations(|| Box::new(black_box(1.0))), 1);
+    assert_eq!(allocations(|| vec![0_u8; black_box(100)]), 1);
+    let mut growing = Vec::with_capacity(1);
+    growing.push(black_box(1));
+    assert_eq!(allocations(|| growing.push(2)), 1);
+    assert_eq!(allocations(|| black_box(1.0) + 1.0), 0);
+}
+
+/// Section 4.1, by the counter.
+#[test]
+fn beam_with_rigid_body_allocates_nothing() {
+    let model = TipBody { length: 1.0, ei: 1.0, m: 1.0, mass: 1.0, inertia: 0.2, e: 0.3, d: 0.5 };
+    assert_none_undamped(|| model.build());
+}
+
+/// Section 4.2, by the counter.
+#[test]
+fn beam_with_elastic_restraints_allocates_nothing() {
+    let model = ElasticEnds { length: 1.0, ei: 1.0, m: 1.0, ky1: 100.0, kt1: 1.0, ky2: 100.0, kt2: 1.0 };
+    assert_none_undamped(|| model.build());
+}
+
+/// Section 4.3, by the counter.
+#[test]
+fn beam_with_spring_and_lumped_mass_allocates_nothing() {
+    let model = SpringAndMass { length: 1.0, xs: 0.3, xm: 0.4, ei: 1.0, m: 1.0, ky: 10.0, mass: 0.1 };
+    assert_none_undamped(|| model.build());
+}
+
+/// Section 4.4, by the counter.
+#[test]
+fn beam_with_support_and_elastically_attached_mass_allocates_nothing() {
+    let model = TwoSpans { length: 1.0, x1: 0.4, x2: 0.75, ei: 1.0, m: 1.0, ky: 3.0, mass: 0.2 };
+    assert_none_undamped(|| model.build());
+}
+
+/// Section 4.5, by the counter.
+#[test]
+fn beam_with_damped_oscillator_allocates_nothing() {
+    let model = DampedOscillator { length: 1.0, ei: 1.0, m: 1.0, ky1: 5.0, ky2: 4.0, c: 1.0, kt: 10.0, mass: 0.12 };
+    assert_none(|| model.build());
+}
+
+/// A refused parameter is reported without allocation as well.
+#[test]
+fn a_parameter_error_allocates_nothing() {
+    let model = SpringAndMass { length: 1.0, xs: 0.3, xm: 0.2, ei: 1.0, m: 1.0, ky: 10.0, mass: 0.1 };
+    assert_eq!(allocations(|| model.build().unwrap_err()), 0);
+}

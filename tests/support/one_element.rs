@@ -1,0 +1,132 @@
+//! For each keyword of the language a scene of one element, with the valid range of each of its parameters.
+
+use mstmm::prelude::*;
+use mstmm::{ParameterError, SMatrix, Scaled};
+
+pub(crate) type C = Complex<f64>;
+
+/// Values of the parameters and ω to a determinant.
+type AtOmega = fn(&[f64], f64) -> Scaled<f64>;
+
+/// Which values a parameter may have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Range {
+    /// Greater than zero.
+    Positive,
+    /// Zero or greater.
+    NonNegative,
+    /// Any position.
+    Position,
+}
+
+/// A parameter.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parameter {
+    pub(crate) name: &'static str,
+    pub(crate) range: Range,
+}
+
+/// A scene of one element; its functions take the values of the parameters in order.
+pub(crate) struct Scene {
+    /// Keyword and label.
+    pub(crate) element: &'static str,
+    pub(crate) parameters: &'static [Parameter],
+    pub(crate) build: fn(&[f64]) -> Result<(), ParameterError>,
+    /// Determinant at λ, after a look at the matrix.
+    pub(crate) at_lambda: fn(&[f64], C) -> Scaled<C>,
+    /// Determinant at ω; `None` for a damper, which has none.
+    pub(crate) at_omega: Option<AtOmega>,
+}
+
+impl Scene {
+    /// Ordinary valid values: positions at the input end, all else 1.
+    pub(crate) fn ordinary(&self) -> Vec<f64> {
+        let value = |parameter: &Parameter| if parameter.range == Range::Position { 0.0 } else { 1.0 };
+        self.parameters.iter().map(value).collect()
+    }
+
+    /// The ordinary values with one of them replaced.
+    pub(crate) fn with(&self, index: usize, value: f64) -> Vec<f64> {
+        let mut values = self.ordinary();
+        values[index] = value;
+        values
+    }
+}
+
+/// Declares the models and the list of their scenes.
+macro_rules! scenes {
+    ($(
+        $model:ident = $tip:ident -> $keyword:ident {
+            $($parameter:ident: $range:ident),* $(,)?
+        } -> $root:ident $($undamped:ident)?;
+    )*) => {
+        $(
+            system! {
+                #[derive(Clone, Copy, Debug)]
+                struct $model { $($parameter: f64),* }
+
+                $tip -> $keyword 7 { $($parameter),* } -> $root
+            }
+
+            impl $model {
+                fn of(values: &[f64]) -> Self {
+                    let mut values = values.iter().copied();
+                    $model { $($parameter: values.next().unwrap()),* }
+                }
+            }
+        )*
+
+        /// All scenes.
+        pub(crate) const SCENES: &[Scene] = &[$(
+            Scene {
+                element: concat!(stringify!($keyword), " 7"),
+                parameters: &[
+                    $(Parameter { name: stringify!($parameter), range: Range::$range }),*
+                ],
+                build: |values| $model::of(values).build().map(|_| ()),
+                at_lambda: |values, lambda| evaluate(&$model::of(values).build().unwrap(), lambda),
+                at_omega: scenes!(@at_omega $model $($undamped)?),
+            },
+        )*];
+    };
+    (@at_omega $model:ident undamped) => {
+        Some(|values, omega| evaluate(&$model::of(values).build().unwrap(), omega))
+    };
+    (@at_omega $model:ident) => { None };
+}
+
+/// The determinant; the matrix on its own must come back too.
+fn evaluate<S: mstmm::Scalar, const N: usize>(
+    system: &impl Evaluate<S, Matrix = SMatrix<S, N, N>>,
+    frequency: S,
+) -> Scaled<S> {
+    let _ = core::hint::black_box(system.overall_matrix(frequency));
+    system.overall_determinant(frequency)
+}
+
+scenes! {
+    Beam = fixed -> beam { length: Positive, bending_stiffness: Positive, mass_per_length: Positive } -> free undamped;
+    Body = free -> body {
+        mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position,
+    } -> free undamped;
+    ElasticHinge = fixed -> elastic_hinge { stiffness_y: Positive, stiffness_theta: Positive } -> free undamped;
+    Spring = fixed -> spring { stiffness: Positive } -> free undamped;
+    Damper = fixed -> damper { damping: NonNegative } -> free;
+    SpringDamper = fixed -> spring_damper { stiffness: Positive, damping: NonNegative } -> free;
+    TorsionSpring = fixed -> torsion_spring { stiffness: Positive } -> free undamped;
+    TorsionDamper = fixed -> torsion_damper { damping: NonNegative } -> free;
+    TorsionSpringDamper = fixed -> torsion_spring_damper { stiffness: Positive, damping: NonNegative } -> free;
+    Mass = free -> mass { mass: NonNegative } -> free undamped;
+    Inertia = free -> inertia { inertia: NonNegative } -> free undamped;
+    PointMass = free -> point_mass { mass: NonNegative, inertia: NonNegative } -> free undamped;
+    PlanarBeam = fixed -> planar_beam {
+        length: Positive, axial_stiffness: Positive, bending_stiffness: Positive, mass_per_length: Positive,
+    } -> free undamped;
+    PlanarBody = free -> planar_body {
+        mass: NonNegative, inertia: NonNegative,
+        output_x: Position, output_y: Position, centre_x: Position, centre_y: Position,
+    } -> free undamped;
+    PlanarHinge = fixed -> planar_hinge {
+        stiffness_x: Positive, stiffness_y: Positive, stiffness_theta: Positive,
+    } -> free undamped;
+}
