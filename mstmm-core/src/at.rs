@@ -17,7 +17,7 @@ pub struct At<S> {
 
 impl<S: Scalar> At<S> {
     /// The frequency `x`; its root is taken only if some element has waves.
-    #[inline]
+    #[inline(always)]
     pub fn new<T>(x: S, waves: bool) -> Self
     where
         S: Frequency<T>,

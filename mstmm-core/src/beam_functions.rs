@@ -56,18 +56,15 @@ pub(crate) fn cosine_and_sinc<S: Scalar>(x: S) -> (S, S) {
     (cos, sin / zeta)
 }
 
-/// `Σ_k x^k / (stride·k + first)!`, by Horner's rule from the last term that counts.
-fn series<S: Scalar>(x: S, first: u32, stride: u32) -> S {
-    let mut sum = S::one();
-    for k in (1..S::SERIES_TERMS * 4 / stride).rev() {
-        sum = S::one() + x * sum / factors(first + stride * (k - 1), stride);
+/// `Σ_k x^k / (stride·k + first)!` by Horner's rule, from the last term that counts.
+#[inline(always)]
+fn series<S: Scalar>(x: S, first: usize, stride: usize) -> S {
+    let last = S::SERIES_TERMS * 4 / stride - 1;
+    let mut sum = S::reciprocal_factorial(stride * last + first);
+    for k in (0..last).rev() {
+        sum = sum * x + S::reciprocal_factorial(stride * k + first);
     }
-    sum / factors(0, first)
-}
-
-/// `(start+1)(start+2)…(start+count)`.
-fn factors<S: Scalar>(start: u32, count: u32) -> S {
-    (start + 1..=start + count).fold(S::one(), |product, factor| product * S::from_f64(f64::from(factor)))
+    sum
 }
 
 #[cfg(test)]

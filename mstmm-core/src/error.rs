@@ -139,6 +139,16 @@ pub enum SearchError {
         /// Second coordinate of the point; zero in one dimension.
         y: f64,
     },
+    /// The system has fewer roots than were asked for.
+    TooFewRoots {
+        /// How many it has.
+        found: u64,
+    },
+    /// Brackets could not be told apart: the counts contradict each other. Nothing is certified, so nothing is returned.
+    Unresolved {
+        /// Frequency near which this happened.
+        near: f64,
+    },
     /// There are more results than the caller's capacity; none is returned rather than a part of them.
     Capacity {
         /// The capacity.
@@ -159,6 +169,10 @@ impl fmt::Display for SearchError {
                 write!(f, "the tolerance {tolerance} must be positive and finite")
             }
             SearchError::NotANumber { x, y } => write!(f, "the function is not a number at ({x}, {y})"),
+            SearchError::TooFewRoots { found } => write!(f, "the system has only {found} roots"),
+            SearchError::Unresolved { near } => {
+                write!(f, "the roots near {near} cannot be certified: their counts contradict each other")
+            }
             SearchError::Capacity { capacity } => {
                 write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")
             }

@@ -7,7 +7,7 @@ use crate::subspace::{Line, Plane, Subspace};
 
 impl<S: Scalar> Plane<S> {
     /// Joins a grounded stiffness of a translation or rotation path.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn with_stiffness(self, k: S, space: Space) -> Self {
         let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = self;
         let minors = if space.is(Space::Translation) {
@@ -19,7 +19,7 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// Joins a line of a translation or rotation path.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn with_line(self, Line { y, q, exponent }: Line<S>, space: Space) -> Self {
         let Plane { y_theta, y_m, w, theta_q, m_q, .. } = self;
         let minors = if space.is(Space::Translation) {
@@ -31,7 +31,7 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// Joins another plane.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn with_plane(self, r: Plane<S>) -> Self {
         let p = self;
         let ww = p.w * r.w;
@@ -46,7 +46,7 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// Holds the point by a support: joins the support's own plane, most of whose minors are zero.
-    #[inline]
+    #[inline(always)]
     fn held(self, support: Support) -> Self {
         let zero = S::zero();
         let minors = match support {
@@ -61,27 +61,28 @@ impl<S: Scalar> Plane<S> {
 
 impl<S: Scalar> Line<S> {
     /// Joins another line of the same space.
-    #[inline]
+    #[inline(always)]
     fn with_line(self, other: Line<S>) -> Self {
         Line::new(self.y * other.y, self.q * other.y + self.y * other.q, self.exponent + other.exponent)
     }
 
     /// Joins a grounded stiffness of the same space.
-    #[inline]
+    #[inline(always)]
     fn with_stiffness(self, k: S) -> Self {
         Line::new(self.y, self.q - k * self.y, self.exponent)
     }
 }
 
 /// Joins two subspaces that are no supports.
-#[inline]
+#[inline(always)]
 fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane};
     match (a, b) {
         (OfPlane(p), OfPlane(r)) => OfPlane(p.with_plane(r)),
         (OfPlane(p), Grounded(k, space)) | (Grounded(k, space), OfPlane(p)) => OfPlane(p.with_stiffness(k, space)),
         (OfPlane(p), OfLine(line, space)) | (OfLine(line, space), OfPlane(p)) => OfPlane(p.with_line(line, space)),
-        _ if !a.space().is(b.space()) => joined(OfPlane(a.plane()), b),
+        (a, Grounded(k, space)) if !a.space().is(space) => OfPlane(a.plane().with_stiffness(k, space)),
+        (a, OfLine(line, space)) if !a.space().is(space) => OfPlane(a.plane().with_line(line, space)),
         (Grounded(j, space), Grounded(k, _)) => Grounded(j + k, space),
         (OfLine(line, space), Grounded(k, _)) | (Grounded(k, _), OfLine(line, space)) => {
             OfLine(line.with_stiffness(k), space)
@@ -94,7 +95,7 @@ fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
 ///
 /// Paths are joined first. If the output is wider, they are joined to its free state; then supports hold the point; if
 /// the output is narrower, what does not go on has no force.
-#[inline]
+#[inline(always)]
 pub fn connection<S: Scalar, C: Tally<S>>(inputs: &[Subspace<S>], output: Option<Space>, tally: &mut C) -> Subspace<S> {
     let mut sum = None;
     for &input in inputs {
@@ -127,7 +128,7 @@ pub fn connection<S: Scalar, C: Tally<S>>(inputs: &[Subspace<S>], output: Option
 }
 
 /// Holds a point by a support.
-#[inline]
+#[inline(always)]
 fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
     match subspace {
         Subspace::Plane(plane) => Subspace::Plane(plane.held(support)),
@@ -140,7 +141,7 @@ fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
 }
 
 /// What goes on of a bending path whose moment (into a translation) or shear force (into a rotation) is zero.
-#[inline]
+#[inline(always)]
 fn narrowed<S: Scalar>(plane: Plane<S>, space: Space) -> Line<S> {
     if space.is(Space::Translation) {
         Line { y: plane.y_m, q: -plane.m_q, exponent: plane.exponent }

@@ -6,7 +6,7 @@ use crate::state::Support;
 use crate::subspace::{Line, Subspace};
 
 /// Through a massless element of dynamic stiffness κ: `(κ y - q, κ q)`; a grounded one needs no line.
-#[inline]
+#[inline(always)]
 pub(crate) fn through_stiffness<S: Scalar, C: Tally<S>>(kappa: S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
     let space = input.space();
     if let Subspace::Tip(Support::Fixed, _) = input {
@@ -19,7 +19,7 @@ pub(crate) fn through_stiffness<S: Scalar, C: Tally<S>>(kappa: S, input: Subspac
 }
 
 /// Through an inertia `m λ²`: `(y, q - mλ² y)`; a free one needs no line, a fixed one does not move.
-#[inline]
+#[inline(always)]
 pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subspace<S> {
     let space = input.space();
     match input {

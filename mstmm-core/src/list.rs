@@ -28,6 +28,20 @@ impl<V: Copy + Default, const CAP: usize> List<V, CAP> {
     }
 }
 
+impl<V: Copy, const CAP: usize> List<V, CAP> {
+    /// Takes the last value off.
+    pub(crate) fn pop(&mut self) -> Option<V> {
+        let last = self.last().copied();
+        self.length = self.length.saturating_sub(1);
+        last
+    }
+
+    /// Turns the order round.
+    pub(crate) fn reverse(&mut self) {
+        self.values[..self.length].reverse();
+    }
+}
+
 impl<V, const CAP: usize> Deref for List<V, CAP> {
     type Target = [V];
 

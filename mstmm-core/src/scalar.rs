@@ -18,6 +18,7 @@ use num_traits::{NumAssign, One, Zero};
 pub trait Scalar:
     nalgebra::Scalar
     + Copy
+    + Default
     + Zero
     + One
     + Add<Output = Self>
@@ -30,10 +31,13 @@ pub trait Scalar:
     + MulAssign
 {
     /// Number of terms after which a Taylor series in `z⁴`, `|z⁴| <= 1`, is exact to rounding.
-    const SERIES_TERMS: u32;
+    const SERIES_TERMS: usize;
 
     /// The scalar nearest to `value`.
     fn from_f64(value: f64) -> Self;
+
+    /// `1/n!`, for `n` up to four times the number of series terms.
+    fn reciprocal_factorial(n: usize) -> Self;
 
     /// Principal square root.
     fn sqrt(self) -> Self;

@@ -60,7 +60,7 @@ const LARGE: f64 = 1e60;
 const SMALL: f64 = 1e-60;
 
 /// The power of two to take out of entries of this size; none while they are in the middle of the range.
-#[inline]
+#[inline(always)]
 fn excess(size: f64) -> i32 {
     if (SMALL..LARGE).contains(&size) || size == 0.0 || !size.is_finite() {
         0
@@ -71,7 +71,7 @@ fn excess(size: f64) -> i32 {
 
 impl<S: Scalar> Line<S> {
     /// A line through `(y, q)`.
-    #[inline]
+    #[inline(always)]
     pub fn new(y: S, q: S, exponent: i32) -> Self {
         let size = y.size().max(q.size());
         let shift = excess(size);
@@ -84,7 +84,7 @@ impl<S: Scalar> Line<S> {
 
 impl<S: Scalar> Plane<S> {
     /// The plane with minors `[p_YΘ, p_YM, w, p_ΘQ, p_MQ]`.
-    #[inline]
+    #[inline(always)]
     pub fn new(minors: [S; 5], exponent: i32) -> Self {
         let size = minors[0].size().max(minors[1].size()).max(minors[3].size()).max(minors[4].size());
         let shift = excess(size);
@@ -95,13 +95,13 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// The same without a look at the range, for steps that cannot leave it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn unscaled([y_theta, y_m, w, theta_q, m_q]: [S; 5], exponent: i32) -> Self {
         Plane { y_theta, y_m, w, theta_q, m_q, exponent }
     }
 
     /// The plane that a support leaves.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn of_tip(support: Support) -> Self {
         let minors = match support {
             Support::Free => [1.0, 0.0, 0.0, 0.0, 0.0],
@@ -115,7 +115,7 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// The minor that vanishes where the plane meets the boundary condition of a support.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn minor_at(&self, support: Support) -> S {
         match support {
             Support::Fixed => self.y_theta,
@@ -129,7 +129,7 @@ impl<S: Scalar> Plane<S> {
 
 impl<S: Scalar> Subspace<S> {
     /// The subspace of a translation or rotation path as a line.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn line(self) -> Line<S> {
         let (one, zero) = (S::one(), S::zero());
         match self {
@@ -141,7 +141,7 @@ impl<S: Scalar> Subspace<S> {
     }
 
     /// The subspace of a bending path as a plane; a line is joined to the free plane.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn plane(self) -> Plane<S> {
         match self {
             Subspace::Plane(plane) => plane,
@@ -152,7 +152,7 @@ impl<S: Scalar> Subspace<S> {
     }
 
     /// Space of the state in which this is a subspace.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn space(&self) -> Space {
         match self {
             Subspace::Tip(_, space) | Subspace::Grounded(_, space) | Subspace::Line(_, space) => *space,
@@ -161,7 +161,7 @@ impl<S: Scalar> Subspace<S> {
     }
 
     /// Δ: vanishes where the subspace meets the boundary condition of the root.
-    #[inline]
+    #[inline(always)]
     pub fn at_root<C: Tally<S>>(self, support: Support, tally: &mut C) -> Scaled<S> {
         if let Subspace::Plane(plane) = self {
             tally.plane_root(&plane, support);

@@ -6,7 +6,7 @@ use crate::bounds::FrequencyBounds;
 use crate::count::{BeamSigns, Tally};
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real};
+use crate::scalar::{Frequency, Real, Scalar};
 use crate::scaled::Scaled;
 use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
@@ -113,7 +113,7 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Beam<T> {
 /// e = (1 - ch c)/2`, all divided by `2^exponent`. For small z, where these cancel, their Taylor series divided by z, z²,
 /// z³, z⁴ take the place of b, f, d, e, those multiplied by z³, z², z, z⁴ the place of the raised ones, and `1/l` that of β.
 #[derive(Clone, Copy, Debug)]
-pub struct BeamCoefficients<T, S> {
+pub struct BeamCoefficients<S> {
     z: S,
     a: S,
     c: S,
@@ -125,18 +125,19 @@ pub struct BeamCoefficients<T, S> {
     raised_f: S,
     raised_d: S,
     raised_e: S,
-    units: Units<T>,
-    powers: [S; 4],
-    inverse_powers: [S; 4],
+    /// `EI b, EI b², EI b³, EI² b⁴`.
+    factors: [S; 4],
+    /// Their inverses.
+    inverses: [S; 4],
     exponent: i32,
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     const WAVES: bool = true;
-    type Coefficients = BeamCoefficients<T, S>;
+    type Coefficients = BeamCoefficients<S>;
 
-    #[inline]
-    fn coefficients(built: &BuiltBeam<T>, at: &At<S>) -> BeamCoefficients<T, S> {
+    #[inline(always)]
+    fn coefficients(built: &BuiltBeam<T>, at: &At<S>) -> BeamCoefficients<S> {
         let z = at.powers[0] * built.wave;
         if z.size() <= 1.0 {
             return BeamCoefficients::small(z, built, at);
@@ -158,14 +159,13 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
             raised_f: f,
             raised_d: d,
             raised_e: e,
-            units: built.wave_units,
-            powers: at.powers,
-            inverse_powers: at.inverse_powers,
+            factors: core::array::from_fn(|k| at.powers[k] * built.wave_units.factors[k]),
+            inverses: core::array::from_fn(|k| at.inverse_powers[k] * built.wave_units.inverses[k]),
             exponent: waves.exponent,
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         let (before, after) = match input {
             Subspace::Tip(support, _) => (Plane::of_tip(support), coefficients.from_tip(support)),
@@ -176,13 +176,13 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
         };
         if C::COUNTS {
             let BeamCoefficients { z, e, b, .. } = *coefficients;
-            let clamped_stiffness = coefficients.factor(2) * b / e;
+            let clamped_stiffness = coefficients.factors[2] * b / e;
             tally.beam(&before, &after, BeamSigns { z, one_minus_product: e, clamped_stiffness });
         }
         Subspace::Plane(after)
     }
 
-    #[inline]
+    #[inline(always)]
     fn root<C: Tally<S>>(
         coefficients: &Self::Coefficients,
         input: Subspace<S>,
@@ -198,10 +198,12 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> BeamCoefficients<T, S> {
+impl<S: Scalar> BeamCoefficients<S> {
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
-    #[cold]
-    fn small(z: S, built: &BuiltBeam<T>, at: &At<S>) -> Self {
+    fn small<T: Real>(z: S, built: &BuiltBeam<T>, at: &At<S>) -> Self
+    where
+        S: Frequency<T>,
+    {
         let x = -at.lambda_squared * built.wave_fourth;
         let [c, b, f, d, e] = plane_series(x);
         let half = S::from_f64(0.5);
@@ -217,34 +219,21 @@ impl<T: Real, S: Frequency<T>> BeamCoefficients<T, S> {
             raised_f: x * f,
             raised_d: x * d,
             raised_e: x * x * e,
-            units: built.length_units,
-            powers: [S::one(); 4],
-            inverse_powers: [S::one(); 4],
+            factors: built.length_units.factors.map(S::from_parameter),
+            inverses: built.length_units.inverses.map(S::from_parameter),
             exponent: 0,
         }
     }
 
-    /// `EI b, EI b², EI b³, EI² b⁴`.
-    #[inline]
-    fn factor(&self, k: usize) -> S {
-        self.powers[k] * self.units.factors[k]
-    }
-
-    /// The inverses of the factors.
-    #[inline]
-    fn inverse(&self, k: usize) -> S {
-        self.inverse_powers[k] * self.units.inverses[k]
-    }
-
     /// The minors of a plane in the units of the coefficients.
-    #[inline]
+    #[inline(always)]
     fn local(&self, p: Plane<S>) -> [S; 5] {
         [
             p.y_theta,
-            p.y_m * self.inverse(0),
-            p.w * self.inverse(1),
-            p.theta_q * self.inverse(2),
-            p.m_q * self.inverse(3),
+            p.y_m * self.inverses[0],
+            p.w * self.inverses[1],
+            p.theta_q * self.inverses[2],
+            p.m_q * self.inverses[3],
         ]
     }
 
@@ -253,10 +242,10 @@ impl<T: Real, S: Frequency<T>> BeamCoefficients<T, S> {
         let p = self.local(plane);
         let minors = [
             self.y_theta(p),
-            self.y_m(p) * self.factor(0),
-            self.w(p) * self.factor(1),
-            self.theta_q(p) * self.factor(2),
-            self.m_q(p) * self.factor(3),
+            self.y_m(p) * self.factors[0],
+            self.w(p) * self.factors[1],
+            self.theta_q(p) * self.factors[2],
+            self.m_q(p) * self.factors[3],
         ];
         Plane::new(minors, plane.exponent + self.exponent)
     }
@@ -266,34 +255,34 @@ impl<T: Real, S: Frequency<T>> BeamCoefficients<T, S> {
         let p = self.local(plane);
         match support {
             Support::Fixed => self.y_theta(p),
-            Support::Pinned => self.y_m(p) * self.factor(0),
-            Support::Guided => self.theta_q(p) * self.factor(2),
-            Support::Free => self.m_q(p) * self.factor(3),
+            Support::Pinned => self.y_m(p) * self.factors[0],
+            Support::Guided => self.theta_q(p) * self.factors[2],
+            Support::Free => self.m_q(p) * self.factors[3],
             Support::Roller => S::zero(),
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn y_theta(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
         self.a * y_theta + self.b * y_m + self.f * (w + w) + self.d * theta_q + self.e * m_q
     }
 
-    #[inline]
+    #[inline(always)]
     fn y_m(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
         self.c * y_m - self.raised_d * y_theta + self.b * (w + w) + self.f * (theta_q + theta_q) + self.d * m_q
     }
 
-    #[inline]
+    #[inline(always)]
     fn w(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
         self.c * w - self.raised_f * y_theta - self.raised_d * y_m + self.b * theta_q + self.f * m_q
     }
 
-    #[inline]
+    #[inline(always)]
     fn theta_q(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
         self.c * theta_q - self.raised_b * y_theta - self.raised_f * (y_m + y_m) - self.raised_d * (w + w) + self.b * m_q
     }
 
-    #[inline]
+    #[inline(always)]
     fn m_q(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
         self.a * m_q + self.raised_e * y_theta - self.raised_b * y_m - self.raised_f * (w + w) - self.raised_d * theta_q
     }
@@ -301,34 +290,22 @@ impl<T: Real, S: Frequency<T>> BeamCoefficients<T, S> {
     /// The plane behind a beam that starts at a support: a column of the compound.
     fn from_tip(&self, support: Support) -> Plane<S> {
         let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, .. } = *self;
-        let (factor, inverse) = (|k| self.factor(k), |k| self.inverse(k));
+        let (factor, inverse) = (self.factors, self.inverses);
         let minors = match support {
-            Support::Fixed => [e * inverse(3), d * inverse(2), f * inverse(1), b * inverse(0), a],
+            Support::Fixed => [e * inverse[3], d * inverse[2], f * inverse[1], b * inverse[0], a],
             Support::Pinned => {
-                let length = self.length();
-                [d * inverse(2), (f + f) * (length * length), b * length, c, -(raised_d * factor(0))]
+                let length = factor[0] * inverse[1];
+                [d * inverse[2], (f + f) * (length * length), b * length, c, -(raised_d * factor[0])]
             }
             Support::Guided => {
-                let number = self.wave_number();
-                [b * inverse(0), c, -(raised_d * number), -((raised_f + raised_f) * (number * number)), -(raised_b * factor(2))]
+                let number = factor[1] * inverse[0];
+                [b * inverse[0], c, -(raised_d * number), -((raised_f + raised_f) * (number * number)), -(raised_b * factor[2])]
             }
-            Support::Free => [a, -(raised_d * factor(0)), -(raised_f * factor(1)), -(raised_b * factor(2)), raised_e * factor(3)],
+            Support::Free => [a, -(raised_d * factor[0]), -(raised_f * factor[1]), -(raised_b * factor[2]), raised_e * factor[3]],
             // refused before: the roller is a support of planar states
             Support::Roller => [S::zero(); 5],
         };
         Plane::unscaled(minors, self.exponent)
-    }
-
-    /// `1/b`.
-    #[inline]
-    fn length(&self) -> S {
-        self.inverse_powers[0] * (self.units.factors[0] * self.units.inverses[1])
-    }
-
-    /// `b`.
-    #[inline]
-    fn wave_number(&self) -> S {
-        self.powers[0] * (self.units.factors[1] * self.units.inverses[0])
     }
 }
 

@@ -41,7 +41,7 @@ impl<T: Real> Element for ElasticHinge<T> {
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for ElasticHinge<T> {
-    #[inline]
+    #[inline(always)]
     fn transfer_matrix(built: &Self, _x: S) -> Matrix4<S> {
         let mut u = Matrix4::identity();
         u[(0, 3)] = -S::from_parameter(T::one() / built.stiffness_y);
@@ -61,7 +61,7 @@ pub struct HingeCoefficients<S> {
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
     type Coefficients = HingeCoefficients<S>;
 
-    #[inline]
+    #[inline(always)]
     fn coefficients(built: &Self, _at: &At<S>) -> HingeCoefficients<S> {
         HingeCoefficients {
             k_y: S::from_parameter(built.stiffness_y),
@@ -70,7 +70,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         let HingeCoefficients { k_y, k_theta, product } = *coefficients;
         if let Subspace::Tip(Support::Fixed, _) = input {

@@ -38,7 +38,7 @@ impl<T: Real> Element for Inertia<T> {
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Inertia<T> {
-    #[inline]
+    #[inline(always)]
     fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
         Matrix2::new(S::one(), S::zero(), x.lambda_squared() * built.inertia, S::one())
     }
@@ -47,12 +47,12 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Inertia<T> {
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Inertia<T> {
     type Coefficients = S;
 
-    #[inline]
+    #[inline(always)]
     fn coefficients(built: &Self, at: &At<S>) -> S {
         at.lambda_squared * built.inertia
     }
 
-    #[inline]
+    #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
         through_inertia(*coefficients, input)
     }

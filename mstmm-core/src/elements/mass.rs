@@ -38,7 +38,7 @@ impl<T: Real> Element for Mass<T> {
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Mass<T> {
-    #[inline]
+    #[inline(always)]
     fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
         Matrix2::new(S::one(), S::zero(), -(x.lambda_squared() * built.mass), S::one())
     }
@@ -47,12 +47,12 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Mass<T> {
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Mass<T> {
     type Coefficients = S;
 
-    #[inline]
+    #[inline(always)]
     fn coefficients(built: &Self, at: &At<S>) -> S {
         at.lambda_squared * built.mass
     }
 
-    #[inline]
+    #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
         through_inertia(*coefficients, input)
     }

@@ -41,7 +41,7 @@ impl<T: Real> Element for PointMass<T> {
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PointMass<T> {
-    #[inline]
+    #[inline(always)]
     fn transfer_matrix(built: &Self, x: S) -> Matrix4<S> {
         let mut u = Matrix4::identity();
         u[(2, 1)] = x.lambda_squared() * built.inertia;
@@ -60,12 +60,12 @@ pub struct PointMassCoefficients<S> {
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
     type Coefficients = PointMassCoefficients<S>;
 
-    #[inline]
+    #[inline(always)]
     fn coefficients(built: &Self, at: &At<S>) -> PointMassCoefficients<S> {
         PointMassCoefficients { a: at.lambda_squared * built.mass, j: at.lambda_squared * built.inertia }
     }
 
-    #[inline]
+    #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
         let PointMassCoefficients { a, j } = *coefficients;
         let p = input.plane();

@@ -34,13 +34,13 @@ impl<T: Real> Element for TorsionDamper<T> {
 }
 
 impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for TorsionDamper<T> {
-    #[inline]
+    #[inline(always)]
     fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
         let compliance = S::one() / off_pole(built.dynamic_stiffness(x));
         Matrix2::new(S::one(), compliance, S::zero(), S::one())
     }
 
-    #[inline]
+    #[inline(always)]
     fn denominator(built: &Self, x: S) -> Option<S> {
         Some(off_pole(built.dynamic_stiffness(x)))
     }
@@ -48,7 +48,7 @@ impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for TorsionDamper<T> {
 
 impl<T: Real> TorsionDamper<T> {
     /// `κ = Cλ`.
-    #[inline]
+    #[inline(always)]
     fn dynamic_stiffness<S: ComplexFrequency<T>>(&self, x: S) -> S {
         x * self.damping
     }
@@ -57,12 +57,12 @@ impl<T: Real> TorsionDamper<T> {
 impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for TorsionDamper<T> {
     type Coefficients = S;
 
-    #[inline]
+    #[inline(always)]
     fn coefficients(built: &Self, at: &At<S>) -> S {
         built.dynamic_stiffness(at.x)
     }
 
-    #[inline]
+    #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         through_stiffness(*coefficients, input, tally)
     }

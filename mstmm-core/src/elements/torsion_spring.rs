@@ -38,7 +38,7 @@ impl<T: Real> Element for TorsionSpring<T> {
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for TorsionSpring<T> {
-    #[inline]
+    #[inline(always)]
     fn transfer_matrix(built: &Self, _x: S) -> Matrix2<S> {
         let compliance = S::from_parameter(T::one() / built.stiffness);
         Matrix2::new(S::one(), compliance, S::zero(), S::one())
@@ -48,12 +48,12 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for TorsionSpring<T> {
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for TorsionSpring<T> {
     type Coefficients = S;
 
-    #[inline]
+    #[inline(always)]
     fn coefficients(built: &Self, _at: &At<S>) -> S {
         S::from_parameter(built.stiffness)
     }
 
-    #[inline]
+    #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         through_stiffness(*coefficients, input, tally)
     }

@@ -42,13 +42,13 @@ impl<T: Real> Element for TorsionSpringDamper<T> {
 }
 
 impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for TorsionSpringDamper<T> {
-    #[inline]
+    #[inline(always)]
     fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
         let compliance = S::one() / off_pole(built.dynamic_stiffness(x));
         Matrix2::new(S::one(), compliance, S::zero(), S::one())
     }
 
-    #[inline]
+    #[inline(always)]
     fn denominator(built: &Self, x: S) -> Option<S> {
         Some(off_pole(built.dynamic_stiffness(x)))
     }
@@ -56,7 +56,7 @@ impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for TorsionSpringDamper<
 
 impl<T: Real> TorsionSpringDamper<T> {
     /// `κ = K + Cλ`.
-    #[inline]
+    #[inline(always)]
     fn dynamic_stiffness<S: ComplexFrequency<T>>(&self, x: S) -> S {
         S::from_parameter(self.stiffness) + x * self.damping
     }
@@ -65,12 +65,12 @@ impl<T: Real> TorsionSpringDamper<T> {
 impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for TorsionSpringDamper<T> {
     type Coefficients = S;
 
-    #[inline]
+    #[inline(always)]
     fn coefficients(built: &Self, at: &At<S>) -> S {
         built.dynamic_stiffness(at.x)
     }
 
-    #[inline]
+    #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         through_stiffness(*coefficients, input, tally)
     }

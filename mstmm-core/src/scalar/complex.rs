@@ -5,11 +5,16 @@ use num_complex::Complex;
 use num_traits::Zero;
 
 impl<T: Real> Scalar for Complex<T> {
-    const SERIES_TERMS: u32 = T::SERIES_TERMS;
+    const SERIES_TERMS: usize = T::SERIES_TERMS;
 
     #[inline]
     fn from_f64(value: f64) -> Self {
         Complex::new(T::from_f64(value), T::zero())
+    }
+
+    #[inline(always)]
+    fn reciprocal_factorial(n: usize) -> Self {
+        Complex::new(T::reciprocal_factorial(n), T::zero())
     }
 
     fn sqrt(self) -> Self {

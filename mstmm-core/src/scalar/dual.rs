@@ -6,7 +6,7 @@ use num_complex::Complex;
 use num_traits::{Num, One, Zero};
 
 /// `value + derivative ε` with `ε² = 0`. Order and equality look at the value alone.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Dual<S> {
     /// The value.
     pub value: S,
@@ -133,11 +133,16 @@ impl<S: Scalar> One for Dual<S> {
 }
 
 impl<S: Scalar> Scalar for Dual<S> {
-    const SERIES_TERMS: u32 = S::SERIES_TERMS;
+    const SERIES_TERMS: usize = S::SERIES_TERMS;
 
     #[inline]
     fn from_f64(value: f64) -> Self {
         Dual::constant(S::from_f64(value))
+    }
+
+    #[inline(always)]
+    fn reciprocal_factorial(n: usize) -> Self {
+        Dual::constant(S::reciprocal_factorial(n))
     }
 
     fn sqrt(self) -> Self {

@@ -1,10 +1,14 @@
 //! Searches for natural frequencies and eigenvalues.
 
+mod certified;
 mod fmin1d;
 mod fmin2d;
+mod natural;
+mod polish;
 
 pub use fmin1d::{Minimum1d, fmin1d};
 pub use fmin2d::{MAX_ROW, Minimum2d, fmin2d};
+pub use natural::{FrequencyList, NaturalFrequencies, NaturalFrequency};
 
 use crate::error::SearchError;
 use crate::list::List;

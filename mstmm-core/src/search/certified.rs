@@ -1,0 +1,242 @@
+//! Isolation of roots by counts: brackets that hold a known number of roots, split until each is settled.
+
+use super::natural::{FrequencyList, NaturalFrequency};
+use super::polish::Slope;
+use crate::characteristic::{Characteristic, System, count_and_value};
+use crate::error::SearchError;
+use crate::list::List;
+use crate::scalar::{Dual, Real, Scalar};
+use crate::scaled::Scaled;
+
+/// Half the relative width of a certified interval, in units of eps: room for the roundings of z = βl (about four,
+/// doubled in ω) and of the planes.
+const HALF_WIDTH: f64 = 16.0;
+
+/// Upper ends of brackets that wait: each split adds one, and a bracket is halved at most about 64 times.
+const WAITING: usize = 128;
+
+/// Factor between the lowest estimate of a frequency and what is taken to be just above zero.
+const ZERO_EXPONENT: i32 = 30;
+
+/// A frequency with its count and Δ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample<T> {
+    pub(super) omega: T,
+    pub(super) below: u64,
+    pub(super) value: Scaled<T>,
+}
+
+impl<T: Real> Default for Sample<T> {
+    fn default() -> Self {
+        Sample { omega: T::zero(), below: 0, value: Scaled::new(T::one(), 0) }
+    }
+}
+
+/// A search in progress.
+pub(super) struct Isolation<'a, Y: System + ?Sized> {
+    system: &'a Y,
+    evaluations: usize,
+}
+
+impl<'a, T, Y> Isolation<'a, Y>
+where
+    T: Real,
+    Y: System<Parameter = T> + Characteristic<T> + Characteristic<Dual<T>> + ?Sized,
+{
+    pub(super) fn new(system: &'a Y) -> Self {
+        Isolation { system, evaluations: 0 }
+    }
+
+    /// Relative half width of a certified interval.
+    pub(super) fn half_width() -> T {
+        T::from_f64(HALF_WIDTH * T::EPSILON)
+    }
+
+    /// Count and Δ at a frequency.
+    pub(super) fn sample(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
+        self.evaluations += 1;
+        let (below, value) = count_and_value(self.system, omega);
+        if !value.mantissa().size().is_finite() {
+            return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
+        }
+        Ok(Sample { omega, below, value })
+    }
+
+    /// Count, Δ and its derivative at a frequency.
+    pub(super) fn slope(&mut self, omega: T) -> Result<Slope<T>, SearchError> {
+        self.evaluations += 2;
+        let (below, dual) = count_and_value(self.system, Dual::variable(omega));
+        let Dual { value, derivative } = dual.mantissa();
+        if !(value.size().is_finite() && derivative.size().is_finite()) {
+            return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
+        }
+        Ok(Slope { omega, below, value, derivative, exponent: dual.exponent() })
+    }
+
+    /// Just above zero: below every frequency but those that are zero.
+    fn just_above_zero(&self) -> T {
+        T::one().times_power_of_two(self.system.bounds().lowest_exponent() - ZERO_EXPONENT)
+    }
+
+    /// All frequencies of a range.
+    pub(super) fn in_range<const CAP: usize>(mut self, start: T, end: T) -> Result<FrequencyList<T, CAP>, SearchError> {
+        let valid = start >= T::zero() && start < end && end.size().is_finite();
+        if !valid {
+            return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
+        }
+        let mut found = List::new();
+        let zero = self.just_above_zero();
+        let margin = Self::half_width() + Self::half_width();
+        let first = if start > zero { start - start * margin } else { zero };
+        let mut lower = self.sample(first)?;
+        if start.is_zero() {
+            Self::push(&mut found, Self::rigid_body_modes(&lower))?;
+        } else if start <= zero {
+            // whatever is there counts as zero, which is outside
+        }
+        let mut waiting = List::<Sample<T>, WAITING>::new();
+        if end > lower.omega {
+            Self::wait(&mut waiting, self.sample(end + end * margin)?)?;
+        }
+        while let Some(root) = self.next(&mut lower, &mut waiting)? {
+            if root.upper >= start && root.lower <= end {
+                Self::push(&mut found, Some(root))?;
+            }
+        }
+        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
+    }
+
+    /// The lowest frequencies.
+    pub(super) fn first<const N: usize>(mut self) -> Result<FrequencyList<T, N>, SearchError> {
+        let wanted = N as u64;
+        let bounds = self.system.bounds();
+        let mut found = List::new();
+        let mut lower = self.sample(self.just_above_zero())?;
+        Self::push(&mut found, Self::rigid_body_modes(&lower))?;
+        let mut settled = lower.below;
+        // upper ends in ascending order first, to be turned round
+        let mut waiting = List::<Sample<T>, WAITING>::new();
+        let mut exponent = bounds.lowest_exponent() + 1;
+        let mut highest = lower;
+        while highest.below < wanted {
+            if !bounds.is_continuous() && exponent > bounds.highest_exponent() + ZERO_EXPONENT {
+                return Err(SearchError::TooFewRoots { found: highest.below });
+            }
+            highest = self.sample(T::one().times_power_of_two(exponent))?;
+            Self::wait(&mut waiting, highest)?;
+            exponent += 2;
+        }
+        waiting.reverse();
+        while settled < wanted {
+            let Some(root) = self.next(&mut lower, &mut waiting)? else { break };
+            settled += root.multiplicity;
+            Self::push(&mut found, Some(root))?;
+        }
+        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
+    }
+
+    /// The entry of frequencies that are zero, if there are any.
+    fn rigid_body_modes(just_above_zero: &Sample<T>) -> Option<NaturalFrequency<T>> {
+        let (zero, upper) = (T::zero(), just_above_zero.omega);
+        let multiplicity = just_above_zero.below;
+        (multiplicity > 0).then_some(NaturalFrequency { omega: zero, lower: zero, upper, multiplicity })
+    }
+
+    fn push<const CAP: usize>(
+        found: &mut List<NaturalFrequency<T>, CAP>,
+        root: Option<NaturalFrequency<T>>,
+    ) -> Result<(), SearchError> {
+        let Some(root) = root else { return Ok(()) };
+        found.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })
+    }
+
+    fn wait(waiting: &mut List<Sample<T>, WAITING>, sample: Sample<T>) -> Result<(), SearchError> {
+        waiting.push(sample).map_err(|lost| SearchError::Unresolved { near: lost.omega.to_f64() })
+    }
+
+    /// The lowest root above `lower`, or several that cannot be told apart; `lower` moves beyond it.
+    ///
+    /// The bracket is from `lower` to the last of the upper ends that wait, which is the lowest of them.
+    fn next(
+        &mut self,
+        lower: &mut Sample<T>,
+        waiting: &mut List<Sample<T>, WAITING>,
+    ) -> Result<Option<NaturalFrequency<T>>, SearchError> {
+        while let Some(&upper) = waiting.last() {
+            let roots = upper.below.saturating_sub(lower.below);
+            let settled = match roots {
+                0 => None,
+                1 => Some(self.polish(*lower, upper)?),
+                _ if self.is_narrow(lower, &upper) => Some(self.settle(*lower, upper)?),
+                _ => {
+                    let middle = self.split(lower, &upper, roots)?;
+                    Self::wait(waiting, middle)?;
+                    continue;
+                }
+            };
+            waiting.pop();
+            *lower = upper;
+            if settled.is_some() {
+                return Ok(settled);
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether a bracket is no wider than a certified interval.
+    pub(super) fn is_narrow(&self, lower: &Sample<T>, upper: &Sample<T>) -> bool {
+        let half_width = Self::half_width();
+        upper.omega - lower.omega <= (half_width + half_width) * upper.omega
+    }
+
+    /// The certified entry of the roots in a narrow bracket.
+    pub(super) fn settle(&mut self, lower: Sample<T>, upper: Sample<T>) -> Result<NaturalFrequency<T>, SearchError> {
+        let omega = lower.omega + (upper.omega - lower.omega) * T::from_f64(0.5);
+        let margin = omega * Self::half_width();
+        let (below, above) = (self.sample(omega - margin)?, self.sample(omega + margin)?);
+        // where rounding blurs the counts, the interval takes in all that was seen to hold them
+        let start = if below.below == lower.below || below.omega < lower.omega { below } else { lower };
+        let end = if above.below == upper.below || above.omega > upper.omega { above } else { upper };
+        let multiplicity = upper.below - lower.below;
+        Ok(NaturalFrequency { omega, lower: start.omega, upper: end.omega, multiplicity })
+    }
+
+    /// A sample inside a bracket of several roots, with a count between those of its ends.
+    fn split(&mut self, lower: &Sample<T>, upper: &Sample<T>, roots: u64) -> Result<Sample<T>, SearchError> {
+        let middle = middle(lower.omega, upper.omega);
+        let close = (upper.omega - lower.omega) * T::from_f64(16.0) < upper.omega;
+        let mut sample = if close { self.split_cluster(lower, upper, middle, roots)? } else { self.sample(middle)? };
+        sample.below = sample.below.clamp(lower.below, upper.below);
+        Ok(sample)
+    }
+
+    /// A sample beside a cluster of roots, found by Newton's method for a root of that multiplicity.
+    fn split_cluster(
+        &mut self,
+        lower: &Sample<T>,
+        upper: &Sample<T>,
+        middle: T,
+        roots: u64,
+    ) -> Result<Sample<T>, SearchError> {
+        let slope = self.slope(middle)?;
+        let step = slope.value / slope.derivative * T::from_f64(roots as f64);
+        let width = upper.omega - lower.omega;
+        // beside the estimate, on the side that cuts most off the bracket
+        let beside = step.abs() * T::from_f64(0.125) + middle * Self::half_width();
+        let target = middle - step + if step > T::zero() { beside } else { -beside };
+        let useful = target > lower.omega && target < upper.omega && step.abs() < width * T::from_f64(0.25);
+        if !useful || target == middle {
+            return Ok(slope.into());
+        }
+        self.sample(target)
+    }
+}
+
+/// The middle of a bracket, in the square root of the frequency: there the frequencies of beams are evenly spaced.
+pub(super) fn middle<T: Real>(lower: T, upper: T) -> T {
+    if upper < lower + lower {
+        return lower + (upper - lower) * T::from_f64(0.5);
+    }
+    let root = (lower.sqrt() + upper.sqrt()) * T::from_f64(0.5);
+    root * root
+}

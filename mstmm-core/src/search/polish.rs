@@ -1,0 +1,132 @@
+//! The last digits of a single root: inverse interpolation with derivatives inside a bracket of counts.
+
+use super::certified::{Isolation, Sample, middle};
+use super::natural::NaturalFrequency;
+use crate::characteristic::{Characteristic, System};
+use crate::error::SearchError;
+use crate::scalar::{Dual, Real, Scalar};
+use crate::scaled::Scaled;
+
+/// A frequency with its count, Δ and dΔ/dω; the power of two multiplies both.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slope<T> {
+    pub(super) omega: T,
+    pub(super) below: u64,
+    pub(super) value: T,
+    pub(super) derivative: T,
+    pub(super) exponent: i64,
+}
+
+impl<T: Real> From<Slope<T>> for Sample<T> {
+    fn from(slope: Slope<T>) -> Self {
+        Sample { omega: slope.omega, below: slope.below, value: Scaled::new(slope.value, slope.exponent) }
+    }
+}
+
+/// Steps that may pass before a bracket that was not halved is halved by force.
+const PATIENCE: u32 = 3;
+
+impl<T: Real> Slope<T> {
+    /// Newton's next point.
+    fn newton(&self) -> T {
+        self.omega - self.value / self.derivative
+    }
+
+    /// The zero of the inverse cubic through two points with their slopes: of order 1 + sqrt(3).
+    fn hermite(&self, other: &Self) -> T {
+        let shift = (other.exponent - self.exponent).clamp(-2000, 2000) as i32;
+        let (value, derivative) = (other.value.times_power_of_two(shift), other.derivative.times_power_of_two(shift));
+        let height = value - self.value;
+        let t = -(self.value / height);
+        let (start, end) = (height / self.derivative, height / derivative);
+        let chord = other.omega - self.omega;
+        let one = T::one();
+        // Hermite's cubic for ω(Δ) on t in [0, 1]
+        let rest = one - t;
+        let three = one + one + one;
+        self.omega + t * t * (three - t - t) * chord + t * rest * (rest * start - t * end)
+    }
+}
+
+impl<'a, T, Y> Isolation<'a, Y>
+where
+    T: Real,
+    Y: System<Parameter = T> + Characteristic<T> + Characteristic<Dual<T>> + ?Sized,
+{
+    /// The single root of a bracket.
+    pub(super) fn polish(
+        &mut self,
+        mut lower: Sample<T>,
+        mut upper: Sample<T>,
+    ) -> Result<NaturalFrequency<T>, SearchError> {
+        let counts = (lower.below, upper.below);
+        let mut point = first_point(&lower, &upper);
+        let mut previous: Option<Slope<T>> = None;
+        let (mut width, mut patience) = (upper.omega - lower.omega, PATIENCE);
+        while !self.is_narrow(&lower, &upper) {
+            let slope = self.slope(point)?;
+            if slope.below <= counts.0 {
+                lower = slope.into()
+            } else {
+                upper = slope.into()
+            }
+            let inside = |omega: &T| *omega > lower.omega && *omega < upper.omega;
+            let estimate = previous
+                .map(|previous| slope.hermite(&previous))
+                .filter(inside)
+                .or_else(|| Some(slope.newton()).filter(|omega| inside(omega) || slope.value.is_zero()));
+            patience -= 1;
+            if (upper.omega - lower.omega) * T::from_f64(2.0) <= width {
+                (width, patience) = (upper.omega - lower.omega, PATIENCE);
+            }
+            if let Some(estimate) = estimate
+                && is_exact(estimate, &slope, previous.as_ref())
+            {
+                if let Some(root) = self.certify(estimate, counts)? {
+                    return Ok(root);
+                }
+                patience = 0;
+            }
+            previous = Some(slope);
+            point = match estimate {
+                Some(estimate) if patience > 0 => estimate,
+                _ => {
+                    patience = PATIENCE;
+                    middle(lower.omega, upper.omega)
+                }
+            };
+        }
+        self.settle(Sample { below: counts.0, ..lower }, Sample { below: counts.1, ..upper })
+    }
+
+    /// The root as certified by the counts on both sides of an estimate, if it is there.
+    fn certify(&mut self, omega: T, counts: (u64, u64)) -> Result<Option<NaturalFrequency<T>>, SearchError> {
+        let margin = omega * Self::half_width();
+        let (lower, upper) = (omega - margin, omega + margin);
+        let certified = self.sample(lower)?.below == counts.0 && self.sample(upper)?.below == counts.1;
+        Ok(certified.then_some(NaturalFrequency { omega, lower, upper, multiplicity: counts.1 - counts.0 }))
+    }
+}
+
+/// Where to begin: the zero of the chord if the bracket is not wide, else its middle.
+fn first_point<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
+    let middle = middle(lower.omega, upper.omega);
+    if lower.omega + lower.omega < upper.omega {
+        return middle;
+    }
+    let shift = (upper.value.exponent() - lower.value.exponent()).clamp(-2000, 2000) as i32;
+    let (a, b) = (lower.value.mantissa(), upper.value.mantissa().times_power_of_two(shift));
+    let width = upper.omega - lower.omega;
+    let share = a / (a - b);
+    let tenth = T::from_f64(0.1);
+    if share > tenth && share < T::one() - tenth { lower.omega + width * share } else { middle }
+}
+
+/// Whether an estimate is good to rounding: the error of the inverse cubic is the square of the product of the distances
+/// of its two points, over a length that 1/8 of the frequency stands for; that of Newton's step the square of one.
+fn is_exact<T: Real>(estimate: T, slope: &Slope<T>, previous: Option<&Slope<T>>) -> bool {
+    let distance = |omega: T| ((estimate - omega) / estimate).size();
+    let one = distance(slope.omega);
+    let product = previous.map_or(one, |previous| 8.0 * one * distance(previous.omega));
+    one == 0.0 || 8.0 * product * product < T::EPSILON
+}
