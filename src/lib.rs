@@ -3,12 +3,12 @@
 #![forbid(unsafe_code)]
 
 pub use mstmm_core::{
-    Assembly, At, Bending, Characteristic, ComplexFrequency, Dual, Element, Evaluate, Frequency, FrequencyBounds,
-    InvalidParameter, Layout, Line, Magnitude, MatrixOf, ParameterError, Planar, Plane, PlaneStep, Real, Requirement,
-    Rotation, Scalar, Scaled, SearchError, Space, StateSpace, Subspace, Support, System, Tally, TransferMatrix,
-    Translation, determinant, elements, search,
+    AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexFrequency, Count, Dual,
+    Element, Evaluate, Frequency, FrequencyBounds, InvalidParameter, Layout, Line, ListElement, ListError, ListPass,
+    ListStep, Magnitude, MatrixOf, ParameterError, Planar, Plane, PlaneStep, Real, Requirement, Rotation, SMatrix,
+    Scalar, Scaled, SearchError, Space, StateSpace, StepList, Subspace, Support, System, Tally, TransferMatrix,
+    Translation, Untallied, determinant, elements, search,
 };
-pub use mstmm_core::{Complex, SMatrix};
 
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {

@@ -52,9 +52,10 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
         let Step::Connection(inputs) = layout.steps[step] else { return };
         let reference = layout.places[inputs[layout.input(step, 0)]];
         let connection = layout.places[step];
-        let own_rows: usize =
+        let geometrical_rows: usize =
             (1..inputs.len()).map(|rank| layout.places[inputs[layout.input(step, rank)]].space.size() / 2).sum();
-        let mut row = connection.first_row + connection.rows - own_rows;
+        let left_behind = layout.forces_left_behind(step);
+        let mut row = connection.first_row + connection.rows - geometrical_rows - left_behind;
         for rank in 1..inputs.len() {
             let input = layout.places[inputs[layout.input(step, rank)]];
             let columns = input.first_column..input.first_column + input.columns;
@@ -68,6 +69,27 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
                 }
                 row += 1;
             }
+        }
+        self.leave_behind(step, row);
+    }
+
+    /// What does not go on where a connection leads to fewer states: its forces are zero, its displacements free.
+    fn leave_behind(&mut self, step: usize, mut row: usize) {
+        let layout = self.layout;
+        let Some(output) = layout.output(step).filter(|_| layout.narrows(step)) else { return };
+        let place = layout.places[step];
+        for &coordinate in place.space.coordinates() {
+            if output.coordinates().contains(&coordinate) {
+                continue;
+            }
+            let is_force = !place.space.displacements().contains(&coordinate);
+            for column in place.first_column..place.first_column + place.columns {
+                if is_force {
+                    self.matrix[(row, column)] = self.states[column][coordinate as usize];
+                }
+                self.states[column][coordinate as usize] = S::zero();
+            }
+            row += usize::from(is_force);
         }
     }
 

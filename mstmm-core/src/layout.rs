@@ -165,7 +165,7 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
                         }
                         k += 1;
                     }
-                    (columns, rows)
+                    (columns, rows + self.forces_left_behind(i))
                 }
             };
             self.places[i].columns = columns;
@@ -199,6 +199,22 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
                     }
                 }
             }
+        }
+    }
+
+    /// Whether a connection leads on to fewer states than it has.
+    pub(crate) const fn narrows(&self, connection: usize) -> bool {
+        match self.steps[self.downstream[connection]] {
+            Step::Element(_, output) => !output.is(self.places[connection].space),
+            _ => false,
+        }
+    }
+
+    /// Number of forces left behind by a connection that leads on to fewer states: one equation each.
+    pub(crate) const fn forces_left_behind(&self, connection: usize) -> usize {
+        match self.steps[self.downstream[connection]] {
+            Step::Element(_, output) => (self.places[connection].space.size() - output.size()) / 2,
+            _ => 0,
         }
     }
 
@@ -268,10 +284,11 @@ impl<const STEPS: usize> Layout<'_, STEPS> {
                 "the output of this connection has more states than any input: give it a free tip, `free -> conn ..`"
             );
         }
-        if let Step::Element(_, output) = self.steps[self.downstream[step]]
-            && !output.is(space)
-        {
-            panic!("the output of this connection must have the widest state of its inputs");
+        if inputs.len() == 1 && !self.narrows(step) {
+            panic!(
+                "a connection with one input must lead on to fewer states, as from a beam to a spring; else write the \
+                 arrow from element to element"
+            );
         }
     }
 }

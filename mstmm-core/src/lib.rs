@@ -29,6 +29,7 @@ mod scalar;
 mod scaled;
 pub mod search;
 mod state;
+mod step_list;
 mod subspace;
 #[cfg(test)]
 mod tolerance;
@@ -49,4 +50,5 @@ pub use num_complex::Complex;
 pub use scalar::{ComplexFrequency, Dual, Frequency, Real, Scalar, WaveProducts};
 pub use scaled::{Magnitude, Scaled};
 pub use state::{Bending, Coordinate, Planar, Rotation, Space, StateSpace, Support, Translation};
+pub use step_list::{AnyElement, AnyUndamped, ListElement, ListError, ListPass, ListStep, OPEN_PATHS, StepList};
 pub use subspace::{Line, Plane, Subspace};

@@ -161,14 +161,8 @@ fn check_ends(graph: &Graph<'_>, index: usize, errors: &mut Errors) {
             }
         }
         Vertex::Connection(_) => {
-            match inputs.len() {
-                0 => push(vertex.span(), "has no input: let at least two paths end in it"),
-                1 => push(
-                    vertex.span(),
-                    "has one input only: a connection joins two paths or more; without one, write the \
-                          arrow from element to element",
-                ),
-                _ => {}
+            if inputs.is_empty() {
+                push(vertex.span(), "has no input: let paths end in it");
             }
             match outputs.as_slice() {
                 [_] => {}

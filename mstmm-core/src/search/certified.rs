@@ -5,7 +5,7 @@ use super::polish::Slope;
 use crate::characteristic::{Characteristic, System, count_and_value};
 use crate::error::SearchError;
 use crate::list::List;
-use crate::scalar::{Dual, Real, Scalar};
+use crate::scalar::{Dual, Real};
 use crate::scaled::Scaled;
 
 /// Half the relative width of a certified interval, in units of eps: room for the roundings of z = βl (about four,

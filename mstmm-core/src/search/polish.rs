@@ -4,7 +4,7 @@ use super::certified::{Isolation, Sample, middle};
 use super::natural::NaturalFrequency;
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
-use crate::scalar::{Dual, Real, Scalar};
+use crate::scalar::{Dual, Real};
 use crate::scaled::Scaled;
 
 /// A frequency with its count, Δ and dΔ/dω; the power of two multiplies both.

@@ -1,0 +1,280 @@
+//! The plane method on a run-time list of steps: the same arithmetic as the macro's code, for chains of any length.
+
+use crate::at::At;
+use crate::bounds::FrequencyBounds;
+use crate::characteristic::{Characteristic, System};
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep};
+use crate::elements::{
+    Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
+    TorsionSpringDamper,
+};
+use crate::error::InvalidParameter;
+use crate::join::connection;
+use crate::scalar::{ComplexFrequency, Frequency, Real, Scalar};
+use crate::scaled::Scaled;
+use crate::state::{Space, StateSpace, Support};
+use crate::subspace::Subspace;
+use core::fmt;
+
+/// Paths that may be open at once while a list is evaluated: branches within branches.
+pub const OPEN_PATHS: usize = 64;
+
+/// A step of a list: tips before the elements that they lead to, inputs of a connection before it, the root last.
+#[derive(Clone, Copy, Debug)]
+pub enum ListStep<E> {
+    /// A path starts from a support.
+    Tip(Support),
+    /// The last open path goes through an element.
+    Element(E),
+    /// The last so many open paths are joined.
+    Connection(usize),
+    /// The one open path ends in the root.
+    Root(Support),
+}
+
+/// A list that cannot be evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ListError {
+    /// Index of the step.
+    pub step: usize,
+    /// What is wrong with it.
+    pub problem: &'static str,
+}
+
+impl fmt::Display for ListError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "step {}: {}", self.step, self.problem)
+    }
+}
+
+impl core::error::Error for ListError {}
+
+/// An element of a list, of any type.
+pub trait ListElement {
+    /// Scalar of the parameters.
+    type Parameter: Real;
+    /// Space of the states at both ends.
+    fn space(&self) -> Space;
+    /// Adds the element to the bounds of the searches.
+    fn bound(&self, bounds: &mut FrequencyBounds);
+}
+
+/// A [`ListElement`] that can be evaluated at frequencies of type `S`.
+pub trait ListPass<S: Scalar>: ListElement {
+    /// Takes a subspace through the element.
+    fn step<C: Tally<S>>(&self, at: &At<S>, input: Subspace<S>, tally: &mut C) -> Subspace<S>;
+    /// The last step before the root.
+    fn root<C: Tally<S>>(&self, at: &At<S>, input: Subspace<S>, support: Support, tally: &mut C) -> Scaled<S>;
+}
+
+/// Declares an enum of built elements with the traits of list elements.
+macro_rules! any_element {
+    ($(#[$doc:meta])* $name:ident, $frequency:ident: $($element:ident),*) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub enum $name<T: Real> {
+            $(
+                #[doc = concat!("A built [`", stringify!($element), "`].")]
+                $element(<$element<T> as Element>::Built),
+            )*
+        }
+
+        $(
+            impl<T: Real> TryFrom<$element<T>> for $name<T> {
+                type Error = InvalidParameter;
+
+                fn try_from(element: $element<T>) -> Result<Self, InvalidParameter> {
+                    element.build().map($name::$element)
+                }
+            }
+        )*
+
+        impl<T: Real> ListElement for $name<T> {
+            type Parameter = T;
+
+            fn space(&self) -> Space {
+                match self {
+                    $($name::$element(_) => <$element<T> as Element>::State::SPACE,)*
+                }
+            }
+
+            fn bound(&self, bounds: &mut FrequencyBounds) {
+                match self {
+                    $($name::$element(built) => <$element<T> as Element>::bound(built, bounds),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T>> ListPass<S> for $name<T> {
+            fn step<C: Tally<S>>(&self, at: &At<S>, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+                match self {
+                    $($name::$element(built) => {
+                        $element::<T>::step(&$element::<T>::coefficients(built, at), input, tally)
+                    })*
+                }
+            }
+
+            fn root<C: Tally<S>>(
+                &self,
+                at: &At<S>,
+                input: Subspace<S>,
+                support: Support,
+                tally: &mut C,
+            ) -> Scaled<S> {
+                match self {
+                    $($name::$element(built) => {
+                        <$element<T> as PlaneStep<S>>::root(
+                            &$element::<T>::coefficients(built, at), input, support, tally,
+                        )
+                    })*
+                }
+            }
+        }
+    };
+}
+
+any_element!(
+    /// Any built-in element without damping.
+    AnyUndamped, Frequency: Beam, Body, ElasticHinge, PointMass, Spring, TorsionSpring, Mass, Inertia
+);
+any_element!(
+    /// Any built-in element; with a damper among them, a list has complex eigenvalues only.
+    AnyElement, ComplexFrequency:
+    Beam, Body, ElasticHinge, PointMass, Spring, TorsionSpring, Mass, Inertia,
+    Damper, TorsionDamper, SpringDamper, TorsionSpringDamper
+);
+
+/// A tree of elements as a list of steps in the caller's memory.
+///
+/// ```
+/// use mstmm_core::elements::{Mass, Spring};
+/// use mstmm_core::search::NaturalFrequencies;
+/// use mstmm_core::{AnyUndamped, ListStep, StepList, Support};
+///
+/// let steps = [
+///     ListStep::Tip(Support::Fixed),
+///     ListStep::Element(AnyUndamped::try_from(Spring { stiffness: 8.0_f64 })?),
+///     ListStep::Element(Mass { mass: 2.0 }.try_into()?),
+///     ListStep::Root(Support::Free),
+/// ];
+/// let list = StepList::new(&steps).unwrap();
+/// let found = list.first_frequencies::<1>().unwrap();
+/// assert!((found[0].omega - 2.0).abs() < 1e-15);
+/// # Ok::<(), mstmm_core::InvalidParameter>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct StepList<'a, E> {
+    steps: &'a [ListStep<E>],
+}
+
+impl<'a, E: ListElement> StepList<'a, E> {
+    /// A list that can be evaluated.
+    ///
+    /// # Errors
+    /// [`ListError`] for a step without the open paths that it takes, states that do not fit, or a list that does not end
+    /// in one root.
+    pub fn new(steps: &'a [ListStep<E>]) -> Result<Self, ListError> {
+        // the space of each open path; `None` behind a support, which adopts any
+        let mut open: [Option<Space>; OPEN_PATHS] = [None; OPEN_PATHS];
+        let mut count = 0;
+        for (step, entry) in steps.iter().enumerate() {
+            let fail = |problem| Err(ListError { step, problem });
+            match entry {
+                ListStep::Tip(_) if count == OPEN_PATHS => return fail("too many open paths"),
+                ListStep::Tip(support) => {
+                    let space = next_space(steps, step).unwrap_or(Space::Bending);
+                    if support.unknowns(space).is_none() || space.is(Space::Planar) {
+                        return fail("its path has no such support");
+                    }
+                    open[count] = None;
+                    count += 1;
+                }
+                ListStep::Element(_) if count == 0 => return fail("no path is open"),
+                ListStep::Element(element) => match open[count - 1] {
+                    Some(space) if !space.is(element.space()) => return fail("the path has another state"),
+                    _ => open[count - 1] = Some(element.space()),
+                },
+                ListStep::Connection(inputs) if *inputs == 0 || *inputs > count => return fail("too few open paths"),
+                ListStep::Connection(inputs) => {
+                    let joined = &open[count - inputs..count];
+                    let space = joined.iter().flatten().copied().reduce(|a, b| a.join(b).unwrap_or(Space::Planar));
+                    if space.is_none_or(|space| space.is(Space::Planar)) {
+                        return fail("supports alone, or states that cannot meet");
+                    }
+                    let next = next_space(steps, step);
+                    if next.is_some_and(|next| !space.is_some_and(|space| space.goes_on_as(next))) {
+                        return fail("its output has a state that its inputs do not lead to");
+                    }
+                    count -= inputs - 1;
+                    open[count - 1] = next.or(space);
+                }
+                ListStep::Root(_) if count != 1 || step + 1 != steps.len() => {
+                    return fail("the root ends the only open path and the list");
+                }
+                ListStep::Root(_) => {}
+            }
+        }
+        if !matches!(steps.last(), Some(ListStep::Root(_))) {
+            return Err(ListError { step: steps.len(), problem: "the list does not end in a root" });
+        }
+        Ok(StepList { steps })
+    }
+}
+
+/// Space of the element that follows a step, if one does.
+fn next_space<E: ListElement>(steps: &[ListStep<E>], step: usize) -> Option<Space> {
+    match steps.get(step + 1) {
+        Some(ListStep::Element(element)) => Some(element.space()),
+        _ => None,
+    }
+}
+
+impl<E: ListElement> System for StepList<'_, E> {
+    type Parameter = E::Parameter;
+
+    fn bounds(&self) -> FrequencyBounds {
+        let mut bounds = FrequencyBounds::default();
+        for step in self.steps {
+            if let ListStep::Element(element) = step {
+                element.bound(&mut bounds);
+            }
+        }
+        bounds
+    }
+}
+
+impl<E, S> Characteristic<S> for StepList<'_, E>
+where
+    E: ListPass<S>,
+    S: Frequency<E::Parameter>,
+{
+    fn pass<C: Tally<S>>(&self, x: S, tally: &mut C) -> Scaled<S> {
+        let at = At::new(x, true);
+        let mut open = [Subspace::Tip(Support::Free, Space::Bending); OPEN_PATHS];
+        let mut count = 0;
+        for (index, step) in self.steps.iter().enumerate() {
+            match step {
+                ListStep::Tip(support) => {
+                    let space = next_space(self.steps, index).unwrap_or(Space::Bending);
+                    open[count] = Subspace::Tip(*support, space);
+                    count += 1;
+                }
+                ListStep::Element(element) => {
+                    let input = open[count - 1];
+                    if let Some(ListStep::Root(support)) = self.steps.get(index + 1) {
+                        return element.root(&at, input, *support, tally);
+                    }
+                    open[count - 1] = element.step(&at, input, tally);
+                }
+                ListStep::Connection(inputs) => {
+                    let joined = connection(&open[count - inputs..count], next_space(self.steps, index), tally);
+                    count -= inputs - 1;
+                    open[count - 1] = joined;
+                }
+                ListStep::Root(support) => return open[0].at_root(*support, tally),
+            }
+        }
+        Scaled::new(S::zero(), 0) // `new` has refused lists without a root
+    }
+}
