@@ -63,6 +63,7 @@ where
         let mut point = first_point(&lower, &upper);
         let mut previous: Option<Slope<T>> = None;
         let (mut width, mut patience) = (upper.omega - lower.omega, PATIENCE);
+        let length = (width + width).to_f64().min(upper.omega.to_f64()) / 8.0;
         while !self.is_narrow(&lower, &upper) {
             let slope = self.slope(point)?;
             if slope.below <= counts.0 {
@@ -70,17 +71,19 @@ where
             } else {
                 upper = slope.into()
             }
-            let inside = |omega: &T| *omega > lower.omega && *omega < upper.omega;
+            // a bracket may end in the root itself, and estimates carry roundings
+            let margin = point * Self::half_width();
+            let inside = |omega: &T| *omega > lower.omega - margin && *omega < upper.omega + margin;
             let estimate = previous
                 .map(|previous| slope.hermite(&previous))
                 .filter(inside)
-                .or_else(|| Some(slope.newton()).filter(|omega| inside(omega) || slope.value.is_zero()));
+                .or_else(|| Some(slope.newton()).filter(inside));
             patience -= 1;
             if (upper.omega - lower.omega) * T::from_f64(2.0) <= width {
                 (width, patience) = (upper.omega - lower.omega, PATIENCE);
             }
             if let Some(estimate) = estimate
-                && is_exact(estimate, &slope, previous.as_ref())
+                && is_exact(estimate, &slope, previous.as_ref(), length)
             {
                 if let Some(root) = self.certify(estimate, counts)? {
                     return Ok(root);
@@ -122,11 +125,11 @@ fn first_point<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
     if share > tenth && share < T::one() - tenth { lower.omega + width * share } else { middle }
 }
 
-/// Whether an estimate is good to rounding: the error of the inverse cubic is the square of the product of the distances
-/// of its two points, over a length that 1/8 of the frequency stands for; that of Newton's step the square of one.
-fn is_exact<T: Real>(estimate: T, slope: &Slope<T>, previous: Option<&Slope<T>>) -> bool {
-    let distance = |omega: T| ((estimate - omega) / estimate).size();
-    let one = distance(slope.omega);
-    let product = previous.map_or(one, |previous| 8.0 * one * distance(previous.omega));
-    one == 0.0 || 8.0 * product * product < T::EPSILON
+/// Whether an estimate is good to rounding: the error of the inverse cubic is `(a b)²/length³`, with the distances a and b
+/// of its two points and a length over which Δ bends, that of Newton's step `a²/length`.
+fn is_exact<T: Real>(estimate: T, slope: &Slope<T>, previous: Option<&Slope<T>>, length: f64) -> bool {
+    let distance = |omega: T| (estimate - omega).size() / length;
+    let product = distance(slope.omega) * previous.map_or(1.0, |previous| distance(previous.omega));
+    let error = product * product;
+    4.0 * error * length <= T::EPSILON * estimate.size()
 }
