@@ -36,6 +36,23 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
         last
     }
 
+    /// Keeps the first so many values.
+    pub(crate) fn truncate(&mut self, length: usize) {
+        self.length = self.length.min(length);
+    }
+
+    /// Sorts by insertion; `before` tells whether one value stands strictly before another.
+    pub(crate) fn sort_by(&mut self, before: impl Fn(&V, &V) -> bool) {
+        let values = &mut self.values[..self.length];
+        for end in 1..values.len() {
+            let mut place = end;
+            while place > 0 && before(&values[place], &values[place - 1]) {
+                values.swap(place, place - 1);
+                place -= 1;
+            }
+        }
+    }
+
     /// Turns the order round.
     pub(crate) fn reverse(&mut self) {
         self.values[..self.length].reverse();

@@ -1,14 +1,20 @@
 //! Searches for natural frequencies and eigenvalues.
 
 mod certified;
+mod contour;
+mod eigenvalue_newton;
+mod eigenvalue_search;
 mod fmin1d;
 mod fmin2d;
 mod natural;
 mod polish;
+mod rectangle;
+mod region;
 
 pub use fmin1d::{Minimum1d, fmin1d};
 pub use fmin2d::{MAX_ROW, Minimum2d, fmin2d};
 pub use natural::{FrequencyList, NaturalFrequencies, NaturalFrequency};
+pub use region::{Eigenvalue, EigenvalueList, Eigenvalues, Region};
 
 use crate::error::SearchError;
 use crate::list::List;

@@ -1,0 +1,118 @@
+//! One eigenvalue: Newton's method beside those that are known, and the circle that certifies it.
+
+use super::contour::{Walk, larger, modulus};
+use super::eigenvalue_search::{EigenvalueSearch, Found};
+use super::rectangle::Rectangle;
+use super::region::Eigenvalue;
+use crate::characteristic::{Characteristic, System};
+use crate::error::SearchError;
+use crate::scalar::{Dual, Real};
+use num_complex::Complex;
+
+/// Radius of a certified circle at first, relative to the modulus, in units of eps: as for natural frequencies.
+const RADIUS: f64 = 16.0;
+
+/// The radius grows by this factor until the circle holds the root in spite of rounding.
+const GROWTH: f64 = 4.0;
+
+/// Circles that may be tried: the last one has a relative radius of 1e-6.
+const CIRCLES: u32 = 14;
+
+/// Steps of Newton's method: a start that needs more is given up.
+const STEPS: u32 = 40;
+
+/// Corners of a regular octagon of radius 1, closed.
+const OCTAGON: [(f64, f64); 9] = {
+    const H: f64 = core::f64::consts::FRAC_1_SQRT_2;
+    [(1.0, 0.0), (H, H), (0.0, 1.0), (-H, H), (-1.0, 0.0), (-H, -H), (0.0, -1.0), (H, -H), (1.0, 0.0)]
+};
+
+impl<'a, T, Y> EigenvalueSearch<'a, Y>
+where
+    T: Real,
+    Y: System<Parameter = T> + Characteristic<Dual<Complex<T>>> + ?Sized,
+{
+    /// A root near a start, other than those that were found; `None` if the steps lead away or do not end.
+    ///
+    /// Known roots, with their mirror images, are divided out of Δ: `Δ'/Δ - Σ m/(λ - λ_k)`.
+    pub(super) fn newton(
+        &mut self,
+        start: Complex<T>,
+        rectangle: &Rectangle<T>,
+        found: &Found<T>,
+    ) -> Result<Option<Complex<T>>, SearchError> {
+        let (mut lambda, mut last) = (start, T::zero());
+        let (eps, coarse) = (T::from_f64(0.25 * T::EPSILON), T::from_f64(T::EPSILON.sqrt()));
+        for _ in 0..STEPS {
+            let point = self.evaluation.at(lambda)?;
+            if point.is_root {
+                return Ok(Some(lambda));
+            }
+            let mut rate = point.rate;
+            for root in found {
+                let multiplicity = T::from_f64(root.multiplicity as f64);
+                rate -= Complex::from(multiplicity) / (lambda - root.lambda);
+                if !root.lambda.im.is_zero() {
+                    rate -= Complex::from(multiplicity) / (lambda - root.lambda.conj());
+                }
+            }
+            let step = Complex::from(T::one()) / rate;
+            lambda -= step;
+            if rectangle.is_symmetric() && lambda.im < T::zero() {
+                lambda = lambda.conj();
+            }
+            let (size, scale) = (modulus(step), larger(modulus(lambda), self.smallest()));
+            // the next step of a quadratic sequence, and the noise of Δ, at which steps no longer shrink
+            let next = size * (size / last) * (size / last);
+            let is_quadratic = size <= T::from_f64(1e-3) * scale && size * T::from_f64(8.0) < last;
+            if (is_quadratic && next <= eps * scale) || (size <= coarse * scale && size + size > last) {
+                return Ok(Some(lambda));
+            }
+            if !rectangle.contains(lambda, rectangle.size()) {
+                return Ok(None);
+            }
+            last = size;
+        }
+        // slow because the root is multiple: the circle will tell
+        Ok(Some(lambda))
+    }
+
+    /// The smallest circle around an estimate along which Δ turns: its turns are the multiplicity.
+    pub(super) fn certify(
+        &mut self,
+        estimate: Complex<T>,
+        symmetric: bool,
+    ) -> Result<Option<Eigenvalue<T>>, SearchError> {
+        let mut root = self.circle(estimate, symmetric)?;
+        if let Some(Eigenvalue { lambda, multiplicity: multiplicity @ 2.., .. }) = root {
+            // Newton's step for a root of that multiplicity is good where the plain one is slow
+            let point = self.evaluation.at(lambda)?;
+            let step = Complex::from(T::from_f64(multiplicity as f64)) / point.rate;
+            if !point.is_root
+                && let Some(better) = self.circle(lambda - step, symmetric)?
+                && better.multiplicity == multiplicity
+            {
+                root = Some(better);
+            }
+        }
+        Ok(root)
+    }
+
+    fn circle(&mut self, estimate: Complex<T>, symmetric: bool) -> Result<Option<Eigenvalue<T>>, SearchError> {
+        let scale = larger(modulus(estimate), self.smallest());
+        let mut radius = scale * T::from_f64(RADIUS * T::EPSILON);
+        for _ in 0..CIRCLES {
+            // what cannot be told from a real root is one: complex ones come in pairs
+            let is_real = symmetric && estimate.im.abs() <= radius;
+            let lambda = if is_real { Complex::from(estimate.re) } else { estimate };
+            let corner = |(re, im): (f64, f64)| lambda + Complex::new(T::from_f64(re), T::from_f64(im)) * radius;
+            if let Walk::Quarters(quarters @ 4..) = self.evaluation.walk(&OCTAGON.map(corner), |_| ())?
+                && quarters % 4 == 0
+            {
+                return Ok(Some(Eigenvalue { lambda, error: radius, multiplicity: (quarters / 4) as u64 }));
+            }
+            radius = radius * T::from_f64(GROWTH);
+        }
+        Ok(None)
+    }
+}

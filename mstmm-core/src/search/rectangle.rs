@@ -1,0 +1,86 @@
+//! Rectangles of the complex plane, plain or symmetric to the real axis, and their contours.
+
+use super::contour::larger;
+use crate::scalar::Real;
+use num_complex::Complex;
+
+/// A rectangle. With `low = -high` it is symmetric: since Δ(conj λ) = conj Δ(λ), half its contour counts for all, and none
+/// of it runs along the real axis.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Rectangle<T> {
+    pub(super) left: T,
+    pub(super) right: T,
+    pub(super) low: T,
+    pub(super) high: T,
+}
+
+impl<T: Real> Rectangle<T> {
+    pub(super) fn is_symmetric(&self) -> bool {
+        self.low == -self.high
+    }
+
+    pub(super) fn width(&self) -> T {
+        self.right - self.left
+    }
+
+    pub(super) fn height(&self) -> T {
+        self.high - self.low
+    }
+
+    /// The longer side.
+    pub(super) fn size(&self) -> T {
+        larger(self.width(), self.height())
+    }
+
+    pub(super) fn centre(&self) -> Complex<T> {
+        let half = T::from_f64(0.5);
+        Complex::new(self.left + self.width() * half, self.low + self.height() * half)
+    }
+
+    /// Whether a point lies inside or within a distance of it.
+    pub(super) fn contains(&self, point: Complex<T>, distance: T) -> bool {
+        point.re >= self.left - distance
+            && point.re <= self.right + distance
+            && point.im >= self.low - distance
+            && point.im <= self.high + distance
+    }
+
+    /// Corners of the contour, counter-clockwise; of its upper half if the rectangle is symmetric.
+    pub(super) fn contour(&self) -> [Complex<T>; 5] {
+        let &Rectangle { left, right, low, high } = self;
+        if self.is_symmetric() {
+            let (start, end) = (Complex::new(right, T::zero()), Complex::new(left, T::zero()));
+            return [start, Complex::new(right, high), Complex::new(left, high), end, end];
+        }
+        let start = Complex::new(left, low);
+        [start, Complex::new(right, low), Complex::new(right, high), Complex::new(left, high), start]
+    }
+
+    /// The number of roots that quarter turns along the contour stand for.
+    pub(super) fn roots(&self, quarters: i64) -> Option<u64> {
+        let quarters_per_root = if self.is_symmetric() { 2 } else { 4 };
+        if quarters % quarters_per_root == 0 { u64::try_from(quarters / quarters_per_root).ok() } else { None }
+    }
+
+    /// The same with its edges moved outwards by a share of its sides; a symmetric one stays so.
+    pub(super) fn grown(&self, share: f64) -> Self {
+        let (dx, dy) = (self.width() * T::from_f64(share), self.height() * T::from_f64(share));
+        Rectangle { left: self.left - dx, right: self.right + dx, low: self.low - dy, high: self.high + dy }
+    }
+
+    /// Two parts, cut across the longer side near a share of it. A symmetric one is cut into two symmetric ones, or into
+    /// an upper part, whose mirror image is understood, and a symmetric one.
+    pub(super) fn parts(&self, share: f64) -> [Self; 2] {
+        let share = T::from_f64(share);
+        if self.width() >= self.height() * T::from_f64(if self.is_symmetric() { 0.5 } else { 1.0 }) {
+            let cut = self.left + self.width() * share;
+            return [Rectangle { right: cut, ..*self }, Rectangle { left: cut, ..*self }];
+        }
+        if self.is_symmetric() {
+            let cut = self.high * share;
+            return [Rectangle { low: cut, ..*self }, Rectangle { low: -cut, high: cut, ..*self }];
+        }
+        let cut = self.low + self.height() * share;
+        [Rectangle { high: cut, ..*self }, Rectangle { low: cut, ..*self }]
+    }
+}

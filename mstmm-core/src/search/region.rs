@@ -1,0 +1,121 @@
+//! Regions of the complex plane, eigenvalues in them: what users call.
+
+use super::eigenvalue_search::EigenvalueSearch;
+use crate::characteristic::{Characteristic, System};
+use crate::error::SearchError;
+use crate::list::List;
+use crate::scalar::{Dual, Real};
+use core::ops::{Deref, RangeInclusive};
+use num_complex::Complex;
+
+/// A closed rectangle of the complex plane of λ [1/s].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region<T = f64> {
+    /// Range of the real part; that of damped motions is negative.
+    pub re: RangeInclusive<T>,
+    /// Range of the imaginary part, the angular frequency of the damped motion.
+    pub im: RangeInclusive<T>,
+}
+
+/// An eigenvalue λ of a system, certified by the argument principle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Eigenvalue<T = f64> {
+    /// The eigenvalue [1/s].
+    pub lambda: Complex<T>,
+    /// Radius of a circle around it that holds it: the argument of Δ turns once along that circle for each of its roots.
+    pub error: T,
+    /// Number of eigenvalues in that circle.
+    pub multiplicity: u64,
+}
+
+impl<T: Real> Eigenvalue<T> {
+    /// Angular frequency of the undamped motion, `|λ|` [rad/s]; that of the damped motion is `lambda.im`.
+    pub fn frequency(&self) -> T {
+        super::contour::modulus(self.lambda)
+    }
+
+    /// Damping ratio `-Re λ/|λ|`: 0 undamped, 1 critical (λ real); 0 for λ = 0.
+    pub fn damping_ratio(&self) -> T {
+        let modulus = self.frequency();
+        if modulus.is_zero() { modulus } else { -self.lambda.re / modulus }
+    }
+}
+
+/// Eigenvalues and the number of evaluations they took; dereferences to a slice.
+///
+/// An evaluation is one pass; each pass of these searches also gives the derivative and counts as two.
+#[derive(Clone, Copy, Debug)]
+pub struct EigenvalueList<T: Real, const CAP: usize> {
+    pub(super) eigenvalues: List<Eigenvalue<T>, CAP>,
+    pub(super) evaluations: usize,
+}
+
+impl<T: Real, const CAP: usize> EigenvalueList<T, CAP> {
+    /// Number of evaluations.
+    pub fn evaluations(&self) -> usize {
+        self.evaluations
+    }
+}
+
+impl<T: Real, const CAP: usize> Deref for EigenvalueList<T, CAP> {
+    type Target = [Eigenvalue<T>];
+
+    fn deref(&self) -> &[Eigenvalue<T>] {
+        &self.eigenvalues
+    }
+}
+
+impl<'a, T: Real, const CAP: usize> IntoIterator for &'a EigenvalueList<T, CAP> {
+    type Item = &'a Eigenvalue<T>;
+    type IntoIter = core::slice::Iter<'a, Eigenvalue<T>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+/// The certified searches of damped systems; undamped ones have them, too.
+pub trait Eigenvalues: System {
+    /// Number of eigenvalues in a region, with multiplicity; those on its edges belong to it.
+    ///
+    /// # Errors
+    /// [`SearchError`] for a region that is empty or not finite, a Δ that is not finite on its contour, or roots that
+    /// cannot be told apart from the contour.
+    ///
+    /// # Source
+    /// The argument principle on the pole-free Δ(λ), with steps that the derivative controls.
+    fn count_in(&self, region: Region<Self::Parameter>) -> Result<u64, SearchError>
+    where
+        Self: Characteristic<Dual<Complex<<Self as System>::Parameter>>>,
+    {
+        EigenvalueSearch::new(self).count(&region)
+    }
+
+    /// Every eigenvalue in a region, each certified, with multiplicity: by ascending imaginary part.
+    ///
+    /// # Errors
+    /// As `count_in`, and if there are more than `CAP` entries.
+    fn eigenvalues<const CAP: usize>(
+        &self,
+        region: Region<Self::Parameter>,
+    ) -> Result<EigenvalueList<Self::Parameter, CAP>, SearchError>
+    where
+        Self: Characteristic<Dual<Complex<<Self as System>::Parameter>>>,
+    {
+        EigenvalueSearch::new(self).in_region(&region)
+    }
+
+    /// The eigenvalues of least modulus in the closed upper half plane, by ascending modulus: the fewest entries whose
+    /// multiplicities add up to at least `N`.
+    ///
+    /// # Errors
+    /// [`SearchError::TooFewRoots`] if the system has no more than it says; else as `eigenvalues`.
+    fn first_eigenvalues<const N: usize>(&self) -> Result<EigenvalueList<Self::Parameter, N>, SearchError>
+    where
+        Self: Characteristic<Dual<Complex<<Self as System>::Parameter>>>,
+    {
+        EigenvalueSearch::new(self).first()
+    }
+}
+
+impl<Y: System + ?Sized> Eigenvalues for Y {}
