@@ -73,8 +73,8 @@ where
             }
             last = size;
         }
-        // slow because the root is multiple: the circle will tell
-        Ok(Some(lambda))
+        // slow because the root is multiple, or on the way nowhere
+        Ok((last <= T::from_f64(1e-3) * larger(modulus(lambda), self.smallest())).then_some(lambda))
     }
 
     /// The smallest circle around an estimate along which Δ turns: its turns are the multiplicity.

@@ -129,7 +129,8 @@ where
             let right = radius * T::from_f64(0.0625);
             let square = Rectangle { left: -radius, right, low: -radius, high: radius };
             let is_last = !self.bounds.is_continuous() && exponent > self.bounds.highest_exponent() + 30;
-            let enough = self.counted(square)?.is_none_or(|counted| counted.roots >= wanted);
+            // each but the real ones has a mirror image
+            let enough = self.counted(square)?.is_none_or(|counted| counted.roots >= 2 * wanted);
             if enough || is_last {
                 let eigenvalues = self.within(radius, square)?;
                 let found = eigenvalues.iter().map(|root: &Eigenvalue<T>| root.multiplicity).sum();
@@ -219,7 +220,7 @@ where
             let (lambda, error) = (rectangle.centre(), rectangle.size());
             return keep(found, Eigenvalue { lambda, error, multiplicity: missing }).map(|()| true);
         }
-        for &start in starts.points.iter().chain(&[rectangle.centre()]) {
+        for &start in starts.points.iter().chain(&rectangle.inner_points()) {
             if missing == 0 {
                 break;
             }

@@ -37,6 +37,14 @@ impl<T: Real> Rectangle<T> {
         Complex::new(self.left + self.width() * half, self.low + self.height() * half)
     }
 
+    /// Points inside from which Newton's method may start, off the real axis, which it would not leave.
+    pub(super) fn inner_points(&self) -> [Complex<T>; 3] {
+        [(0.5, 0.75), (0.8, 0.6), (0.3, 0.9)].map(|(across, up)| {
+            let (across, up) = (T::from_f64(across), T::from_f64(up));
+            Complex::new(self.left + self.width() * across, self.low + self.height() * up)
+        })
+    }
+
     /// Whether a point lies inside or within a distance of it.
     pub(super) fn contains(&self, point: Complex<T>, distance: T) -> bool {
         point.re >= self.left - distance
