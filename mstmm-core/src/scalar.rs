@@ -6,6 +6,7 @@ mod real;
 mod waves;
 
 pub use dual::Dual;
+pub(crate) use real::argument;
 pub use waves::WaveProducts;
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};

@@ -69,6 +69,14 @@ macro_rules! elementary {
     }};
 }
 
+/// Argument of a complex number.
+pub(crate) fn argument(re: f64, im: f64) -> f64 {
+    #[cfg(feature = "std")]
+    return im.atan2(re);
+    #[cfg(not(feature = "std"))]
+    return libm::atan2(im, re);
+}
+
 /// Implements the real scalars for a primitive type, given its functions in `libm`.
 macro_rules! real {
     ($type:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path) => {

@@ -2,17 +2,29 @@
 
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
-use crate::scalar::{Dual, Real, Scalar};
+use crate::scalar::{Dual, Real, Scalar, argument};
 use num_complex::Complex;
 
-/// A contour passes so close to a root that its steps would become shorter than this part of its size: it is moved.
-const SHORTEST_STEP: f64 = 1e-8;
+/// Steps after which a walk is given up: rounding noise can make it creep.
+const STEPS: u32 = 20_000;
 
-/// Where Δ is known: the point, Δ up to a positive factor, and `Δ'/Δ`.
+/// A step is at most so much longer than the one before: between two roots, where Δ' vanishes, the rate alone would let it
+/// leap over the next one, or the next two.
+const STEP_GROWTH: f64 = 2.0;
+
+/// Bound of `|step Δ'/Δ|` at both ends of a step.
+const STEP_BOUND: f64 = 1.5;
+
+/// Bound of the relative difference between Δ at the end of a step and what the rates at both ends make of its start.
+const STEP_MISMATCH: f64 = 0.4;
+
+/// Where Δ is known.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point<T> {
     pub(super) lambda: Complex<T>,
+    /// Δ, to be multiplied by a power of two.
     value: Complex<T>,
+    exponent: i64,
     /// `Δ'/Δ`.
     pub(super) rate: Complex<T>,
     /// Whether Δ vanishes, or so nearly that its inverse overflows.
@@ -27,8 +39,8 @@ pub(super) struct Evaluation<'a, Y: System + ?Sized> {
 
 /// What a walk along a contour found.
 pub(super) enum Walk {
-    /// The number of quarter turns of Δ.
-    Quarters(i64),
+    /// By how much the argument of Δ grew.
+    Argument(f64),
     /// The contour meets a root, or nearly.
     MeetsRoot,
 }
@@ -45,91 +57,102 @@ where
     /// Δ and its logarithmic derivative. On the real axis Δ is real, whatever the rounding.
     pub(super) fn at(&mut self, lambda: Complex<T>) -> Result<Point<T>, SearchError> {
         self.evaluations += 2;
-        let Dual { value, derivative } = self.system.characteristic(Dual::variable(lambda)).mantissa();
+        let dual = self.system.characteristic(Dual::variable(lambda));
+        let Dual { value, derivative } = dual.mantissa();
         let rate = derivative / value;
         let is_root = !rate.size().is_finite();
-        if !value.size().is_finite() || (is_root && !derivative.size().is_finite()) {
+        if !value.size().is_finite() || !derivative.size().is_finite() {
             return Err(SearchError::NotANumber { x: lambda.re.to_f64(), y: lambda.im.to_f64() });
         }
         let value = if lambda.im.is_zero() { Complex::new(value.re, T::zero()) } else { value };
-        Ok(Point { lambda, value, rate, is_root })
+        Ok(Point { lambda, value, exponent: dual.exponent(), rate, is_root })
     }
 
-    /// Quarter turns of Δ along a polygon. A step is accepted where `|step Δ'/Δ| < 1` at both of its ends: the phase alone
-    /// could hide a whole turn between them. Points from which a root seems near are shown to `visit`.
+    /// Growth of the argument of Δ along a polygon. A polygon on which steps would have to be shorter than `shortest`
+    /// meets a root; the first step, before anything is known about the way, is no longer than `first_step`; both are
+    /// parts of the polygon's size. Every point on the way is shown to `visit`.
     pub(super) fn walk(
         &mut self,
         corners: &[Complex<T>],
+        [shortest, first_step]: [f64; 2],
         mut visit: impl FnMut(&Point<T>),
     ) -> Result<Walk, SearchError> {
-        let Some((&first, others)) = corners.split_first() else { return Ok(Walk::Quarters(0)) };
+        let Some((&first, others)) = corners.split_first() else { return Ok(Walk::Argument(0.0)) };
         let size = others.iter().map(|&corner| modulus(corner - first)).fold(T::zero(), larger);
-        let shortest = size * T::from_f64(SHORTEST_STEP);
-        let mut quarters = 0;
+        let shortest = size * T::from_f64(shortest);
         let start = self.at(first)?;
-        let mut here = start;
+        let (mut here, mut angle, mut steps) = (start, 0.0, 0);
+        let mut longest = size * T::from_f64(first_step);
         for &corner in others {
             while here.lambda != corner {
-                if here.is_root {
+                steps += 1;
+                if here.is_root || steps > STEPS {
                     return Ok(Walk::MeetsRoot);
                 }
-                let Some(there) = self.step(&here, corner, &start, shortest)? else { return Ok(Walk::MeetsRoot) };
-                quarters += quarter_turn(&here, &there).unwrap_or(0);
+                let Some((there, change)) = self.step(&here, corner, &start, [shortest, longest])? else {
+                    return Ok(Walk::MeetsRoot);
+                };
+                if there.lambda != corner {
+                    longest = modulus(there.lambda - here.lambda) * T::from_f64(STEP_GROWTH);
+                }
+                angle += change;
                 here = there;
                 visit(&here);
             }
         }
-        if here.is_root { Ok(Walk::MeetsRoot) } else { Ok(Walk::Quarters(quarters)) }
+        if here.is_root { Ok(Walk::MeetsRoot) } else { Ok(Walk::Argument(angle)) }
     }
 
-    /// The next point on the way to a corner, which may be the start again; `None` if steps become too short.
+    /// The next point on the way to a corner, which may be the start again, and the growth of the argument up to there;
+    /// `None` if steps become too short.
+    ///
+    /// A step must be short beside `Δ/Δ'` at both ends, and the mean of `Δ'/Δ` must predict Δ: a phase alone could hide a
+    /// whole turn.
     fn step(
         &mut self,
         here: &Point<T>,
         corner: Complex<T>,
         start: &Point<T>,
-        shortest: T,
-    ) -> Result<Option<Point<T>>, SearchError> {
+        [shortest, longest]: [T; 2],
+    ) -> Result<Option<(Point<T>, f64)>, SearchError> {
         let rest = corner - here.lambda;
         let length = modulus(rest);
-        let mut step = T::from_f64(0.9) / modulus(here.rate);
+        let mut step = smaller(T::from_f64(0.9 * STEP_BOUND) / modulus(here.rate), longest);
         loop {
             let there = if step < length { here.lambda + rest * (step / length) } else { corner };
-            let there = if there == start.lambda { *start } else { self.at(there)? };
-            let taken = if step < length { step } else { length };
-            if !there.is_root
-                && taken * larger(modulus(here.rate), modulus(there.rate)) < T::one()
-                && quarter_turn(here, &there).is_some()
-            {
-                return Ok(Some(there));
+            if there == here.lambda {
+                return Ok(None);
             }
-            step = taken * T::from_f64(0.5);
-            if step < shortest || there.lambda == here.lambda {
+            let there = if there == start.lambda { *start } else { self.at(there)? };
+            if let Some(change) = change_of_argument(here, &there) {
+                return Ok(Some((there, change)));
+            }
+            step = smaller(step, length) * T::from_f64(0.5);
+            if step < shortest {
                 return Ok(None);
             }
         }
     }
 }
 
-/// Quarter turns from one value to the next, none of them more than a quarter away; `None` if they are opposite.
-fn quarter_turn<T: Real>(here: &Point<T>, there: &Point<T>) -> Option<i64> {
-    match (quadrant(there.value) - quadrant(here.value)).rem_euclid(4) {
-        0 => Some(0),
-        1 => Some(1),
-        3 => Some(-1),
-        _ => None,
+/// Growth of the argument of Δ from one point to the next, if they are close enough to tell.
+fn change_of_argument<T: Real>(here: &Point<T>, there: &Point<T>) -> Option<f64> {
+    let step = there.lambda - here.lambda;
+    let bound = T::from_f64(STEP_BOUND);
+    if there.is_root || modulus(step) * larger(modulus(here.rate), modulus(there.rate)) > bound {
+        return None;
     }
-}
-
-/// Index of the quadrant, each with its first half-axis.
-fn quadrant<T: Real>(value: Complex<T>) -> i64 {
-    let zero = T::zero();
-    match (value.re > zero, value.im > zero) {
-        (true, _) if value.im >= zero => 0,
-        (false, true) => 1,
-        (false, false) if value.re < zero => 2,
-        _ => 3,
+    let predicted = step * (here.rate + there.rate) * T::from_f64(0.5);
+    let shift = (there.exponent - here.exponent).clamp(-2000, 2000) as i32;
+    let (sinh, cosh) = predicted.re.sinh_cosh();
+    let (sin, cos) = predicted.im.sin_cos();
+    let expected = here.value * Complex::new(cos, sin) * (cosh + sinh);
+    let found = there.value.times_power_of_two(shift) / expected;
+    let mismatch = found - Complex::from(T::one());
+    if modulus(mismatch) > T::from_f64(STEP_MISMATCH) {
+        return None;
     }
+    Some(predicted.im.to_f64() + argument(found.re.to_f64(), found.im.to_f64()))
 }
 
 /// Modulus of a complex number.
@@ -140,4 +163,9 @@ pub(super) fn modulus<T: Real>(z: Complex<T>) -> T {
 /// The larger of two numbers.
 pub(super) fn larger<T: Real>(a: T, b: T) -> T {
     if a > b { a } else { b }
+}
+
+/// The smaller of two numbers; the second if the first is not a number.
+pub(super) fn smaller<T: Real>(a: T, b: T) -> T {
+    if a < b { a } else { b }
 }

@@ -2,7 +2,7 @@
 
 use super::contour::{Walk, larger, modulus};
 use super::eigenvalue_search::{EigenvalueSearch, Found};
-use super::rectangle::Rectangle;
+use super::rectangle::{Rectangle, whole};
 use super::region::Eigenvalue;
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
@@ -12,6 +12,9 @@ use num_complex::Complex;
 /// Radius of a certified circle at first, relative to the modulus, in units of eps: as for natural frequencies.
 const RADIUS: f64 = 16.0;
 
+/// Around a root a step from corner to corner will do; where much shorter ones do not, rounding rules.
+const STEPS_AROUND: [f64; 2] = [0.02, 1.0];
+
 /// The radius grows by this factor until the circle holds the root in spite of rounding.
 const GROWTH: f64 = 4.0;
 
@@ -19,7 +22,7 @@ const GROWTH: f64 = 4.0;
 const CIRCLES: u32 = 14;
 
 /// Steps of Newton's method: a start that needs more is given up.
-const STEPS: u32 = 40;
+const NEWTON_STEPS: u32 = 40;
 
 /// Corners of a regular octagon of radius 1, closed.
 const OCTAGON: [(f64, f64); 9] = {
@@ -41,9 +44,9 @@ where
         rectangle: &Rectangle<T>,
         found: &Found<T>,
     ) -> Result<Option<Complex<T>>, SearchError> {
-        let (mut lambda, mut last) = (start, T::zero());
+        let (mut lambda, mut last, mut is_slow) = (start, T::zero(), false);
         let (eps, coarse) = (T::from_f64(0.25 * T::EPSILON), T::from_f64(T::EPSILON.sqrt()));
-        for _ in 0..STEPS {
+        for _ in 0..NEWTON_STEPS {
             let point = self.evaluation.at(lambda)?;
             if point.is_root {
                 return Ok(Some(lambda));
@@ -56,7 +59,13 @@ where
                     rate -= Complex::from(multiplicity) / (lambda - root.lambda.conj());
                 }
             }
-            let step = Complex::from(T::one()) / rate;
+            let mut step = Complex::from(T::one()) / rate;
+            // at a root of multiplicity m the steps shrink by 1 - 1/m only
+            let shrinkage = (modulus(step) / last).to_f64();
+            if is_slow && (0.4..0.95).contains(&shrinkage) {
+                step = step * T::from_f64(f64::from((1.0 / (1.0 - shrinkage) + 0.5) as u32));
+            }
+            is_slow = (0.4..0.95).contains(&shrinkage) && !is_slow;
             lambda -= step;
             if rectangle.is_symmetric() && lambda.im < T::zero() {
                 lambda = lambda.conj();
@@ -106,10 +115,10 @@ where
             let is_real = symmetric && estimate.im.abs() <= radius;
             let lambda = if is_real { Complex::from(estimate.re) } else { estimate };
             let corner = |(re, im): (f64, f64)| lambda + Complex::new(T::from_f64(re), T::from_f64(im)) * radius;
-            if let Walk::Quarters(quarters @ 4..) = self.evaluation.walk(&OCTAGON.map(corner), |_| ())?
-                && quarters % 4 == 0
+            if let Walk::Argument(argument) = self.evaluation.walk(&OCTAGON.map(corner), STEPS_AROUND, |_| ())?
+                && let Some(multiplicity @ 1..) = whole(argument / core::f64::consts::TAU)
             {
-                return Ok(Some(Eigenvalue { lambda, error: radius, multiplicity: (quarters / 4) as u64 }));
+                return Ok(Some(Eigenvalue { lambda, error: radius, multiplicity }));
             }
             radius = radius * T::from_f64(GROWTH);
         }

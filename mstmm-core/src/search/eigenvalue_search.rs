@@ -16,6 +16,10 @@ const ROOM: usize = 256;
 /// Room for rectangles that wait: each is at most cut about 64 times.
 const WAITING: usize = 128;
 
+/// Parts of a contour: where steps would be shorter than the first, it passes so close to a root that it is moved; the
+/// second bounds the first step.
+const STEPS: [f64; 2] = [1e-7, 0.05];
+
 /// Shares by which a contour that meets a root is moved outwards, one after the other.
 const MOVES: [f64; 5] = [0.0, 1e-5, 2.7e-4, 3.1e-3, 1.3e-2];
 
@@ -123,16 +127,18 @@ where
     pub(super) fn first<const N: usize>(mut self) -> Result<EigenvalueList<T, N>, SearchError> {
         let wanted = N as u64;
         let mut exponent = self.bounds.lowest_exponent() + 3;
+        let (mut radius, mut most) = (T::one().times_power_of_two(exponent), 0);
         loop {
-            let radius = T::one().times_power_of_two(exponent);
-            // motions of passive systems do not grow: nothing lies on the right
-            let right = radius * T::from_f64(0.0625);
-            let square = Rectangle { left: -radius, right, low: -radius, high: radius };
+            let next = T::one().times_power_of_two(exponent);
+            // `None` where the contour meets a root: then there is one more to find
+            let count = self.counted(square(next))?.map_or(most + 1, |counted| counted.roots);
+            if count > most {
+                (radius, most) = (next, count);
+            }
             let is_last = !self.bounds.is_continuous() && exponent > self.bounds.highest_exponent() + 30;
             // each but the real ones has a mirror image
-            let enough = self.counted(square)?.is_none_or(|counted| counted.roots >= 2 * wanted);
-            if enough || is_last {
-                let eigenvalues = self.within(radius, square)?;
+            if is_last || (count == most && most >= 2 * wanted && radius == next) {
+                let eigenvalues = self.within(radius)?;
                 let found = eigenvalues.iter().map(|root: &Eigenvalue<T>| root.multiplicity).sum();
                 if found >= wanted {
                     return Ok(EigenvalueList { eigenvalues, evaluations: self.evaluation.evaluations });
@@ -146,12 +152,8 @@ where
     }
 
     /// The fewest eigenvalues of least modulus, up to a radius, whose multiplicities add up to `N`; or all there are.
-    fn within<const N: usize>(
-        &mut self,
-        radius: T,
-        square: Rectangle<T>,
-    ) -> Result<List<Eigenvalue<T>, N>, SearchError> {
-        let mut found = self.roots(square)?;
+    fn within<const N: usize>(&mut self, radius: T) -> Result<List<Eigenvalue<T>, N>, SearchError> {
+        let mut found = self.roots(square(radius))?;
         found.sort_by(|a: &Eigenvalue<T>, b| a.frequency() < b.frequency());
         let (mut eigenvalues, mut settled) = (List::new(), 0);
         for root in found.iter().filter(|root| root.frequency() <= radius) {
@@ -189,9 +191,9 @@ where
     /// A rectangle with the number of its roots; `None` if its contour meets one.
     fn counted(&mut self, rectangle: Rectangle<T>) -> Result<Option<Counted<T>>, SearchError> {
         let mut starts = Starts::default();
-        let walk = self.evaluation.walk(&rectangle.contour(), |point| starts.visit(point))?;
-        let Walk::Quarters(quarters) = walk else { return Ok(None) };
-        let roots = rectangle.roots(quarters).ok_or(unresolved(rectangle))?;
+        let walk = self.evaluation.walk(&rectangle.contour(), STEPS, |point| starts.visit(point))?;
+        let Walk::Argument(argument) = walk else { return Ok(None) };
+        let roots = rectangle.roots(argument).ok_or(unresolved(rectangle))?;
         Ok(Some(Counted { rectangle, roots, starts }))
     }
 
@@ -244,6 +246,12 @@ where
         let scale = super::contour::larger(modulus(rectangle.centre()), self.smallest());
         rectangle.size() <= scale * T::from_f64(64.0 * T::EPSILON)
     }
+}
+
+/// A symmetric square, or nearly so, that holds all eigenvalues up to a modulus: motions of passive systems do not grow, so
+/// nothing lies far on the right.
+fn square<T: Real>(radius: T) -> Rectangle<T> {
+    Rectangle { left: -radius, right: radius * T::from_f64(0.0625), low: -radius, high: radius }
 }
 
 /// The rectangle to search for a region: where it meets the real axis, one symmetric to it.

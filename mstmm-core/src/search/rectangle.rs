@@ -14,6 +14,12 @@ pub(super) struct Rectangle<T> {
     pub(super) high: T,
 }
 
+/// The whole number that a count of turns stands for; `None` if it is none.
+pub(super) fn whole(turns: f64) -> Option<u64> {
+    let count = (turns + 0.5) as u64;
+    ((turns - count as f64).abs() < 0.05).then_some(count)
+}
+
 impl<T: Real> Rectangle<T> {
     pub(super) fn is_symmetric(&self) -> bool {
         self.low == -self.high
@@ -64,10 +70,10 @@ impl<T: Real> Rectangle<T> {
         [start, Complex::new(right, low), Complex::new(right, high), Complex::new(left, high), start]
     }
 
-    /// The number of roots that quarter turns along the contour stand for.
-    pub(super) fn roots(&self, quarters: i64) -> Option<u64> {
-        let quarters_per_root = if self.is_symmetric() { 2 } else { 4 };
-        if quarters % quarters_per_root == 0 { u64::try_from(quarters / quarters_per_root).ok() } else { None }
+    /// The number of roots that the growth of the argument along the contour stands for.
+    pub(super) fn roots(&self, argument: f64) -> Option<u64> {
+        let (pi, turn) = (core::f64::consts::PI, core::f64::consts::TAU);
+        whole(argument / if self.is_symmetric() { pi } else { turn })
     }
 
     /// The same with its edges moved outwards by a share of its sides; a symmetric one stays so.
