@@ -3,10 +3,10 @@
 #![forbid(unsafe_code)]
 
 pub use mstmm_core::{
-    Assembly, At, Bending, Characteristic, ComplexFrequency, Dual, Element, Evaluate, Frequency, FrequencyBounds,
-    InvalidParameter, Layout, Line, Magnitude, MatrixOf, ParameterError, Planar, Plane, PlaneStep, Real, Requirement,
-    Rotation, Scalar, Scaled, SearchError, Space, StateSpace, Subspace, Support, System, Tally, TransferMatrix,
-    Translation, determinant, elements, search,
+    Assembly, At, Bending, Characteristic, ComplexFrequency, DoubleDouble, Dual, Element, Evaluate, Frequency,
+    FrequencyBounds, InvalidParameter, Layout, Line, Magnitude, MatrixOf, ParameterError, Planar, Plane, PlaneStep,
+    Real, Requirement, Rotation, Scalar, Scaled, SearchError, Space, StateSpace, Subspace, Support, System, Tally,
+    TransferMatrix, Translation, determinant, elements, search,
 };
 pub use mstmm_core::{Complex, SMatrix};
 
