@@ -1,10 +1,12 @@
 //! Scalars: what matrices are made of, what parameters are, and what a frequency is.
 
 mod complex;
+mod double_double;
 mod dual;
 mod real;
 mod waves;
 
+pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub(crate) use real::argument;
 pub use waves::WaveProducts;
