@@ -75,7 +75,7 @@ impl<S: Scalar> Line<S> {
 
 /// Joins two subspaces that are no supports.
 #[inline(always)]
-fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
+pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane};
     match (a, b) {
         (OfPlane(p), OfPlane(r)) => OfPlane(p.with_plane(r)),
@@ -91,45 +91,18 @@ fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
     }
 }
 
-/// The connection of several inputs, supports among them, to an output that goes on as `output`; `None` at the root.
-///
-/// Paths are joined first. If the output is wider, they are joined to its free state; then supports hold the point; if
-/// the output is narrower, what does not go on has no force.
+/// Joins a line to the free state of a wider output, before supports hold the point.
 #[inline(always)]
-pub fn connection<S: Scalar, C: Tally<S>>(inputs: &[Subspace<S>], output: Option<Space>, tally: &mut C) -> Subspace<S> {
-    let mut sum = None;
-    for &input in inputs {
-        if !matches!(input, Subspace::Tip(..)) {
-            sum = Some(match sum {
-                None => input,
-                Some(sum) => joined(sum, input),
-            });
-        }
-    }
-    let wide = matches!(output, Some(Space::Bending));
-    let mut sum = match sum {
-        // the graph has refused connections of supports alone, but for `free` and one that goes on wider
-        None => return inputs[0],
-        Some(sum) if wide => Subspace::Plane(sum.plane()),
-        Some(sum) => sum,
-    };
-    for &input in inputs {
-        if let Subspace::Tip(support, _) = input {
-            sum = held(sum, support);
-        }
-    }
-    match (sum, output) {
-        (Subspace::Plane(plane), Some(space @ (Space::Translation | Space::Rotation))) => {
-            tally.narrowing(&plane, space);
-            Subspace::Line(narrowed(plane, space), space)
-        }
-        _ => sum,
+pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subspace<S> {
+    match output {
+        Some(Space::Bending) => Subspace::Plane(subspace.plane()),
+        _ => subspace,
     }
 }
 
 /// Holds a point by a support.
 #[inline(always)]
-fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
+pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
     match subspace {
         Subspace::Plane(plane) => Subspace::Plane(plane.held(support)),
         _ if support != Support::Fixed => subspace,
@@ -140,12 +113,35 @@ fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
     }
 }
 
-/// What goes on of a bending path whose moment (into a translation) or shear force (into a rotation) is zero.
+/// Leaves behind what does not go on to a narrower output: the moment of a bending path that goes on as a translation,
+/// the shear force of one that goes on as a rotation, is zero.
 #[inline(always)]
-fn narrowed<S: Scalar>(plane: Plane<S>, space: Space) -> Line<S> {
-    if space.is(Space::Translation) {
-        Line { y: plane.y_m, q: -plane.m_q, exponent: plane.exponent }
-    } else {
-        Line { y: plane.theta_q, q: -plane.m_q, exponent: plane.exponent }
+pub fn narrowed<S: Scalar, C: Tally<S>>(subspace: Subspace<S>, output: Option<Space>, tally: &mut C) -> Subspace<S> {
+    match (subspace, output) {
+        (Subspace::Plane(plane), Some(space @ (Space::Translation | Space::Rotation))) => {
+            tally.narrowing(&plane, space);
+            let y = if space.is(Space::Translation) { plane.y_m } else { plane.theta_q };
+            Subspace::Line(Line { y, q: -plane.m_q, exponent: plane.exponent }, space)
+        }
+        _ => subspace,
     }
+}
+
+/// The connection of several inputs, supports among them, to an output that goes on as `output`; `None` at the root.
+///
+/// Paths are joined first; if the output is wider, they are joined to its free state; then supports hold the point; if
+/// the output is narrower, what does not go on has no force.
+pub fn connection<S: Scalar, C: Tally<S>>(inputs: &[Subspace<S>], output: Option<Space>, tally: &mut C) -> Subspace<S> {
+    let is_tip = |input: &&Subspace<S>| matches!(input, Subspace::Tip(..));
+    let paths = inputs.iter().filter(|input| !is_tip(input)).copied();
+    let Some(sum) = paths.reduce(joined) else {
+        return inputs[0]; // supports alone have been refused
+    };
+    let mut sum = widened(sum, output);
+    for input in inputs {
+        if let Subspace::Tip(support, _) = input {
+            sum = held(sum, *support);
+        }
+    }
+    narrowed(sum, output, tally)
 }

@@ -42,7 +42,7 @@ pub use count::{BeamSigns, Count, Tally, Untallied};
 pub use determinant::determinant;
 pub use element::{Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use error::{InvalidParameter, ParameterError, Requirement, SearchError};
-pub use join::connection;
+pub use join::{held, joined, narrowed, widened};
 pub use layout::{Layout, Step};
 pub use list::List;
 pub use nalgebra::SMatrix;

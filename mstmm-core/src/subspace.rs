@@ -59,25 +59,27 @@ pub enum Subspace<S> {
 const LARGE: f64 = 1e60;
 const SMALL: f64 = 1e-60;
 
-/// The power of two to take out of entries of this size; none while they are in the middle of the range.
+/// Whether entries of this size are in the middle of the range.
 #[inline(always)]
+fn is_moderate(size: f64) -> bool {
+    SMALL < size && size < LARGE
+}
+
+/// The power of two to take out of entries beyond the middle of the range; none out of zeros and what is not finite.
+#[cold]
 fn excess(size: f64) -> i32 {
-    if (SMALL..LARGE).contains(&size) || size == 0.0 || !size.is_finite() {
-        0
-    } else {
-        crate::scaled::binary_exponent(size)
-    }
+    if size == 0.0 || !size.is_finite() { 0 } else { crate::scaled::binary_exponent(size) }
 }
 
 impl<S: Scalar> Line<S> {
     /// A line through `(y, q)`.
     #[inline(always)]
     pub fn new(y: S, q: S, exponent: i32) -> Self {
-        let size = y.size().max(q.size());
-        let shift = excess(size);
-        if shift == 0 {
+        let size = y.size() + q.size();
+        if is_moderate(size) {
             return Line { y, q, exponent };
         }
+        let shift = excess(size);
         Line { y: y.times_power_of_two(-shift), q: q.times_power_of_two(-shift), exponent: exponent + shift }
     }
 }
@@ -86,11 +88,11 @@ impl<S: Scalar> Plane<S> {
     /// The plane with minors `[p_YΘ, p_YM, w, p_ΘQ, p_MQ]`.
     #[inline(always)]
     pub fn new(minors: [S; 5], exponent: i32) -> Self {
-        let size = minors[0].size().max(minors[1].size()).max(minors[3].size()).max(minors[4].size());
-        let shift = excess(size);
-        if shift == 0 {
+        let size = (minors[0].size() + minors[1].size()) + (minors[3].size() + minors[4].size());
+        if is_moderate(size) {
             return Plane::unscaled(minors, exponent);
         }
+        let shift = excess(size);
         Plane::unscaled(minors.map(|minor| minor.times_power_of_two(-shift)), exponent + shift)
     }
 

@@ -55,6 +55,12 @@ impl<'a> Plan<'a> {
         }
         plan
     }
+
+    /// Whether a step is a support that holds a connection.
+    pub(crate) fn holds_connection(&self, step: usize) -> bool {
+        let joins = |other: &Step<'_>| matches!(other, Step::Connection { inputs, .. } if inputs.contains(&step));
+        self.steps.iter().any(joins)
+    }
 }
 
 /// The vertices of a tree, each behind all its inputs.

@@ -89,6 +89,7 @@ fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> T
     let subspace = |index: &usize| format_ident!("s{}", index, span = Span::mixed_site());
     let own = subspace(&index);
     match step {
+        Step::Tip(_) if plan.holds_connection(index) => TokenStream::new(),
         Step::Tip(keyword) => {
             let support = super::layout::support(keyword, names);
             quote!(let #own = #private::Subspace::Tip(#support, const { LAYOUT.space(#index) });)
@@ -101,8 +102,18 @@ fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> T
             quote!(let #own = <#kind<T> as #private::PlaneStep<S>>::step(&#coefficients, #input, tally);)
         }
         Step::Connection { inputs, .. } => {
-            let inputs = inputs.iter().map(subspace);
-            quote!(let #own = #private::connection(&[#(#inputs),*], const { LAYOUT.output(#index) }, tally);)
+            let is_tip = |input: &&usize| matches!(plan.steps[**input], Step::Tip(_));
+            let paths = inputs.iter().filter(|input| !is_tip(input)).map(subspace);
+            let joined = paths.map(|path| quote!(#path)).reduce(|sum, path| quote!(#private::joined(#sum, #path)));
+            let held = inputs.iter().filter_map(|&input| match plan.steps[input] {
+                Step::Tip(keyword) => Some(super::layout::support(keyword, names)),
+                _ => None,
+            });
+            quote! {
+                let #own = #private::widened(#joined, const { LAYOUT.output(#index) });
+                #(let #own = #private::held(#own, #held);)*
+                let #own = #private::narrowed(#own, const { LAYOUT.output(#index) }, tally);
+            }
         }
         Step::Root { support: keyword, input } => {
             let support = super::layout::support(keyword, names);
