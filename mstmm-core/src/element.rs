@@ -90,6 +90,17 @@ pub(crate) fn off_pole<S: Scalar>(kappa: S) -> S {
     if kappa.is_zero() { S::one().times_power_of_two(-100) } else { kappa }
 }
 
+/// A step as a call of its own: for long models, which would take minutes to compile with every step in line.
+#[doc(hidden)]
+#[inline(never)]
+pub fn called_step<E: PlaneStep<S>, S: Scalar, C: Tally<S>>(
+    coefficients: &E::Coefficients,
+    input: Subspace<S>,
+    tally: &mut C,
+) -> Subspace<S> {
+    E::step(coefficients, input, tally)
+}
+
 /// The space of the states of an element.
 #[doc(hidden)]
 pub const fn space_of<E: Element>() -> Space {

@@ -15,7 +15,7 @@ impl<S: Scalar> Plane<S> {
         } else {
             [y_theta, y_m + k * y_theta, w, theta_q, m_q + k * theta_q]
         };
-        Plane::new(minors, exponent)
+        Plane::unscaled(minors, exponent)
     }
 
     /// Joins a line of a translation or rotation path.
@@ -27,7 +27,7 @@ impl<S: Scalar> Plane<S> {
         } else {
             [y * y_theta, y * y_m - q * y_theta, y * w, y * theta_q, y * m_q - q * theta_q]
         };
-        Plane::new(minors, self.exponent + exponent)
+        Plane::unscaled(minors, self.exponent + exponent)
     }
 
     /// Joins another plane.
@@ -40,9 +40,9 @@ impl<S: Scalar> Plane<S> {
             p.y_m * r.y_theta + p.y_theta * r.y_m,
             p.w * r.y_theta + p.y_theta * r.w,
             p.theta_q * r.y_theta + p.y_theta * r.theta_q,
-            p.m_q * r.y_theta + p.y_theta * r.m_q - (ww + ww) + p.y_m * r.theta_q + r.y_m * p.theta_q,
+            (p.m_q * r.y_theta + p.y_theta * r.m_q) + (p.y_m * r.theta_q + r.y_m * p.theta_q) - (ww + ww),
         ];
-        Plane::new(minors, p.exponent + r.exponent)
+        Plane::unscaled(minors, p.exponent + r.exponent)
     }
 
     /// Holds the point by a support: joins the support's own plane, most of whose minors are zero.
@@ -63,13 +63,13 @@ impl<S: Scalar> Line<S> {
     /// Joins another line of the same space.
     #[inline(always)]
     fn with_line(self, other: Line<S>) -> Self {
-        Line::new(self.y * other.y, self.q * other.y + self.y * other.q, self.exponent + other.exponent)
+        Line { y: self.y * other.y, q: self.q * other.y + self.y * other.q, exponent: self.exponent + other.exponent }
     }
 
     /// Joins a grounded stiffness of the same space.
     #[inline(always)]
     fn with_stiffness(self, k: S) -> Self {
-        Line::new(self.y, self.q - k * self.y, self.exponent)
+        Line { q: self.q - k * self.y, ..self }
     }
 }
 
@@ -88,6 +88,19 @@ pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
             OfLine(line.with_stiffness(k), space)
         }
         _ => OfLine(a.line().with_line(b.line()), a.space()),
+    }
+}
+
+/// The same subspace with its entries in the middle of the range: joins multiply entries and do not look at their size, so
+/// between two of them someone must.
+#[inline(always)]
+pub fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
+    match subspace {
+        Subspace::Plane(Plane { y_theta, y_m, w, theta_q, m_q, exponent }) => {
+            Subspace::Plane(Plane::new([y_theta, y_m, w, theta_q, m_q], exponent))
+        }
+        Subspace::Line(line, space) => Subspace::Line(Line::new(line.y, line.q, line.exponent), space),
+        Subspace::Tip(..) | Subspace::Grounded(..) => subspace,
     }
 }
 
@@ -134,7 +147,7 @@ pub fn narrowed<S: Scalar, C: Tally<S>>(subspace: Subspace<S>, output: Option<Sp
 pub fn connection<S: Scalar, C: Tally<S>>(inputs: &[Subspace<S>], output: Option<Space>, tally: &mut C) -> Subspace<S> {
     let is_tip = |input: &&Subspace<S>| matches!(input, Subspace::Tip(..));
     let paths = inputs.iter().filter(|input| !is_tip(input)).copied();
-    let Some(sum) = paths.reduce(joined) else {
+    let Some(sum) = paths.reduce(|sum, path| joined(moderated(sum), path)) else {
         return inputs[0]; // supports alone have been refused
     };
     let mut sum = widened(sum, output);

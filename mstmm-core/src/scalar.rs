@@ -3,6 +3,7 @@
 mod complex;
 mod double_double;
 mod dual;
+mod kernel;
 mod real;
 mod waves;
 
@@ -74,6 +75,13 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
 
     /// Exponential function.
     fn exp(self) -> Self;
+
+    /// `[sin, cos, sinh, cosh]` of an argument below [`WAVE_LIMIT`](Self::WAVE_LIMIT).
+    #[inline]
+    fn circular_and_hyperbolic(self) -> [Self; 4] {
+        let ((sin, cos), (sinh, cosh)) = (self.sin_cos(), self.sinh_cosh());
+        [sin, cos, sinh, cosh]
+    }
 
     /// Absolute value.
     fn abs(self) -> Self;

@@ -238,6 +238,7 @@ impl<S: Scalar> BeamCoefficients<S> {
     }
 
     /// Takes a plane through the beam.
+    #[inline(always)]
     fn through(&self, plane: Plane<S>) -> Plane<S> {
         let p = self.local(plane);
         let minors = [
@@ -251,6 +252,7 @@ impl<S: Scalar> BeamCoefficients<S> {
     }
 
     /// The one minor that decides at the root.
+    #[inline(always)]
     fn minor_at(&self, support: Support, plane: Plane<S>) -> S {
         let p = self.local(plane);
         match support {
@@ -262,29 +264,32 @@ impl<S: Scalar> BeamCoefficients<S> {
         }
     }
 
+    // sums in pairs: short chains of dependent additions
     #[inline(always)]
     fn y_theta(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        self.a * y_theta + self.b * y_m + self.f * (w + w) + self.d * theta_q + self.e * m_q
+        (self.a * y_theta + self.b * y_m) + (self.f * (w + w) + self.d * theta_q) + self.e * m_q
     }
 
     #[inline(always)]
     fn y_m(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        self.c * y_m - self.raised_d * y_theta + self.b * (w + w) + self.f * (theta_q + theta_q) + self.d * m_q
+        (self.c * y_m - self.raised_d * y_theta) + (self.b * (w + w) + self.f * (theta_q + theta_q)) + self.d * m_q
     }
 
     #[inline(always)]
     fn w(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        self.c * w - self.raised_f * y_theta - self.raised_d * y_m + self.b * theta_q + self.f * m_q
+        (self.c * w - self.raised_f * y_theta) + (self.b * theta_q - self.raised_d * y_m) + self.f * m_q
     }
 
     #[inline(always)]
     fn theta_q(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        self.c * theta_q - self.raised_b * y_theta - self.raised_f * (y_m + y_m) - self.raised_d * (w + w) + self.b * m_q
+        (self.c * theta_q - self.raised_b * y_theta) - (self.raised_f * (y_m + y_m) + self.raised_d * (w + w))
+            + self.b * m_q
     }
 
     #[inline(always)]
     fn m_q(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        self.a * m_q + self.raised_e * y_theta - self.raised_b * y_m - self.raised_f * (w + w) - self.raised_d * theta_q
+        (self.a * m_q + self.raised_e * y_theta) - (self.raised_b * y_m + self.raised_f * (w + w))
+            - self.raised_d * theta_q
     }
 
     /// The plane behind a beam that starts at a support: a column of the compound.

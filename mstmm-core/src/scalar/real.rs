@@ -1,6 +1,6 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
-use super::{Frequency, Real, Scalar, WaveProducts};
+use super::{Frequency, Real, Scalar, WaveProducts, kernel};
 
 impl<T: Real> Frequency<T> for T {
     #[inline]
@@ -79,7 +79,7 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
 
 /// Implements the real scalars for a primitive type, given its functions in `libm`.
 macro_rules! real {
-    ($type:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path) => {
+    ($type:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, $kernel:item)?) => {
         impl Scalar for $type {
             const SERIES_TERMS: usize = $terms;
 
@@ -125,6 +125,8 @@ macro_rules! real {
         }
 
         impl Real for $type {
+            $($kernel)?
+
             const WAVE_LIMIT: f64 = $limit;
             const EPSILON: f64 = <$type>::EPSILON as f64;
 
@@ -146,7 +148,21 @@ macro_rules! real {
     };
 }
 
-real!(f64, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp);
+real!(
+    f64,
+    6,
+    100.0,
+    libm::sqrt,
+    libm::sin,
+    libm::cos,
+    libm::sinh,
+    libm::cosh,
+    libm::exp,
+    #[inline(always)]
+    fn circular_and_hyperbolic(self) -> [Self; 4] {
+        kernel::circular_and_hyperbolic(self)
+    }
+);
 real!(f32, 4, 20.0, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf);
 
 #[cfg(test)]

@@ -23,36 +23,37 @@ pub struct WaveProducts<S> {
 /// ln 2 in two parts; the first has trailing zeros, so that its multiples up to 2^20 are exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
-/// `ch x`, `sh x` and 1, divided by `2^exponent`.
-struct Hyperbolic<T> {
+/// `sin x`, `cos x`, and `ch x`, `sh x` and 1 divided by `2^exponent`.
+struct Functions<T> {
+    sin: T,
+    cos: T,
     ch: T,
     sh: T,
     one: T,
     exponent: i32,
 }
 
-impl<T: Real> Hyperbolic<T> {
+impl<T: Real> Functions<T> {
     #[inline(always)]
     fn of(x: T) -> Self {
         let size = x.size();
-        let half = T::from_f64(0.5);
         if size < T::WAVE_LIMIT {
-            let e = x.exp();
-            let inverse = T::one() / e;
-            return Hyperbolic { ch: (e + inverse) * half, sh: (e - inverse) * half, one: T::one(), exponent: 0 };
+            let [sin, cos, sh, ch] = x.circular_and_hyperbolic();
+            return Functions { sin, cos, ch, sh, one: T::one(), exponent: 0 };
         }
-        Hyperbolic::beyond_limit(x, size)
+        Functions::beyond_limit(x, size)
     }
 
     /// Here `exp(-2|x|)` does not count beside 1. An error of the scale is common to all and positive, so it is no error.
     #[cold]
     fn beyond_limit(x: T, size: f64) -> Self {
+        let (sin, cos) = x.sin_cos();
         let exponent = (size / core::f64::consts::LN_2) as i32;
         let k = T::from_f64(f64::from(exponent));
         let rest = (x.abs() - k * T::from_f64(LN_2[0])) - k * T::from_f64(LN_2[1]);
         let ch = rest.exp() * T::from_f64(0.5);
         let sh = if x < T::zero() { -ch } else { ch };
-        Hyperbolic { ch, sh, one: T::one().times_power_of_two(-exponent), exponent }
+        Functions { sin, cos, ch, sh, one: T::one().times_power_of_two(-exponent), exponent }
     }
 }
 
@@ -60,8 +61,7 @@ impl<T: Real> WaveProducts<T> {
     /// Of a real argument.
     #[inline(always)]
     pub(super) fn of_real(z: T) -> Self {
-        let (sin, cos) = z.sin_cos();
-        let Hyperbolic { ch, sh, one, exponent } = Hyperbolic::of(z);
+        let Functions { sin, cos, ch, sh, one, exponent } = Functions::of(z);
         WaveProducts { ch_cos: ch * cos, ch_sin: ch * sin, sh_cos: sh * cos, sh_sin: sh * sin, one, exponent }
     }
 }
@@ -70,12 +70,11 @@ impl<T: Real> WaveProducts<Complex<T>> {
     /// Of a complex argument: both parts oscillate and grow.
     #[inline(always)]
     pub(super) fn of_complex(z: Complex<T>) -> Self {
-        let ((sin_re, cos_re), (sin_im, cos_im)) = (z.re.sin_cos(), z.im.sin_cos());
-        let (re, im) = (Hyperbolic::of(z.re), Hyperbolic::of(z.im));
-        let ch = Complex::new(re.ch * cos_im, re.sh * sin_im);
-        let sh = Complex::new(re.sh * cos_im, re.ch * sin_im);
-        let cos = Complex::new(cos_re * im.ch, -(sin_re * im.sh));
-        let sin = Complex::new(sin_re * im.ch, cos_re * im.sh);
+        let (re, im) = (Functions::of(z.re), Functions::of(z.im));
+        let ch = Complex::new(re.ch * im.cos, re.sh * im.sin);
+        let sh = Complex::new(re.sh * im.cos, re.ch * im.sin);
+        let cos = Complex::new(re.cos * im.ch, -(re.sin * im.sh));
+        let sin = Complex::new(re.sin * im.ch, re.cos * im.sh);
         WaveProducts {
             ch_cos: ch * cos,
             ch_sin: ch * sin,

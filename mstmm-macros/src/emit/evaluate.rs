@@ -99,12 +99,21 @@ fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> T
         Step::Element { element, input, .. } => {
             let element = plan.elements[*element];
             let (coefficients, kind, input) = (local("k", element), names.element_type(element), subspace(input));
-            quote!(let #own = <#kind<T> as #private::PlaneStep<S>>::step(&#coefficients, #input, tally);)
+            if plan.is_short() {
+                quote!(let #own = <#kind<T> as #private::PlaneStep<S>>::step(&#coefficients, #input, tally);)
+            } else {
+                quote!(let #own = #private::called_step::<#kind<T>, S, C>(&#coefficients, #input, tally);)
+            }
         }
         Step::Connection { inputs, .. } => {
             let is_tip = |input: &&usize| matches!(plan.steps[**input], Step::Tip(_));
             let paths = inputs.iter().filter(|input| !is_tip(input)).map(subspace);
-            let joined = paths.map(|path| quote!(#path)).reduce(|sum, path| quote!(#private::joined(#sum, #path)));
+            let joined =
+                paths.enumerate().map(|(rank, path)| (rank, quote!(#path))).reduce(|(_, sum), (rank, path)| {
+                    let sum = if rank > 1 { quote!(#private::moderated(#sum)) } else { sum };
+                    (rank, quote!(#private::joined(#sum, #path)))
+                });
+            let joined = joined.map(|(_, joined)| joined);
             let held = inputs.iter().filter_map(|&input| match plan.steps[input] {
                 Step::Tip(keyword) => Some(super::layout::support(keyword, names)),
                 _ => None,
