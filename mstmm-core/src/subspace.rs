@@ -132,7 +132,7 @@ impl<S: Scalar> Plane<S> {
 impl<S: Scalar> Subspace<S> {
     /// The subspace of a translation or rotation path as a line.
     #[inline(always)]
-    pub(crate) fn line(self) -> Line<S> {
+    pub fn line(self) -> Line<S> {
         let (one, zero) = (S::one(), S::zero());
         match self {
             Subspace::Tip(Support::Fixed, _) => Line { y: zero, q: one, exponent: 0 },
@@ -144,7 +144,7 @@ impl<S: Scalar> Subspace<S> {
 
     /// The subspace of a bending path as a plane; a line is joined to the free plane.
     #[inline(always)]
-    pub(crate) fn plane(self) -> Plane<S> {
+    pub fn plane(self) -> Plane<S> {
         match self {
             Subspace::Plane(plane) => plane,
             Subspace::Tip(support, _) => Plane::of_tip(support),
@@ -155,7 +155,7 @@ impl<S: Scalar> Subspace<S> {
 
     /// Space of the state in which this is a subspace.
     #[inline(always)]
-    pub(crate) fn space(&self) -> Space {
+    pub fn space(&self) -> Space {
         match self {
             Subspace::Tip(_, space) | Subspace::Grounded(_, space) | Subspace::Line(_, space) => *space,
             Subspace::Plane(_) => Space::Bending,

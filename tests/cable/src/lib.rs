@@ -1,7 +1,10 @@
 //! An element of one's own, in a crate of its own: a string in tension.
 #![no_std]
 
-use mstmm::{Element, Frequency, InvalidParameter, Real, Requirement, SMatrix, TransferMatrix, Translation};
+use mstmm::{
+    At, Element, Frequency, FrequencyBounds, InvalidParameter, Line, PlaneStep, Real, Requirement, SMatrix, Subspace,
+    Tally, TransferMatrix, Translation,
+};
 
 /// A uniform string in tension, exact at every frequency.
 ///
@@ -33,15 +36,60 @@ impl<T: Real> Element for Cable<T> {
         Requirement::Positive.check("mass_per_length", self.mass_per_length)?;
         Ok(self)
     }
+
+    fn bound(cable: &Self, bounds: &mut FrequencyBounds) {
+        let (l, h, m) = (cable.length.to_f64(), cable.tension.to_f64(), cable.mass_per_length.to_f64());
+        bounds.waves(mstmm::Scalar::sqrt(h / m) / l);
+        bounds.translational_stiffness(h / l);
+        bounds.mass(m * l);
+    }
+}
+
+impl<T: Real> Cable<T> {
+    /// `cos φ` and `sin φ/φ`, entire in `φ² = -mλ²l²/H`, and φ.
+    fn waves<S: Frequency<T>>(&self, lambda_squared: S) -> (S, S, S) {
+        let phi = (-lambda_squared * (self.mass_per_length / self.tension * self.length * self.length)).sqrt();
+        let (sin, cos) = phi.sin_cos();
+        (cos, if phi.is_zero() { S::one() } else { sin / phi }, phi)
+    }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Cable<T> {
     fn transfer_matrix(cable: &Self, x: S) -> SMatrix<S, 2, 2> {
-        let phi_squared = -x.lambda_squared() * (cable.mass_per_length / cable.tension * cable.length * cable.length);
-        let phi = phi_squared.sqrt();
-        let (sin, cos) = phi.sin_cos();
-        let sinc = if phi.is_zero() { S::one() } else { sin / phi };
+        let (cos, sinc, phi) = cable.waves(x.lambda_squared());
         let flexibility = cable.length / cable.tension;
-        SMatrix::<S, 2, 2>::new(cos, -(sinc * flexibility), phi * sin * (T::one() / flexibility), cos)
+        SMatrix::<S, 2, 2>::new(cos, -(sinc * flexibility), phi * phi * sinc * (T::one() / flexibility), cos)
+    }
+}
+
+/// What depends on the frequency: the transfer matrix by name, and φ for the count.
+#[derive(Clone, Copy, Debug)]
+pub struct CableCoefficients<S> {
+    cos: S,
+    flexibility: S,
+    stiffness: S,
+    phi: S,
+}
+
+impl<T: Real, S: Frequency<T>> PlaneStep<S> for Cable<T> {
+    type Coefficients = CableCoefficients<S>;
+
+    fn coefficients(cable: &Self, at: &At<S>) -> CableCoefficients<S> {
+        let (cos, sinc, phi) = cable.waves(at.lambda_squared);
+        let flexibility = cable.length / cable.tension;
+        let stiffness = phi * phi * sinc * (T::one() / flexibility);
+        CableCoefficients { cos, flexibility: sinc * flexibility, stiffness, phi }
+    }
+
+    fn step<C: Tally<S>>(k: &CableCoefficients<S>, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        let before = input.line();
+        let (y, q) = (k.cos * before.y - k.flexibility * before.q, k.stiffness * before.y + k.cos * before.q);
+        let after = Line::new(y, q, before.exponent);
+        if C::COUNTS {
+            // held at both ends it vibrates at φ = π, 2π, ..; the sign of sin φ is that of its flexibility
+            let half_waves = (k.phi.size() / core::f64::consts::PI) as u64;
+            tally.line_waves(&before, &after, half_waves, half_waves % 2 == 1);
+        }
+        Subspace::Line(after, input.space())
     }
 }

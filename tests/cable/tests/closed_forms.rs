@@ -63,6 +63,70 @@ fn a_string_between_walls_vibrates_at_multiples_of_its_first_frequency() {
     }
 }
 
+#[test]
+fn its_frequencies_are_certified_to_the_hundredth() {
+    let string = TautString { length: 2.0, tension: 50.0, mass_per_length: 0.02 };
+    let system = string.build().unwrap();
+    let first = PI / string.length * (string.tension / string.mass_per_length).sqrt();
+    let found = system.natural_frequencies::<100>(0.0..=100.5 * first).unwrap();
+    assert_eq!(found.len(), 100);
+    for (k, root) in (1..).zip(&found) {
+        let exact = f64::from(k) * first;
+        // `first` itself carries three roundings
+        assert!(root.lower <= exact && exact <= root.upper, "mode {k}: {root:?}, {exact}");
+        assert_eq!(root.multiplicity, 1);
+    }
+}
+
+/// An element with a step but no transfer matrix: what builds and runs here forms no matrix.
+mod ballast {
+    use mstmm::{At, Element, Frequency, InvalidParameter, PlaneStep, Real, Requirement, Subspace, Tally, Translation};
+
+    #[derive(Clone, Copy, Debug)]
+    pub(crate) struct Ballast<T> {
+        pub(crate) mass: T,
+    }
+
+    impl<T: Real> Element for Ballast<T> {
+        type State = Translation;
+        type Built = Self;
+
+        fn build(self) -> Result<Self, InvalidParameter> {
+            Requirement::Positive.check("mass", self.mass)?;
+            Ok(self)
+        }
+    }
+
+    impl<T: Real, S: Frequency<T>> PlaneStep<S> for Ballast<T> {
+        type Coefficients = S;
+
+        fn coefficients(built: &Self, at: &At<S>) -> S {
+            at.lambda_squared * built.mass
+        }
+
+        fn step<C: Tally<S>>(inertia: &S, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+            let mut line = input.line();
+            line.q -= *inertia * line.y;
+            Subspace::Line(line, input.space())
+        }
+    }
+}
+
+#[test]
+fn the_certified_searches_need_no_transfer_matrix() {
+    system! {
+        struct Oscillator { stiffness: f64, mass: f64 }
+
+        fixed -> spring 1 { stiffness } -> ballast::Ballast 2 { mass } -> free;
+    }
+    let system = Oscillator { stiffness: 18.0, mass: 2.0 }.build().unwrap();
+    let found = system.first_frequencies::<1>().unwrap();
+    assert!(found[0].lower <= 3.0 && 3.0 <= found[0].upper);
+    let found = system.eigenvalues::<2>(Region { re: -1.0..=1.0, im: -5.0..=5.0 }).unwrap();
+    assert_eq!(found.len(), 2);
+    assert!((found[1].lambda - Complex::new(0.0, 3.0)).norm() <= found[1].error);
+}
+
 /// Symmetric modes of a string with a mass M in the middle: `2 H φ/l' cot φ = M ω²` with half length l'; antisymmetric
 /// modes do not feel the mass.
 #[test]
