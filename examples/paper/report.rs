@@ -38,8 +38,8 @@ fn header(solutions: &[Solution]) -> Vec<String> {
     let mut header = vec!["quantity".to_owned(), "index".to_owned(), "printed".to_owned()];
     header.extend(solutions.iter().map(|solution| format!("computed ({})", solution.method)));
     header.push("exact".to_owned());
-    for _ in solutions {
-        header.extend(["error to printed".to_owned(), "error to exact".to_owned()]);
+    for Solution { method, .. } in solutions {
+        header.extend([format!("{method} to printed"), format!("{method} to exact")]);
     }
     header
 }

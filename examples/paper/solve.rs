@@ -1,4 +1,4 @@
-//! Solves the examples by the paper's searches on the overall determinant.
+//! Solves the examples by the paper's searches on the overall determinant, and by the certified ones.
 
 use crate::models::{
     DampedOscillatorSystem, RestrainedBeamSystem, SpringAndMassSystem, TipBodySystem, TwoSpansSystem,
@@ -6,6 +6,7 @@ use crate::models::{
 };
 use crate::reference::{Example, Failure, Search};
 use core::time::Duration;
+use mstmm::Dual;
 use mstmm::prelude::*;
 use std::time::Instant;
 
@@ -50,12 +51,12 @@ macro_rules! solved {
 pub(crate) fn solve(example: &Example) -> Result<Solved, Failure> {
     let search = &example.search;
     match example.id.as_str() {
-        "4.1a" => solved!(light_tip_body(), TipBodySystem, search, [scan_line]),
-        "4.1b" => solved!(heavy_tip_body(), TipBodySystem, search, [scan_line]),
-        "4.2" => solved!(restrained_beam(), RestrainedBeamSystem, search, [scan_line]),
-        "4.3" => solved!(spring_and_mass(), SpringAndMassSystem, search, [scan_line]),
-        "4.4" => solved!(two_spans(), TwoSpansSystem, search, [scan_line]),
-        "4.5" => solved!(damped_oscillator(), DampedOscillatorSystem, search, [scan_rectangle]),
+        "4.1a" => solved!(light_tip_body(), TipBodySystem, search, [scan_line, certified_line]),
+        "4.1b" => solved!(heavy_tip_body(), TipBodySystem, search, [scan_line, certified_line]),
+        "4.2" => solved!(restrained_beam(), RestrainedBeamSystem, search, [scan_line, certified_line]),
+        "4.3" => solved!(spring_and_mass(), SpringAndMassSystem, search, [scan_line, certified_line]),
+        "4.4" => solved!(two_spans(), TwoSpansSystem, search, [scan_line, certified_line]),
+        "4.5" => solved!(damped_oscillator(), DampedOscillatorSystem, search, [scan_rectangle, certified_rectangle]),
         unknown => Err(format!("there is no model for example {unknown}").into()),
     }
 }
@@ -89,4 +90,35 @@ fn scan_rectangle<S: Evaluate<Complex<f64>>>(system: &S, search: &Search) -> Res
     let mut roots: Vec<_> = interior.map(|minimum| Complex::new(-minimum.y, minimum.x)).collect();
     roots.sort_by(|a, b| a.im.total_cmp(&b.im));
     Ok(Solution { method: "fmin2d", roots, evaluations: minima.evaluations(), time })
+}
+
+/// The certified search for undamped systems, in the paper's range.
+fn certified_line<S>(system: &S, search: &Search) -> Result<Solution, Failure>
+where
+    S: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>>,
+{
+    let Search::Line { range, .. } = search else {
+        return Err("an undamped system is searched on a line".into());
+    };
+    let start = Instant::now();
+    let found = system.natural_frequencies::<CAPACITY>(range.clone())?;
+    let time = start.elapsed();
+    let roots = found.iter().map(|root| Complex::new(0.0, root.omega)).collect();
+    Ok(Solution { method: "certified", roots, evaluations: found.evaluations(), time })
+}
+
+/// The certified search for damped systems, in the paper's rectangle.
+fn certified_rectangle<S>(system: &S, search: &Search) -> Result<Solution, Failure>
+where
+    S: Eigenvalues<Parameter = f64> + Characteristic<Dual<Complex<f64>>>,
+{
+    let Search::Rectangle { ranges: [omega, delta], .. } = search else {
+        return Err("a damped system is searched on a rectangle".into());
+    };
+    let region = Region { re: -delta.end()..=-delta.start(), im: omega.clone() };
+    let start = Instant::now();
+    let found = system.eigenvalues::<CAPACITY>(region)?;
+    let time = start.elapsed();
+    let roots = found.iter().map(|root| root.lambda).collect();
+    Ok(Solution { method: "certified", roots, evaluations: found.evaluations(), time })
 }
