@@ -144,7 +144,11 @@ pub fn narrowed<S: Scalar, C: Tally<S>>(subspace: Subspace<S>, output: Option<Sp
 ///
 /// Paths are joined first; if the output is wider, they are joined to its free state; then supports hold the point; if
 /// the output is narrower, what does not go on has no force.
-pub fn connection<S: Scalar, C: Tally<S>>(inputs: &[Subspace<S>], output: Option<Space>, tally: &mut C) -> Subspace<S> {
+pub(crate) fn connection<S: Scalar, C: Tally<S>>(
+    inputs: &[Subspace<S>],
+    output: Option<Space>,
+    tally: &mut C,
+) -> Subspace<S> {
     let is_tip = |input: &&Subspace<S>| matches!(input, Subspace::Tip(..));
     let paths = inputs.iter().filter(|input| !is_tip(input)).copied();
     let Some(sum) = paths.reduce(|sum, path| joined(moderated(sum), path)) else {
