@@ -9,7 +9,7 @@ use core::alloc::{GlobalAlloc, Layout};
 use core::cell::Cell;
 use core::hint::black_box;
 use mstmm::prelude::*;
-use mstmm::{Magnitude, ParameterError, SMatrix, Scaled};
+use mstmm::{Dual, Magnitude, ParameterError, SMatrix, Scaled};
 use std::alloc::System;
 use topologies::{DampedOscillator, ElasticEnds, SpringAndMass, TipBody, TwoSpans};
 
@@ -77,24 +77,37 @@ fn search<D: Into<Magnitude>>(determinant: impl Fn(Complex<f64>) -> D + Copy) {
 fn assert_none<S, const N: usize>(build: impl Fn() -> Result<S, ParameterError>)
 where
     S: Evaluate<Complex<f64>, Matrix = SMatrix<Complex<f64>, N, N>>,
+    S: Eigenvalues<Parameter = f64> + Characteristic<Complex<f64>> + Characteristic<Dual<Complex<f64>>>,
 {
     assert_eq!(allocations(&build), 0, "build");
     let (system, lambda) = (build().unwrap(), Complex::new(-0.3, 4.0));
     assert_eq!(allocations(|| system.overall_matrix(lambda)), 0, "overall_matrix at λ");
     assert_eq!(allocations(|| system.overall_determinant(lambda)), 0, "overall_determinant at λ");
     assert_eq!(allocations(|| search(|lambda| system.overall_determinant(lambda))), 0, "searches over λ");
+    let characteristic = || Characteristic::<Complex<f64>>::characteristic(&system, lambda);
+    assert_eq!(allocations(characteristic), 0, "characteristic at λ");
+    let region = || Region { re: -2.0..=1.0, im: 0.1..=50.0 };
+    assert_eq!(allocations(|| assert!(!system.eigenvalues::<16>(region()).unwrap().is_empty())), 0, "eigenvalues");
+    assert_eq!(allocations(|| assert!(system.count_in(region()).unwrap() > 0)), 0, "count_in");
+    assert_eq!(allocations(|| assert!(system.first_eigenvalues::<3>().is_ok())), 0, "first_eigenvalues");
 }
 
 /// The same at a real ω.
 fn assert_none_undamped<S, const N: usize>(build: impl Fn() -> Result<S, ParameterError>)
 where
     S: Evaluate<f64, Matrix = SMatrix<f64, N, N>> + Evaluate<Complex<f64>, Matrix = SMatrix<Complex<f64>, N, N>>,
+    S: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>>,
+    S: Characteristic<Complex<f64>> + Characteristic<Dual<Complex<f64>>>,
 {
     let system = build().unwrap();
     let determinant = |omega: f64| -> Scaled<f64> { system.overall_determinant(omega) };
     assert_eq!(allocations(|| -> SMatrix<f64, N, N> { system.overall_matrix(4.0) }), 0, "overall_matrix at ω");
     assert_eq!(allocations(|| determinant(4.0)), 0, "overall_determinant at ω");
     assert_eq!(allocations(|| fmin1d::<32, _>(determinant, 0.1..=20.0, 60, 1e-6)), 0, "fmin1d over ω");
+    assert_eq!(allocations(|| Characteristic::<f64>::characteristic(&system, 4.0)), 0, "characteristic at ω");
+    assert_eq!(allocations(|| assert!(system.count_below(100.0) > 0)), 0, "count_below");
+    assert_eq!(allocations(|| assert!(system.first_frequencies::<5>().is_ok())), 0, "first_frequencies");
+    assert_eq!(allocations(|| assert!(system.natural_frequencies::<32>(0.0..=100.0).is_ok())), 0, "in a range");
     assert_none(build);
 }
 
