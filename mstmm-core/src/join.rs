@@ -76,11 +76,22 @@ impl<S: Scalar> Line<S> {
 /// Joins two subspaces that are no supports.
 #[inline(always)]
 pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
-    use Subspace::{Grounded, Line as OfLine, Plane as OfPlane};
+    use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
     match (a, b) {
+        (Springs { y, theta }, Springs { y: other_y, theta: other_theta }) => {
+            Springs { y: y + other_y, theta: theta + other_theta }
+        }
+        (Springs { y, theta }, Grounded(k, space)) | (Grounded(k, space), Springs { y, theta }) => {
+            if space.is(Space::Translation) { Springs { y: y + k, theta } } else { Springs { y, theta: theta + k } }
+        }
+        (OfPlane(p), Springs { y, theta }) | (Springs { y, theta }, OfPlane(p)) => {
+            OfPlane(p.with_stiffness(y, Space::Translation).with_stiffness(theta, Space::Rotation))
+        }
         (OfPlane(p), OfPlane(r)) => OfPlane(p.with_plane(r)),
         (OfPlane(p), Grounded(k, space)) | (Grounded(k, space), OfPlane(p)) => OfPlane(p.with_stiffness(k, space)),
         (OfPlane(p), OfLine(line, space)) | (OfLine(line, space), OfPlane(p)) => OfPlane(p.with_line(line, space)),
+        (Grounded(k, Space::Translation), Grounded(j, Space::Rotation))
+        | (Grounded(j, Space::Rotation), Grounded(k, Space::Translation)) => Springs { y: k, theta: j },
         (a, Grounded(k, space)) if !a.space().is(space) => OfPlane(a.plane().with_stiffness(k, space)),
         (a, OfLine(line, space)) if !a.space().is(space) => OfPlane(a.plane().with_line(line, space)),
         (Grounded(j, space), Grounded(k, _)) => Grounded(j + k, space),
@@ -100,16 +111,21 @@ pub fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
             Subspace::Plane(Plane::new([y_theta, y_m, w, theta_q, m_q], exponent))
         }
         Subspace::Line(line, space) => Subspace::Line(Line::new(line.y, line.q, line.exponent), space),
-        Subspace::Tip(..) | Subspace::Grounded(..) => subspace,
+        Subspace::Tip(..) | Subspace::Grounded(..) | Subspace::Springs { .. } => subspace,
     }
 }
 
 /// Joins a line to the free state of a wider output, before supports hold the point.
 #[inline(always)]
 pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subspace<S> {
-    match output {
-        Some(Space::Bending) => Subspace::Plane(subspace.plane()),
-        _ => subspace,
+    if !matches!(output, Some(Space::Bending)) {
+        return subspace;
+    }
+    match subspace {
+        Subspace::Grounded(k, Space::Translation) => Subspace::Springs { y: k, theta: S::zero() },
+        Subspace::Grounded(k, _) => Subspace::Springs { y: S::zero(), theta: k },
+        Subspace::Springs { .. } => subspace,
+        _ => Subspace::Plane(subspace.plane()),
     }
 }
 
@@ -117,7 +133,7 @@ pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subsp
 #[inline(always)]
 pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
     match subspace {
-        Subspace::Plane(plane) => Subspace::Plane(plane.held(support)),
+        Subspace::Plane(_) | Subspace::Springs { .. } => Subspace::Plane(subspace.plane().held(support)),
         _ if support != Support::Fixed => subspace,
         _ => {
             let line = subspace.line();
@@ -131,7 +147,8 @@ pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
 #[inline(always)]
 pub fn narrowed<S: Scalar, C: Tally<S>>(subspace: Subspace<S>, output: Option<Space>, tally: &mut C) -> Subspace<S> {
     match (subspace, output) {
-        (Subspace::Plane(plane), Some(space @ (Space::Translation | Space::Rotation))) => {
+        (Subspace::Plane(_) | Subspace::Springs { .. }, Some(space @ (Space::Translation | Space::Rotation))) => {
+            let plane = subspace.plane();
             tally.narrowing(&plane, space);
             let y = if space.is(Space::Translation) { plane.y_m } else { plane.theta_q };
             Subspace::Line(Line { y, q: -plane.m_q, exponent: plane.exponent }, space)

@@ -26,6 +26,6 @@ pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subs
         Subspace::Tip(Support::Fixed, _) => input,
         Subspace::Grounded(k, _) => Subspace::Grounded(k + inertia, space),
         Subspace::Line(Line { y, q, exponent }, _) => Subspace::Line(Line { y, q: q - inertia * y, exponent }, space),
-        Subspace::Tip(..) | Subspace::Plane(_) => Subspace::Grounded(inertia, space),
+        Subspace::Tip(..) | Subspace::Plane(_) | Subspace::Springs { .. } => Subspace::Grounded(inertia, space),
     }
 }

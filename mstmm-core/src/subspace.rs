@@ -49,6 +49,14 @@ pub enum Subspace<S> {
     Tip(Support, Space),
     /// `q = -k y`, never scaled: a grounded spring, a free mass, or several of them at one point.
     Grounded(S, Space),
+    /// `Q = -k_y Y` and `M = k_θ Θ` in a bending path, never scaled: a grounded hinge, a free point mass, or grounded springs
+    /// at the free end of a beam.
+    Springs {
+        /// Stiffness against deflection.
+        y: S,
+        /// Stiffness against rotation.
+        theta: S,
+    },
     /// A line of a translation or rotation path.
     Line(Line<S>, Space),
     /// A plane of a bending path.
@@ -138,7 +146,7 @@ impl<S: Scalar> Subspace<S> {
             Subspace::Tip(Support::Fixed, _) => Line { y: zero, q: one, exponent: 0 },
             Subspace::Grounded(k, _) => Line::new(one, -k, 0),
             Subspace::Line(line, _) => line,
-            Subspace::Tip(..) | Subspace::Plane(_) => Line { y: one, q: zero, exponent: 0 },
+            Subspace::Tip(..) | Subspace::Plane(_) | Subspace::Springs { .. } => Line { y: one, q: zero, exponent: 0 },
         }
     }
 
@@ -149,6 +157,7 @@ impl<S: Scalar> Subspace<S> {
             Subspace::Plane(plane) => plane,
             Subspace::Tip(support, _) => Plane::of_tip(support),
             Subspace::Grounded(k, space) => Plane::of_tip(Support::Free).with_stiffness(k, space),
+            Subspace::Springs { y, theta } => Plane::new([S::one(), theta, S::zero(), y, y * theta], 0),
             Subspace::Line(line, space) => Plane::of_tip(Support::Free).with_line(line, space),
         }
     }
@@ -158,14 +167,15 @@ impl<S: Scalar> Subspace<S> {
     pub fn space(&self) -> Space {
         match self {
             Subspace::Tip(_, space) | Subspace::Grounded(_, space) | Subspace::Line(_, space) => *space,
-            Subspace::Plane(_) => Space::Bending,
+            Subspace::Plane(_) | Subspace::Springs { .. } => Space::Bending,
         }
     }
 
     /// Δ: vanishes where the subspace meets the boundary condition of the root.
     #[inline(always)]
     pub fn at_root<C: Tally<S>>(self, support: Support, tally: &mut C) -> Scaled<S> {
-        if let Subspace::Plane(plane) = self {
+        if let Subspace::Plane(_) | Subspace::Springs { .. } = self {
+            let plane = self.plane();
             tally.plane_root(&plane, support);
             return Scaled::new(plane.minor_at(support), i64::from(plane.exponent));
         }

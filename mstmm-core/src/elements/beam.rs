@@ -169,6 +169,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         let (before, after) = match input {
             Subspace::Tip(support, _) => (Plane::of_tip(support), coefficients.from_tip(support)),
+            Subspace::Springs { y, theta } => (input.plane(), coefficients.from_springs(y, theta)),
             _ => {
                 let before = input.plane();
                 (before, coefficients.through(before))
@@ -189,7 +190,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
         support: Support,
         tally: &mut C,
     ) -> Scaled<S> {
-        if C::COUNTS || matches!(input, Subspace::Tip(..)) {
+        if C::COUNTS || matches!(input, Subspace::Tip(..) | Subspace::Springs { .. }) {
             return Self::step(coefficients, input, tally).at_root(support, tally);
         }
         let plane = input.plane();
@@ -290,6 +291,22 @@ impl<S: Scalar> BeamCoefficients<S> {
     fn m_q(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
         (self.a * m_q + self.raised_e * y_theta) - (self.raised_b * y_m + self.raised_f * (w + w))
             - self.raised_d * theta_q
+    }
+
+    /// The plane behind a beam with grounded springs at its free end.
+    #[inline(always)]
+    fn from_springs(&self, y: S, theta: S) -> Plane<S> {
+        let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, factors, .. } = *self;
+        let (y_m, theta_q) = (theta * self.inverses[0], y * self.inverses[2]);
+        let m_q = y_m * theta_q;
+        let minors = [
+            (a + b * y_m) + (d * theta_q + e * m_q),
+            ((c * y_m - raised_d) + (f * (theta_q + theta_q) + d * m_q)) * factors[0],
+            ((b * theta_q - raised_f) + (f * m_q - raised_d * y_m)) * factors[1],
+            ((c * theta_q - raised_b) + (b * m_q - raised_f * (y_m + y_m))) * factors[2],
+            ((a * m_q + raised_e) - (raised_b * y_m + raised_d * theta_q)) * factors[3],
+        ];
+        Plane::new(minors, self.exponent)
     }
 
     /// The plane behind a beam that starts at a support: a column of the compound.

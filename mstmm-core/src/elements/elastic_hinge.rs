@@ -74,7 +74,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         let HingeCoefficients { k_y, k_theta, product } = *coefficients;
         if let Subspace::Tip(Support::Fixed, _) = input {
-            return Subspace::Plane(Plane::new([S::one(), k_theta, S::zero(), k_y, product], 0));
+            return Subspace::Springs { y: k_y, theta: k_theta };
         }
         let p = input.plane();
         let minors = [

@@ -6,7 +6,7 @@ use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real};
-use crate::state::Bending;
+use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
 use nalgebra::Matrix4;
 
@@ -68,6 +68,11 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
     #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
         let PointMassCoefficients { a, j } = *coefficients;
+        match input {
+            Subspace::Tip(Support::Free, _) => return Subspace::Springs { y: a, theta: j },
+            Subspace::Springs { y, theta } => return Subspace::Springs { y: y + a, theta: theta + j },
+            _ => {}
+        }
         let p = input.plane();
         let theta_q = p.theta_q + a * p.y_theta;
         let minors = [p.y_theta, p.y_m + j * p.y_theta, p.w, theta_q, p.m_q + a * p.y_m + j * theta_q];
