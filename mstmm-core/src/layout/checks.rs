@@ -1,5 +1,5 @@
 //! Rules that need the states. The macro emits each check as a constant at the user's token: a failing one is a compile
-//! error there.
+//! error there, and the compiler shows the caller instead of what is written here.
 
 use super::{Layout, Step};
 use crate::state::Space;
@@ -7,6 +7,7 @@ use crate::state::Space;
 #[allow(clippy::panic)] // how a constant reports an error
 impl<const STEPS: usize> Layout<'_, STEPS> {
     /// A support must exist in the space of the state to which it belongs.
+    #[track_caller]
     pub const fn check_support(&self, step: usize) {
         let (support, neighbour) = match self.steps[step] {
             Step::Tip(support) => (support, self.downstream[step]),
@@ -30,6 +31,7 @@ impl<const STEPS: usize> Layout<'_, STEPS> {
     }
 
     /// An arrow between two elements needs equal states on both sides.
+    #[track_caller]
     pub const fn check_arrow(&self, step: usize) {
         let Step::Element(input, space) = self.steps[step] else { return };
         if matches!(self.steps[input], Step::Element(..)) && !self.places[input].space.is(space) {
@@ -38,6 +40,7 @@ impl<const STEPS: usize> Layout<'_, STEPS> {
     }
 
     /// The states around a connection must be able to meet there, and its widest input must fill its output.
+    #[track_caller]
     pub const fn check_connection(&self, step: usize) {
         let Some(&widest_input) = self.inputs(step).first() else { return };
         let Some(space) = self.widest_neighbour(step) else {
