@@ -49,15 +49,14 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
     /// Eqs. (20)-(29) of the paper.
     pub fn connection(&mut self, step: usize) {
         let layout = self.layout;
-        let Step::Connection(inputs) = layout.steps[step] else { return };
-        let reference = layout.places[inputs[layout.input(step, 0)]];
+        let Some((&first, others)) = layout.inputs(step).split_first() else { return };
+        let reference = layout.places[first];
         let connection = layout.places[step];
-        let geometrical_rows: usize =
-            (1..inputs.len()).map(|rank| layout.places[inputs[layout.input(step, rank)]].space.size() / 2).sum();
+        let geometrical_rows: usize = others.iter().map(|&input| layout.places[input].space.size() / 2).sum();
         let left_behind = layout.forces_left_behind(step);
         let mut row = connection.first_row + connection.rows - geometrical_rows - left_behind;
-        for rank in 1..inputs.len() {
-            let input = layout.places[inputs[layout.input(step, rank)]];
+        for &input in others {
+            let input = layout.places[input];
             let columns = input.first_column..input.first_column + input.columns;
             for &displacement in input.space.displacements() {
                 for column in reference.first_column..reference.first_column + reference.columns {

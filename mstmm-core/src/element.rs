@@ -8,6 +8,7 @@ use crate::scalar::Scalar;
 use crate::scaled::Scaled;
 use crate::state::{Space, StateSpace, Support};
 use crate::subspace::Subspace;
+use core::fmt;
 
 /// The square matrix over the states of an element `E`.
 pub type MatrixOf<E, S> = <<E as Element>::State as StateSpace>::Matrix<S>;
@@ -17,15 +18,19 @@ pub type MatrixOf<E, S> = <<E as Element>::State as StateSpace>::Matrix<S>;
 /// The type is the struct of its parameters, generic over their scalar `T`, with public fields of type `T`. An element of
 /// one's own takes part in a model by its path, `my_crate::Cable 4 { .. }`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not an element of a model",
-    note = "an element implements `mstmm::Element` and `mstmm::TransferMatrix<S>`"
+    message = "`{Self}` is not an element: it does not implement `Element`",
+    label = "not an element",
+    note = "an element of your own is a struct `Cable<T>` that implements `mstmm::Element` and `mstmm::TransferMatrix<S>` \
+            for every `T: mstmm::Real`"
 )]
 pub trait Element: Sized {
     /// Space of the states at both ends.
     type State: StateSpace;
 
     /// The element with all that does not depend on the frequency; `Self` where the parameters are all there is.
-    type Built;
+    ///
+    /// `#[derive(Clone, Debug)]` it: the built system holds it, and can be cloned and printed.
+    type Built: Clone + fmt::Debug;
 
     /// Checks every parameter against its range and computes what does not depend on the frequency.
     ///
@@ -39,6 +44,11 @@ pub trait Element: Sized {
 }
 
 /// The transfer equation `z_O = U(x) z_I` of an element at a frequency `x` (see [`Frequency`](crate::Frequency)).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no transfer matrix at a frequency of type `{S}`",
+    label = "no `TransferMatrix<{S}>` for this element",
+    note = "an element of your own implements `mstmm::TransferMatrix<S>` for every `S: mstmm::Frequency<T>`"
+)]
 pub trait TransferMatrix<S: Scalar>: Element {
     /// The transfer matrix `U`.
     fn transfer_matrix(built: &Self::Built, x: S) -> MatrixOf<Self, S>;

@@ -3,7 +3,11 @@
 //! The macro emits the tree as a constant list of [`Step`]s; [`Layout::new`] resolves it, also in a constant. What a
 //! state space is worth, only the element types know, so it is settled here and not in the macro.
 
-use crate::state::{Space, Support};
+mod checks;
+#[cfg(test)]
+mod tests;
+
+use crate::state::{Space, Support, WIDEST};
 
 /// A step of the plan; a step refers to earlier ones by index.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +42,12 @@ pub(crate) struct Place {
 pub struct Layout<'a, const STEPS: usize> {
     pub(crate) steps: [Step<'a>; STEPS],
     pub(crate) places: [Place; STEPS],
+    /// The step that takes each as input.
     downstream: [usize; STEPS],
+    /// The inputs of all connections, one connection after the other, each widest state first.
+    inputs: [usize; STEPS],
+    /// Where the inputs of each connection begin in that list.
+    first_input: [usize; STEPS],
 }
 
 impl<'a, const STEPS: usize> Layout<'a, STEPS> {
@@ -49,9 +58,11 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
     /// those of upstream connections first.
     pub const fn new(steps: [Step<'a>; STEPS]) -> Self {
         let nowhere = Place { space: Space::Translation, first_column: 0, columns: 0, first_row: 0, rows: 0 };
-        let mut layout = Layout { steps, places: [nowhere; STEPS], downstream: [0; STEPS] };
+        let none = [0; STEPS];
+        let mut layout = Layout { steps, places: [nowhere; STEPS], downstream: none, inputs: none, first_input: none };
         layout.link();
         layout.resolve_spaces();
+        layout.sort_inputs();
         layout.count();
         layout.place();
         layout
@@ -95,6 +106,8 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
     }
 
     /// Elements have the space of their type, connections the widest of their neighbours, supports adopt theirs.
+    ///
+    /// A connection behind a connection takes the state of that one and has no say in it: it may be the wider of the two.
     const fn resolve_spaces(&mut self) {
         let mut i = 0;
         while i < STEPS {
@@ -144,6 +157,31 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
         widest
     }
 
+    /// Sorts the inputs of each connection once, a pass per size of state: sorting by comparison would let the compiler
+    /// take a constant with a hundred inputs for an endless loop.
+    const fn sort_inputs(&mut self) {
+        let mut i = 0;
+        let mut end = 0;
+        while i < STEPS {
+            self.first_input[i] = end;
+            if let Step::Connection(inputs) = self.steps[i] {
+                let mut size = WIDEST;
+                while size > 0 {
+                    let mut k = 0;
+                    while k < inputs.len() {
+                        if self.places[inputs[k]].space.size() == size {
+                            self.inputs[end] = inputs[k];
+                            end += 1;
+                        }
+                        k += 1;
+                    }
+                    size -= 2;
+                }
+            }
+            i += 1;
+        }
+    }
+
     /// Counts unknowns and geometrical equations from the tips to the root.
     const fn count(&mut self) {
         let mut i = 0;
@@ -153,19 +191,20 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
                 Step::Tip(_) => (own, 0),
                 Step::Element(input, _) => (self.places[input].columns, self.places[input].rows),
                 Step::Root(input, _) => (self.places[input].columns + own, self.places[input].rows),
-                Step::Connection(inputs) => {
-                    let (mut columns, mut rows) = (0, 0);
+                Step::Connection(_) => {
+                    let inputs = self.inputs(i);
+                    let (mut columns, mut rows) = (0, self.forces_left_behind(i));
                     let mut k = 0;
                     while k < inputs.len() {
                         let place = self.places[inputs[k]];
                         columns += place.columns;
                         rows += place.rows;
-                        if k != self.input(i, 0) {
+                        if k > 0 {
                             rows += place.space.size() / 2;
                         }
                         k += 1;
                     }
-                    (columns, rows + self.forces_left_behind(i))
+                    (columns, rows)
                 }
             };
             self.places[i].columns = columns;
@@ -190,7 +229,7 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
                 Step::Connection(inputs) => {
                     let mut k = 0;
                     while k < inputs.len() {
-                        let input = inputs[self.input(i, k)];
+                        let input = self.inputs[self.first_input[i] + k];
                         self.places[input].first_column = column;
                         self.places[input].first_row = row;
                         column += self.places[input].columns;
@@ -213,123 +252,15 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
     /// Number of forces left behind by a connection that leads on to fewer states: one equation each.
     pub(crate) const fn forces_left_behind(&self, connection: usize) -> usize {
         match self.steps[self.downstream[connection]] {
-            Step::Element(_, output) => (self.places[connection].space.size() - output.size()) / 2,
+            // a wrong scene may lead on to more states: its check says so, and not this subtraction
+            Step::Element(_, output) => self.places[connection].space.size().saturating_sub(output.size()) / 2,
             _ => 0,
         }
     }
 
-    /// Position in the source order of the `rank`-th input of a connection, widest state first.
-    pub(crate) const fn input(&self, connection: usize, rank: usize) -> usize {
-        let Step::Connection(inputs) = self.steps[connection] else { return 0 };
-        let mut candidate = 0;
-        while candidate < inputs.len() {
-            let size = self.places[inputs[candidate]].space.size();
-            let mut before = 0;
-            let mut other = 0;
-            while other < inputs.len() {
-                let other_size = self.places[inputs[other]].space.size();
-                if other_size > size || (other_size == size && other < candidate) {
-                    before += 1;
-                }
-                other += 1;
-            }
-            if before == rank {
-                return candidate;
-            }
-            candidate += 1;
-        }
-        0
-    }
-}
-
-/// Checks for constants: the macro emits each at the user's token, and a failing one is a compile error there.
-impl<const STEPS: usize> Layout<'_, STEPS> {
-    /// A support must exist in the space of the state to which it belongs.
-    #[allow(clippy::panic)]
-    pub const fn check_support(&self, step: usize) {
-        let (Step::Tip(support) | Step::Root(_, support)) = self.steps[step] else { return };
-        let space = self.places[step].space;
-        if support.unknowns(space).is_none() {
-            panic!(
-                "{}",
-                match space {
-                    Space::Translation => "a translation path ends in `fixed` or `free` only",
-                    Space::Rotation => "a rotation path ends in `fixed` or `free` only",
-                    Space::Bending => "a bending path ends in `fixed`, `pinned`, `free` or `guided`",
-                    Space::Planar => "a planar path ends in `fixed`, `pinned`, `free`, `guided` or `roller`",
-                }
-            );
-        }
-    }
-
-    /// An arrow between two elements needs equal states on both sides.
-    #[allow(clippy::panic)]
-    pub const fn check_arrow(&self, step: usize) {
-        let Step::Element(input, space) = self.steps[step] else { return };
-        if matches!(self.steps[input], Step::Element(..)) && !self.places[input].space.is(space) {
-            panic!("an arrow joins equal states only: put a connection `conn` between these two elements");
-        }
-    }
-
-    /// The states around a connection must be able to meet there, and its widest input must fill its output.
-    #[allow(clippy::panic)]
-    pub const fn check_connection(&self, step: usize) {
-        let Step::Connection(inputs) = self.steps[step] else { return };
-        let Some(space) = self.widest_neighbour(step) else {
-            panic!("a connection joins elements: either all planar, or none of them, and not supports alone");
-        };
-        let widest_input = self.places[inputs[self.input(step, 0)]].space;
-        if !widest_input.is(space) {
-            panic!(
-                "the output of this connection has more states than any input: give it a free tip, `free -> conn ..`"
-            );
-        }
-        if inputs.len() == 1 && !self.narrows(step) {
-            panic!(
-                "a connection with one input must lead on to fewer states, as from a beam to a spring; else write the \
-                 arrow from element to element"
-            );
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use Space::{Bending, Translation};
-
-    /// Section 4.4 of the paper, with the spring-mass written before the beam it hangs on.
-    const TWO_SPANS: Layout<'_, 11> = Layout::new([
-        Step::Tip(Support::Free),
-        Step::Element(0, Translation),
-        Step::Element(1, Translation),
-        Step::Tip(Support::Pinned),
-        Step::Tip(Support::Pinned),
-        Step::Element(4, Bending),
-        Step::Connection(&[3, 5]),
-        Step::Element(6, Bending),
-        Step::Connection(&[2, 7]),
-        Step::Element(8, Bending),
-        Step::Root(9, Support::Pinned),
-    ]);
-
-    #[test]
-    fn the_widest_input_comes_first_whatever_the_source_order() {
-        assert_eq!(TWO_SPANS.size(), 7);
-        assert_eq!(TWO_SPANS.places[2].first_column, 4, "the spring-mass stands behind the four beam columns");
-        assert_eq!(TWO_SPANS.places[3].first_column, 0, "equal states keep the source order");
-        assert_eq!(TWO_SPANS.places[4].first_column, 2);
-    }
-
-    #[test]
-    fn geometrical_equations_follow_the_main_equation_from_the_tips_down() {
-        assert_eq!((TWO_SPANS.places[6].first_row, TWO_SPANS.places[6].rows), (4, 2));
-        assert_eq!((TWO_SPANS.places[8].first_row, TWO_SPANS.places[8].rows), (4, 3));
-    }
-
-    #[test]
-    fn supports_adopt_the_state_of_what_they_hold() {
-        assert_eq!(TWO_SPANS.places[0].space, Translation);
-        assert_eq!(TWO_SPANS.places[3].space, Bending);
+    /// The inputs of a connection, widest state first, then in source order; empty for any other step.
+    pub(crate) const fn inputs(&self, connection: usize) -> &[usize] {
+        let Step::Connection(inputs) = self.steps[connection] else { return &[] };
+        self.inputs.split_at(self.first_input[connection]).1.split_at(inputs.len()).0
     }
 }

@@ -1,6 +1,8 @@
 //! The syntax tree of a model: what the user wrote, nothing concluded from it.
 
+use crate::diagnostics::Place;
 use proc_macro2::{Span, TokenStream};
+use std::collections::BTreeSet;
 use std::fmt;
 use syn::{Expr, Ident, ItemStruct, LitInt, Path};
 
@@ -11,9 +13,26 @@ pub(crate) struct Model {
     /// The struct of parameters.
     pub(crate) parameters: ItemStruct,
     /// Derived quantities, as statements.
-    pub(crate) lets: Vec<syn::Local>,
+    pub(crate) lets: Vec<TokenStream>,
     /// The sketch.
     pub(crate) paths: Vec<TransferPath>,
+    /// Every name that occurs in the model, for emitted names that must differ from them.
+    pub(crate) names: BTreeSet<String>,
+}
+
+impl Model {
+    /// All nodes in the order of the source.
+    pub(crate) fn nodes(&self) -> impl Iterator<Item = &Node> {
+        self.paths.iter().flat_map(|path| std::iter::once(&path.first).chain(path.rest.iter().map(|(_, node)| node)))
+    }
+
+    /// All elements in the order of the source.
+    pub(crate) fn elements(&self) -> impl Iterator<Item = &Element> {
+        self.nodes().filter_map(|node| match node {
+            Node::Element(element) => Some(&**element),
+            Node::Support(_) | Node::Connection(_) => None,
+        })
+    }
 }
 
 /// `node (arrow node)* ;`
@@ -25,21 +44,28 @@ pub(crate) struct TransferPath {
 /// A transfer direction.
 pub(crate) struct Arrow {
     pub(crate) forward: bool,
-    pub(crate) span: Span,
+    pub(crate) place: Place,
 }
 
 /// What stands between arrows.
 pub(crate) enum Node {
     Support(Ident),
-    Connection(Label),
+    Connection(Connection),
     Element(Box<Element>),
+}
+
+/// A mention of a connection, `conn 2`.
+pub(crate) struct Connection {
+    pub(crate) keyword: Ident,
+    pub(crate) label: Label,
 }
 
 /// An element with its label and parameters.
 pub(crate) struct Element {
     pub(crate) kind: Kind,
     pub(crate) label: Label,
-    pub(crate) parameters: Vec<Parameter>,
+    /// `None` where there are no braces: a mistake that `check` explains.
+    pub(crate) parameters: Option<Vec<Parameter>>,
 }
 
 /// Which element it is: a keyword of the language or a type of the user's own.
@@ -60,6 +86,46 @@ pub(crate) enum Label {
     Number(LitInt),
 }
 
+impl Connection {
+    /// `conn 2`
+    pub(crate) fn place(&self) -> Place {
+        Place { first: self.keyword.span(), last: self.label.span() }
+    }
+}
+
+impl Element {
+    /// `beam 1`
+    pub(crate) fn place(&self) -> Place {
+        Place { first: self.kind.place().first, last: self.label.span() }
+    }
+
+    pub(crate) fn parameters(&self) -> impl Iterator<Item = &Parameter> {
+        self.parameters.iter().flatten()
+    }
+}
+
+impl Kind {
+    /// The name of the type.
+    pub(crate) fn name(&self) -> &Ident {
+        match self {
+            Kind::Keyword(keyword) => keyword,
+            // a parsed path has a segment
+            Kind::Type(path) => &path.segments[path.segments.len() - 1].ident,
+        }
+    }
+
+    pub(crate) fn place(&self) -> Place {
+        let last = self.name().span();
+        match self {
+            Kind::Keyword(_) => last.into(),
+            Kind::Type(path) => {
+                let first = path.leading_colon.map_or_else(|| path.segments[0].ident.span(), |colon| colon.spans[0]);
+                Place { first, last }
+            }
+        }
+    }
+}
+
 impl Label {
     pub(crate) fn span(&self) -> Span {
         match self {
@@ -78,20 +144,14 @@ impl fmt::Display for Label {
     }
 }
 
-impl fmt::Display for Kind {
+impl fmt::Display for Connection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Kind::Keyword(keyword) => write!(f, "{keyword}"),
-            Kind::Type(path) => match path.segments.last() {
-                Some(segment) => write!(f, "{}", segment.ident),
-                None => Ok(()),
-            },
-        }
+        write!(f, "{} {}", self.keyword, self.label)
     }
 }
 
 impl fmt::Display for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.kind, self.label)
+        write!(f, "{} {}", self.kind.name(), self.label)
     }
 }

@@ -3,7 +3,7 @@
 use crate::ast::Model;
 use crate::groups::made_visible;
 use crate::{check, emit, plan::Plan, topology::Graph};
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// Expands a model into its code, or into all errors of the first stage that has any.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
@@ -13,11 +13,25 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
     }
 }
 
-fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
-    let model: Model = syn::parse2(made_visible(input))?;
+pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
+    let model: Model = syn::parse2(in_braces(made_visible(input)))?;
     check::language(&model)?;
     let graph = Graph::of(&model)?;
     let tree = check::topology(&graph)?;
     let plan = Plan::of(&tree);
     Ok(emit::model(&model, &plan))
+}
+
+/// Puts the input into braces that stand at its last token: there, and not at the whole macro, belongs what is missing at
+/// the end.
+fn in_braces(input: TokenStream) -> TokenStream {
+    let last = input.clone().into_iter().last();
+    let mut braces = Group::new(Delimiter::Brace, input);
+    if let Some(last) = last {
+        braces.set_span(match &last {
+            TokenTree::Group(group) => group.span_close(),
+            other => other.span(),
+        });
+    }
+    TokenTree::Group(braces).into()
 }

@@ -12,6 +12,8 @@ mod groups;
 mod keywords;
 mod parse;
 mod plan;
+#[cfg(test)]
+mod tests;
 mod topology;
 
 use proc_macro::TokenStream;

@@ -1,41 +1,98 @@
 //! Parses a model. This file knows the grammar and no element.
 
-use crate::ast::{Arrow, Element, Kind, Label, Model, Node, Parameter, TransferPath};
-use crate::keywords::CONNECTION;
-use proc_macro2::{Group, Span};
-use syn::ext::IdentExt;
-use syn::parse::{Parse, ParseStream, Result};
-use syn::{Ident, ItemStruct, LitFloat, LitInt, Path, Stmt, Token, braced, token};
+mod node;
 
+use crate::ast::{Arrow, Model, TransferPath};
+use crate::diagnostics::{Errors, Place};
+use proc_macro2::{Group, Punct, Spacing, TokenStream, TokenTree};
+use quote::quote;
+use std::collections::BTreeSet;
+use std::fmt::Display;
+use syn::parse::{Parse, ParseStream, Result};
+use syn::{Attribute, Error, Expr, ItemStruct, Pat, Token, Type, Visibility, braced};
+
+/// `{ (path to mstmm) model }`, where the braces stand for the end of the input.
 impl Parse for Model {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
-        let facade: Group = input.parse()?;
-        let parameters: ItemStruct = input.parse()?;
+        let content;
+        braced!(content in input);
+        let facade: Group = content.parse()?;
+        let mut names = BTreeSet::new();
+        collect_names(content.cursor().token_stream(), &mut names);
+        let parameters = parse_struct(&content)?;
+        let mut errors = Errors::default();
         let mut lets = Vec::new();
-        while input.peek(Token![let]) {
-            lets.push(parse_let(input)?);
+        while content.peek(Token![let]) {
+            lets.extend(recover(&content, parse_let, &mut errors));
         }
         let mut paths = Vec::new();
-        while !input.is_empty() {
-            paths.push(input.parse()?);
-            if !input.is_empty() {
-                input.parse::<Token![;]>()?;
-            }
+        while !content.is_empty() {
+            paths.extend(recover(&content, TransferPath::parse, &mut errors));
         }
-        Ok(Model { facade: facade.stream(), parameters, lets, paths })
+        errors.propagate()?;
+        Ok(Model { facade: facade.stream(), parameters, lets, paths, names })
     }
 }
 
-/// `let name = expression;`
-fn parse_let(input: ParseStream<'_>) -> Result<syn::Local> {
-    match input.parse()? {
-        Stmt::Local(line) => Ok(line),
-        other => Err(syn::Error::new_spanned(other, "expected `let name = expression;`")),
+/// Parses a line and its `;`; goes on behind the next `;` where it is wrong, so that other lines are read all the same.
+fn recover<T>(input: ParseStream<'_>, parse: fn(ParseStream<'_>) -> Result<T>, errors: &mut Errors) -> Option<T> {
+    let line = parse(input).map_err(|error| errors.add(error)).ok();
+    while !input.is_empty() && !input.peek(Token![;]) && line.is_none() {
+        // any token tree will do
+        let _ = input.parse::<TokenTree>();
     }
+    let _ = input.parse::<Option<Token![;]>>();
+    line
+}
+
+/// All names that occur in the tokens.
+fn collect_names(tokens: TokenStream, names: &mut BTreeSet<String>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Ident(name) => {
+                names.insert(name.to_string());
+            }
+            TokenTree::Group(group) => collect_names(group.stream(), names),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}
+
+/// The struct that a model begins with.
+fn parse_struct(input: ParseStream<'_>) -> Result<ItemStruct> {
+    let ahead = input.fork();
+    let header = ahead.call(Attribute::parse_outer).and_then(|_| ahead.parse::<Visibility>());
+    if header.is_ok() && !ahead.peek(Token![struct]) {
+        let message = "a model begins with its struct of parameters, `struct Model { length: f64, .. }`";
+        return Err(error_at(&ahead, message));
+    }
+    input.parse()
+}
+
+/// `let pattern = expression`, with or without a type, as a statement.
+fn parse_let(input: ParseStream<'_>) -> Result<TokenStream> {
+    let keyword: Token![let] = input.parse()?;
+    let pattern = Pat::parse_single(input)?;
+    let colon: Option<Token![:]> = input.parse()?;
+    let of_type: Option<Type> = if colon.is_some() { Some(input.parse()?) } else { None };
+    if !input.peek(Token![=]) {
+        return Err(error_at(input, "expected `=`: a `let` line gives a value a name, `let name = expression;`"));
+    }
+    let (equals, value): (Token![=], Expr) = (input.parse()?, input.parse()?);
+    if input.peek(Token![else]) {
+        return Err(error_at(input, "a `let` line takes no `else`: its pattern must always match"));
+    }
+    if !input.peek(Token![;]) {
+        return Err(error_at(input, "expected `;` at the end of the `let` line"));
+    }
+    Ok(quote!(#keyword #pattern #colon #of_type #equals #value;))
 }
 
 impl Parse for TransferPath {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
+        if input.peek(Token![let]) {
+            return Err(error_at(input, "`let` lines stand between the struct and the first path: move this one up"));
+        }
         let first = input.parse()?;
         let mut rest = Vec::new();
         while !input.is_empty() && !input.peek(Token![;]) {
@@ -47,83 +104,28 @@ impl Parse for TransferPath {
 
 impl Parse for Arrow {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
-        if input.peek(Token![->]) {
-            let arrow: Token![->] = input.parse()?;
-            return Ok(Arrow { forward: true, span: arrow.spans[0] });
+        let forward = input.peek(Token![->]);
+        if !forward && !input.peek(Token![<-]) {
+            return Err(error_at(
+                input,
+                "expected an arrow, `->` or `<-`; where a new path begins, end the one before it with `;`",
+            ));
         }
-        if input.peek(Token![<-]) {
-            let arrow: Token![<-] = input.parse()?;
-            return Ok(Arrow { forward: false, span: arrow.spans[0] });
-        }
-        Err(input.error("expected an arrow, `->` or `<-`, or `;` at the end of the path"))
+        let [first, last] =
+            if forward { input.parse::<Token![->]>()?.spans } else { input.parse::<Token![<-]>()?.spans };
+        Ok(Arrow { forward, place: Place { first, last } })
     }
 }
 
-impl Parse for Node {
-    fn parse(input: ParseStream<'_>) -> Result<Self> {
-        let is_type = input.peek(Token![::]) || (input.peek(Ident::peek_any) && input.peek2(Token![::]));
-        if is_type {
-            let path = Path::parse_mod_style(input)?;
-            return parse_element(Kind::Type(path), input);
+/// An error at the next token: at all characters of an arrow, at the opening brace of a block.
+fn error_at(input: ParseStream<'_>, message: impl Display) -> Error {
+    let ahead = input.fork();
+    match ahead.parse() {
+        Ok(TokenTree::Punct(first)) if first.spacing() == Spacing::Joint => {
+            let last = ahead.parse::<Punct>().map_or_else(|_| first.span(), |punct| punct.span());
+            Error::new_spanned(Place { first: first.span(), last }, message)
         }
-        let Ok(keyword) = input.parse::<Ident>() else {
-            return Err(input.error("expected a support, a connection `conn ..` or an element"));
-        };
-        if keyword == CONNECTION {
-            return Ok(Node::Connection(parse_label(input, &keyword)?));
-        }
-        if input.is_empty() || input.peek(Token![->]) || input.peek(Token![<-]) || input.peek(Token![;]) {
-            return Ok(Node::Support(keyword));
-        }
-        parse_element(Kind::Keyword(keyword), input)
-    }
-}
-
-/// `label { parameters }`, behind the kind of an element.
-fn parse_element(kind: Kind, input: ParseStream<'_>) -> Result<Node> {
-    let label = parse_label(input, &kind)?;
-    if !input.peek(token::Brace) {
-        return Err(
-            input.error(format!("expected the parameters of `{kind} {label}` in braces, `{{ name: value, .. }}`"))
-        );
-    }
-    let content;
-    braced!(content in input);
-    let parameters = content.parse_terminated(Parameter::parse, Token![,])?.into_iter().collect();
-    Ok(Node::Element(Box::new(Element { kind, label, parameters })))
-}
-
-/// A name, or a decimal number without leading zero or suffix.
-fn parse_label(input: ParseStream<'_>, owner: &dyn std::fmt::Display) -> Result<Label> {
-    if input.peek(Ident) {
-        return Ok(Label::Name(input.parse()?));
-    }
-    let malformed = |span: Span, text: &str| {
-        let advice = "a label is a name or a decimal number without leading zero or suffix, such as `arm` or `12`";
-        Err(syn::Error::new(span, format!("`{text}` is not a label: {advice}")))
-    };
-    if input.peek(LitInt) {
-        let number: LitInt = input.parse()?;
-        let text = number.to_string();
-        let plain = text.bytes().all(|b| b.is_ascii_digit()) && (text == "0" || !text.starts_with('0'));
-        return if plain { Ok(Label::Number(number)) } else { malformed(number.span(), &text) };
-    }
-    if input.peek(LitFloat) {
-        let number: LitFloat = input.parse()?;
-        return malformed(number.span(), &number.to_string());
-    }
-    Err(input.error(format!("expected a label after `{owner}`: a name or a number, such as `{owner} 1`")))
-}
-
-impl Parse for Parameter {
-    fn parse(input: ParseStream<'_>) -> Result<Self> {
-        let name: Ident = input.parse()?;
-        let value = if input.peek(Token![:]) {
-            input.parse::<Token![:]>()?;
-            Some(input.parse()?)
-        } else {
-            None
-        };
-        Ok(Parameter { name, value })
+        Ok(TokenTree::Group(group)) => Error::new(group.span_open(), message),
+        _ => Error::new(input.span(), message),
     }
 }

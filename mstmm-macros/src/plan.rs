@@ -2,6 +2,7 @@
 
 use crate::ast::{Element, Kind, Parameter};
 use crate::check::Tree;
+use crate::diagnostics::Place;
 use crate::topology::Vertex;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -13,9 +14,9 @@ pub(crate) enum Step<'a> {
     /// A path starts from a support.
     Tip(&'a Ident),
     /// A path goes through an element, given as index into [`Plan::elements`].
-    Element { element: usize, input: usize, arrow: Span },
+    Element { element: usize, input: usize, arrow: Place },
     /// Paths are joined, in source order.
-    Connection { inputs: Vec<usize>, label: Span },
+    Connection { inputs: Vec<usize>, place: Place },
     /// All paths end in a support: the last step.
     Root { support: &'a Ident, input: usize },
 }
@@ -41,7 +42,7 @@ impl<'a> Plan<'a> {
             let step = match &tree.graph.vertices[vertex] {
                 Vertex::Support(support) if vertex == tree.root => Step::Root { support, input: inputs[0] },
                 Vertex::Support(support) => Step::Tip(support),
-                Vertex::Connection(label) => Step::Connection { inputs, label: label.span() },
+                Vertex::Connection(connection) => Step::Connection { inputs, place: connection.place() },
                 Vertex::Element(element) => {
                     let next = plan.elements.len();
                     let element_index = *known.entry(identity(element)).or_insert(next);
@@ -49,7 +50,7 @@ impl<'a> Plan<'a> {
                         plan.elements.push(element);
                     }
                     let edge = tree.graph.edges.iter().find(|edge| edge.to == vertex);
-                    let arrow = edge.map_or_else(|| element.label.span(), |edge| edge.span);
+                    let arrow = edge.map_or_else(|| element.place(), |edge| edge.place);
                     Step::Element { element: element_index, input: inputs[0], arrow }
                 }
             };
@@ -93,7 +94,7 @@ fn identity(element: &Element) -> (String, BTreeMap<String, String>) {
         Some(value) => text(value.to_token_stream()),
         None => text(parameter.name.to_token_stream()),
     };
-    (kind, element.parameters.iter().map(|p| (p.name.to_string(), value(p))).collect())
+    (kind, element.parameters().map(|p| (p.name.to_string(), value(p))).collect())
 }
 
 /// Tokens as text in which equal names of different origin differ.

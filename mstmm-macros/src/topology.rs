@@ -1,25 +1,24 @@
 //! The graph of a model: vertices and directed edges, labels resolved.
 
-use crate::ast::{Element, Label, Model, Node};
-use crate::diagnostics::Errors;
-use proc_macro2::Span;
+use crate::ast::{Connection, Element, Model, Node};
+use crate::diagnostics::{Errors, Place};
 use std::collections::BTreeMap;
 use syn::Ident;
 
 /// A vertex: each mention of a support is one of its own, all mentions of a connection are one.
 pub(crate) enum Vertex<'a> {
     Support(&'a Ident),
-    Connection(&'a Label),
+    Connection(&'a Connection),
     Element(&'a Element),
 }
 
 impl Vertex<'_> {
-    /// The token to point at.
-    pub(crate) fn span(&self) -> Span {
+    /// The tokens to point at.
+    pub(crate) fn place(&self) -> Place {
         match self {
-            Vertex::Support(keyword) => keyword.span(),
-            Vertex::Connection(label) => label.span(),
-            Vertex::Element(element) => element.label.span(),
+            Vertex::Support(keyword) => keyword.span().into(),
+            Vertex::Connection(connection) => connection.place(),
+            Vertex::Element(element) => element.place(),
         }
     }
 
@@ -27,7 +26,7 @@ impl Vertex<'_> {
     pub(crate) fn name(&self) -> String {
         match self {
             Vertex::Support(keyword) => keyword.to_string(),
-            Vertex::Connection(label) => format!("conn {label}"),
+            Vertex::Connection(connection) => connection.to_string(),
             Vertex::Element(element) => element.to_string(),
         }
     }
@@ -37,7 +36,7 @@ impl Vertex<'_> {
 pub(crate) struct Edge {
     pub(crate) from: usize,
     pub(crate) to: usize,
-    pub(crate) span: Span,
+    pub(crate) place: Place,
 }
 
 /// Vertices and edges in source order.
@@ -60,7 +59,7 @@ impl<'a> Graph<'a> {
             for (arrow, node) in &path.rest {
                 let next = graph.vertex(node, &mut labels, &mut errors);
                 let (from, to) = if arrow.forward { (previous, next) } else { (next, previous) };
-                graph.edges.push(Edge { from, to, span: arrow.span });
+                graph.edges.push(Edge { from, to, place: arrow.place });
                 previous = next;
             }
         }
@@ -76,7 +75,7 @@ impl<'a> Graph<'a> {
                 self.vertices.push(Vertex::Support(keyword));
                 return new;
             }
-            Node::Connection(label) => (label, Vertex::Connection(label)),
+            Node::Connection(connection) => (&connection.label, Vertex::Connection(connection)),
             Node::Element(element) => (&element.label, Vertex::Element(element)),
         };
         let Some(&known) = labels.get(&label.to_string()) else {
@@ -94,7 +93,7 @@ impl<'a> Graph<'a> {
             first.name()
         );
         errors.push(label.span(), message);
-        errors.push(first.span(), format!("label `{label}` is first used here"));
+        errors.push(first.place(), format!("label `{label}` is first used here"));
         self.vertices.push(vertex);
         new
     }
@@ -102,5 +101,30 @@ impl<'a> Graph<'a> {
     /// Vertices with an arrow into `vertex`, in source order.
     pub(crate) fn inputs(&self, vertex: usize) -> Vec<usize> {
         self.edges.iter().filter(|edge| edge.to == vertex).map(|edge| edge.from).collect()
+    }
+
+    /// The first vertex to which an arrow leads from `vertex`.
+    pub(crate) fn output(&self, vertex: usize) -> Option<usize> {
+        self.edges.iter().find(|edge| edge.from == vertex).map(|edge| edge.to)
+    }
+
+    /// Whether the ends of an arrow are joined by other arrows too, in whatever directions these point.
+    pub(crate) fn is_in_a_loop(&self, edge: usize) -> bool {
+        let mut reached = vec![false; self.vertices.len()];
+        let mut pending = vec![self.edges[edge].from];
+        while let Some(vertex) = pending.pop() {
+            if std::mem::replace(&mut reached[vertex], true) {
+                continue;
+            }
+            let others = self.edges.iter().enumerate().filter(|(index, _)| *index != edge);
+            for (_, other) in others {
+                if other.from == vertex {
+                    pending.push(other.to);
+                } else if other.to == vertex {
+                    pending.push(other.from);
+                }
+            }
+        }
+        reached[self.edges[edge].to]
     }
 }

@@ -1,18 +1,24 @@
 //! Emits the plan as a constant, its size, and the checks that only types can make.
 
 use super::Names;
-use crate::keywords::{SUPPORTS, look_up};
+use crate::diagnostics::Place;
 use crate::plan::{Plan, Step};
 use proc_macro2::{Ident, TokenStream};
-use quote::{quote, quote_spanned};
+use quote::{format_ident, quote_spanned};
 
 /// `LAYOUT`, `N`, and one constant per check at the user's token.
-pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let Names { private, system } = names;
+pub(super) fn layout(plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+    let Names { private, system, .. } = names;
     let count = plan.steps.len();
     let steps = plan.steps.iter().map(|step| emit_step(step, plan, names));
-    let checks = plan.steps.iter().enumerate().map(|(index, step)| check(index, step));
-    quote! {
+    let checks = plan.steps.iter().enumerate().map(|(index, step)| match step {
+        Step::Tip(keyword) | Step::Root { support: keyword, .. } => {
+            check("check_support", index, keyword.span().into(), names)
+        }
+        Step::Element { arrow, .. } => check("check_arrow", index, *arrow, names),
+        Step::Connection { place, .. } => check("check_connection", index, *place, names),
+    });
+    quote_spanned! {names.here=>
         const LAYOUT: #private::Layout<'static, #count> = #private::Layout::new([#(#steps),*]);
         const N: usize = LAYOUT.size();
         #(#checks)*
@@ -24,38 +30,32 @@ pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
     }
 }
 
-fn emit_step(step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> TokenStream {
+fn emit_step(step: &Step<'_>, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
     let private = &names.private;
     match step {
         Step::Tip(keyword) => {
-            let support = support(keyword, names);
-            quote!(#private::Step::Tip(#support))
+            let support = names.support(keyword);
+            quote_spanned!(names.here=> #private::Step::Tip(#support))
         }
         Step::Element { element, input, .. } => {
-            let kind = names.element_type(plan.elements[*element]);
-            quote!(#private::Step::Element(#input, #private::space_of::<#kind<f64>>()))
+            let element = plan.elements[*element];
+            let span = names.at_element(element);
+            let (space_of, kind) =
+                (names.function_at("space_of", span), names.element_over(element, &format_ident!("f64")));
+            let space = quote_spanned!(span=> #space_of::<#kind>());
+            quote_spanned!(names.here=> #private::Step::Element(#input, #space))
         }
-        Step::Connection { inputs, .. } => quote!(#private::Step::Connection(&[#(#inputs),*])),
+        Step::Connection { inputs, .. } => quote_spanned!(names.here=> #private::Step::Connection(&[#(#inputs),*])),
         Step::Root { support: keyword, input } => {
-            let support = support(keyword, names);
-            quote!(#private::Step::Root(#input, #support))
+            let support = names.support(keyword);
+            quote_spanned!(names.here=> #private::Step::Root(#input, #support))
         }
     }
 }
 
-pub(super) fn support(keyword: &Ident, names: &Names) -> TokenStream {
-    let private = &names.private;
-    // `check` has refused unknown keywords
-    let variant = Ident::new(look_up(SUPPORTS, &keyword.to_string()).unwrap_or("Fixed"), keyword.span());
-    quote!(#private::Support::#variant)
-}
-
-fn check(index: usize, step: &Step<'_>) -> TokenStream {
-    match step {
-        Step::Tip(keyword) | Step::Root { support: keyword, .. } => {
-            quote_spanned!(keyword.span()=> const _: () = LAYOUT.check_support(#index);)
-        }
-        Step::Element { arrow, .. } => quote_spanned!(*arrow=> const _: () = LAYOUT.check_arrow(#index);),
-        Step::Connection { label, .. } => quote_spanned!(*label=> const _: () = LAYOUT.check_connection(#index);),
-    }
+/// A constant that fails at the user's tokens.
+fn check(rule: &str, step: usize, place: Place, names: &Names<'_>) -> TokenStream {
+    let (first, last) = (names.at(place.first), names.at(place.last));
+    let (layout, rule) = (Ident::new("LAYOUT", first), Ident::new(rule, last));
+    quote_spanned!(last=> const _: () = #layout.#rule(#step);)
 }

@@ -2,13 +2,16 @@
 
 mod evaluate;
 mod layout;
+mod names;
+mod pass;
 mod system;
 
-use crate::ast::{Element, Kind, Model};
-use crate::keywords::{ELEMENTS, look_up};
+use crate::ast::{Element, Model};
 use crate::plan::Plan;
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote, quote_spanned};
+use names::Names;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote_spanned};
+use std::collections::BTreeMap;
 
 /// All items of a model.
 pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
@@ -17,8 +20,8 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
     let system = system::system(model, plan, &names);
     let layout = layout::layout(plan, &names);
     let evaluate = evaluate::evaluate(plan, &names);
-    let characteristic = evaluate::characteristic(plan, &names);
-    quote! {
+    let characteristic = pass::characteristic(plan, &names);
+    quote_spanned! {names.here=>
         #parameters
         #system
         const _: () = {
@@ -29,35 +32,43 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
     }
 }
 
-/// Paths and names that several emitted items share.
-struct Names {
-    /// Path to everything that emitted code uses.
-    private: TokenStream,
-    /// Type of the built system.
-    system: Ident,
+/// Field of the built system that holds an element; labels are unique, so these are.
+fn element_field(element: &Element, names: &Names<'_>) -> Ident {
+    format_ident!("element_{}", element.label.to_string(), span = names.at_element(element))
 }
 
-impl Names {
-    fn of(model: &Model) -> Self {
-        let facade = &model.facade;
-        Names { private: quote!(#facade::__private), system: format_ident!("{}System", model.parameters.ident) }
-    }
+/// A local variable for an element.
+fn local(prefix: &str, element: &Element, names: &Names<'_>) -> Ident {
+    format_ident!("{prefix}_{}", element.label.to_string(), span = names.at_element(element))
+}
 
-    /// Path of an element's type, at the user's token.
-    fn element_type(&self, element: &Element) -> TokenStream {
-        match &element.kind {
-            Kind::Type(path) => quote!(#path),
-            Kind::Keyword(keyword) => {
-                let private = &self.private;
-                // `check` has refused unknown keywords
-                let name = Ident::new(look_up(ELEMENTS, &keyword.to_string()).unwrap_or("Beam"), keyword.span());
-                quote_spanned!(keyword.span()=> #private::elements::#name)
-            }
+/// An element of each type that occurs, the first in the source, in a fixed order.
+fn first_of_each_type<'a>(plan: &Plan<'a>, names: &Names<'_>) -> Vec<&'a Element> {
+    let elements = plan.elements.iter().rev();
+    let first: BTreeMap<_, _> = elements.map(|element| (names.element_type(element).to_string(), *element)).collect();
+    first.into_values().collect()
+}
+
+/// Implements a trait for the built system, where each type of element has a trait of its own.
+///
+/// If one has not, rustc says so at its keyword, and "required for the system" at the name of the model.
+fn implement(of: &str, of_elements: &str, body: &TokenStream, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+    let Names { private, system, parameter, frequency, .. } = names;
+    let header = names.trait_at(of, names.here);
+    let bounds = first_of_each_type(plan, names).into_iter().map(|element| {
+        let span = names.at_element(element);
+        let (kind, bound) = (names.element(element), names.trait_at(of_elements, span));
+        quote_spanned!(span=> #kind: #bound)
+    });
+    quote_spanned! {names.here=>
+        #[automatically_derived]
+        impl<#parameter, #frequency> #header for #system<#parameter>
+        where
+            #parameter: #private::Real,
+            #frequency: #private::Frequency<#parameter>,
+            #(#bounds),*
+        {
+            #body
         }
     }
-}
-
-/// Field of the built system that holds an element; labels are unique, so these are.
-fn field(element: &Element) -> Ident {
-    Ident::new(&format!("element_{}", element.label), Span::call_site())
 }

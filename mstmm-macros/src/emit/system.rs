@@ -1,36 +1,79 @@
 //! Emits the built system and `build()`.
 
-use super::{Names, field};
-use crate::ast::{Element, Model};
+use super::{Names, element_field, first_of_each_type};
+use crate::ast::{Element, Kind, Model, Parameter};
 use crate::plan::Plan;
-use proc_macro2::TokenStream;
-use quote::{quote, quote_spanned};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote_spanned};
 
-/// The struct of elements and the function that makes it from the parameters.
-pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let Names { private, system } = names;
-    let (visibility, parameters) = (&model.parameters.vis, &model.parameters.ident);
-    let fields = plan.elements.iter().map(|element| {
-        let (field, kind) = (field(element), names.element_type(element));
-        quote!(#field: <#kind<T> as #private::Element>::Built)
-    });
-    let bindings = model.parameters.fields.iter().filter_map(|field| field.ident.as_ref());
-    let lets = &model.lets;
-    let values = plan.elements.iter().map(|element| value(element, names));
+/// The struct of elements, the function that makes it from the parameters, and what all systems have.
+pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+    let definition = definition(model, plan, names);
+    let build = build(model, plan, names);
+    let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
     let bounds = plan.elements.iter().map(|element| {
-        let (field, kind) = (field(element), names.element_type(element));
-        quote!(<#kind<T> as #private::Element>::bound(&self.#field, &mut bounds);)
+        let (span, element_field, kind) =
+            (names.at_element(element), element_field(element, names), names.element_as(element, "Element"));
+        quote_spanned!(span=> #kind::bound(&self.#element_field, &mut bounds);)
     });
-    let system_doc =
-        format!("The system of a [`{parameters}`], built: evaluate it at a frequency, or search its frequencies.");
-    quote! {
-        #[doc = #system_doc]
-        #[derive(::core::clone::Clone, ::core::fmt::Debug)]
-        #visibility struct #system<T: #private::Real = f64> {
-            #(#fields,)*
-        }
+    quote_spanned! {names.here=>
+        #definition
+        #build
 
-        impl #parameters {
+        #[automatically_derived]
+        impl<#parameter: #private::Real> #private::System for #system<#parameter> {
+            type Parameter = #parameter;
+
+            fn bounds(&self) -> #private::FrequencyBounds {
+                let mut bounds = ::core::default::Default::default();
+                #(#bounds)*
+                bounds
+            }
+        }
+    }
+}
+
+/// The struct of elements.
+fn definition(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
+    let fields = plan.elements.iter().map(|element| {
+        let (field, kind) = (element_field(element, names), names.element_as(element, "Element"));
+        quote_spanned!(names.at_element(element)=> #field: #kind::Built)
+    });
+    let doc = format!("The system of a [`{model}`], built: evaluate it at a frequency, or search its frequencies.");
+    // The size of a struct is known if that of its last field is. Were an element the last, a type that is none would be
+    // an error wherever the system occurs.
+    quote_spanned! {names.here=>
+        #[doc = #doc]
+        #[derive(::core::clone::Clone, ::core::fmt::Debug)]
+        #visibility struct #system<#parameter: #private::Real = f64> {
+            #(#fields,)*
+            parameter: ::core::marker::PhantomData<#parameter>,
+        }
+    }
+}
+
+/// `build()`: from the parameters to the struct of elements.
+fn build(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let (visibility, name, lets) = (&model.parameters.vis, &model.parameters.ident, &model.lets);
+    // a field that is configured away is not there to be bound
+    let bindings = model.parameters.fields.iter().map(|field| {
+        let conditions = field.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg"));
+        let name = &field.ident;
+        quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;)
+    });
+    let imports = first_of_each_type(plan, names).into_iter().filter_map(|element| match &element.kind {
+        Kind::Keyword(keyword) => {
+            let (path, name) = (names.element_type(element), names.imported(keyword));
+            Some(quote_spanned!(names.here=> use #path as #name;))
+        }
+        Kind::Type(_) => None,
+    });
+    let values = plan.elements.iter().map(|element| value(element, names));
+    quote_spanned! {names.here=>
+        impl #name {
             /// Validates all parameters and builds the system.
             ///
             /// # Errors
@@ -43,39 +86,44 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStre
             ///
             /// # Errors
             /// As `build`.
-            #visibility fn build_as<T: #private::Real>(
+            #visibility fn build_as<#parameter: #private::Real>(
                 &self,
-            ) -> ::core::result::Result<#system<T>, #private::ParameterError> {
-                let Self { #(#bindings),* } = *self;
+            ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
+                #(#imports)*
+                #(#bindings)*
                 #(#lets)*
-                ::core::result::Result::Ok(#system { #(#values,)* })
-            }
-        }
-
-        #[automatically_derived]
-        impl<T: #private::Real> #private::System for #system<T> {
-            type Parameter = T;
-
-            fn bounds(&self) -> #private::FrequencyBounds {
-                let mut bounds = ::core::default::Default::default();
-                #(#bounds)*
-                bounds
+                ::core::result::Result::Ok(#system {
+                    #(#values,)*
+                    parameter: ::core::marker::PhantomData,
+                })
             }
         }
     }
 }
 
-/// The built element, `field: build(Type { parameter: expression, .. }, name)?`.
-fn value(element: &Element, names: &Names) -> TokenStream {
-    let private = &names.private;
-    let (field, kind, name) = (field(element), names.element_type(element), element.to_string());
-    let parameters = element.parameters.iter().map(|parameter| {
-        let name = &parameter.name;
-        let value = match &parameter.value {
-            None => quote!(#name),
-            Some(value) => quote!(#value),
-        };
-        quote_spanned!(name.span()=> #name: #private::Scalar::from_f64(#value))
-    });
-    quote!(#field: #private::build(#kind::<T> { #(#parameters),* }, #name)?)
+/// The built element, `field: build::<Type<T>>(Type { parameter: expression, .. }, name)?`.
+fn value(element: &Element, names: &Names<'_>) -> TokenStream {
+    let (span, field, name) = (names.at_element(element), element_field(element, names), element.to_string());
+    let (build, of_system) = (names.function_at("build", span), names.element(element));
+    let parameters = element.parameters().map(|parameter| parameter_value(parameter, names));
+    let kind = match &element.kind {
+        Kind::Keyword(keyword) => names.imported(keyword).into_token_stream(),
+        Kind::Type(path) => path.to_token_stream(),
+    };
+    // all at the keyword, where rustc then shows what is missing
+    let literal = quote_spanned!(element.kind.place().last=> #kind { #(#parameters),* });
+    quote_spanned!(span=> #field: #build::<#of_system>(#literal, #name)?)
+}
+
+/// `name: expression`, converted; a type that is not `f64` is shown at the expression.
+fn parameter_value(parameter: &Parameter, names: &Names<'_>) -> TokenStream {
+    let (name, span) = (&parameter.name, names.at(parameter.name.span()));
+    let value = parameter.value.as_ref().map_or_else(|| name.to_token_stream(), ToTokens::to_token_stream);
+    let (scalar, number) = (names.function_at("Scalar", span), Ident::new("number", span));
+    // the user's own token, so that rustc shows what it expects and nothing of the code around it
+    let float = quote_spanned!(name.span()=> ::core::primitive::f64);
+    quote_spanned!(span=> #name: #scalar::from_f64({
+        let #number: #float = #value;
+        #number
+    }))
 }

@@ -1,0 +1,170 @@
+//! Rules that need the states. The macro emits each check as a constant at the user's token: a failing one is a compile
+//! error there, and the compiler shows the caller instead of what is written here.
+
+use super::{Layout, Step};
+use crate::state::Space;
+
+#[allow(clippy::panic)] // how a constant reports an error
+impl<const STEPS: usize> Layout<'_, STEPS> {
+    /// A support must exist in the space of the state to which it belongs.
+    #[track_caller]
+    pub const fn check_support(&self, step: usize) {
+        let (support, neighbour) = match self.steps[step] {
+            Step::Tip(support) => (support, self.downstream[step]),
+            Step::Root(input, support) => (support, input),
+            _ => return,
+        };
+        // where paths cannot meet there is no state to adopt, and the connection says so
+        if matches!(self.steps[neighbour], Step::Connection(_)) && self.widest_neighbour(neighbour).is_none() {
+            return;
+        }
+        let space = self.places[step].space;
+        if support.unknowns(space).is_some() {
+            return;
+        }
+        match space {
+            Space::Translation => panic!("a translation path ends in `fixed` or `free` only"),
+            Space::Rotation => panic!("a rotation path ends in `fixed` or `free` only"),
+            Space::Bending => panic!("a bending path ends in `fixed`, `pinned`, `free` or `guided`"),
+            Space::Planar => panic!("a planar path ends in `fixed`, `pinned`, `free`, `guided` or `roller`"),
+        }
+    }
+
+    /// An arrow between two elements needs equal states on both sides.
+    #[track_caller]
+    pub const fn check_arrow(&self, step: usize) {
+        let Step::Element(input, space) = self.steps[step] else { return };
+        if matches!(self.steps[input], Step::Element(..)) && !self.places[input].space.is(space) {
+            panic!("an arrow joins equal states only: put a connection `conn` between these two elements");
+        }
+    }
+
+    /// The states around a connection must be able to meet there, and its widest input must fill its output.
+    #[track_caller]
+    pub const fn check_connection(&self, step: usize) {
+        let Some(&widest_input) = self.inputs(step).first() else { return };
+        let Some(space) = self.widest_neighbour(step) else {
+            panic!("planar paths meet planar paths only: join all planar elements here, or none");
+        };
+        if !self.places[widest_input].space.is(space) {
+            panic!(
+                "the output of this connection has more states than any input: give it a free tip, `free -> conn ..`"
+            );
+        }
+        if self.inputs(step).len() == 1 && !self.narrows(step) {
+            panic!(
+                "a connection with one input must lead on to fewer states, as from a beam to a spring; else write the \
+                 arrow from element to element"
+            );
+        }
+    }
+}
+
+/// One scene per rule; what each says is in the attribute of the test.
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::Support::{self, Fixed, Free, Guided, Pinned, Roller};
+    use Space::{Bending, Planar, Rotation, Translation};
+
+    /// A path of one element between two supports.
+    fn path(tip: Support, space: Space, root: Support) -> Layout<'static, 3> {
+        Layout::new([Step::Tip(tip), Step::Element(0, space), Step::Root(1, root)])
+    }
+
+    /// Two elements that meet, and what the connection leads on to.
+    fn meeting(inputs: [Space; 2], output: Space) -> Layout<'static, 7> {
+        Layout::new([
+            Step::Tip(Fixed),
+            Step::Element(0, inputs[0]),
+            Step::Tip(Fixed),
+            Step::Element(2, inputs[1]),
+            Step::Connection(&[1, 3]),
+            Step::Element(4, output),
+            Step::Root(5, Pinned),
+        ])
+    }
+
+    #[test]
+    fn what_fits_passes() {
+        for (space, supports) in [
+            (Translation, &[Fixed, Free] as &[Support]),
+            (Rotation, &[Fixed, Free]),
+            (Bending, &[Fixed, Pinned, Free, Guided]),
+            (Planar, &[Fixed, Pinned, Free, Guided, Roller]),
+        ] {
+            for &support in supports {
+                path(support, space, support).check_support(0);
+                path(support, space, support).check_support(2);
+            }
+        }
+        for layout in [meeting([Translation, Bending], Bending), meeting([Bending, Rotation], Translation)] {
+            layout.check_connection(4);
+            layout.check_arrow(5);
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "a translation path ends in `fixed` or `free` only")]
+    fn a_translation_path_has_no_pin() {
+        path(Pinned, Translation, Free).check_support(0);
+    }
+
+    #[test]
+    #[should_panic(expected = "a rotation path ends in `fixed` or `free` only")]
+    fn a_rotation_path_has_no_guide() {
+        path(Fixed, Rotation, Guided).check_support(2);
+    }
+
+    #[test]
+    #[should_panic(expected = "a bending path ends in `fixed`, `pinned`, `free` or `guided`")]
+    fn a_bending_path_has_no_roller() {
+        path(Roller, Bending, Free).check_support(0);
+    }
+
+    #[test]
+    #[should_panic(expected = "an arrow joins equal states only: put a connection `conn` between these two elements")]
+    fn an_arrow_joins_equal_states() {
+        let steps = [Step::Tip(Fixed), Step::Element(0, Bending), Step::Element(1, Translation), Step::Root(2, Free)];
+        Layout::new(steps).check_arrow(2);
+    }
+
+    #[test]
+    #[should_panic(expected = "planar paths meet planar paths only: join all planar elements here, or none")]
+    fn a_planar_path_and_a_spring_do_not_meet() {
+        meeting([Planar, Translation], Planar).check_connection(4);
+    }
+
+    /// The root is pinned, which no translation path has; but what is wrong is the connection.
+    #[test]
+    fn where_paths_cannot_meet_their_supports_are_not_judged() {
+        let steps = [
+            Step::Tip(Fixed),
+            Step::Element(0, Planar),
+            Step::Tip(Pinned),
+            Step::Element(2, Translation),
+            Step::Connection(&[1, 3]),
+            Step::Root(4, Pinned),
+        ];
+        Layout::new(steps).check_support(5);
+    }
+
+    #[test]
+    #[should_panic(expected = "the output of this connection has more states than any input: give it a free tip")]
+    fn two_springs_do_not_carry_a_beam() {
+        meeting([Translation, Translation], Bending).check_connection(4);
+    }
+
+    #[test]
+    #[should_panic(expected = "a connection with one input must lead on to fewer states, as from a beam to a spring")]
+    fn a_connection_of_one_path_narrows_it() {
+        let steps = [
+            Step::Tip(Fixed),
+            Step::Element(0, Bending),
+            Step::Connection(&[1]),
+            Step::Element(2, Bending),
+            Step::Root(3, Free),
+        ];
+        Layout::new(steps).check_connection(2);
+    }
+}

@@ -1,0 +1,162 @@
+//! Rules of the graph: it is a tree of transfer paths, and every arrow leads to the one root.
+
+use crate::diagnostics::{Errors, Place};
+use crate::topology::{Graph, Vertex};
+
+/// A graph whose every arrow leads to the root.
+pub(crate) struct Tree<'g, 'a> {
+    pub(crate) graph: &'g Graph<'a>,
+    pub(crate) root: usize,
+}
+
+/// Checks the ends of every vertex first: only where they are right does every way lead on.
+pub(crate) fn topology<'g, 'a>(graph: &'g Graph<'a>) -> syn::Result<Tree<'g, 'a>> {
+    let mut errors = Errors::default();
+    for vertex in 0..graph.vertices.len() {
+        check_ends(graph, vertex, &mut errors);
+    }
+    errors.propagate()?;
+    Ok(Tree { graph, root: find_root(graph)? })
+}
+
+/// Number of inputs and outputs of one vertex.
+fn check_ends(graph: &Graph<'_>, index: usize, errors: &mut Errors) {
+    let name = graph.vertices[index].name();
+    let inputs = graph.edges.iter().filter(|edge| edge.to == index).map(|edge| edge.place).collect::<Vec<_>>();
+    let outputs = graph.edges.iter().filter(|edge| edge.from == index).map(|edge| edge.place).collect::<Vec<_>>();
+    let place = graph.vertices[index].place();
+    let fault = match graph.vertices[index] {
+        Vertex::Support(_) => support_fault(inputs.len() + outputs.len()).map(|fault| (place, fault)),
+        Vertex::Element(_) => element_fault(place, &inputs, &outputs),
+        Vertex::Connection(_) => connection_fault(graph, index),
+    };
+    if let Some((place, fault)) = fault {
+        errors.push(place, format!("`{name}` {fault}"));
+    }
+}
+
+/// A support ends a path.
+fn support_fault(arrows: usize) -> Option<&'static str> {
+    match arrows {
+        1 => None,
+        0 => Some("holds nothing: join it to an element or a connection by an arrow"),
+        _ => Some(
+            "stands in the middle of a path, but a support ends one: hold a point in between by a connection, \
+             `support -> conn ..`",
+        ),
+    }
+}
+
+/// An element stands in one path, so it has an arrow on either side at most: one leads in, the other on.
+fn element_fault(place: Place, inputs: &[Place], outputs: &[Place]) -> Option<(Place, &'static str)> {
+    match (inputs, outputs) {
+        ([], []) => Some((place, "is joined to nothing: begin and end its path with a support or a connection")),
+        ([], [_]) => Some((place, "has no input: begin its path with a support or a connection")),
+        ([_], []) => Some((place, "has no output: end its path with a support or a connection")),
+        ([.., last], []) => {
+            Some((*last, "has two inputs, but one arrow leads in and the other on to the root: turn one of them round"))
+        }
+        ([], [.., last]) => Some((
+            *last,
+            "has two outputs, but every arrow leads to the one root: turn the arrows of one of the two paths round",
+        )),
+        _ => None,
+    }
+}
+
+/// A connection has inputs and one output, and joins elements.
+fn connection_fault(graph: &Graph<'_>, index: usize) -> Option<(Place, &'static str)> {
+    let place = graph.vertices[index].place();
+    if let Some(edge) = graph.edges.iter().find(|edge| edge.from == index && edge.to == index) {
+        return Some((edge.place, "is joined to itself"));
+    }
+    let outputs: Vec<usize> = (0..graph.edges.len()).filter(|&edge| graph.edges[edge].from == index).collect();
+    match outputs.as_slice() {
+        [] => Some((place, "has no output: lead it on to the root")),
+        [_] if graph.inputs(index).is_empty() => Some((place, "has no input: let paths end in it")),
+        [_] if joins_supports_alone(graph, index) => {
+            Some((place, "joins no element: let the path of an element end in it"))
+        }
+        [_] => None,
+        [.., last] => Some(match outputs.iter().rev().find(|&&edge| graph.is_in_a_loop(edge)) {
+            Some(edge) => (
+                graph.edges[*edge].place,
+                "has two outputs, and this one is part of a closed loop: a model is a tree of paths, cut the loop open",
+            ),
+            None => (
+                graph.edges[*last].place,
+                "has two outputs, but every arrow leads to the one root: turn the arrows of one of the two paths round",
+            ),
+        }),
+    }
+}
+
+/// Whether a connection has supports around it and nothing else but, perhaps, another connection behind it.
+fn joins_supports_alone(graph: &Graph<'_>, index: usize) -> bool {
+    let is_support = |vertex: &usize| matches!(graph.vertices[*vertex], Vertex::Support(_));
+    let leads_to_element =
+        graph.output(index).is_some_and(|output| matches!(graph.vertices[output], Vertex::Element(_)));
+    graph.inputs(index).iter().all(is_support) && !leads_to_element
+}
+
+/// Where the way from a vertex ends.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum End {
+    /// In a support, where every vertex of one sketch ends.
+    Root(usize),
+    /// In a closed loop, given by its first vertex in the source.
+    Loop(usize),
+}
+
+/// The support in which all ways end. Every vertex but a root has one output here.
+fn find_root(graph: &Graph<'_>) -> syn::Result<usize> {
+    let mut ends: Vec<End> = Vec::new();
+    for vertex in 0..graph.vertices.len() {
+        let end = follow(graph, vertex);
+        if !ends.contains(&end) {
+            ends.push(end);
+        }
+    }
+    if let [End::Root(root)] = ends.as_slice() {
+        return Ok(*root);
+    }
+    let mut errors = Errors::default();
+    let mut first_root = None;
+    for end in ends {
+        let (vertex, message) = match (end, first_root) {
+            (End::Loop(vertex), _) => {
+                (vertex, "does not lead to the root: the arrows from it come back to it, in a closed loop")
+            }
+            (End::Root(vertex), None) => {
+                first_root = Some(vertex);
+                continue;
+            }
+            (End::Root(vertex), Some(_)) => {
+                (vertex, "is a second root: no path joins this part of the model to the first; a model is one tree")
+            }
+        };
+        errors.push(graph.vertices[vertex].place(), format!("`{}` {message}", graph.vertices[vertex].name()));
+    }
+    errors.propagate()?;
+    // a checked model has a vertex, and its way has an end
+    Ok(first_root.unwrap_or(0))
+}
+
+/// Follows the arrows from a vertex.
+fn follow(graph: &Graph<'_>, start: usize) -> End {
+    let mut vertex = start;
+    for _ in 0..graph.vertices.len() {
+        match graph.output(vertex) {
+            None => return End::Root(vertex),
+            Some(next) => vertex = next,
+        }
+    }
+    // as many steps as there are vertices lead into the loop: go round it once more
+    let mut first = vertex;
+    let mut next = graph.output(vertex).unwrap_or(vertex);
+    while next != vertex {
+        first = first.min(next);
+        next = graph.output(next).unwrap_or(vertex);
+    }
+    End::Loop(first)
+}

@@ -1,0 +1,160 @@
+//! Names and paths that several emitted items share, and where errors in them are shown.
+
+use crate::ast::{Element, Kind, Model};
+use crate::keywords::{ELEMENTS, SUPPORTS, look_up};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote_spanned};
+use std::collections::BTreeSet;
+
+/// Paths and names that several emitted items share.
+pub(super) struct Names<'a> {
+    /// Every name in the model.
+    taken: &'a BTreeSet<String>,
+    /// Path to the facade crate.
+    facade: TokenStream,
+    /// Where errors are shown that are about no token of the user's: at the name of the model.
+    pub(super) here: Span,
+    /// Path to everything that emitted code uses.
+    pub(super) private: TokenStream,
+    /// Type of the built system.
+    pub(super) system: Ident,
+    /// Type parameter: scalar of the parameters.
+    pub(super) parameter: Ident,
+    /// Type parameter: scalar of the frequency.
+    pub(super) frequency: Ident,
+    /// Type parameter: what counts during a pass.
+    pub(super) tally: Ident,
+}
+
+impl<'a> Names<'a> {
+    pub(super) fn of(model: &'a Model) -> Self {
+        let facade = &model.facade;
+        let here = at(facade, model.parameters.ident.span());
+        Names {
+            taken: &model.names,
+            facade: facade.clone(),
+            here,
+            private: private_at(facade, here),
+            system: format_ident!("{}System", model.parameters.ident),
+            parameter: fresh("T", &model.names, here),
+            frequency: fresh("S", &model.names, here),
+            tally: fresh("C", &model.names, here),
+        }
+    }
+
+    /// The span for code that is about a token of the user's: errors in it are shown there.
+    pub(super) fn at(&self, token: Span) -> Span {
+        at(&self.facade, token)
+    }
+
+    /// The span for code that is about an element.
+    pub(super) fn at_element(&self, element: &Element) -> Span {
+        self.at(element.kind.place().last)
+    }
+
+    /// Path of an element's type, at the user's tokens.
+    pub(super) fn element_type(&self, element: &Element) -> TokenStream {
+        match &element.kind {
+            Kind::Type(path) => quote::ToTokens::to_token_stream(path),
+            Kind::Keyword(keyword) => {
+                let span = self.at(keyword.span());
+                let private = private_at(&self.facade, span);
+                let name = Ident::new(type_of(keyword), span);
+                quote_spanned!(span=> #private::elements::#name)
+            }
+        }
+    }
+
+    /// A type of an element under a name that nothing in the model has, for literals in the meaning of the user's token:
+    /// for these alone rustc finds the field that a misspelt parameter should have been.
+    pub(super) fn imported(&self, keyword: &Ident) -> Ident {
+        fresh(&format!("__{}", type_of(keyword)), self.taken, keyword.span())
+    }
+
+    /// Type of an element with the system's type parameter, at the user's tokens.
+    pub(super) fn element(&self, element: &Element) -> TokenStream {
+        self.element_over(element, &self.parameter)
+    }
+
+    /// Type of an element over some scalar, at the user's tokens.
+    pub(super) fn element_over(&self, element: &Element, scalar: &Ident) -> TokenStream {
+        let kind = self.element_type(element);
+        // a path of the user's own goes on in the user's meaning, so that rustc can join all its tokens
+        let span = match &element.kind {
+            Kind::Keyword(keyword) => self.at(keyword.span()),
+            Kind::Type(_) => element.kind.place().last,
+        };
+        let scalar = located(scalar, span);
+        quote_spanned!(span=> #kind<#scalar>)
+    }
+
+    /// `<Type<T> as Trait>`, at the user's tokens.
+    pub(super) fn element_as(&self, element: &Element, of: &str) -> TokenStream {
+        let (kind, span) = (self.element(element), self.at_element(element));
+        let of = self.trait_at(of, span);
+        quote_spanned!(span=> <#kind as #of>)
+    }
+
+    /// A trait of the core; those of evaluation have the frequency as parameter.
+    pub(super) fn trait_at(&self, name: &str, span: Span) -> TokenStream {
+        let (private, name) = (private_at(&self.facade, span), Ident::new(name, span));
+        if name == "Element" {
+            return quote_spanned!(span=> #private::#name);
+        }
+        let frequency = located(&self.frequency, span);
+        quote_spanned!(span=> #private::#name<#frequency>)
+    }
+
+    /// A function of the core.
+    pub(super) fn function_at(&self, name: &str, span: Span) -> TokenStream {
+        let (private, name) = (private_at(&self.facade, span), Ident::new(name, span));
+        quote_spanned!(span=> #private::#name)
+    }
+
+    /// A support, at the user's token.
+    pub(super) fn support(&self, keyword: &Ident) -> TokenStream {
+        let span = self.at(keyword.span());
+        let private = private_at(&self.facade, span);
+        // `check` has refused unknown keywords
+        let variant = Ident::new(look_up(SUPPORTS, &keyword.to_string()).unwrap_or("Fixed"), span);
+        quote_spanned!(span=> #private::Support::#variant)
+    }
+}
+
+/// The span of emitted code.
+///
+/// Its place is the user's token, its meaning that of `$crate`, with which most paths begin: where rustc has to join spans
+/// of different meaning, it underlines something else, often the whole macro.
+fn at(facade: &TokenStream, token: Span) -> Span {
+    let facade = facade.clone().into_iter().next();
+    facade.map_or_else(Span::call_site, |facade| facade.span()).located_at(token)
+}
+
+/// Path to everything that emitted code uses. The facade keeps its meaning and changes its place only.
+fn private_at(facade: &TokenStream, span: Span) -> TokenStream {
+    let facade = facade.clone().into_iter().map(|mut token| {
+        token.set_span(token.span().located_at(span));
+        token
+    });
+    let facade: TokenStream = facade.collect();
+    quote_spanned!(span=> #facade::__private)
+}
+
+/// The type in `mstmm_core::elements` behind a keyword. `check` has refused unknown ones.
+fn type_of(keyword: &Ident) -> &'static str {
+    look_up(ELEMENTS, &keyword.to_string()).unwrap_or("Beam")
+}
+
+/// A name at another place.
+fn located(name: &Ident, span: Span) -> Ident {
+    Ident::new(&name.to_string(), span)
+}
+
+/// A type parameter that nothing in the model is called: expressions and paths of the user's own stand in its scope.
+fn fresh(name: &str, taken: &BTreeSet<String>, span: Span) -> Ident {
+    let mut name = name.to_owned();
+    while taken.contains(&name) {
+        name.push('_');
+    }
+    Ident::new(&name, span)
+}

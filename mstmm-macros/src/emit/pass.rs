@@ -1,0 +1,109 @@
+//! Emits a pass of the plane method.
+
+use super::{Names, element_field, first_of_each_type, implement, local};
+use crate::plan::{Plan, Step};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote_spanned};
+
+/// `impl Characteristic<S>`: one pass of the plane method, a line per step.
+pub(super) fn characteristic(plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+    let Names { private, frequency, tally, .. } = names;
+    let types = first_of_each_type(plan, names);
+    let types = types.into_iter().map(|element| names.element_as(element, "PlaneStep"));
+    let coefficients = plan.elements.iter().map(|element| {
+        let (coefficients, field, kind) =
+            (local("k", element, names), element_field(element, names), names.element_as(element, "PlaneStep"));
+        quote_spanned!(names.here=> let #coefficients = #kind::coefficients(&self.#field, &at);)
+    });
+    let steps = plan.steps.iter().enumerate().map(|(index, step)| pass_step(index, step, plan, names));
+    let body = quote_spanned! {names.here=>
+        fn pass<#tally: #private::Tally<#frequency>>(
+            &self,
+            x: #frequency,
+            tally: &mut #tally,
+        ) -> #private::Scaled<#frequency> {
+            let at = #private::At::new(x, false #(|| #types::WAVES)*);
+            #(#coefficients)*
+            #(#steps)*
+        }
+    };
+    implement("Characteristic", "PlaneStep", &body, plan, names)
+}
+
+/// One step of the pass: `let s3 = ..`, or at the end Δ.
+fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+    let private = &names.private;
+    let own = subspace(index, names);
+    match step {
+        Step::Tip(_) if plan.holds_connection(index) => TokenStream::new(),
+        Step::Tip(keyword) => {
+            let support = names.support(keyword);
+            quote_spanned!(names.here=> let #own = #private::Subspace::Tip(#support, const { LAYOUT.space(#index) });)
+        }
+        // the last element ends in the root
+        Step::Element { .. } if index + 2 == plan.steps.len() => TokenStream::new(),
+        Step::Element { element, input, .. } => {
+            let element = plan.elements[*element];
+            let (coefficients, input) = (local("k", element, names), subspace(*input, names));
+            if plan.is_short() {
+                let kind = names.element_as(element, "PlaneStep");
+                return quote_spanned!(names.here=> let #own = #kind::step(&#coefficients, #input, tally););
+            }
+            let (kind, frequency, tally) = (names.element(element), &names.frequency, &names.tally);
+            quote_spanned! {names.here=>
+                let #own = #private::called_step::<#kind, #frequency, #tally>(&#coefficients, #input, tally);
+            }
+        }
+        Step::Connection { inputs, .. } => connection(index, inputs, plan, names),
+        Step::Root { support, input } => root(support, *input, plan, names),
+    }
+}
+
+/// A connection: its paths are joined, to its free state if it goes on wider, then supports hold it, then what does not go
+/// on is left behind.
+fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+    let private = &names.private;
+    let own = subspace(index, names);
+    let (mut joined, mut held) = (TokenStream::new(), Vec::new());
+    for &input in inputs {
+        let path = subspace(input, names);
+        match &plan.steps[input] {
+            Step::Tip(keyword) => {
+                let support = names.support(keyword);
+                held.push(quote_spanned!(names.here=> let #own = #private::held(#own, #support);));
+            }
+            _ if joined.is_empty() => joined = quote_spanned!(names.here=> let #own = #path;),
+            _ => joined.extend(quote_spanned! {names.here=>
+                let #own = #private::joined(#private::moderated(#own), #path);
+            }),
+        }
+    }
+    quote_spanned! {names.here=>
+        #joined
+        let #own = #private::widened(#own, const { LAYOUT.output(#index) });
+        #(#held)*
+        let #own = #private::narrowed(#own, const { LAYOUT.output(#index) }, tally);
+    }
+}
+
+/// The end of the pass, Δ: the last element goes into the root at once.
+fn root(support: &Ident, input: usize, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+    let support = names.support(support);
+    match &plan.steps[input] {
+        Step::Element { element, input, .. } => {
+            let element = plan.elements[*element];
+            let (coefficients, input) = (local("k", element, names), subspace(*input, names));
+            let kind = names.element_as(element, "PlaneStep");
+            quote_spanned!(names.here=> #kind::root(&#coefficients, #input, #support, tally))
+        }
+        _ => {
+            let input = subspace(input, names);
+            quote_spanned!(names.here=> #input.at_root(#support, tally))
+        }
+    }
+}
+
+/// The local variable of a step.
+fn subspace(index: usize, names: &Names<'_>) -> Ident {
+    format_ident!("s{index}", span = names.here)
+}

@@ -1,0 +1,103 @@
+//! Parses what stands between arrows: supports, connections, elements.
+
+use super::error_at;
+use crate::ast::{Connection, Element, Kind, Label, Node, Parameter};
+use crate::diagnostics::Place;
+use crate::keywords::{CONNECTION, SUPPORTS, look_up};
+use proc_macro2::Span;
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseStream, Result};
+use syn::{Error, Ident, LitFloat, LitInt, Path, Token, braced, token};
+
+impl Parse for Node {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let is_type = input.peek(Token![::]) || (input.peek(Ident::peek_any) && input.peek2(Token![::]));
+        if is_type {
+            let path = Path::parse_mod_style(input)?;
+            return parse_element(Kind::Type(path), input);
+        }
+        let Ok(keyword) = input.parse::<Ident>() else {
+            return Err(error_at(input, "expected a support, a connection `conn ..` or an element"));
+        };
+        if keyword == CONNECTION {
+            let label = parse_label(input, &keyword, keyword.span().into(), "")?;
+            return Ok(Node::Connection(Connection { keyword, label }));
+        }
+        if ends_here(&keyword, input) {
+            return Ok(Node::Support(keyword));
+        }
+        parse_element(Kind::Keyword(keyword), input)
+    }
+}
+
+/// Whether a word stands alone, as supports do.
+///
+/// The name of a support does so unless a label with parameters follows: then something is wrong with the support, and
+/// else an arrow or a `;` is missing behind it.
+fn ends_here(keyword: &Ident, input: ParseStream<'_>) -> bool {
+    if look_up(SUPPORTS, &keyword.to_string()).is_some() {
+        let takes_label = input.peek(LitInt) || (input.peek(Ident) && input.peek2(token::Brace));
+        return !takes_label;
+    }
+    input.is_empty() || input.peek(Token![->]) || input.peek(Token![<-]) || input.peek(Token![;])
+}
+
+/// `label { parameters }`, behind the kind of an element.
+fn parse_element(kind: Kind, input: ParseStream<'_>) -> Result<Node> {
+    let label = parse_label(input, kind.name(), kind.place(), " { .. }")?;
+    let parameters = if input.peek(token::Brace) { Some(parse_parameters(input)?) } else { None };
+    Ok(Node::Element(Box::new(Element { kind, label, parameters })))
+}
+
+/// `{ name: value, name, .. }`
+fn parse_parameters(input: ParseStream<'_>) -> Result<Vec<Parameter>> {
+    let content;
+    braced!(content in input);
+    let mut parameters = Vec::new();
+    while !content.is_empty() {
+        parameters.push(content.parse()?);
+        if !content.is_empty() && content.parse::<Option<Token![,]>>()?.is_none() {
+            return Err(error_at(&content, "expected `,` between parameters"));
+        }
+    }
+    Ok(parameters)
+}
+
+/// A name, or a decimal number without leading zero or suffix, behind `owner`.
+fn parse_label(input: ParseStream<'_>, owner: &Ident, place: Place, rest: &str) -> Result<Label> {
+    if input.peek(Ident) {
+        return Ok(Label::Name(input.parse()?));
+    }
+    let malformed = |span: Span, text: &str| {
+        let advice = "a label is a name or a decimal number without leading zero or suffix, such as `arm` or `12`";
+        Err(Error::new(span, format!("`{text}` is not a label: {advice}")))
+    };
+    if input.peek(LitInt) {
+        let number: LitInt = input.parse()?;
+        let text = number.to_string();
+        let plain = text.bytes().all(|b| b.is_ascii_digit()) && (text == "0" || !text.starts_with('0'));
+        return if plain { Ok(Label::Number(number)) } else { malformed(number.span(), &text) };
+    }
+    if input.peek(LitFloat) {
+        let number: LitFloat = input.parse()?;
+        return malformed(number.span(), &number.to_string());
+    }
+    Err(Error::new_spanned(place, format!("`{owner}` needs a label, a name or a number: `{owner} 1{rest}`")))
+}
+
+impl Parse for Parameter {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let Ok(name) = input.parse::<Ident>() else {
+            let message = "expected a parameter, `name: value`, or `name` alone for the value of that name";
+            return Err(error_at(input, message));
+        };
+        if input.is_empty() || input.peek(Token![,]) {
+            return Ok(Parameter { name, value: None });
+        }
+        if !input.peek(Token![:]) {
+            return Err(error_at(input, format!("expected `:`: a parameter is written `{name}: value`")));
+        }
+        input.parse::<Token![:]>()?;
+        Ok(Parameter { name, value: Some(input.parse()?) })
+    }
+}

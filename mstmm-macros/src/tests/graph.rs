@@ -1,0 +1,187 @@
+//! Messages about the graph.
+
+use super::assert_refused;
+
+#[test]
+fn elements_and_connections_share_one_set_of_labels() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> spring 1 { stiffness: 1.0 } -> mass 1 { mass: 1.0 } -> free;
+                                                     ^ label `1` is taken by `spring 1`: elements and
+                                                     | connections share one set of labels, and an element is
+                                                     | written once
+                 ^^^^^^^^ label `1` is first used here
+        fixed -> spring arm { stiffness: 1.0 } -> conn arm -> free;
+                                                       ^^^ label `arm` is taken by `spring arm`: elements and
+                                                       | connections share one set of labels, and an element
+                                                       | is written once
+                 ^^^^^^^^^^ label `arm` is first used here
+        ",
+    );
+}
+
+#[test]
+fn a_support_ends_a_path() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> spring 1 { stiffness: 1.0 } -> pinned -> spring 2 { stiffness: 1.0 } -> free;
+                                                ^^^^^^ `pinned` stands in the middle of a path, but a support
+                                                | ends one: hold a point in between by a connection, `support
+                                                | -> conn ..`
+        ",
+    );
+    assert_refused(
+        "
+        struct M;
+        fixed -> spring 1 { stiffness: 1.0 } -> pinned <- spring 2 { stiffness: 1.0 } <- free;
+                                                ^^^^^^ `pinned` stands in the middle of a path, but a support
+                                                | ends one: hold a point in between by a connection, `support
+                                                | -> conn ..`
+        ",
+    );
+}
+
+#[test]
+fn a_support_holds_something() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> spring 1 { stiffness: 1.0 } -> free;
+        pinned;
+        ^^^^^^ `pinned` holds nothing: join it to an element or a connection by an arrow
+        ",
+    );
+}
+
+#[test]
+fn an_element_has_one_input_and_one_output() {
+    assert_refused(
+        "
+        struct M;
+        spring 1 { stiffness: 1.0 };
+        ^^^^^^^^ `spring 1` is joined to nothing: begin and end its path with a support or a connection
+        spring 2 { stiffness: 1.0 } -> free;
+        ^^^^^^^^ `spring 2` has no input: begin its path with a support or a connection
+        fixed -> spring 3 { stiffness: 1.0 };
+                 ^^^^^^^^ `spring 3` has no output: end its path with a support or a connection
+        fixed -> spring 4 { stiffness: 1.0 } <- fixed;
+                                             ^^ `spring 4` has two inputs, but one arrow leads in and the
+                                             | other on to the root: turn one of them round
+        free <- spring 5 { stiffness: 1.0 } -> free;
+                                            ^^ `spring 5` has two outputs, but every arrow leads to the one
+                                            | root: turn the arrows of one of the two paths round
+        ",
+    );
+}
+
+#[test]
+fn a_connection_has_inputs_and_one_output() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> spring 1 { stiffness: 1.0 } -> conn 2 <- spring 3 { stiffness: 1.0 } <- fixed;
+                                                ^^^^^^ `conn 2` has no output: lead it on to the root
+        conn 4 -> spring 5 { stiffness: 1.0 } -> free;
+        ^^^^^^ `conn 4` has no input: let paths end in it
+        conn six;
+        ^^^^^^^^ `conn six` has no output: lead it on to the root
+        ",
+    );
+}
+
+/// A beam over three supports, the middle one drawn as if it were another root.
+#[test]
+fn a_connection_has_one_output() {
+    assert_refused(
+        "
+        struct M;
+        pinned -> beam 1 { length: 1.0 } -> conn 2 -> beam 3 { length: 1.0 } -> pinned;
+        conn 2 -> pinned;
+               ^^ `conn 2` has two outputs, but every arrow leads to the one root: turn the arrows of one of
+               | the two paths round
+        ",
+    );
+}
+
+#[test]
+fn two_ways_between_two_connections_are_a_loop() {
+    assert_refused(
+        "
+        struct Frame;
+        fixed -> beam 1 { length: 1.0 } -> conn 2 -> beam 3 { length: 1.0 } -> conn 4 -> free;
+        conn 2 -> beam 5 { length: 1.0 } -> conn 4;
+               ^^ `conn 2` has two outputs, and this one is part of a closed loop: a model is a tree of paths,
+               | cut the loop open
+        ",
+    );
+    assert_refused(
+        "
+        struct Frame;
+        fixed -> beam 1 { length: 1.0 } -> conn 2 -> beam 3 { length: 1.0 } -> conn 2 -> free;
+                                                  ^^ `conn 2` has two outputs, and this one is part of a
+                                                  | closed loop: a model is a tree of paths, cut the loop open
+        ",
+    );
+}
+
+#[test]
+fn arrows_that_come_back_are_a_loop() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> beam 1 { length: 1.0 } -> free;
+        fixed -> beam 2 { length: 1.0 } -> conn 3 -> beam 4 { length: 1.0 } -> conn 5 -> beam 6 { length: 1.0 } -> conn 3;
+                                           ^^^^^^ `conn 3` does not lead to the root: the arrows from it come
+                                           | back to it, in a closed loop
+        ",
+    );
+    assert_refused(
+        "
+        struct M;
+        conn 1 -> beam 2 { length: 1.0 } -> conn 1;
+        ^^^^^^ `conn 1` does not lead to the root: the arrows from it come back to it, in a closed loop
+        ",
+    );
+}
+
+#[test]
+fn a_connection_is_not_joined_to_itself() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> beam 1 { length: 1.0 } -> conn 2 -> conn 2 -> free;
+                                                  ^^ `conn 2` is joined to itself
+        ",
+    );
+}
+
+#[test]
+fn a_connection_joins_elements() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> beam 1 { length: 1.0 } -> conn 2 -> free;
+        pinned -> conn 3 <- free;
+                  ^^^^^^ `conn 3` joins no element: let the path of an element end in it
+        conn 3 -> conn 2;
+        ",
+    );
+}
+
+#[test]
+fn a_model_is_one_tree() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> beam 1 { length: 1.0 } -> free;
+        fixed -> beam 2 { length: 1.0 } -> pinned;
+                                           ^^^^^^ `pinned` is a second root: no path joins this part of the
+                                           | model to the first; a model is one tree
+        fixed -> beam 3 { length: 1.0 } -> guided;
+                                           ^^^^^^ `guided` is a second root: no path joins this part of the
+                                           | model to the first; a model is one tree
+        ",
+    );
+}

@@ -1,0 +1,187 @@
+//! Messages about what one node or one field shows by itself.
+
+use super::{assert_refused, expanded};
+
+#[test]
+fn the_struct_has_named_fields() {
+    assert_refused(
+        "
+        struct M(f64, f64);
+                ^^^^^^^^^^ the struct of a model has named fields, `struct Model { length: f64, .. }`
+        fixed -> spring 1 { stiffness: 1.0 } -> free
+        ",
+    );
+}
+
+#[test]
+fn the_fields_are_numbers() {
+    assert_refused(
+        "
+        struct M { count: usize, name: &'static str, k: f64 }
+                          ^^^^^ a field of a model is an `f64`: compute anything else in a `let` line
+                                       ^^^^^^^^^^^^ a field of a model is an `f64`: compute anything else in a
+                                       | `let` line
+        fixed -> spring 1 { stiffness: k } -> free
+        ",
+    );
+}
+
+#[test]
+fn the_struct_is_not_generic() {
+    assert_refused(
+        "
+        struct M<T: Copy> { k: f64 }
+                ^^^^^^^^^ the struct of a model takes no generic parameters: its fields are all `f64`
+        fixed -> spring 1 { stiffness: k } -> free
+        ",
+    );
+}
+
+#[test]
+fn a_condition_is_about_the_whole_model() {
+    assert_refused(
+        "
+        #[derive(Debug)]
+        #[cfg(test)]
+        ^^^^^^^^^^^^ write `#[cfg(..)]` before `system!`: it is about the whole model
+        struct M { k: f64 }
+        fixed -> spring 1 { stiffness: k } -> free
+        ",
+    );
+}
+
+/// Else the field would be bound where it is not.
+#[test]
+fn a_condition_of_a_field_goes_with_it() {
+    let code = expanded(
+        "
+        struct M { #[cfg(feature = \"stiff\")] k: f64, #[cfg(not(feature = \"stiff\"))] k: f64, #[serde(skip)] m: f64 }
+        fixed -> spring 1 { stiffness: k } -> mass 2 { mass: m } -> free
+        ",
+    );
+    let bindings = "# [cfg (feature = \"stiff\")] let k = self . k ; # [cfg (not (feature = \"stiff\"))] let k = self . k ; \
+                    let m = self . m ;";
+    assert!(code.contains(bindings), "{code}");
+}
+
+#[test]
+fn a_model_needs_an_element() {
+    assert_refused(
+        "
+        struct Nothing;
+               ^^^^^^^ this model has no element: write a path such as `fixed -> beam 1 { .. } -> free;`
+        ",
+    );
+    assert_refused(
+        "
+        pub struct NoElement;
+                   ^^^^^^^^^ this model has no element: write a path such as `fixed -> beam 1 { .. } -> free;`
+        fixed -> free;
+        ",
+    );
+    assert_refused(
+        "
+        struct NoElement;
+               ^^^^^^^^^ this model has no element: write a path such as `fixed -> beam 1 { .. } -> free;`
+        fixed -> conn 1 -> free;
+        pinned -> conn 1;
+        ",
+    );
+}
+
+#[test]
+fn unknown_elements_and_supports_are_shown_together() {
+    assert_refused(
+        "
+        struct M { k: f64 }
+        fixd -> baem 1 { length: k } -> conn 2 -> quux 3 { stiffness: k } -> wall;
+        ^^^^ `fixd` is not a support: did you mean `fixed`?
+                ^^^^ `baem` is not an element: did you mean `beam`?
+                                                  ^^^^ `quux` is not an element: the elements are `spring`,
+                                                  | `torsion_spring`, `damper`, `torsion_damper`,
+                                                  | `spring_damper`, `torsion_spring_damper`, `mass`,
+                                                  | `inertia`, `point_mass`, `elastic_hinge`, `body`, `beam`,
+                                                  | `planar_body`, `planar_beam`, `planar_hinge`, or a type of
+                                                  | your own by a path with `::`
+                                                                             ^^^^ `wall` is not a support: the
+                                                                             | supports are `fixed`, `pinned`,
+                                                                             | `free`, `guided`, `roller`
+        conn 2 <- torsionspring four { stiffness: k } <- fixed;
+                  ^^^^^^^^^^^^^ `torsionspring` is not an element: did you mean `torsion_spring`?
+        ",
+    );
+}
+
+#[test]
+fn an_element_needs_a_label_and_parameters() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> spring -> conn 2 -> mass 1 -> free;
+                 ^^^^^^ `spring` needs a label and parameters, `spring 1 { .. }`
+                                     ^^^^^^ `mass 1` lacks its parameters in braces, `mass 1 { name: value, ..
+                                     | }`
+        fixed -> shop::Rope 3 -> conn 2;
+                 ^^^^^^^^^^^^ `Rope 3` lacks its parameters in braces, `Rope 3 { name: value, .. }`
+        ",
+    );
+}
+
+#[test]
+fn a_label_stands_apart() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> spring 1 { stiffness: 1.0 } -> conn2 -> beam3 -> free;
+                                                ^^^^^ `conn2` is not a support: put a space before the label,
+                                                | `conn 2`
+                                                         ^^^^^ `beam3` is not a support: put a space before
+                                                         | the label, `beam 3`
+        ",
+    );
+}
+
+#[test]
+fn an_element_is_written_once() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> spring 1 { stiffness: 1.0 } -> mass 2 { mass: 1.0 } -> free;
+        fixed -> spring 3 { stiffness: 1.0 } -> mass 2;
+                                                ^^^^^^ `mass 2` is written a second time: an element is
+                                                | written once; let paths meet in a connection, `conn`
+        ",
+    );
+}
+
+#[test]
+fn a_support_takes_no_label_and_no_parameters() {
+    assert_refused(
+        "
+        struct M;
+        fixed 1 -> spring 2 { stiffness: 1.0 } -> free 3 {};
+        ^^^^^ the support `fixed` takes no label and no parameters
+                                                  ^^^^ the support `free` takes no label and no parameters
+        fixed wall { } -> conn 4;
+        ^^^^^ the support `fixed` takes no label and no parameters
+        ",
+    );
+    assert_refused(
+        "
+        struct M;
+        fixed wall -> spring 2 { stiffness: 1.0 } -> free {};
+              ^^^^ expected an arrow, `->` or `<-`; where a new path begins, end the one before it with `;`
+        ",
+    );
+}
+
+#[test]
+fn a_parameter_is_given_once() {
+    assert_refused(
+        "
+        struct M { stiffness: f64 }
+        fixed -> spring 1 { stiffness: 1.0, stiffness } -> mass 2 { mass: 1.0 } -> free;
+                                            ^^^^^^^^^ `spring 1` gives `stiffness` twice
+        ",
+    );
+}

@@ -1,0 +1,29 @@
+use mstmm::prelude::*;
+use mstmm::{Element, Frequency, InvalidParameter, Real, SMatrix, TransferMatrix, Translation};
+
+struct Rope<T> {
+    length: T,
+}
+
+impl<T: Real> Element for Rope<T> {
+    type State = Translation;
+    type Built = Self;
+
+    fn build(self) -> Result<Self, InvalidParameter> {
+        Ok(self)
+    }
+}
+
+impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Rope<T> {
+    fn transfer_matrix(_: &Self, _: S) -> SMatrix<S, 2, 2> {
+        SMatrix::identity()
+    }
+}
+
+system! {
+    struct Hanging { length: f64 }
+
+    fixed -> self::Rope 1 { length } -> fixed;
+}
+
+fn main() {}

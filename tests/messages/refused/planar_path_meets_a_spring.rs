@@ -1,0 +1,10 @@
+use mstmm::prelude::*;
+
+system! {
+    struct Mixed { k: f64 }
+
+    fixed -> spring 1 { stiffness: k } -> conn 2;
+    fixed -> planar_hinge 3 { stiffness_x: k, stiffness_y: k, stiffness_theta: k } -> conn 2 -> pinned;
+}
+
+fn main() {}

@@ -1,0 +1,13 @@
+use mstmm::prelude::*;
+
+system! {
+    struct Oscillator { k: f64, c: f64, m: f64 }
+
+    fixed -> spring_damper 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
+}
+
+fn main() {
+    let system = Oscillator { k: 4.0, c: 0.1, m: 1.0 }.build().unwrap();
+    let _ = system.overall_determinant(2.0);
+    let _ = system.characteristic(2.0);
+}

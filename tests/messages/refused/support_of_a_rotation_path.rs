@@ -1,0 +1,9 @@
+use mstmm::prelude::*;
+
+system! {
+    struct Shaft { k: f64, j: f64 }
+
+    fixed -> torsion_spring 1 { stiffness: k } -> inertia 2 { inertia: j } -> guided;
+}
+
+fn main() {}
