@@ -113,7 +113,7 @@ impl core::error::Error for ParameterError {}
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SearchError {
-    /// The range is empty, reversed or not finite.
+    /// The range is empty, reversed or not finite, or its length is beyond the range of `f64`.
     Range {
         /// Start of the range.
         start: f64,
@@ -139,6 +139,20 @@ pub enum SearchError {
         /// Second coordinate of the point; zero in one dimension.
         y: f64,
     },
+    /// The function is zero at every point of the grid: it vanishes identically, and every point of the range is a root.
+    Zero {
+        /// Number of points.
+        points: usize,
+    },
+    /// A search on a rectangle did not come to rest.
+    StillMoving {
+        /// First coordinate of the point where it was given up.
+        x: f64,
+        /// Second coordinate of that point.
+        y: f64,
+        /// How often it had moved with cells of one size.
+        moves: usize,
+    },
     /// The system has fewer roots than were asked for.
     TooFewRoots {
         /// How many it has.
@@ -160,7 +174,7 @@ impl fmt::Display for SearchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             SearchError::Range { start, end } => {
-                write!(f, "the search range from {start} to {end} must be finite and run upwards")
+                write!(f, "the search range from {start} to {end} must run upwards and be of finite length")
             }
             SearchError::Grid { points, limit } => {
                 write!(f, "a grid of {points} points was asked for; it needs at least 3 and at most {limit}")
@@ -169,6 +183,10 @@ impl fmt::Display for SearchError {
                 write!(f, "the tolerance {tolerance} must be positive and finite")
             }
             SearchError::NotANumber { x, y } => write!(f, "the function is not a number at ({x}, {y})"),
+            SearchError::Zero { points } => write!(f, "the function is zero at all {points} points of the grid"),
+            SearchError::StillMoving { x, y, moves } => {
+                write!(f, "the search for a minimum was given up at ({x}, {y}), still moving after {moves} moves")
+            }
             SearchError::TooFewRoots { found } => write!(f, "the system has only {found} roots"),
             SearchError::Unresolved { near } => {
                 write!(f, "the roots near {near} cannot be certified: their counts contradict each other")

@@ -45,6 +45,9 @@ impl<'a, M, const CAP: usize> IntoIterator for &'a Minima<M, CAP> {
     }
 }
 
+/// Largest number of grid points in one direction: beyond it a search would not end within hours.
+pub const MAX_POINTS: usize = i32::MAX as usize;
+
 /// A grid of equal cells over an interval, ends included.
 #[derive(Clone, Copy, Debug)]
 struct Grid {
