@@ -76,16 +76,20 @@ impl Magnitude {
         Scaled { mantissa: self.mantissa, exponent: self.exponent }.value()
     }
 
-    /// Whether the logarithm of three equally spaced samples is convex: `own² < before · after`; that of equal samples
-    /// is not.
+    /// `own² / (before · after)` of three equally spaced samples: less than 1 where their logarithm is convex. A factor
+    /// `e^{az}` of the function does not change it.
+    pub(crate) fn concavity(before: Magnitude, own: Magnitude, after: Magnitude) -> Magnitude {
+        let ratio = own.mantissa * own.mantissa / (before.mantissa * after.mantissa);
+        let exponents = own.exponent.saturating_mul(2).saturating_sub(before.exponent.saturating_add(after.exponent));
+        Scaled::new(ratio, exponents).into()
+    }
+
+    /// Whether the logarithm of three equally spaced samples is convex; that of equal samples is not.
     ///
     /// The logarithm of a pole-free |Δ| is concave along ω between roots (undamped), and harmonic in λ, so not convex
     /// along two axes at once, away from roots (damped): convex samples have a root between them.
     pub(crate) fn is_log_convex(before: Magnitude, own: Magnitude, after: Magnitude) -> bool {
-        let product = |a: Magnitude, b: Magnitude| -> Magnitude {
-            Scaled::new(a.mantissa * b.mantissa, a.exponent.saturating_add(b.exponent)).into()
-        };
-        product(own, own) < product(before, after)
+        Self::concavity(before, own, after) < Magnitude::from(1.0)
     }
 
     /// Whether this is exactly zero.

@@ -1,6 +1,6 @@
 //! Recursive scanning for the minima of |Δ| on an interval.
 
-use super::{Grid, MAX_POINTS, Minima};
+use super::{Grid, HALVINGS_TO_SHOW_A_ROOT, MAX_POINTS, Minima};
 use crate::error::SearchError;
 use crate::list::List;
 use crate::scaled::Magnitude;
@@ -171,24 +171,25 @@ fn find_hidden(
     mut triple: Triple,
     tolerance: f64,
 ) -> Result<Option<Minimum1d>, SearchError> {
-    while !triple.is_minimum() {
-        if !triple.hides_root() || triple.width() <= tolerance {
-            return Ok(None);
+    for _ in 0..HALVINGS_TO_SHOW_A_ROOT {
+        if triple.is_minimum() {
+            return refine(evaluate, triple, tolerance).map(Some);
+        }
+        if !triple.hides_root() {
+            break;
         }
         let lower = between(evaluate, triple.middle, triple.before)?;
         let upper = between(evaluate, triple.middle, triple.after)?;
         if lower.is_none() || upper.is_none() {
             // no number is left between two samples: a triple without one of them would pass for an end of the interval
-            return Ok(None);
+            break;
         }
         let samples = [triple.before, lower, Some(triple.middle), upper, triple.after];
         let inner = || [1, 2, 3].into_iter().filter_map(|k| Triple::of(&samples, k));
-        let Some(next) = inner().find(Triple::is_minimum).or_else(|| inner().find(Triple::hides_root)) else {
-            return Ok(None);
-        };
+        let Some(next) = inner().find(Triple::is_minimum).or_else(|| inner().find(Triple::hides_root)) else { break };
         triple = next;
     }
-    refine(evaluate, triple, tolerance).map(Some)
+    Ok(None)
 }
 
 /// Adds a minimum unless it is one that was found from a neighbouring point, too.
@@ -325,9 +326,11 @@ mod tests {
 
     #[test]
     fn a_root_takes_the_place_of_an_end_within_the_tolerance() {
-        let found = fmin1d::<8, _>(|x: f64| (x - 0.4) * (5.0 * x).exp(), 0.0..=10.0, 11, 0.3).unwrap();
-        assert_eq!((found.len(), found[0].at_end), (1, false));
-        assert!((found[0].x - 0.4).abs() <= 0.3);
+        for (root, tolerance) in [(0.4, 0.3), (0.9, 0.5), (0.9, 1.0)] {
+            let found = fmin1d::<8, _>(|x: f64| (x - root) * (5.0 * x).exp(), 0.0..=10.0, 11, tolerance).unwrap();
+            assert_eq!((found.len(), found[0].at_end), (1, false));
+            assert!((found[0].x - root).abs() <= tolerance);
+        }
     }
 
     #[test]
