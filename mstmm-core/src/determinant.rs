@@ -1,7 +1,7 @@
 //! Determinants of small matrices over any scalar.
 
 use crate::scalar::Scalar;
-use crate::scaled::Scaled;
+use crate::scaled::{Scaled, binary_exponent};
 use nalgebra::SMatrix;
 
 /// Determinant by Gaussian elimination with row pivoting, with mantissa and exponent apart.
@@ -22,8 +22,11 @@ pub fn determinant<S: Scalar, const N: usize>(mut matrix: SMatrix<S, N, N>) -> S
             return product;
         }
         matrix.swap_rows(pivot_row, column);
+        // a complex division squares the modulus of its divisor, which overflows or vanishes at half the range
+        let shift = -binary_exponent(pivot.size());
+        let pivot = pivot.times_power_of_two(shift);
         for row in column + 1..N {
-            let factor = matrix[(row, column)] / pivot;
+            let factor = matrix[(row, column)].times_power_of_two(shift) / pivot;
             for k in column + 1..N {
                 let change = factor * matrix[(column, k)];
                 matrix[(row, k)] -= change;
@@ -50,6 +53,7 @@ mod tests {
     use super::*;
     use crate::tolerance::assert_close;
     use nalgebra::{Matrix3, SMatrix};
+    use num_complex::Complex;
     use proptest::prelude::*;
 
     proptest! {
@@ -68,6 +72,20 @@ mod tests {
     fn a_row_exchange_changes_the_sign() {
         let m = SMatrix::<f64, 2, 2>::new(0.0, 1.0, 1.0, 0.0);
         assert_eq!(determinant(m).value(), -1.0);
+    }
+
+    #[test]
+    fn complex_entries_may_be_as_large_and_as_small_as_real_ones() {
+        type C = Complex<f64>;
+        let matrix = SMatrix::<C, 2, 2>::new(1e160.into(), 1e160.into(), 1e100.into(), 2e100.into());
+        assert_close(determinant(matrix).value().re, 1e260, 1e260, 8.0);
+        for size in [1e-300, 1e-160, 1e160, 1e300] {
+            // columns in the directions 1 and i: the determinant is 3i - 2i
+            let i = C::i();
+            let matrix = SMatrix::<C, 2, 2>::new(1.0.into(), i, 2.0.into(), i * 3.0) * C::from(size);
+            let value = determinant(matrix).times(C::from(1.0 / size)).times(C::from(1.0 / size)).value();
+            assert_close((value - i).norm(), 0.0, 5.0, 4.0);
+        }
     }
 
     #[test]

@@ -126,7 +126,9 @@ pub trait Evaluate<S: Scalar> {
 
     /// `det U_all` times the dashpots' `K + Cλ`, an entire function of λ whose zeros are the eigenvalues.
     ///
-    /// In double precision its zeros are good for the first ten modes or so; products of more than about `e^700`
-    /// leave the range of `f64` and give a mantissa that is not finite.
+    /// In double precision its zeros are good for the first six modes or so: in the tenth of a single beam they are wrong
+    /// from the fifth digit on. Only the product of the pivots has an exponent of its own. The states before are plain
+    /// numbers: where the βl of the beams of a path add up to about 700, less the logarithm of the largest EIβ³, they
+    /// leave the range of `f64`, and the mantissa is not finite.
     fn overall_determinant(&self, x: S) -> Scaled<S>;
 }
