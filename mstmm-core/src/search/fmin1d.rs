@@ -25,10 +25,10 @@ pub struct Minimum1d {
 /// root shows as a convex logarithm (log|Δ| is concave between roots), and those cells are scanned again as well.
 ///
 /// # Limits
-/// For a Δ(ω) without poles of an undamped system each interior minimum is a root, as far as rounding lets it be seen:
-/// a tolerance below the rounding noise of the function finds minima of the noise, which may even be zeros, as a
-/// double-precision determinant takes few values there. A residual of 0 certifies nothing, least of all beyond a βl of
-/// about 33, where the noise of the determinant of a beam is as large as the determinant anywhere between its roots.
+/// For a Δ(ω) without poles of an undamped system each interior minimum is a root, as far as rounding lets it be seen.
+/// A tolerance below the rounding noise of the function finds minima of the noise, and these can be exact zeros: a
+/// residual of 0 certifies nothing, least of all beyond a βl of about 33, where the noise of the double-precision
+/// determinant of a beam comes up to the determinant itself.
 ///
 /// Roots closer than two cells can be lost without notice, and multiplicity is not seen. So can a root within 15 % of
 /// a cell's length from an end of the range, if the function falls or rises past it. Of two minima within twice the
