@@ -10,9 +10,12 @@ pub enum Requirement {
     Finite,
     /// Finite and greater than zero.
     Positive,
+    /// Greater than zero and finite, as is the reciprocal: what a compliance is computed from.
+    Invertible,
     /// Finite and not less than zero.
     NonNegative,
-    /// Finite and at least `bound`, which comes from `formula`.
+    /// Finite and at least `bound`, which comes from `formula`, with room for the rounding of the caller, who may have
+    /// computed the same product in another order (three roundings on either side).
     AtLeast {
         /// Smallest valid value.
         bound: f64,
@@ -26,6 +29,7 @@ impl fmt::Display for Requirement {
         match self {
             Requirement::Finite => write!(f, "a finite number"),
             Requirement::Positive => write!(f, "positive and finite"),
+            Requirement::Invertible => write!(f, "positive and finite, with a finite reciprocal"),
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
         }
@@ -56,8 +60,7 @@ impl InvalidParameter {
 }
 
 impl Requirement {
-    /// At least `bound`, with room for the rounding of the caller, who may have computed the same product in another
-    /// order (three roundings on either side).
+    /// At least `bound`, which comes from `formula`.
     pub fn at_least<T: Real>(bound: T, formula: &'static str) -> Self {
         Requirement::AtLeast { bound: bound.to_f64(), formula }
     }
@@ -73,11 +76,14 @@ impl Requirement {
     /// assert!(Requirement::NonNegative.check("damping", f64::NAN).is_err());
     /// ```
     pub fn check<T: Real>(self, parameter: &'static str, value: T) -> Result<(), InvalidParameter> {
+        let reciprocal = (T::one() / value).to_f64();
         let value = value.to_f64();
         let valid = match self {
             Requirement::Finite => true,
             Requirement::Positive => value > 0.0,
+            Requirement::Invertible => value > 0.0 && reciprocal.is_finite(),
             Requirement::NonNegative => value >= 0.0,
+            // see `AtLeast`: three roundings of each of two numbers of the size of the bound
             Requirement::AtLeast { bound, .. } => value >= bound - rounding(3, 2.0 * bound.abs()),
         };
         if valid && value.is_finite() {
@@ -113,7 +119,7 @@ impl core::error::Error for ParameterError {}
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SearchError {
-    /// The range is empty, reversed or not finite.
+    /// The range is empty, reversed or not finite, or its length is beyond the range of `f64`.
     Range {
         /// Start of the range.
         start: f64,
@@ -139,6 +145,20 @@ pub enum SearchError {
         /// Second coordinate of the point; zero in one dimension.
         y: f64,
     },
+    /// The function is zero at every point of the grid: it vanishes identically, and every point of the range is a root.
+    Zero {
+        /// Number of points.
+        points: usize,
+    },
+    /// A search on a rectangle did not come to rest.
+    StillMoving {
+        /// First coordinate of the point where it was given up.
+        x: f64,
+        /// Second coordinate of that point.
+        y: f64,
+        /// How often it had moved with cells of one size.
+        moves: usize,
+    },
     /// The system has fewer roots than were asked for.
     TooFewRoots {
         /// How many it has.
@@ -160,7 +180,7 @@ impl fmt::Display for SearchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             SearchError::Range { start, end } => {
-                write!(f, "the search range from {start} to {end} must be finite and run upwards")
+                write!(f, "the search range from {start} to {end} must run upwards and be of finite length")
             }
             SearchError::Grid { points, limit } => {
                 write!(f, "a grid of {points} points was asked for; it needs at least 3 and at most {limit}")
@@ -169,6 +189,10 @@ impl fmt::Display for SearchError {
                 write!(f, "the tolerance {tolerance} must be positive and finite")
             }
             SearchError::NotANumber { x, y } => write!(f, "the function is not a number at ({x}, {y})"),
+            SearchError::Zero { points } => write!(f, "the function is zero at all {points} points of the grid"),
+            SearchError::StillMoving { x, y, moves } => {
+                write!(f, "the search for a minimum was given up at ({x}, {y}), still moving after {moves} moves")
+            }
             SearchError::TooFewRoots { found } => write!(f, "the system has only {found} roots"),
             SearchError::Unresolved { near } => {
                 write!(f, "the roots near {near} cannot be certified: their counts contradict each other")
@@ -194,10 +218,26 @@ mod tests {
     }
 
     #[test]
+    fn a_range_too_long_for_its_type_is_told_so() {
+        let message = SearchError::Range { start: -1.5e308, end: 1.5e308 }.to_string();
+        assert!(message.contains("finite length"), "{message}");
+    }
+
+    #[test]
+    fn a_finite_reciprocal_is_that_of_the_type_of_the_parameter() {
+        for (value, valid) in [(1e-300, true), (1e-309, false), (1e-320, false), (0.0, false), (-1.0, false)] {
+            assert_eq!(Requirement::Invertible.check("stiffness", value).is_ok(), valid, "{value}");
+        }
+        assert!(Requirement::Invertible.check("stiffness", 1e-38_f32).is_ok());
+        assert!(Requirement::Invertible.check("stiffness", 1e-40_f32).is_err());
+    }
+
+    #[test]
     fn no_requirement_accepts_a_number_that_is_not_finite() {
         let all = [
             Requirement::Finite,
             Requirement::Positive,
+            Requirement::Invertible,
             Requirement::NonNegative,
             Requirement::AtLeast { bound: 0.0, formula: "nothing" },
         ];

@@ -53,9 +53,14 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
         }
     }
 
+    /// The values, to be changed or put in order.
+    pub(crate) fn as_mut_slice(&mut self) -> &mut [V] {
+        &mut self.values[..self.length]
+    }
+
     /// Turns the order round.
     pub(crate) fn reverse(&mut self) {
-        self.values[..self.length].reverse();
+        self.as_mut_slice().reverse();
     }
 }
 

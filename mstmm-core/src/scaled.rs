@@ -8,7 +8,7 @@ use num_complex::Complex;
 /// `mantissa · 2^exponent`.
 ///
 /// Invariant: the larger component of a finite, non-zero mantissa lies in `[1, 2)`; zero and non-finite values have
-/// exponent 0.
+/// exponent 0. Exponents stop at the ends of the range of `i64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaled<S> {
     mantissa: S,
@@ -34,7 +34,7 @@ impl<S: Scalar> Scaled<S> {
             return Scaled { mantissa: value, exponent: 0 };
         }
         let shift = binary_exponent(size);
-        Scaled { mantissa: value.times_power_of_two(-shift), exponent: exponent + i64::from(shift) }
+        Scaled { mantissa: value.times_power_of_two(-shift), exponent: exponent.saturating_add(i64::from(shift)) }
     }
 
     /// The factor in `[1, 2)` (or zero, or not finite).
@@ -51,7 +51,7 @@ impl<S: Scalar> Scaled<S> {
     #[must_use]
     pub fn times(self, factor: S) -> Self {
         let factor = Scaled::new(factor, 0);
-        Scaled::new(self.mantissa * factor.mantissa, self.exponent + factor.exponent)
+        Scaled::new(self.mantissa * factor.mantissa, self.exponent.saturating_add(factor.exponent))
     }
 
     /// The plain number; infinite or zero where it leaves the range of the type.
@@ -76,15 +76,25 @@ impl Magnitude {
         Scaled { mantissa: self.mantissa, exponent: self.exponent }.value()
     }
 
-    /// Whether the logarithm of three equally spaced samples is convex: `own² <= before · after`.
+    /// `own² / (before · after)` of three equally spaced samples: less than 1 where their logarithm is convex. A factor
+    /// `e^{az}` of the function does not change it.
+    pub(crate) fn concavity(before: Magnitude, own: Magnitude, after: Magnitude) -> Magnitude {
+        let ratio = own.mantissa * own.mantissa / (before.mantissa * after.mantissa);
+        let exponents = own.exponent.saturating_mul(2).saturating_sub(before.exponent.saturating_add(after.exponent));
+        Scaled::new(ratio, exponents).into()
+    }
+
+    /// Whether the logarithm of three equally spaced samples is convex; that of equal samples is not.
     ///
     /// The logarithm of a pole-free |Δ| is concave along ω between roots (undamped), and harmonic in λ, so not convex
     /// along two axes at once, away from roots (damped): convex samples have a root between them.
     pub(crate) fn is_log_convex(before: Magnitude, own: Magnitude, after: Magnitude) -> bool {
-        let product = |a: Magnitude, b: Magnitude| -> Magnitude {
-            Scaled::new(a.mantissa * b.mantissa, a.exponent + b.exponent).into()
-        };
-        product(own, own) <= product(before, after)
+        Self::concavity(before, own, after) < Magnitude::from(1.0)
+    }
+
+    /// Whether this is exactly zero.
+    pub(crate) fn is_zero(self) -> bool {
+        self.mantissa == 0.0
     }
 
     /// Whether this is not a number.
@@ -105,7 +115,7 @@ impl PartialOrd for Magnitude {
 
 impl fmt::Display for Magnitude {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.exponent.abs() < 1000 {
+        if self.exponent.unsigned_abs() < 1000 {
             return write!(f, "{:e}", self.value());
         }
         write!(f, "{} * 2^{}", self.mantissa, self.exponent)
@@ -142,6 +152,7 @@ impl<T: Real> From<Scaled<Complex<T>>> for Magnitude {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use std::string::ToString;
 
     proptest! {
         #[test]
@@ -168,5 +179,24 @@ mod tests {
         assert_eq!(huge.value(), f64::INFINITY);
         assert!(Magnitude::from(huge) > Magnitude::from(1e300));
         assert!(Magnitude::from(0.0) < Magnitude::from(Scaled::new(1e-300, -10_000)));
+    }
+    #[test]
+    fn exponents_stop_at_the_ends_of_their_range() {
+        let largest = Scaled::new(2.0, i64::MAX);
+        assert_eq!((largest.exponent(), largest.times(8.0).exponent()), (i64::MAX, i64::MAX));
+        let smallest = Scaled::new(0.5, i64::MIN);
+        assert_eq!((smallest.exponent(), smallest.times(0.25).exponent()), (i64::MIN, i64::MIN));
+        assert_eq!(Magnitude::from(smallest).to_string(), std::format!("1 * 2^{}", i64::MIN));
+        let (smallest, largest) = (smallest.into(), largest.into());
+        assert!(Magnitude::is_log_convex(largest, smallest, largest));
+        assert!(!Magnitude::is_log_convex(smallest, largest, smallest));
+    }
+
+    #[test]
+    fn equal_samples_are_not_convex() {
+        for value in [0.0, 1.0, 1.3e-200] {
+            let value = Magnitude::from(value);
+            assert!(!Magnitude::is_log_convex(value, value, value));
+        }
     }
 }

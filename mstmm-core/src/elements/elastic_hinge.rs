@@ -18,9 +18,9 @@ use nalgebra::Matrix4;
 /// Eq. (32) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElasticHinge<T> {
-    /// Translational stiffness K_y [N/m], positive.
+    /// Translational stiffness K_y [N/m], positive, with a finite reciprocal.
     pub stiffness_y: T,
-    /// Torsional stiffness K_θ [N m/rad], positive.
+    /// Torsional stiffness K_θ [N m/rad], positive, with a finite reciprocal.
     pub stiffness_theta: T,
 }
 
@@ -29,8 +29,8 @@ impl<T: Real> Element for ElasticHinge<T> {
     type Built = Self;
 
     fn build(self) -> Result<Self, InvalidParameter> {
-        Requirement::Positive.check("stiffness_y", self.stiffness_y)?;
-        Requirement::Positive.check("stiffness_theta", self.stiffness_theta)?;
+        Requirement::Invertible.check("stiffness_y", self.stiffness_y)?;
+        Requirement::Invertible.check("stiffness_theta", self.stiffness_theta)?;
         Ok(self)
     }
 

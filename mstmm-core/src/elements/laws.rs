@@ -216,3 +216,22 @@ fn laws_of_all_elements() {
 fn laws_of_undamped_elements() {
     for_each_undamped_element!(real_and_complex_agree);
 }
+
+/// Stiffnesses divide in the transfer matrix: one without a finite reciprocal is refused by its name.
+#[test]
+fn a_stiffness_has_a_finite_reciprocal() {
+    fn refused<E: Element>(element: E) -> &'static str {
+        element.build().err().map_or("nothing", |error| error.parameter)
+    }
+    let (stiffness, damping, ordinary) = (1e-320, 0.0, 1.0);
+    assert_eq!(refused(Spring { stiffness }), "stiffness");
+    assert_eq!(refused(TorsionSpring { stiffness }), "stiffness");
+    assert_eq!(refused(SpringDamper { stiffness, damping }), "stiffness");
+    assert_eq!(refused(TorsionSpringDamper { stiffness, damping }), "stiffness");
+    assert_eq!(refused(ElasticHinge { stiffness_y: stiffness, stiffness_theta: ordinary }), "stiffness_y");
+    assert_eq!(refused(ElasticHinge { stiffness_y: ordinary, stiffness_theta: stiffness }), "stiffness_theta");
+    let hinge = PlanarHinge { stiffness_x: ordinary, stiffness_y: ordinary, stiffness_theta: ordinary };
+    assert_eq!(refused(PlanarHinge { stiffness_x: stiffness, ..hinge }), "stiffness_x");
+    assert_eq!(refused(PlanarHinge { stiffness_y: stiffness, ..hinge }), "stiffness_y");
+    assert_eq!(refused(PlanarHinge { stiffness_theta: stiffness, ..hinge }), "stiffness_theta");
+}

@@ -47,7 +47,8 @@ impl<T: Real> Element for PlanarBody<T> {
         Requirement::Finite.check("output_y", self.output_y)?;
         Requirement::Finite.check("centre_x", self.centre_x)?;
         Requirement::Finite.check("centre_y", self.centre_y)?;
-        let about_centre = self.mass * (self.centre_x * self.centre_x + self.centre_y * self.centre_y);
+        // the mass first: none has no moment, however far away
+        let about_centre = self.mass * self.centre_x * self.centre_x + self.mass * self.centre_y * self.centre_y;
         Requirement::at_least(about_centre, "mass * (centre_x² + centre_y²)").check("inertia", self.inertia)?;
         Ok(self)
     }
@@ -86,5 +87,23 @@ impl super::laws::Sample for PlanarBody<f64> {
             centre_x,
             centre_y,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_without_mass_needs_no_inertia_wherever_its_centre_is() {
+        let massless = PlanarBody {
+            mass: 0.0,
+            inertia: 0.0,
+            output_x: 1.0,
+            output_y: 0.0,
+            centre_x: 1e200,
+            centre_y: -1e200,
+        };
+        assert!(massless.build().is_ok());
     }
 }

@@ -15,11 +15,11 @@ use nalgebra::Matrix6;
 /// Eqs. (3), (4) and (32) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarHinge<T> {
-    /// Stiffness K_x along x [N/m], positive.
+    /// Stiffness K_x along x [N/m], positive, with a finite reciprocal.
     pub stiffness_x: T,
-    /// Stiffness K_y along y [N/m], positive.
+    /// Stiffness K_y along y [N/m], positive, with a finite reciprocal.
     pub stiffness_y: T,
-    /// Torsional stiffness K_θ [N m/rad], positive.
+    /// Torsional stiffness K_θ [N m/rad], positive, with a finite reciprocal.
     pub stiffness_theta: T,
 }
 
@@ -28,9 +28,9 @@ impl<T: Real> Element for PlanarHinge<T> {
     type Built = Self;
 
     fn build(self) -> Result<Self, InvalidParameter> {
-        Requirement::Positive.check("stiffness_x", self.stiffness_x)?;
-        Requirement::Positive.check("stiffness_y", self.stiffness_y)?;
-        Requirement::Positive.check("stiffness_theta", self.stiffness_theta)?;
+        Requirement::Invertible.check("stiffness_x", self.stiffness_x)?;
+        Requirement::Invertible.check("stiffness_y", self.stiffness_y)?;
+        Requirement::Invertible.check("stiffness_theta", self.stiffness_theta)?;
         Ok(self)
     }
 }

@@ -19,7 +19,7 @@ use nalgebra::Matrix2;
 /// Eq. (3) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring<T> {
-    /// Stiffness K [N/m], positive.
+    /// Stiffness K [N/m], positive, with a finite reciprocal.
     pub stiffness: T,
 }
 
@@ -28,7 +28,7 @@ impl<T: Real> Element for Spring<T> {
     type Built = Self;
 
     fn build(self) -> Result<Self, InvalidParameter> {
-        Requirement::Positive.check("stiffness", self.stiffness)?;
+        Requirement::Invertible.check("stiffness", self.stiffness)?;
         Ok(self)
     }
 

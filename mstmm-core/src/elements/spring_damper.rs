@@ -20,7 +20,7 @@ use nalgebra::Matrix2;
 /// Eq. (39) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpringDamper<T> {
-    /// Stiffness K [N/m], positive.
+    /// Stiffness K [N/m], positive, with a finite reciprocal.
     pub stiffness: T,
     /// Damping C [N s/m], zero or positive.
     pub damping: T,
@@ -31,7 +31,7 @@ impl<T: Real> Element for SpringDamper<T> {
     type Built = Self;
 
     fn build(self) -> Result<Self, InvalidParameter> {
-        Requirement::Positive.check("stiffness", self.stiffness)?;
+        Requirement::Invertible.check("stiffness", self.stiffness)?;
         Requirement::NonNegative.check("damping", self.damping)?;
         Ok(self)
     }
@@ -44,13 +44,13 @@ impl<T: Real> Element for SpringDamper<T> {
 impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for SpringDamper<T> {
     #[inline(always)]
     fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
-        let compliance = S::one() / off_pole(built.dynamic_stiffness(x));
+        let (_, compliance) = off_pole(built.dynamic_stiffness(x));
         Matrix2::new(S::one(), -compliance, S::zero(), S::one())
     }
 
     #[inline(always)]
     fn denominator(built: &Self, x: S) -> Option<S> {
-        Some(off_pole(built.dynamic_stiffness(x)))
+        Some(off_pole(built.dynamic_stiffness(x)).0)
     }
 }
 

@@ -36,13 +36,13 @@ impl<T: Real> Element for TorsionDamper<T> {
 impl<T: Real, S: ComplexFrequency<T>> TransferMatrix<S> for TorsionDamper<T> {
     #[inline(always)]
     fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
-        let compliance = S::one() / off_pole(built.dynamic_stiffness(x));
+        let (_, compliance) = off_pole(built.dynamic_stiffness(x));
         Matrix2::new(S::one(), compliance, S::zero(), S::one())
     }
 
     #[inline(always)]
     fn denominator(built: &Self, x: S) -> Option<S> {
-        Some(off_pole(built.dynamic_stiffness(x)))
+        Some(off_pole(built.dynamic_stiffness(x)).0)
     }
 }
 

@@ -19,7 +19,7 @@ use nalgebra::Matrix2;
 /// Eq. (4) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TorsionSpring<T> {
-    /// Stiffness K [N m/rad], positive.
+    /// Stiffness K [N m/rad], positive, with a finite reciprocal.
     pub stiffness: T,
 }
 
@@ -28,7 +28,7 @@ impl<T: Real> Element for TorsionSpring<T> {
     type Built = Self;
 
     fn build(self) -> Result<Self, InvalidParameter> {
-        Requirement::Positive.check("stiffness", self.stiffness)?;
+        Requirement::Invertible.check("stiffness", self.stiffness)?;
         Ok(self)
     }
 

@@ -1,6 +1,7 @@
 //! Complex scalars over any real one.
 
 use super::{ComplexFrequency, Frequency, Real, Scalar, WaveProducts};
+use crate::scaled::binary_exponent;
 use num_complex::Complex;
 use num_traits::Zero;
 
@@ -21,12 +22,15 @@ impl<T: Real> Scalar for Complex<T> {
         if self.is_zero() {
             return self;
         }
+        // the modulus squares the parts, which overflows or vanishes at half the range: the root is taken near 1
+        let half_exponent = binary_exponent(self.size()) / 2;
+        let z = self.times_power_of_two(-2 * half_exponent);
         let half = T::one() / (T::one() + T::one());
-        let modulus = (self.re * self.re + self.im * self.im).sqrt();
-        let larger = ((self.re.abs() + modulus) * half).sqrt();
-        let smaller = self.im.abs() * half / larger;
-        let (re, im) = if self.re < T::zero() { (smaller, larger) } else { (larger, smaller) };
-        Complex::new(re, if self.im < T::zero() { -im } else { im })
+        let modulus = (z.re * z.re + z.im * z.im).sqrt();
+        let larger = ((z.re.abs() + modulus) * half).sqrt();
+        let smaller = z.im.abs() * half / larger;
+        let (re, im) = if z.re < T::zero() { (smaller, larger) } else { (larger, smaller) };
+        Complex::new(re, if z.im < T::zero() { -im } else { im }).times_power_of_two(half_exponent)
     }
 
     fn sin_cos(self) -> (Self, Self) {
@@ -104,6 +108,22 @@ mod tests {
             assert_close((ch * ch - sh * sh - Complex::one()).size(), 0.0, scale, 16.0);
             let (rotated, _) = Scalar::sin_cos(Complex::<f64>::i() * z);
             assert_close((rotated - Complex::<f64>::i() * sh).size(), 0.0, scale, 16.0);
+        }
+    }
+
+    /// Closed form: `((1 + i) a)² = 2i a²`, and `a² < 0` on the other side of the cut.
+    #[test]
+    fn the_square_root_has_the_full_range() {
+        for a in [1e-150, 1e-100, 1.0, 1e100, 1e150] {
+            let root = Scalar::sqrt(Complex::new(0.0, 2.0 * a * a));
+            assert_close((root - Complex::new(a, a)).size(), 0.0, a, 8.0);
+            let root = Scalar::sqrt(Complex::new(-a * a, 0.0));
+            assert_close((root - Complex::new(0.0, a)).size(), 0.0, a, 8.0);
+        }
+        for size in [5e-324, 1e-200, 1e200, f64::MAX] {
+            let root: Complex<f64> = Scalar::sqrt(Complex::new(size, size));
+            let expected = Complex::new(1.0, 1.0).sqrt() * size.sqrt();
+            assert_close((root - expected).size(), 0.0, expected.size(), 8.0);
         }
     }
 

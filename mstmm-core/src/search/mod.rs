@@ -1,5 +1,6 @@
 //! Searches for natural frequencies and eigenvalues.
 
+mod cells;
 mod certified;
 mod contour;
 mod eigenvalue_newton;
@@ -12,7 +13,7 @@ mod rectangle;
 mod region;
 
 pub use fmin1d::{Minimum1d, fmin1d};
-pub use fmin2d::{MAX_ROW, Minimum2d, fmin2d};
+pub use fmin2d::{MAX_MOVES, MAX_ROW, Minimum2d, fmin2d};
 pub use natural::{FrequencyList, NaturalFrequencies, NaturalFrequency};
 pub use region::{Eigenvalue, EigenvalueList, Eigenvalues, Region};
 
@@ -50,6 +51,13 @@ impl<'a, M, const CAP: usize> IntoIterator for &'a Minima<M, CAP> {
         self.iter()
     }
 }
+
+/// Largest number of grid points in one direction: beyond it a search would not end within hours.
+pub const MAX_POINTS: usize = i32::MAX as usize;
+
+/// Halvings after which a root that a slope hides must show as a minimum: enough for a function that grows by `e^500`
+/// along a cell, and few where rounding noise only looks like one.
+const HALVINGS_TO_SHOW_A_ROOT: u32 = 10;
 
 /// A grid of equal cells over an interval, ends included.
 #[derive(Clone, Copy, Debug)]
