@@ -1,8 +1,9 @@
 //! Corners of trees, each against a closed form or an equivalent tree.
+#![expect(clippy::unwrap_used, reason = "all elements here are valid")]
 
 use core::f64::consts::PI;
 use mstmm::elements::{Beam, Mass, Spring};
-use mstmm::search::NaturalFrequencies;
+use mstmm::prelude::*;
 use mstmm::{AnyUndamped, ListStep, StepList, Support};
 
 type Step = ListStep<AnyUndamped<f64>>;
@@ -94,4 +95,22 @@ fn a_pin_may_be_written_at_the_root_or_at_a_connection_before_a_free_root() {
         // z is good to a few units in the last place, twice that in ω
         assert!((omega / (PI * PI) - 1.0).abs() < 1e-14 && multiplicity == 1, "{omega} x{multiplicity}");
     }
+}
+
+system! {
+    struct HeldByTwo { length: f64 }
+    free -> conn 1;
+    pinned -> conn 1;
+    conn 1 -> beam 2 { length, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
+}
+
+/// Closed form of a beam with one pin, `tan z = th z`, z = 3.926602312047919.
+#[test]
+#[ignore = "of supports alone at a connection, only the first one holds"]
+fn two_supports_at_a_connection_hold_together() {
+    let system = HeldByTwo { length: 1.0 }.build().unwrap();
+    let found = system.first_frequencies::<2>().unwrap();
+    let z: f64 = 3.926_602_312_047_919;
+    assert_eq!((found[0].omega, found[0].multiplicity), (0.0, 1));
+    assert!((found[1].omega / (z * z) - 1.0).abs() < 1e-14, "{}", found[1].omega);
 }

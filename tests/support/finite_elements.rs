@@ -1,8 +1,18 @@
 //! A tree as a finite element model, assembled by degrees of freedom: energies and rigid constraints, no transfer.
 
 use crate::legendre_beam::LegendreBeam;
-use crate::tree::{Part, Tree, holds, next_space};
+use crate::tree::{Part, Tree, next_space};
 use mstmm::{ListStep, Space, Support};
+
+/// Whether a support holds the deflection, and whether it holds the rotation.
+fn holds(support: Support) -> (bool, bool) {
+    match support {
+        Support::Fixed => (true, true),
+        Support::Pinned => (true, false),
+        Support::Guided => (false, true),
+        Support::Free | Support::Roller => (false, false),
+    }
+}
 
 /// A square matrix by rows.
 pub(crate) type Square = Vec<Vec<f64>>;

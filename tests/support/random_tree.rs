@@ -133,8 +133,8 @@ impl Generator {
         }
         let bending = space.is_some_and(|space| space.is(Space::Bending)) || output.is(Space::Bending);
         // one input alone narrows; a connection of lines that has a plane takes it from a support
-        let alone = inputs == 1 && !(bending && !output.is(Space::Bending));
-        if alone || bending && !wide || self.random.chance(0.25) {
+        let narrows = bending && !output.is(Space::Bending);
+        if inputs == 1 && !narrows || bending && !wide || self.random.chance(0.25) {
             let free = self.random.chance(0.4);
             let support = self.support(if bending { Space::Bending } else { output });
             tree.push(ListStep::Tip(if free { Support::Free } else { support }));

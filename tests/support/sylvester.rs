@@ -163,7 +163,7 @@ fn rotate(a: &mut Square, i: usize, j: usize) {
     for row in a.iter_mut() {
         (row[i], row[j]) = turned(row[i], row[j]);
     }
-    for k in 0..a.len() {
-        (a[i][k], a[j][k]) = turned(a[i][k], a[j][k]);
-    }
+    let (mut first, mut second) = (core::mem::take(&mut a[i]), core::mem::take(&mut a[j]));
+    first.iter_mut().zip(&mut second).for_each(|(x, y)| (*x, *y) = turned(*x, *y));
+    (a[i], a[j]) = (first, second);
 }

@@ -4,7 +4,7 @@ use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
-use mstmm::{ListStep, Space, Support};
+use mstmm::{ListStep, Space};
 
 /// A tree: tips before what they lead to, inputs of a connection before it, the root last.
 ///
@@ -44,15 +44,5 @@ pub(crate) fn next_space(tree: &Tree, step: usize) -> Option<Space> {
     match tree.get(step + 1) {
         Some(ListStep::Element(part)) => Some(part.space()),
         _ => None,
-    }
-}
-
-/// Whether a support holds the deflection, and whether it holds the rotation.
-pub(crate) fn holds(support: Support) -> (bool, bool) {
-    match support {
-        Support::Fixed => (true, true),
-        Support::Pinned => (true, false),
-        Support::Guided => (false, true),
-        Support::Free | Support::Roller => (false, false),
     }
 }
