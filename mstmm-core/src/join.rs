@@ -149,3 +149,6 @@ fn narrowed<S: Scalar>(plane: Plane<S>, space: Space) -> Line<S> {
         Line { y: plane.theta_q, q: -plane.m_q, exponent: plane.exponent }
     }
 }
+
+#[cfg(test)]
+mod tests;
