@@ -9,6 +9,9 @@ use mstmm::{
 /// Steps of a list.
 pub(crate) type Sequence = Vec<ListStep<AnyUndamped<f64>>>;
 
+/// Steps for any values of a case's parameters.
+type Builder = dyn Fn(&[f64]) -> Sequence;
+
 /// A list of steps that owns them.
 pub(crate) struct Steps(pub(crate) Sequence);
 
@@ -34,7 +37,7 @@ impl<S: Frequency<f64>> Characteristic<S> for Steps {
 /// A case: steps for any values of its parameters, and the values.
 pub(crate) struct Case {
     pub(crate) parameters: Vec<f64>,
-    steps: Box<dyn Fn(&[f64]) -> Sequence>,
+    steps: Box<Builder>,
 }
 
 pub(crate) fn element<E>(element: E) -> ListStep<AnyUndamped<f64>>
