@@ -179,3 +179,6 @@ pub(crate) fn connection<S: Scalar, C: Tally<S>>(
     }
     narrowed(sum, output, tally)
 }
+
+#[cfg(test)]
+mod tests;

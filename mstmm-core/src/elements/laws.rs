@@ -1,5 +1,9 @@
 //! Laws that every element obeys, run over the list of all elements.
 
+mod count_steps;
+mod plane_steps;
+mod subspaces;
+
 use super::*;
 use crate::element::{Element, MatrixOf, TransferMatrix};
 use crate::state::{Coordinate, StateSpace};
