@@ -145,7 +145,8 @@ pub enum SearchError {
         /// Second coordinate of the point; zero in one dimension.
         y: f64,
     },
-    /// The function is zero at every point of the grid: it vanishes identically, and every point of the range is a root.
+    /// The function is zero at every point that was tried: it vanishes identically, and every point of the range is a root. A
+    /// degree of freedom is held twice, or a massless one by nothing.
     Zero {
         /// Number of points.
         points: usize,

@@ -84,6 +84,9 @@ pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
         (Springs { y, theta }, Grounded(k, space)) | (Grounded(k, space), Springs { y, theta }) => {
             if space.is(Space::Translation) { Springs { y: y + k, theta } } else { Springs { y, theta: theta + k } }
         }
+        (springs @ Springs { .. }, OfLine(line, space)) | (OfLine(line, space), springs @ Springs { .. }) => {
+            OfPlane(springs.plane().with_line(line, space))
+        }
         (OfPlane(p), Springs { y, theta }) | (Springs { y, theta }, OfPlane(p)) => {
             OfPlane(p.with_stiffness(y, Space::Translation).with_stiffness(theta, Space::Rotation))
         }
@@ -133,7 +136,11 @@ pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subsp
 #[inline(always)]
 pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
     match subspace {
-        Subspace::Plane(_) | Subspace::Springs { .. } => Subspace::Plane(subspace.plane().held(support)),
+        Subspace::Tip(Support::Free, space) => Subspace::Tip(support, space),
+        Subspace::Tip(..) if support == Support::Free => subspace,
+        Subspace::Tip(_, Space::Bending) | Subspace::Plane(_) | Subspace::Springs { .. } => {
+            Subspace::Plane(subspace.plane().held(support))
+        }
         _ if support != Support::Fixed => subspace,
         _ => {
             let line = subspace.line();
@@ -168,10 +175,10 @@ pub(crate) fn connection<S: Scalar, C: Tally<S>>(
 ) -> Subspace<S> {
     let is_tip = |input: &&Subspace<S>| matches!(input, Subspace::Tip(..));
     let paths = inputs.iter().filter(|input| !is_tip(input)).copied();
-    let Some(sum) = paths.reduce(|sum, path| joined(moderated(sum), path)) else {
-        return inputs[0]; // supports alone have been refused
-    };
-    let mut sum = widened(sum, output);
+    let sum = paths.reduce(|sum, path| joined(moderated(sum), path));
+    // supports alone hold what goes on
+    let alone = Subspace::Tip(Support::Free, output.unwrap_or(Space::Bending));
+    let mut sum = sum.map_or(alone, |sum| widened(sum, output));
     for input in inputs {
         if let Subspace::Tip(support, _) = input {
             sum = held(sum, *support);

@@ -23,7 +23,8 @@ pub(crate) fn through_stiffness<S: Scalar, C: Tally<S>>(kappa: S, input: Subspac
 pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subspace<S> {
     let space = input.space();
     match input {
-        Subspace::Tip(Support::Fixed, _) => input,
+        // a line and no longer a tip: what holds a translation need not hold a rotation
+        Subspace::Tip(Support::Fixed, _) => Subspace::Line(input.line(), space),
         Subspace::Grounded(k, _) => Subspace::Grounded(k + inertia, space),
         Subspace::Line(Line { y, q, exponent }, _) => Subspace::Line(Line { y, q: q - inertia * y, exponent }, space),
         Subspace::Tip(..) | Subspace::Plane(_) | Subspace::Springs { .. } => Subspace::Grounded(inertia, space),

@@ -160,6 +160,19 @@ pub enum Support {
 }
 
 impl Support {
+    /// Whether a displacement is zero at this support of a state of some space.
+    pub(crate) const fn fixes(self, displacement: Coordinate, space: Space) -> bool {
+        let Some(unknowns) = self.unknowns(space) else { return false };
+        let mut k = 0;
+        while k < unknowns.len() {
+            if unknowns[k] as usize == displacement as usize {
+                return false;
+            }
+            k += 1;
+        }
+        true
+    }
+
     /// The entries that are unknown at this support, in the order of the state; `None` where states of that space
     /// have no such support.
     ///

@@ -175,44 +175,41 @@ impl<'a, E: ListElement> StepList<'a, E> {
     /// [`ListError`] for a step without the open paths that it takes, states that do not fit, or a list that does not end
     /// in one root.
     pub fn new(steps: &'a [ListStep<E>]) -> Result<Self, ListError> {
-        // the space of each open path; `None` behind a support, which adopts any
-        let mut open: [Option<Space>; OPEN_PATHS] = [None; OPEN_PATHS];
+        let mut open = [Open { space: None, support: None }; OPEN_PATHS];
         let mut count = 0;
         for (step, entry) in steps.iter().enumerate() {
             let fail = |problem| Err(ListError { step, problem });
             match entry {
                 ListStep::Tip(_) if count == OPEN_PATHS => return fail("too many open paths"),
                 ListStep::Tip(support) => {
-                    let space = next_space(steps, step).unwrap_or(Space::Bending);
-                    if support.unknowns(space).is_none() || space.is(Space::Planar) {
+                    let space = next_space(steps, step);
+                    if space.is_some_and(|space| !is_support_of(*support, space)) {
                         return fail("its path has no such support");
                     }
-                    open[count] = None;
+                    open[count] = Open { space, support: Some(*support) };
                     count += 1;
                 }
                 ListStep::Element(_) if count == 0 => return fail("no path is open"),
-                ListStep::Element(element) => match open[count - 1] {
+                ListStep::Element(element) => match open[count - 1].space {
                     Some(space) if !space.is(element.space()) => return fail("the path has another state"),
-                    _ => open[count - 1] = Some(element.space()),
+                    _ => open[count - 1] = Open { space: Some(element.space()), support: None },
                 },
                 ListStep::Connection(inputs) if *inputs == 0 || *inputs > count => return fail("too few open paths"),
                 ListStep::Connection(inputs) => {
-                    let joined = &open[count - inputs..count];
-                    let space = joined.iter().flatten().copied().reduce(|a, b| a.join(b).unwrap_or(Space::Planar));
-                    if space.is_none_or(|space| space.is(Space::Planar)) {
-                        return fail("supports alone, or states that cannot meet");
-                    }
-                    let next = next_space(steps, step);
-                    if next.is_some_and(|next| !space.is_some_and(|space| space.goes_on_as(next))) {
-                        return fail("its output has a state that its inputs do not lead to");
-                    }
+                    let joined = joined(&open[count - inputs..count], next_space(steps, step));
                     count -= inputs - 1;
-                    open[count - 1] = next.or(space);
+                    match joined {
+                        Ok(space) => open[count - 1] = Open { space: Some(space), support: None },
+                        Err(problem) => return fail(problem),
+                    }
                 }
                 ListStep::Root(_) if count != 1 || step + 1 != steps.len() => {
                     return fail("the root ends the only open path and the list");
                 }
-                ListStep::Root(_) => {}
+                ListStep::Root(support) => match open[0] {
+                    Open { space: Some(space), support: None } if is_support_of(*support, space) => {}
+                    _ => return fail("its path has no such support, or no element"),
+                },
             }
         }
         if !matches!(steps.last(), Some(ListStep::Root(_))) {
@@ -220,6 +217,35 @@ impl<'a, E: ListElement> StepList<'a, E> {
         }
         Ok(StepList { steps })
     }
+}
+
+/// An open path while a list is checked.
+#[derive(Clone, Copy)]
+struct Open {
+    /// Its space; none behind a support that holds a connection and adopts the space of that.
+    space: Option<Space>,
+    /// The support behind which nothing has come yet.
+    support: Option<Support>,
+}
+
+fn is_support_of(support: Support, space: Space) -> bool {
+    !space.is(Space::Planar) && support.unknowns(space).is_some()
+}
+
+/// The space in which a connection leads on.
+fn joined(inputs: &[Open], next: Option<Space>) -> Result<Space, &'static str> {
+    let paths = inputs.iter().filter(|path| path.support.is_none()).filter_map(|path| path.space);
+    let own = match paths.reduce(|a, b| a.join(b).unwrap_or(Space::Planar)) {
+        Some(space) => space,
+        None => next.ok_or("supports alone")?,
+    };
+    if own.is(Space::Planar) || next.is_some_and(|next| !own.goes_on_as(next)) {
+        return Err("its paths cannot meet, or not lead on to that state");
+    }
+    // the widest state here is what supports hold
+    let widest = next.map_or(own, |next| own.join(next).unwrap_or(own));
+    let holds = |path: &Open| path.support.is_none_or(|support| is_support_of(support, widest));
+    if inputs.iter().all(holds) { Ok(next.unwrap_or(own)) } else { Err("a support that its state does not have") }
 }
 
 /// Space of the element that follows a step, if one does.

@@ -29,6 +29,10 @@ impl Path {
         Path { subspace, stiffness: placed(k, space) }
     }
 
+    fn springs(y: f64, theta: f64) -> Self {
+        Path { subspace: Subspace::Springs { y, theta }, stiffness: [y, 0.0, theta] }
+    }
+
     fn grounded(k: f64, space: Space) -> Self {
         Path { subspace: Subspace::Grounded(k, space), stiffness: placed(k, space) }
     }
@@ -59,7 +63,8 @@ fn assert_stiffness(subspace: Subspace<f64>, expected: Stiffness, scale: f64) {
     // a join has at most five products of five factors, and there are up to four joins
     const ROUNDINGS: f64 = 100.0;
     match subspace {
-        Subspace::Plane(p) => {
+        Subspace::Plane(_) | Subspace::Springs { .. } => {
+            let p = subspace.plane();
             let actual = [p.theta_q / p.y_theta, -p.w / p.y_theta, p.y_m / p.y_theta];
             for (actual, expected) in actual.into_iter().zip(expected) {
                 assert_close(actual, expected, scale, ROUNDINGS);
@@ -92,6 +97,7 @@ fn narrow_path(space: Space) -> impl Strategy<Value = Path> {
 fn path() -> impl Strategy<Value = Path> {
     prop_oneof![
         (stiffness(), factor()).prop_map(|(k, factor)| Path::plane(k, factor)),
+        (-5.0..5.0f64, -5.0..5.0f64).prop_map(|(y, theta)| Path::springs(y, theta)),
         narrow_path(Space::Translation),
         narrow_path(Space::Rotation),
     ]
@@ -102,7 +108,7 @@ proptest! {
     #[test]
     fn stiffnesses_add_up(paths in proptest::collection::vec(path(), 1..5)) {
         let joined = joined_at(&paths, &[], Some(Space::Bending));
-        prop_assert!(matches!(joined, Subspace::Plane(_)));
+        prop_assert!(joined.space().is(Space::Bending));
         assert_stiffness(joined, sum(&paths), scale(&paths));
         let reversed: Vec<_> = paths.iter().rev().copied().collect();
         assert_stiffness(joined_at(&reversed, &[], Some(Space::Bending)), sum(&paths), scale(&paths));
@@ -126,7 +132,7 @@ proptest! {
     /// A free support holds nothing; the others add their own plane, which the general rule joins like any other.
     #[test]
     fn a_support_joins_its_own_plane(paths in proptest::collection::vec(path(), 1..4)) {
-        let Subspace::Plane(sum) = joined_at(&paths, &[], Some(Space::Bending)) else { panic!("no plane") };
+        let sum = joined_at(&paths, &[], Some(Space::Bending)).plane();
         for support in [Support::Free, Support::Pinned, Support::Guided, Support::Fixed] {
             let held = joined_at(&paths, &[support], Some(Space::Bending));
             prop_assert_eq!(held, Subspace::Plane(sum.with_plane(Plane::of_tip(support))));
@@ -142,7 +148,7 @@ proptest! {
             let mut sprung = paths.clone();
             sprung.push(Path::grounded(STIFF, space));
             let minors = |subspace| {
-                let Subspace::Plane(Plane { y_theta, y_m, w, theta_q, m_q, exponent }) = subspace else { panic!() };
+                let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = Subspace::plane(subspace);
                 [y_theta, y_m, w, theta_q, m_q].map(|minor| Scaled::new(minor, i64::from(exponent)))
             };
             let held = minors(joined_at(&paths, &[support], Some(Space::Bending)));

@@ -57,6 +57,35 @@ impl<const STEPS: usize> Layout<'_, STEPS> {
                  arrow from element to element"
             );
         }
+        if self.is_supported_twice(step) {
+            panic!("two supports at this connection hold the same displacement: one of them is enough");
+        }
+    }
+
+    /// Whether two supports at a connection, the root among them, fix one displacement.
+    const fn is_supported_twice(&self, connection: usize) -> bool {
+        let space = self.places[connection].space;
+        let inputs = self.inputs(connection);
+        let mut k = 0;
+        while k < space.displacements().len() {
+            let displacement = space.displacements()[k];
+            let mut supports = match self.steps[self.downstream[connection]] {
+                Step::Root(_, root) => root.fixes(displacement, space) as usize,
+                _ => 0,
+            };
+            let mut input = 0;
+            while input < inputs.len() {
+                if let Step::Tip(tip) = self.steps[inputs[input]] {
+                    supports += tip.fixes(displacement, space) as usize;
+                }
+                input += 1;
+            }
+            if supports > 1 {
+                return true;
+            }
+            k += 1;
+        }
+        false
     }
 }
 

@@ -18,6 +18,10 @@ const WAITING: usize = 128;
 /// Factor between the lowest estimate of a frequency and what is taken to be just above zero.
 const ZERO_EXPONENT: i32 = 30;
 
+/// Samples in a row at which Δ may vanish by accident; more of them, and it vanishes identically: a degree of freedom is
+/// held twice, or nothing holds a massless one.
+const ZEROS: usize = 4;
+
 /// A frequency with its count and Δ.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample<T> {
@@ -36,6 +40,8 @@ impl<T: Real> Default for Sample<T> {
 pub(super) struct Isolation<'a, Y: System + ?Sized> {
     system: &'a Y,
     evaluations: usize,
+    /// Samples in a row at which Δ vanished.
+    zeros: usize,
 }
 
 impl<'a, T, Y> Isolation<'a, Y>
@@ -44,7 +50,7 @@ where
     Y: System<Parameter = T> + Characteristic<T> + Characteristic<Dual<T>> + ?Sized,
 {
     pub(super) fn new(system: &'a Y) -> Self {
-        Isolation { system, evaluations: 0 }
+        Isolation { system, evaluations: 0, zeros: 0 }
     }
 
     /// Relative half width of a certified interval.
@@ -58,6 +64,10 @@ where
         let (below, value) = count_and_value(self.system, omega);
         if !value.mantissa().size().is_finite() {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
+        }
+        self.zeros = if value.mantissa().is_zero() { self.zeros + 1 } else { 0 };
+        if self.zeros > ZEROS {
+            return Err(SearchError::Zero { points: self.zeros });
         }
         Ok(Sample { omega, below, value })
     }

@@ -78,9 +78,18 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names<'_>
             }),
         }
     }
+    if joined.is_empty() {
+        // supports alone hold what goes on
+        joined = quote_spanned! {names.here=>
+            let #own = #private::Subspace::Tip(#private::Support::Free, const { LAYOUT.space(#index) });
+        };
+    } else {
+        joined.extend(quote_spanned! {names.here=>
+            let #own = #private::widened(#own, const { LAYOUT.output(#index) });
+        });
+    }
     quote_spanned! {names.here=>
         #joined
-        let #own = #private::widened(#own, const { LAYOUT.output(#index) });
         #(#held)*
         let #own = #private::narrowed(#own, const { LAYOUT.output(#index) }, tally);
     }

@@ -9,6 +9,7 @@ use crate::at::At;
 use crate::count::Untallied;
 use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
 use crate::scalar::Scalar;
+use crate::state::Space;
 use crate::subspace::Subspace;
 use crate::tolerance::assert_close;
 use core::ops::Index;
@@ -99,6 +100,25 @@ where
     });
 }
 
+/// A step from grounded springs is the step from their plane; sums in another order differ by a few roundings.
+fn a_step_from_springs_is_that_from_their_plane<E>()
+where
+    E: Sample + PlaneStep<C>,
+{
+    check(ORDINARY, |element: E, lambda, numbers| {
+        if !space::<E>().is(Space::Bending) {
+            return;
+        }
+        let springs = Subspace::Springs { y: C::from(numbers[0]), theta: C::from(numbers[1]) };
+        let (short, long) =
+            (plain(step(&element, lambda, springs)), plain(step(&element, lambda, Subspace::Plane(springs.plane()))));
+        let scale = long.iter().map(|minor| minor.norm()).fold(1.0, f64::max);
+        for (a, b) in short.iter().zip(long) {
+            assert_close((a - b).norm(), 0.0, scale, ROUNDINGS);
+        }
+    });
+}
+
 /// The last step before the root gives the same bits as a step and a look at its outcome.
 fn a_step_into_the_root_is_a_step_and_the_root<E>()
 where
@@ -166,6 +186,7 @@ where
 fn steps_of_all_elements() {
     for_each_stepping_element!(a_step_is_the_transfer_matrix);
     for_each_stepping_element!(a_step_from_a_tip_is_that_from_its_subspace);
+    for_each_stepping_element!(a_step_from_springs_is_that_from_their_plane);
     for_each_stepping_element!(a_step_into_the_root_is_a_step_and_the_root);
     for_each_stepping_element!(two_half_steps_make_the_whole);
 }
