@@ -3,7 +3,7 @@
 //!
 //! `cargo bench --bench speed`. Times are the least of many rounds; quote the ratios.
 
-use mstmm::Dual;
+use mstmm::System;
 use mstmm::prelude::*;
 use std::hint::black_box;
 use std::time::Instant;
@@ -72,7 +72,7 @@ fn undamped<Y, const WANTED: usize>(
     range: [f64; 2],
 ) -> Result<(), Failure>
 where
-    Y: Evaluate<f64> + Characteristic<f64> + Characteristic<Dual<f64>> + NaturalFrequencies<Parameter = f64>,
+    Y: Evaluate<f64> + Undamped + System<Parameter = f64>,
 {
     let omega = |share: f64| black_box(range[0] + share * (range[1] - range[0]));
     let factors = black_box(factors);

@@ -5,13 +5,9 @@ pub mod models;
 
 use core::ops::RangeInclusive;
 use mstmm::prelude::*;
-use mstmm::{DoubleDouble, Dual, Real, Scalar, Scaled};
+use mstmm::{DoubleDouble, Real, Scalar, Scaled, System};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-
-/// Everything an undamped example must be able to do, in `f64`, `f32` and double-double.
-trait Undamped: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>> {}
-impl<Y: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>>> Undamped for Y {}
 
 /// Exact values of a quantity of the paper, as printed in the reference data.
 fn exact(example: &str, quantity: usize) -> Vec<serde_json::Value> {
@@ -101,7 +97,7 @@ fn planes_and_the_overall_determinant_differ_by_one_constant() {
 /// have a few that are products, so that room for one more rounding each is left beside the certified interval.
 #[test]
 fn every_listed_root_is_certified_within_90_evaluations() {
-    fn check<Y: Undamped>(
+    fn check<Y: Undamped + System<Parameter = f64>>(
         id: &str,
         system: &Y,
         end: f64,
@@ -138,9 +134,7 @@ fn every_listed_root_is_certified_within_90_evaluations() {
 fn double_double_roots_lie_in_the_intervals_of_f64() {
     fn check<Y>(id: &str, judge: &Y, end: f64, _: DoubleDouble, _: Vec<serde_json::Value>, _: bool)
     where
-        Y: NaturalFrequencies<Parameter = DoubleDouble>
-            + Characteristic<DoubleDouble>
-            + Characteristic<Dual<DoubleDouble>>,
+        Y: Undamped + System<Parameter = DoubleDouble>,
     {
         let range: RangeInclusive<DoubleDouble> = DoubleDouble::from_f64(0.0)..=DoubleDouble::from_f64(end);
         for root in &judge.natural_frequencies::<16>(range).unwrap() {
@@ -157,7 +151,7 @@ fn double_double_roots_lie_in_the_intervals_of_f64() {
             assert_eq!(intervals.iter().filter(|interval| holds(interval)).count(), 1, "{id}: {}", root.omega);
         }
     }
-    fn intervals<Y: Undamped>(system: &Y, end: f64) -> Vec<(f64, f64)> {
+    fn intervals<Y: Undamped + System<Parameter = f64>>(system: &Y, end: f64) -> Vec<(f64, f64)> {
         system.natural_frequencies::<16>(0.0..=end).unwrap().iter().map(|root| (root.lower, root.upper)).collect()
     }
     for_each_undamped!(DoubleDouble, check);
@@ -168,7 +162,7 @@ fn double_double_roots_lie_in_the_intervals_of_f64() {
 fn single_precision_agrees_to_a_hundred_thousandth() {
     fn check<Y>(id: &str, system: &Y, end: f64, unit: DoubleDouble, exact: Vec<serde_json::Value>, root: bool)
     where
-        Y: NaturalFrequencies<Parameter = f32> + Characteristic<f32> + Characteristic<Dual<f32>>,
+        Y: Undamped + System<Parameter = f32>,
     {
         let found = system.natural_frequencies::<16>(0.0..=end as f32).unwrap();
         assert_eq!(found.len(), exact.len(), "{id}");

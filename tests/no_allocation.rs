@@ -96,7 +96,7 @@ where
 fn assert_none_undamped<S, const N: usize>(build: impl Fn() -> Result<S, ParameterError>)
 where
     S: Evaluate<f64, Matrix = SMatrix<f64, N, N>> + Evaluate<Complex<f64>, Matrix = SMatrix<Complex<f64>, N, N>>,
-    S: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>>,
+    S: Undamped + mstmm::System<Parameter = f64>,
     S: Characteristic<Complex<f64>> + Characteristic<Dual<Complex<f64>>>,
 {
     let system = build().unwrap();

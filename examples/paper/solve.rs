@@ -6,7 +6,7 @@ use crate::models::{
 };
 use crate::reference::{Example, Failure, Search};
 use core::time::Duration;
-use mstmm::Dual;
+use mstmm::{Dual, System};
 use mstmm::prelude::*;
 use std::time::Instant;
 
@@ -95,7 +95,7 @@ fn scan_rectangle<S: Evaluate<Complex<f64>>>(system: &S, search: &Search) -> Res
 /// The certified search for undamped systems, in the paper's range.
 fn certified_line<S>(system: &S, search: &Search) -> Result<Solution, Failure>
 where
-    S: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>>,
+    S: Undamped + System<Parameter = f64>,
 {
     let Search::Line { range, .. } = search else {
         return Err("an undamped system is searched on a line".into());

@@ -34,15 +34,36 @@ impl<S: Scalar> Plane<S> {
     #[inline(always)]
     pub(crate) fn with_plane(self, r: Plane<S>) -> Self {
         let p = self;
-        let ww = p.w * r.w;
         let minors = [
             p.y_theta * r.y_theta,
             p.y_m * r.y_theta + p.y_theta * r.y_m,
             p.w * r.y_theta + p.y_theta * r.w,
             p.theta_q * r.y_theta + p.y_theta * r.theta_q,
-            (p.m_q * r.y_theta + p.y_theta * r.m_q) + (p.y_m * r.theta_q + r.y_m * p.theta_q) - (ww + ww),
+            (p.m_q * r.y_theta + p.y_theta * r.m_q) + p.mixed_with(&r),
         ];
         Plane::unscaled(minors, p.exponent + r.exponent)
+    }
+
+    /// The mixed part of p_MQ of two joined planes, `p_YM r_ΘQ + r_YM p_ΘQ - 2 w_p w_r`.
+    ///
+    /// Where both planes are near a common clamped frequency or rigid-body mode these terms cancel. With
+    /// `w² = p_YM p_ΘQ - p_YΘ p_MQ` of either plane the same is, for `skew = p_YM w_r - r_YM w_p`,
+    /// `skew²/(p_YM r_YM) + (r_YM/p_YM) p_YΘ p_MQ + (p_YM/r_YM) r_YΘ r_MQ`, in which every part is small itself.
+    #[inline(always)]
+    fn mixed_with(&self, r: &Plane<S>) -> S {
+        let ww = self.w * r.w;
+        let plain = (self.y_m * r.theta_q + r.y_m * self.theta_q) - (ww + ww);
+        if plain.size() * 16.0 >= ww.size() || self.y_m.is_zero() || r.y_m.is_zero() {
+            return plain;
+        }
+        self.mixed_by_squares(r)
+    }
+
+    #[cold]
+    fn mixed_by_squares(&self, r: &Plane<S>) -> S {
+        let skew = self.y_m * r.w - r.y_m * self.w;
+        let ratio = r.y_m / self.y_m;
+        skew / self.y_m * (skew / r.y_m) + ratio * self.y_theta * self.m_q + r.y_theta * r.m_q / ratio
     }
 
     /// Holds the point by a support: joins the support's own plane, most of whose minors are zero.

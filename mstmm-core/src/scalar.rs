@@ -67,6 +67,12 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
 
+    /// The arithmetic that judges the rounding of this one; the type itself where there is none.
+    type Judge: Real;
+
+    /// Whether there is a judge.
+    const HAS_JUDGE: bool = false;
+
     /// Beyond this argument `exp(-2z)` does not count beside 1, while `exp(z)` is still far from overflow.
     const WAVE_LIMIT: f64;
 

@@ -13,6 +13,8 @@ type AtOmega = fn(&[f64], f64) -> Scaled<f64>;
 pub(crate) enum Range {
     /// Greater than zero.
     Positive,
+    /// Greater than zero, with a finite reciprocal.
+    Invertible,
     /// Zero or greater.
     NonNegative,
     /// Any position.
@@ -109,13 +111,13 @@ scenes! {
     Body = free -> body {
         mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position,
     } -> free undamped;
-    ElasticHinge = fixed -> elastic_hinge { stiffness_y: Positive, stiffness_theta: Positive } -> free undamped;
-    Spring = fixed -> spring { stiffness: Positive } -> free undamped;
+    ElasticHinge = fixed -> elastic_hinge { stiffness_y: Invertible, stiffness_theta: Invertible } -> free undamped;
+    Spring = fixed -> spring { stiffness: Invertible } -> free undamped;
     Damper = fixed -> damper { damping: NonNegative } -> free;
-    SpringDamper = fixed -> spring_damper { stiffness: Positive, damping: NonNegative } -> free;
-    TorsionSpring = fixed -> torsion_spring { stiffness: Positive } -> free undamped;
+    SpringDamper = fixed -> spring_damper { stiffness: Invertible, damping: NonNegative } -> free;
+    TorsionSpring = fixed -> torsion_spring { stiffness: Invertible } -> free undamped;
     TorsionDamper = fixed -> torsion_damper { damping: NonNegative } -> free;
-    TorsionSpringDamper = fixed -> torsion_spring_damper { stiffness: Positive, damping: NonNegative } -> free;
+    TorsionSpringDamper = fixed -> torsion_spring_damper { stiffness: Invertible, damping: NonNegative } -> free;
     Mass = free -> mass { mass: NonNegative } -> free undamped;
     Inertia = free -> inertia { inertia: NonNegative } -> free undamped;
     PointMass = free -> point_mass { mass: NonNegative, inertia: NonNegative } -> free undamped;
@@ -127,6 +129,6 @@ scenes! {
         output_x: Position, output_y: Position, centre_x: Position, centre_y: Position,
     } -> free undamped;
     PlanarHinge = fixed -> planar_hinge {
-        stiffness_x: Positive, stiffness_y: Positive, stiffness_theta: Positive,
+        stiffness_x: Invertible, stiffness_y: Invertible, stiffness_theta: Invertible,
     } -> free undamped;
 }

@@ -247,6 +247,8 @@ impl<T: Real> Num for Dual<T> {
 }
 
 impl<T: Real> Real for Dual<T> {
+    type Judge = Self;
+
     const WAVE_LIMIT: f64 = T::WAVE_LIMIT;
     const EPSILON: f64 = T::EPSILON;
 

@@ -1,6 +1,6 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
-use super::{Frequency, Real, Scalar, WaveProducts, kernel};
+use super::{DoubleDouble, Frequency, Real, Scalar, WaveProducts, kernel};
 
 impl<T: Real> Frequency<T> for T {
     #[inline]
@@ -79,7 +79,7 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
 
 /// Implements the real scalars for a primitive type, given its functions in `libm`.
 macro_rules! real {
-    ($type:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, $kernel:item)?) => {
+    ($type:ty, $judge:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, $($kernel:item)*)?) => {
         impl Scalar for $type {
             const SERIES_TERMS: usize = $terms;
 
@@ -125,7 +125,9 @@ macro_rules! real {
         }
 
         impl Real for $type {
-            $($kernel)?
+            type Judge = $judge;
+
+            $($($kernel)*)?
 
             const WAVE_LIMIT: f64 = $limit;
             const EPSILON: f64 = <$type>::EPSILON as f64;
@@ -148,22 +150,15 @@ macro_rules! real {
     };
 }
 
-real!(
-    f64,
-    6,
-    100.0,
-    libm::sqrt,
-    libm::sin,
-    libm::cos,
-    libm::sinh,
-    libm::cosh,
-    libm::exp,
+real! {
+    f64, DoubleDouble, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
+    const HAS_JUDGE: bool = true;
     #[inline(always)]
     fn circular_and_hyperbolic(self) -> [Self; 4] {
         kernel::circular_and_hyperbolic(self)
     }
-);
-real!(f32, 4, 20.0, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf);
+}
+real! { f32, f32, 4, 20.0, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf }
 
 #[cfg(test)]
 mod tests {

@@ -18,6 +18,12 @@ const WAITING: usize = 128;
 /// Factor between the lowest estimate of a frequency and what is taken to be just above zero.
 const ZERO_EXPONENT: i32 = 30;
 
+/// Relative distance of roots below which rounding may have made two of one of multiplicity 2 or 3.
+const TOUCHING: f64 = 1e-5;
+
+/// Factor below the lowest estimate of a frequency at which rounding may have made a frequency of a zero.
+const NEARLY_ZERO_EXPONENT: i32 = 20;
+
 /// Samples in a row at which Δ may vanish by accident; more of them, and it vanishes identically: a degree of freedom is
 /// held twice, or nothing holds a massless one.
 const ZEROS: usize = 4;
@@ -37,25 +43,29 @@ impl<T: Real> Default for Sample<T> {
 }
 
 /// A search in progress.
-pub(super) struct Isolation<'a, Y: System + ?Sized> {
+pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     system: &'a Y,
+    /// Relative half width of a certified interval.
+    pub(super) half_width: T,
+    /// The unit in the last place that results are good to.
+    pub(super) precision: f64,
     evaluations: usize,
+    /// Whether something looked like rounding: counts that do not grow, slopes that do not fit, roots that coincide.
+    pub(super) is_doubtful: bool,
     /// Samples in a row at which Δ vanished.
     zeros: usize,
 }
 
-impl<'a, T, Y> Isolation<'a, Y>
+impl<'a, T, Y> Isolation<'a, Y, T>
 where
     T: Real,
-    Y: System<Parameter = T> + Characteristic<T> + Characteristic<Dual<T>> + ?Sized,
+    Y: System + Characteristic<T> + Characteristic<Dual<T>> + ?Sized,
 {
+    /// A search in arithmetic of type `T`, to the precision of the system's parameters.
     pub(super) fn new(system: &'a Y) -> Self {
-        Isolation { system, evaluations: 0, zeros: 0 }
-    }
-
-    /// Relative half width of a certified interval.
-    pub(super) fn half_width() -> T {
-        T::from_f64(HALF_WIDTH * T::EPSILON)
+        let precision = Y::Parameter::EPSILON;
+        let half_width = T::from_f64(HALF_WIDTH * precision);
+        Isolation { system, half_width, precision, evaluations: 0, is_doubtful: false, zeros: 0 }
     }
 
     /// Count and Δ at a frequency.
@@ -89,26 +99,29 @@ where
     }
 
     /// All frequencies of a range.
-    pub(super) fn in_range<const CAP: usize>(mut self, start: T, end: T) -> Result<FrequencyList<T, CAP>, SearchError> {
+    pub(super) fn in_range<const CAP: usize>(
+        &mut self,
+        start: T,
+        end: T,
+    ) -> Result<FrequencyList<T, CAP>, SearchError> {
         let valid = start >= T::zero() && start < end && end.size().is_finite();
         if !valid {
             return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
         }
         let mut found = List::new();
         let zero = self.just_above_zero();
-        let margin = Self::half_width() + Self::half_width();
+        let margin = self.half_width + self.half_width;
         let first = if start > zero { start - start * margin } else { zero };
         let mut lower = self.sample(first)?;
         if start.is_zero() {
             Self::push(&mut found, Self::rigid_body_modes(&lower))?;
-        } else if start <= zero {
-            // whatever is there counts as zero, which is outside
         }
         let mut waiting = List::<Sample<T>, WAITING>::new();
         if end > lower.omega {
             Self::wait(&mut waiting, self.sample(end + end * margin)?)?;
         }
         while let Some(root) = self.next(&mut lower, &mut waiting)? {
+            self.doubt(&root, found.last());
             if root.upper >= start && root.lower <= end {
                 Self::push(&mut found, Some(root))?;
             }
@@ -117,7 +130,7 @@ where
     }
 
     /// The lowest frequencies.
-    pub(super) fn first<const N: usize>(mut self) -> Result<FrequencyList<T, N>, SearchError> {
+    pub(super) fn first<const N: usize>(&mut self) -> Result<FrequencyList<T, N>, SearchError> {
         let wanted = N as u64;
         let bounds = self.system.bounds();
         let mut found = List::new();
@@ -139,10 +152,19 @@ where
         waiting.reverse();
         while settled < wanted {
             let Some(root) = self.next(&mut lower, &mut waiting)? else { break };
+            self.doubt(&root, found.last());
             settled += root.multiplicity;
             Self::push(&mut found, Some(root))?;
         }
         Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
+    }
+
+    /// Doubts what rounding makes of roots that coincide: several in one interval, two that nearly touch, one that is
+    /// nearly zero.
+    fn doubt(&mut self, root: &NaturalFrequency<T>, last: Option<&NaturalFrequency<T>>) {
+        let touching = last.is_some_and(|last| root.lower - last.upper <= root.omega * T::from_f64(TOUCHING));
+        let nearly_zero = T::one().times_power_of_two(self.system.bounds().lowest_exponent() - NEARLY_ZERO_EXPONENT);
+        self.is_doubtful |= root.multiplicity > 1 || touching || root.omega < nearly_zero;
     }
 
     /// The entry of frequencies that are zero, if there are any.
@@ -195,14 +217,14 @@ where
 
     /// Whether a bracket is no wider than a certified interval.
     pub(super) fn is_narrow(&self, lower: &Sample<T>, upper: &Sample<T>) -> bool {
-        let half_width = Self::half_width();
+        let half_width = self.half_width;
         upper.omega - lower.omega <= (half_width + half_width) * upper.omega
     }
 
     /// The certified entry of the roots in a narrow bracket.
     pub(super) fn settle(&mut self, lower: Sample<T>, upper: Sample<T>) -> Result<NaturalFrequency<T>, SearchError> {
         let omega = lower.omega + (upper.omega - lower.omega) * T::from_f64(0.5);
-        let margin = omega * Self::half_width();
+        let margin = omega * self.half_width;
         let (below, above) = (self.sample(omega - margin)?, self.sample(omega + margin)?);
         // where rounding blurs the counts, the interval takes in all that was seen to hold them
         let start = if below.below == lower.below || below.omega < lower.omega { below } else { lower };
@@ -216,7 +238,9 @@ where
         let middle = middle(lower.omega, upper.omega);
         let close = (upper.omega - lower.omega) * T::from_f64(16.0) < upper.omega;
         let mut sample = if close { self.split_cluster(lower, upper, middle, roots)? } else { self.sample(middle)? };
-        sample.below = sample.below.clamp(lower.below, upper.below);
+        let below = sample.below.clamp(lower.below, upper.below);
+        self.is_doubtful |= below != sample.below;
+        sample.below = below;
         Ok(sample)
     }
 
@@ -232,7 +256,7 @@ where
         let step = slope.value / slope.derivative * T::from_f64(roots as f64);
         let width = upper.omega - lower.omega;
         // beside the estimate, on the side that cuts most off the bracket
-        let beside = step.abs() * T::from_f64(0.125) + middle * Self::half_width();
+        let beside = step.abs() * T::from_f64(0.125) + middle * self.half_width;
         let target = middle - step + if step > T::zero() { beside } else { -beside };
         let useful = target > lower.omega && target < upper.omega && step.abs() < width * T::from_f64(0.25);
         if !useful || target == middle {

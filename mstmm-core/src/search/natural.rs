@@ -69,7 +69,33 @@ impl<T: Real + fmt::Display> fmt::Display for NaturalFrequency<T> {
     }
 }
 
+/// A system that can be searched for natural frequencies: Δ and its derivative in the arithmetic of the parameters, and in
+/// the arithmetic that judges its rounding.
+///
+/// Every undamped system is one; systems with a damper are not: they have `eigenvalues`.
+pub trait Undamped:
+    System
+    + Characteristic<<Self as System>::Parameter>
+    + Characteristic<Dual<<Self as System>::Parameter>>
+    + Characteristic<<<Self as System>::Parameter as Real>::Judge>
+    + Characteristic<Dual<<<Self as System>::Parameter as Real>::Judge>>
+{
+}
+
+impl<Y> Undamped for Y where
+    Y: System
+        + Characteristic<<Y as System>::Parameter>
+        + Characteristic<Dual<<Y as System>::Parameter>>
+        + Characteristic<<<Y as System>::Parameter as Real>::Judge>
+        + Characteristic<Dual<<<Y as System>::Parameter as Real>::Judge>>
+        + ?Sized
+{
+}
+
 /// The certified searches of undamped systems.
+///
+/// Where a result looks as if rounding had a hand in it (roots that coincide or nearly do, slopes that do not fit), the
+/// search is made again in the arithmetic that judges the first: double-double for `f64`.
 pub trait NaturalFrequencies: System {
     /// Number of natural frequencies below `omega` [rad/s], with multiplicity; rigid-body modes count from ω > 0 on.
     ///
@@ -102,9 +128,14 @@ pub trait NaturalFrequencies: System {
         range: RangeInclusive<Self::Parameter>,
     ) -> Result<FrequencyList<Self::Parameter, CAP>, SearchError>
     where
-        Self: Characteristic<<Self as System>::Parameter> + Characteristic<Dual<<Self as System>::Parameter>>,
+        Self: Undamped,
     {
-        Isolation::new(self).in_range(*range.start(), *range.end())
+        let mut plain = Isolation::<Self, Self::Parameter>::new(self);
+        let found = plain.in_range(*range.start(), *range.end());
+        judged::<Self, CAP>(found, plain.is_doubtful, || {
+            let [start, end] = [range.start(), range.end()].map(|end| Scalar::from_f64(end.to_f64()));
+            Isolation::<Self, <Self::Parameter as Real>::Judge>::new(self).in_range(start, end)
+        })
     }
 
     /// The lowest natural frequencies, rigid-body modes at ω = 0 included: the fewest entries whose multiplicities add up
@@ -114,10 +145,34 @@ pub trait NaturalFrequencies: System {
     /// [`SearchError::TooFewRoots`] if the system has no more than it says; else as `natural_frequencies`.
     fn first_frequencies<const N: usize>(&self) -> Result<FrequencyList<Self::Parameter, N>, SearchError>
     where
-        Self: Characteristic<<Self as System>::Parameter> + Characteristic<Dual<<Self as System>::Parameter>>,
+        Self: Undamped,
     {
-        Isolation::new(self).first()
+        let mut plain = Isolation::<Self, Self::Parameter>::new(self);
+        let found = plain.first();
+        judged::<Self, N>(found, plain.is_doubtful, || {
+            Isolation::<Self, <Self::Parameter as Real>::Judge>::new(self).first()
+        })
     }
 }
 
 impl<Y: System + ?Sized> NaturalFrequencies for Y {}
+
+/// What was found, or where that is doubtful what the judging arithmetic finds.
+fn judged<Y: System + ?Sized, const CAP: usize>(
+    found: Result<FrequencyList<Y::Parameter, CAP>, SearchError>,
+    is_doubtful: bool,
+    judge: impl FnOnce() -> Result<FrequencyList<<Y::Parameter as Real>::Judge, CAP>, SearchError>,
+) -> Result<FrequencyList<Y::Parameter, CAP>, SearchError> {
+    if !(is_doubtful && Y::Parameter::HAS_JUDGE) {
+        return found;
+    }
+    let plain = found.map_or(0, |found| found.evaluations);
+    let judged = judge()?;
+    let mut frequencies = List::new();
+    for root in &judged {
+        let [omega, lower, upper] = [root.omega, root.lower, root.upper].map(|x| Scalar::from_f64(x.to_f64()));
+        let root = NaturalFrequency { omega, lower, upper, multiplicity: root.multiplicity };
+        frequencies.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
+    }
+    Ok(FrequencyList { frequencies, evaluations: plain + judged.evaluations })
+}

@@ -48,10 +48,10 @@ impl<T: Real> Slope<T> {
     }
 }
 
-impl<'a, T, Y> Isolation<'a, Y>
+impl<'a, T, Y> Isolation<'a, Y, T>
 where
     T: Real,
-    Y: System<Parameter = T> + Characteristic<T> + Characteristic<Dual<T>> + ?Sized,
+    Y: System + Characteristic<T> + Characteristic<Dual<T>> + ?Sized,
 {
     /// The single root of a bracket.
     pub(super) fn polish(
@@ -64,7 +64,7 @@ where
         let mut previous: Option<Slope<T>> = None;
         let (mut width, mut patience) = (upper.omega - lower.omega, PATIENCE);
         let length = (width + width).to_f64().min(upper.omega.to_f64()) / 8.0;
-        while !self.is_narrow(&lower, &upper) {
+        while upper.omega - lower.omega > upper.omega * self.half_width * T::from_f64(0.25) {
             let slope = self.slope(point)?;
             if slope.below <= counts.0 {
                 lower = slope.into()
@@ -72,7 +72,7 @@ where
                 upper = slope.into()
             }
             // a bracket may end in the root itself, and estimates carry roundings
-            let margin = point * Self::half_width();
+            let margin = point * self.half_width;
             let inside = |omega: &T| *omega > lower.omega - margin && *omega < upper.omega + margin;
             let estimate = previous
                 .map(|previous| slope.hermite(&previous))
@@ -83,9 +83,9 @@ where
                 (width, patience) = (upper.omega - lower.omega, PATIENCE);
             }
             if let Some(estimate) = estimate
-                && is_exact(estimate, &slope, previous.as_ref(), length)
+                && is_exact(estimate, &slope, previous.as_ref(), length, self.precision)
             {
-                if let Some(root) = self.certify(estimate, counts)? {
+                if let Some(root) = self.certify(estimate, counts, &slope)? {
                     return Ok(root);
                 }
                 patience = 0;
@@ -103,12 +103,49 @@ where
     }
 
     /// The root as certified by the counts on both sides of an estimate, if it is there.
-    fn certify(&mut self, omega: T, counts: (u64, u64)) -> Result<Option<NaturalFrequency<T>>, SearchError> {
-        let margin = omega * Self::half_width();
-        let (lower, upper) = (omega - margin, omega + margin);
-        let certified = self.sample(lower)?.below == counts.0 && self.sample(upper)?.below == counts.1;
-        Ok(certified.then_some(NaturalFrequency { omega, lower, upper, multiplicity: counts.1 - counts.0 }))
+    fn certify(
+        &mut self,
+        omega: T,
+        counts: (u64, u64),
+        nearest: &Slope<T>,
+    ) -> Result<Option<NaturalFrequency<T>>, SearchError> {
+        let mut omega = omega;
+        for _ in 0..2 {
+            // counts half a width inside the interval: the other half is room for their own rounding
+            let inner = omega * self.half_width * T::from_f64(0.5);
+            let (below, above) = (self.sample(omega - inner)?, self.sample(omega + inner)?);
+            if below.below == counts.0 && above.below == counts.1 {
+                self.is_doubtful |= !is_straight(&below, &above, nearest);
+                let (lower, upper) = (below.omega - inner, above.omega + inner);
+                return Ok(Some(NaturalFrequency { omega, lower, upper, multiplicity: counts.1 - counts.0 }));
+            }
+            let zero = below.omega + (above.omega - below.omega) * chord_share(&below, &above);
+            let is_near = (zero - omega).size() < inner.size() * 8.0;
+            if !is_near {
+                break;
+            }
+            omega = zero;
+        }
+        Ok(None)
     }
+}
+
+/// Where the chord between two samples is zero, as a share of their distance.
+fn chord_share<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
+    let shift = (upper.value.exponent() - lower.value.exponent()).clamp(-2000, 2000) as i32;
+    let (a, b) = (lower.value.mantissa(), upper.value.mantissa().times_power_of_two(shift));
+    a / (a - b)
+}
+
+/// Whether Δ grows across a root by its slope beside it, as it does unless rounding rules there.
+fn is_straight<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>) -> bool {
+    let at_scale = |value: Scaled<T>| {
+        let shift = (value.exponent() - nearest.exponent).clamp(-2000, 2000) as i32;
+        value.mantissa().times_power_of_two(shift)
+    };
+    let growth = at_scale(above.value) - at_scale(below.value);
+    let ratio = growth / (nearest.derivative * (above.omega - below.omega));
+    ratio > T::from_f64(0.5) && ratio < T::from_f64(2.0)
 }
 
 /// Where to begin: the zero of the chord if the bracket is not wide, else its middle.
@@ -117,19 +154,17 @@ fn first_point<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
     if lower.omega + lower.omega < upper.omega {
         return middle;
     }
-    let shift = (upper.value.exponent() - lower.value.exponent()).clamp(-2000, 2000) as i32;
-    let (a, b) = (lower.value.mantissa(), upper.value.mantissa().times_power_of_two(shift));
     let width = upper.omega - lower.omega;
-    let share = a / (a - b);
+    let share = chord_share(lower, upper);
     let tenth = T::from_f64(0.1);
     if share > tenth && share < T::one() - tenth { lower.omega + width * share } else { middle }
 }
 
-/// Whether an estimate is good to rounding: the error of the inverse cubic is `(a b)²/length³`, with the distances a and b
+/// Whether an estimate is good to a precision: the error of the inverse cubic is `(a b)²/length³`, with the distances a and b
 /// of its two points and a length over which Δ bends, that of Newton's step `a²/length`.
-fn is_exact<T: Real>(estimate: T, slope: &Slope<T>, previous: Option<&Slope<T>>, length: f64) -> bool {
+fn is_exact<T: Real>(estimate: T, slope: &Slope<T>, previous: Option<&Slope<T>>, length: f64, precision: f64) -> bool {
     let distance = |omega: T| (estimate - omega).size() / length;
     let product = distance(slope.omega) * previous.map_or(1.0, |previous| distance(previous.omega));
     let error = product * product;
-    4.0 * error * length <= T::EPSILON * estimate.size()
+    4.0 * error * length <= precision * estimate.size()
 }

@@ -1,7 +1,7 @@
 //! The elementary functions: reduction of the argument, then a Taylor series.
 
 use super::DoubleDouble;
-use crate::scalar::{Real, Scalar, WaveProducts};
+use crate::scalar::{Dual, Frequency, Real, Scalar, WaveProducts};
 use core::f64::consts;
 
 /// `π/2` in four parts of 53 bits: the multiples below 2^51 keep 106 bits even where the reduced argument is small.
@@ -142,6 +142,8 @@ impl Scalar for DoubleDouble {
 }
 
 impl Real for DoubleDouble {
+    type Judge = Self;
+
     const WAVE_LIMIT: f64 = 100.0;
     /// 2^-104: what a handful of roundings may leave, each being up to `5 · 2^-106`.
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
@@ -164,5 +166,58 @@ impl Real for DoubleDouble {
     #[inline]
     fn abs(self) -> Self {
         if self.hi < 0.0 { -self } else { self }
+    }
+}
+
+impl core::ops::Mul<f64> for DoubleDouble {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        self * DoubleDouble::from_f64(factor)
+    }
+}
+
+/// A system with `f64` parameters, judged in double-double.
+impl Frequency<f64> for DoubleDouble {
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        -(self * self)
+    }
+
+    #[inline]
+    fn wave_root(self) -> Self {
+        self.abs().sqrt()
+    }
+
+    #[inline]
+    fn from_parameter(parameter: f64) -> Self {
+        DoubleDouble::from_f64(parameter)
+    }
+}
+
+impl core::ops::Mul<f64> for Dual<DoubleDouble> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        self * DoubleDouble::from_f64(factor)
+    }
+}
+
+impl Frequency<f64> for Dual<DoubleDouble> {
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        -(self * self)
+    }
+
+    #[inline]
+    fn wave_root(self) -> Self {
+        Scalar::sqrt(Real::abs(self))
+    }
+
+    #[inline]
+    fn from_parameter(parameter: f64) -> Self {
+        Dual::constant(DoubleDouble::from_f64(parameter))
     }
 }
