@@ -8,13 +8,13 @@
 use core::f64::consts::PI;
 use mstmm::elements::Beam;
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, Dual, ListStep, StepList, Support};
+use mstmm::{AnyUndamped, ListStep, StepList, Support, System};
 
 type Failure = Box<dyn std::error::Error>;
 
 /// An undamped system.
-trait Undamped: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>> {}
-impl<Y: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>>> Undamped for Y {}
+trait Searched: Undamped + System<Parameter = f64> {}
+impl<Y: Undamped + System<Parameter = f64>> Searched for Y {}
 
 system! {
     /// Fixed and pinned beam with EI = m = l = 1.
@@ -103,7 +103,7 @@ fn by_determinant(system: &impl Evaluate<f64>, exact: Exact) -> Option<f64> {
 }
 
 /// Digits of the certified frequency that is nearest, and its multiplicity and evaluations.
-fn certified(system: &impl Undamped, exact: Exact) -> Result<(f64, u64, usize), Failure> {
+fn certified(system: &impl Searched, exact: Exact) -> Result<(f64, u64, usize), Failure> {
     let range = exact.omega * (1.0 - exact.bracket)..=exact.omega * (1.0 + exact.bracket);
     let found = system.natural_frequencies::<8>(range)?;
     let error = |root: &&NaturalFrequency| (root.omega - exact.omega).abs();
@@ -112,7 +112,7 @@ fn certified(system: &impl Undamped, exact: Exact) -> Result<(f64, u64, usize), 
 }
 
 /// One line of the table.
-fn row(case: &str, digits_of_determinant: Option<f64>, exact: Exact, system: &impl Undamped) -> Result<(), Failure> {
+fn row(case: &str, digits_of_determinant: Option<f64>, exact: Exact, system: &impl Searched) -> Result<(), Failure> {
     let (digits, multiplicity, evaluations) = certified(system, exact)?;
     let determinant = digits_of_determinant.map_or("-".to_owned(), |digits| format!("{digits:.1}"));
     let several = if multiplicity > 1 { format!(" ({multiplicity} together)") } else { String::new() };
@@ -121,7 +121,7 @@ fn row(case: &str, digits_of_determinant: Option<f64>, exact: Exact, system: &im
 }
 
 /// A line for a system that has both.
-fn compare<Y: Undamped + Evaluate<f64>>(case: &str, system: &Y, exact: Exact) -> Result<(), Failure> {
+fn compare<Y: Searched + Evaluate<f64>>(case: &str, system: &Y, exact: Exact) -> Result<(), Failure> {
     row(case, by_determinant(system, exact), exact, system)
 }
 

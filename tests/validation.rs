@@ -17,7 +17,7 @@ use decimal::is_within;
 use models::{DampedBeam, FromValues, SprungMasses, Stepped, Twins};
 use mstmm::elements::ElasticHinge;
 use mstmm::prelude::*;
-use mstmm::{Dual, Support};
+use mstmm::{Dual, Support, System};
 use serde_json::Value;
 
 /// Relative width of a certified interval per unit of condition: 36 eps, of which the certificate takes 32.
@@ -27,8 +27,8 @@ const WIDTH: f64 = 8e-15;
 const STEP: f64 = 1e-6;
 
 /// An undamped system.
-trait Undamped: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>> {}
-impl<Y: NaturalFrequencies<Parameter = f64> + Characteristic<f64> + Characteristic<Dual<f64>>> Undamped for Y {}
+trait Searched: Undamped + System<Parameter = f64> {}
+impl<Y: Undamped + System<Parameter = f64>> Searched for Y {}
 
 /// All cases of the file, with their ids.
 fn cases() -> Vec<(String, Value)> {
@@ -53,7 +53,7 @@ fn exact(id: &str) -> Vec<(u64, String)> {
 }
 
 /// The certified entry of a mode, from a search around a frequency.
-fn mode(system: &impl Undamped, index: u64, near: f64) -> NaturalFrequency {
+fn mode(system: &impl Searched, index: u64, near: f64) -> NaturalFrequency {
     let found = system.natural_frequencies::<128>(near * 0.999..=near * 1.001).unwrap();
     let holds = |root: &&NaturalFrequency| {
         let below = system.count_below(root.lower);
@@ -78,7 +78,7 @@ fn condition(parameters: &[f64], root_of: impl Fn(&[f64]) -> f64) -> f64 {
 
 /// The certificate of a single root.
 fn assert_certified(
-    system: &impl Undamped,
+    system: &impl Searched,
     root: &NaturalFrequency,
     index: u64,
     exact: &str,
@@ -95,7 +95,7 @@ fn assert_certified(
 }
 
 /// Every mode of a case, its system built from the values of its parameters.
-fn check<Y: Undamped>(id: &str, case: &Value, parameters: &[f64], build: impl Fn(&[f64]) -> Y) {
+fn check<Y: Searched>(id: &str, case: &Value, parameters: &[f64], build: impl Fn(&[f64]) -> Y) {
     let system = build(parameters);
     for (index, exact) in exact_modes(case) {
         let near: f64 = exact.parse().unwrap();
