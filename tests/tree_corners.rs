@@ -39,7 +39,6 @@ fn a_mass_on_a_fixed_tip_is_a_pin() {
 /// Closed form: arms of one length on pins turn about all pins at once, since the middle moves by the length times the
 /// angle on each of them.
 #[test]
-#[ignore = "the sum of two planes loses the rigid-body mode to rounding: a frequency of 1e-9 or so takes its place"]
 fn equal_arms_on_pins_turn_as_a_rigid_body() {
     for length in [0.37, 1.0, 1.3, 2.9, 3.1] {
         let arm = Beam { length, bending_stiffness: 0.7, mass_per_length: 1.3 };
@@ -51,20 +50,17 @@ fn equal_arms_on_pins_turn_as_a_rigid_body() {
     }
 }
 
-/// Closed form: a fixed and a free arm have the frequencies of a cantilever twice. In one mode the fixed arm is a
-/// cantilever whose end carries the free arm along without force on it; in the other the free arm is one on the point at
-/// rest.
+/// Closed form: with `cos z = 0` the stiffnesses of a fixed and of a free arm of one length are each other's negative, so
+/// that their sum vanishes and with it both frequencies of `z = π/2`, those of a guided-pinned beam.
 #[test]
-#[ignore = "the sum of two planes blurs the double root: two simple roots, 1e-9 apart, each certified to 1e-15"]
-fn a_fixed_and_a_free_arm_are_two_cantilevers() {
+fn a_fixed_and_a_free_arm_have_a_double_root() {
     let (fixed, free) = (ListStep::Tip(Support::Fixed), ListStep::Tip(Support::Free));
     let steps = [fixed, beam(), free, beam(), ListStep::Connection(2), ListStep::Root(Support::Free)];
-    let omega = 3.516_015_268_500_147;
+    let omega = PI * PI / 4.0;
     let list = StepList::new(&steps).unwrap();
-    for margin in [1e-8, 1e-9, 1e-10, 1e-11] {
-        let counts = [1.0 - margin, 1.0 + margin].map(|factor| list.count_below(omega * factor));
-        assert_eq!(counts, [0, 2], "{margin:e}");
-    }
+    // within sqrt(eps) of such a double root a single count is at the mercy of rounding; the search is judged
+    let counts = [1.0 - 1e-6, 1.0 + 1e-6].map(|factor| list.count_below(omega * factor));
+    assert_eq!(counts, [0, 2]);
     let (found, multiplicity) = first::<2>(&steps)[0];
     assert!((found / omega - 1.0).abs() < 1e-14 && multiplicity == 2, "{found} x{multiplicity}");
 }

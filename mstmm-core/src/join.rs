@@ -96,7 +96,7 @@ impl<S: Scalar> Line<S> {
 
 /// Joins two subspaces that are no supports.
 #[inline(always)]
-pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
+pub(crate) fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
     match (a, b) {
         (Springs { y, theta }, Springs { y: other_y, theta: other_theta }) => {
@@ -129,7 +129,7 @@ pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
 /// The same subspace with its entries in the middle of the range: joins multiply entries and do not look at their size, so
 /// between two of them someone must.
 #[inline(always)]
-pub fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
+pub(crate) fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
     match subspace {
         Subspace::Plane(Plane { y_theta, y_m, w, theta_q, m_q, exponent }) => {
             Subspace::Plane(Plane::new([y_theta, y_m, w, theta_q, m_q], exponent))
@@ -137,6 +137,18 @@ pub fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
         Subspace::Line(line, space) => Subspace::Line(Line::new(line.y, line.q, line.exponent), space),
         Subspace::Tip(..) | Subspace::Grounded(..) | Subspace::Springs { .. } => subspace,
     }
+}
+
+/// The join of one path more, in line.
+#[inline(always)]
+pub fn joined_on<S: Scalar>(sum: Subspace<S>, path: Subspace<S>) -> Subspace<S> {
+    joined(moderated(sum), path)
+}
+
+/// The same as a call of its own, for long models.
+#[inline(never)]
+pub fn called_joined_on<S: Scalar>(sum: Subspace<S>, path: Subspace<S>) -> Subspace<S> {
+    joined_on(sum, path)
 }
 
 /// Joins a line to the free state of a wider output, before supports hold the point.
@@ -196,7 +208,7 @@ pub(crate) fn connection<S: Scalar, C: Tally<S>>(
 ) -> Subspace<S> {
     let is_tip = |input: &&Subspace<S>| matches!(input, Subspace::Tip(..));
     let paths = inputs.iter().filter(|input| !is_tip(input)).copied();
-    let sum = paths.reduce(|sum, path| joined(moderated(sum), path));
+    let sum = paths.reduce(joined_on);
     // supports alone hold what goes on
     let alone = Subspace::Tip(Support::Free, output.unwrap_or(Space::Bending));
     let mut sum = sum.map_or(alone, |sum| widened(sum, output));

@@ -116,6 +116,7 @@ pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
 #[diagnostic::on_unimplemented(
     message = "a system with a damper has complex eigenvalues: it cannot be evaluated at a real frequency",
     label = "needs a complex λ, not `{Self}`",
+    note = "search its `eigenvalues` instead of `natural_frequencies`",
     note = "pass `Complex::new(re, im)` for λ [1/s]; an undamped motion at ω is λ = iω, `Complex::new(0.0, omega)`"
 )]
 pub trait ComplexFrequency<T>: Frequency<T> {}

@@ -28,8 +28,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) elements: Vec<&'a Element>,
 }
 
-/// Number of different elements up to which all steps stand in line.
-const LONGEST_IN_LINE: usize = 12;
+/// Number of steps up to which all stand in line.
+const LONGEST_IN_LINE: usize = 24;
 
 impl<'a> Plan<'a> {
     /// Plans a checked tree: depth first from the root, inputs in source order, so that inputs precede outputs.
@@ -62,7 +62,7 @@ impl<'a> Plan<'a> {
 
     /// Whether the model is short enough for all steps to stand in line: faster, but slower to compile.
     pub(crate) fn is_short(&self) -> bool {
-        self.elements.len() <= LONGEST_IN_LINE
+        self.steps.len() <= LONGEST_IN_LINE
     }
 
     /// Whether a step is a support that holds a connection.

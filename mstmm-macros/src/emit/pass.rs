@@ -73,8 +73,11 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names<'_>
                 held.push(quote_spanned!(names.here=> let #own = #private::held(#own, #support);));
             }
             _ if joined.is_empty() => joined = quote_spanned!(names.here=> let #own = #path;),
+            _ if plan.is_short() => joined.extend(quote_spanned! {names.here=>
+                let #own = #private::joined_on(#own, #path);
+            }),
             _ => joined.extend(quote_spanned! {names.here=>
-                let #own = #private::joined(#private::moderated(#own), #path);
+                let #own = #private::called_joined_on(#own, #path);
             }),
         }
     }
