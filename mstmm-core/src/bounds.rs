@@ -21,7 +21,7 @@ impl Range {
     const EMPTY: Range = Range { least: f64::INFINITY, greatest: 0.0 };
 
     fn include(&mut self, value: f64) {
-        if value > 0.0 {
+        if value > 0.0 && value.is_finite() {
             self.least = self.least.min(value);
             self.greatest = self.greatest.max(value);
         }
@@ -45,7 +45,7 @@ impl FrequencyBounds {
         self.stiffness[1].include(value);
     }
 
-    /// A mass [kg].
+    /// A mass \[kg\].
     pub fn mass(&mut self, value: f64) {
         self.inertia[0].include(value);
     }
@@ -74,8 +74,10 @@ impl FrequencyBounds {
                 squares.include(stiffness.greatest / inertia.least);
             }
         }
-        squares.include(self.waves.least * self.waves.least);
-        squares.include(self.waves.greatest * self.waves.greatest);
+        if self.is_continuous() {
+            squares.include(self.waves.least * self.waves.least);
+            squares.include(self.waves.greatest * self.waves.greatest);
+        }
         if squares.greatest == 0.0 { Range { least: 1.0, greatest: 1.0 } } else { squares }
     }
 

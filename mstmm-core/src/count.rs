@@ -75,16 +75,16 @@ impl Count {
     }
 
     fn add_if(&mut self, condition: bool) {
-        self.below += u64::from(condition);
+        self.below = self.below.saturating_add(u64::from(condition));
     }
 
     /// Adds the negative eigenvalues of a symmetric 2×2 matrix from the sign of its determinant and its first entry.
     fn negative_eigenvalues(&mut self, determinant_negative: bool, first_positive: bool) {
-        self.below += match (determinant_negative, first_positive) {
+        self.below = self.below.saturating_add(match (determinant_negative, first_positive) {
             (true, _) => 1,
             (false, true) => 0,
             (false, false) => 2,
-        };
+        });
     }
 }
 
@@ -121,7 +121,7 @@ impl<T: Real> Tally<T> for Count {
         let half_waves = (signs.z.to_f64() / core::f64::consts::PI) as u64;
         // clamped-clamped frequencies below: i - (1 - (-1)^i sgn(1 - ch z cos z))/2
         let odd = half_waves % 2 == 1;
-        self.below += half_waves - u64::from(odd != product_negative);
+        self.below = self.below.saturating_add(half_waves.saturating_sub(u64::from(odd != product_negative)));
         let determinant_negative = plane_negative(before) != (plane_negative(after) != product_negative);
         let first_positive =
             before.y_theta.is_zero() || before.theta_q / before.y_theta + signs.clamped_stiffness > T::zero();
@@ -129,7 +129,7 @@ impl<T: Real> Tally<T> for Count {
     }
 
     fn line_waves(&mut self, before: &Line<T>, after: &Line<T>, held: u64, odd: bool) {
-        self.below += held;
+        self.below = self.below.saturating_add(held);
         self.add_if(line_negative(before) != (line_negative(after) != odd));
     }
 

@@ -27,7 +27,7 @@ impl<S: Scalar> Plane<S> {
         } else {
             [y * y_theta, y * y_m - q * y_theta, y * w, y * theta_q, y * m_q - q * theta_q]
         };
-        Plane::unscaled(minors, self.exponent + exponent)
+        Plane::unscaled(minors, self.exponent.saturating_add(exponent))
     }
 
     /// Joins another plane.
@@ -41,7 +41,7 @@ impl<S: Scalar> Plane<S> {
             p.theta_q * r.y_theta + p.y_theta * r.theta_q,
             (p.m_q * r.y_theta + p.y_theta * r.m_q) + p.mixed_with(&r),
         ];
-        Plane::unscaled(minors, p.exponent + r.exponent)
+        Plane::unscaled(minors, p.exponent.saturating_add(r.exponent))
     }
 
     /// The mixed part of p_MQ of two joined planes, `p_YM r_ΘQ + r_YM p_ΘQ - 2 w_p w_r`.
@@ -84,7 +84,11 @@ impl<S: Scalar> Line<S> {
     /// Joins another line of the same space.
     #[inline(always)]
     fn with_line(self, other: Line<S>) -> Self {
-        Line { y: self.y * other.y, q: self.q * other.y + self.y * other.q, exponent: self.exponent + other.exponent }
+        Line {
+            y: self.y * other.y,
+            q: self.q * other.y + self.y * other.q,
+            exponent: self.exponent.saturating_add(other.exponent),
+        }
     }
 
     /// Joins a grounded stiffness of the same space.
@@ -96,7 +100,7 @@ impl<S: Scalar> Line<S> {
 
 /// Joins two subspaces that are no supports.
 #[inline(always)]
-pub(crate) fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
+pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
     match (a, b) {
         (Springs { y, theta }, Springs { y: other_y, theta: other_theta }) => {
@@ -139,7 +143,7 @@ pub(crate) fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
     }
 }
 
-/// The join of one path more, in line.
+/// The join of one path more to a sum, in line.
 #[inline(always)]
 pub fn joined_on<S: Scalar>(sum: Subspace<S>, path: Subspace<S>) -> Subspace<S> {
     joined(moderated(sum), path)
@@ -207,8 +211,11 @@ pub(crate) fn connection<S: Scalar, C: Tally<S>>(
     tally: &mut C,
 ) -> Subspace<S> {
     let is_tip = |input: &&Subspace<S>| matches!(input, Subspace::Tip(..));
-    let paths = inputs.iter().filter(|input| !is_tip(input)).copied();
-    let sum = paths.reduce(joined_on);
+    let mut paths = inputs.iter().filter(|input| !is_tip(input)).copied();
+    // as in emitted code: what elements and tips lead here needs no look at its size, a sum does
+    let first = paths.next();
+    let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second)));
+    let sum = pair.map(|pair| paths.fold(pair, joined_on));
     // supports alone hold what goes on
     let alone = Subspace::Tip(Support::Free, output.unwrap_or(Space::Bending));
     let mut sum = sum.map_or(alone, |sum| widened(sum, output));

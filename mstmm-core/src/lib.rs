@@ -42,7 +42,7 @@ pub use count::{BeamSigns, Count, Tally, Untallied};
 pub use determinant::determinant;
 pub use element::{Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build, called_step, space_of, without_pole};
 pub use error::{InvalidParameter, ParameterError, Requirement, SearchError};
-pub use join::{called_joined_on, held, joined_on, narrowed, widened};
+pub use join::{called_joined_on, held, joined, joined_on, narrowed, widened};
 pub use layout::{Layout, Step};
 pub use list::List;
 pub use nalgebra::SMatrix;

@@ -16,6 +16,7 @@ pub struct Scaled<S> {
 }
 
 /// Exponent `e` with `2^e <= size < 2^(e+1)`; 0 for zero and for what is not finite.
+#[inline]
 pub(crate) fn binary_exponent(size: f64) -> i32 {
     let bits = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
     match bits(size) {
@@ -28,6 +29,7 @@ pub(crate) fn binary_exponent(size: f64) -> i32 {
 
 impl<S: Scalar> Scaled<S> {
     /// `value · 2^exponent`, normalised.
+    #[inline]
     pub fn new(value: S, exponent: i64) -> Self {
         let size = value.size();
         if size == 0.0 || !size.is_finite() {
@@ -38,11 +40,13 @@ impl<S: Scalar> Scaled<S> {
     }
 
     /// The factor in `[1, 2)` (or zero, or not finite).
+    #[inline]
     pub fn mantissa(self) -> S {
         self.mantissa
     }
 
     /// The power of two.
+    #[inline]
     pub fn exponent(self) -> i64 {
         self.exponent
     }

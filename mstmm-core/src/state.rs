@@ -41,6 +41,7 @@ pub enum Space {
 
 impl Space {
     /// The entries of a state of this space, in order.
+    #[inline]
     pub const fn coordinates(self) -> &'static [Coordinate] {
         match self {
             Space::Translation => &[Y, Q],
@@ -51,16 +52,19 @@ impl Space {
     }
 
     /// Number of entries `n_s`.
+    #[inline]
     pub const fn size(self) -> usize {
         self.coordinates().len()
     }
 
     /// The displacements of this space.
+    #[inline]
     pub const fn displacements(self) -> &'static [Coordinate] {
         self.coordinates().split_at(self.size() / 2).0
     }
 
     /// The smallest space that holds the states of both; `None` where they cannot meet at a connection.
+    #[inline]
     pub const fn join(self, other: Space) -> Option<Space> {
         match (self, other) {
             (Space::Planar, Space::Planar) => Some(Space::Planar),
@@ -72,6 +76,7 @@ impl Space {
     }
 
     /// Whether a connection may lead from this space to another: the same, a part of it, or one of which this is a part.
+    #[inline]
     pub const fn goes_on_as(self, other: Space) -> bool {
         match self.join(other) {
             Some(joined) => joined.is(self) || joined.is(other),
@@ -80,6 +85,7 @@ impl Space {
     }
 
     /// Whether two spaces are the same; `==` is not available in constants.
+    #[inline]
     pub const fn is(self, other: Space) -> bool {
         self as usize == other as usize
     }
@@ -178,6 +184,7 @@ impl Support {
     ///
     /// # Source
     /// Table 1 of the paper.
+    #[inline]
     pub const fn unknowns(self, space: Space) -> Option<&'static [Coordinate]> {
         Some(match (space, self) {
             (Space::Translation, Support::Fixed) => &[Q],

@@ -7,6 +7,7 @@ mod named_like_internals {
     #![allow(dead_code)]
 
     pub(super) struct N;
+    #[expect(clippy::upper_case_acronyms, reason = "it is the name that could clash")]
     pub(super) struct LAYOUT;
     pub(super) struct C;
 

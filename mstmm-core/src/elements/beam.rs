@@ -168,8 +168,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         let (before, after) = match input {
-            Subspace::Tip(support, _) => (Plane::of_tip(support), coefficients.from_tip(support)),
-            Subspace::Springs { y, theta } => (input.plane(), coefficients.from_springs(y, theta)),
+            Subspace::Tip(support, _) => (Plane::of_tip(support), coefficients.behind_tip(support)),
+            Subspace::Springs { y, theta } => (input.plane(), coefficients.behind_springs(y, theta)),
             _ => {
                 let before = input.plane();
                 (before, coefficients.through(before))
@@ -249,7 +249,7 @@ impl<S: Scalar> BeamCoefficients<S> {
             self.theta_q(p) * self.factors[2],
             self.m_q(p) * self.factors[3],
         ];
-        Plane::new(minors, plane.exponent + self.exponent)
+        Plane::new(minors, plane.exponent.saturating_add(self.exponent))
     }
 
     /// The one minor that decides at the root.
@@ -295,7 +295,7 @@ impl<S: Scalar> BeamCoefficients<S> {
 
     /// The plane behind a beam with grounded springs at its free end.
     #[inline(always)]
-    fn from_springs(&self, y: S, theta: S) -> Plane<S> {
+    fn behind_springs(&self, y: S, theta: S) -> Plane<S> {
         let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, factors, .. } = *self;
         let (y_m, theta_q) = (theta * self.inverses[0], y * self.inverses[2]);
         let m_q = y_m * theta_q;
@@ -310,7 +310,7 @@ impl<S: Scalar> BeamCoefficients<S> {
     }
 
     /// The plane behind a beam that starts at a support: a column of the compound.
-    fn from_tip(&self, support: Support) -> Plane<S> {
+    fn behind_tip(&self, support: Support) -> Plane<S> {
         let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, .. } = *self;
         let (factor, inverse) = (self.factors, self.inverses);
         let minors = match support {

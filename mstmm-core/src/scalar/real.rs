@@ -34,6 +34,7 @@ const RECIPROCAL_FACTORIALS: [f64; 28] = {
 };
 
 /// `2^exponent` for a normal exponent, from its bits.
+#[inline(always)]
 fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((1023 + i64::from(exponent)) as u64) << 52)
 }
@@ -41,7 +42,7 @@ fn power_of_two(exponent: i32) -> f64 {
 /// `value · 2^exponent`.
 #[inline(always)]
 fn scale(value: f64, exponent: i32) -> f64 {
-    if -1022 <= exponent && exponent <= 1023 { value * power_of_two(exponent) } else { scale_far(value, exponent) }
+    if (-1022..=1023).contains(&exponent) { value * power_of_two(exponent) } else { scale_far(value, exponent) }
 }
 
 /// The same in steps that stay in range as long as the result does.

@@ -63,7 +63,7 @@ where
             // at a root of multiplicity m the steps shrink by 1 - 1/m only
             let shrinkage = (modulus(step) / last).to_f64();
             if is_slow && (0.4..0.95).contains(&shrinkage) {
-                step = step * T::from_f64(f64::from((1.0 / (1.0 - shrinkage) + 0.5) as u32));
+                step *= T::from_f64(f64::from((1.0 / (1.0 - shrinkage) + 0.5) as u32));
             }
             is_slow = (0.4..0.95).contains(&shrinkage) && !is_slow;
             lambda -= step;
@@ -120,7 +120,7 @@ where
             {
                 return Ok(Some(Eigenvalue { lambda, error: radius, multiplicity }));
             }
-            radius = radius * T::from_f64(GROWTH);
+            radius *= T::from_f64(GROWTH);
         }
         Ok(None)
     }

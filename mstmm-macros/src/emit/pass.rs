@@ -17,6 +17,7 @@ pub(super) fn characteristic(plan: &Plan<'_>, names: &Names<'_>) -> TokenStream 
     });
     let steps = plan.steps.iter().enumerate().map(|(index, step)| pass_step(index, step, plan, names));
     let body = quote_spanned! {names.here=>
+        #[inline]
         fn pass<#tally: #private::Tally<#frequency>>(
             &self,
             x: #frequency,
@@ -64,15 +65,19 @@ fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names<'_>) 
 fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
     let private = &names.private;
     let own = subspace(index, names);
-    let (mut joined, mut held) = (TokenStream::new(), Vec::new());
+    let (mut joined, mut held, mut paths) = (TokenStream::new(), Vec::new(), 0);
     for &input in inputs {
         let path = subspace(input, names);
+        let is_path = !matches!(plan.steps[input], Step::Tip(_));
         match &plan.steps[input] {
             Step::Tip(keyword) => {
                 let support = names.support(keyword);
                 held.push(quote_spanned!(names.here=> let #own = #private::held(#own, #support);));
             }
             _ if joined.is_empty() => joined = quote_spanned!(names.here=> let #own = #path;),
+            _ if plan.is_short() && paths == 1 => joined.extend(quote_spanned! {names.here=>
+                let #own = #private::joined(#own, #path);
+            }),
             _ if plan.is_short() => joined.extend(quote_spanned! {names.here=>
                 let #own = #private::joined_on(#own, #path);
             }),
@@ -80,6 +85,7 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names<'_>
                 let #own = #private::called_joined_on(#own, #path);
             }),
         }
+        paths += usize::from(is_path);
     }
     if joined.is_empty() {
         // supports alone hold what goes on
