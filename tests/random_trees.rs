@@ -28,6 +28,7 @@ use finite_elements::Model;
 use legendre_beam::LegendreBeam;
 use list_of_tree::{any_steps, undamped_steps};
 use mstmm::elements::Beam;
+use mstmm::search::{Eigenvalue, Eigenvalues, Region};
 use mstmm::search::{NaturalFrequencies, NaturalFrequency};
 use mstmm::{Characteristic, Complex, Dual, ListStep, StepList, Support};
 use random_tree::{Random, random_tree};
@@ -152,6 +153,51 @@ fn eigenvalues_of_damped_trees() {
         }
     }
     assert!(compared > 500, "{compared} eigenvalues only");
+}
+
+/// A rectangle around the lowest of the oracle's refined eigenvalues whose edges keep away from all estimates; none that
+/// are zero.
+fn rectangle(estimates: &[Complex<f64>], refined: &[Complex<f64>]) -> Option<Region> {
+    let mut sizes: Vec<f64> = refined.iter().map(|lambda| lambda.norm()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let high = *sizes.get(sizes.len().min(10).checked_sub(1)?)? * 1.05;
+    let low = sizes.first()? * 0.3;
+    let near = |a: f64, b: f64| (a - b).abs() < 0.04 * high;
+    let keeps_away = |lambda: &Complex<f64>| {
+        !near(lambda.re, -high)
+            && !near(lambda.im, high)
+            && (lambda.im.abs() < 1e-6 * high || (lambda.im - low).abs() > 0.1 * low)
+    };
+    estimates.iter().all(keeps_away).then_some(Region { re: -high..=0.05 * high, im: low..=high })
+}
+
+/// The oracle's eigenvalues in a rectangle are those of the library, and no more: by the linearised pencil, whose
+/// estimates are good to a few percent.
+#[test]
+fn rectangles_hold_the_eigenvalues_of_the_oracle() {
+    let mut compared = 0;
+    for (seed, tree, model) in trees(0, 200, 2, true) {
+        let steps = any_steps(&tree);
+        let list = StepList::new(&steps).unwrap();
+        let estimates = model.linearised();
+        let refined = model.eigenvalues();
+        let Some(region) = rectangle(&estimates, &refined) else { continue };
+        let inside = |lambda: &Complex<f64>| region.re.contains(&lambda.re) && region.im.contains(&lambda.im);
+        let expected = estimates.iter().filter(|lambda| inside(lambda)).count() as u64;
+        let found = list.eigenvalues::<64>(region.clone()).unwrap();
+        let total: u64 = found.iter().map(|root| root.multiplicity).sum();
+        assert_eq!(total, expected, "seed {seed}: {region:?}, {estimates:?}\nvec!{tree:?}");
+        assert_eq!(list.count_in(region.clone()), Ok(total), "seed {seed}");
+        for lambda in refined.iter().filter(|lambda| inside(lambda)) {
+            let distance = |root: &Eigenvalue| (root.lambda - lambda).norm() - root.error;
+            let nearest = found.iter().map(distance).fold(f64::INFINITY, f64::min);
+            // at a multiple eigenvalue the oracle has half of its digits
+            let bound = lambda.norm() * (10.0 * error(&model, lambda.norm())).max(CONVERGED.sqrt());
+            assert!(nearest < bound, "seed {seed}: {lambda} is {nearest:e} from the nearest\nvec!{tree:?}");
+        }
+        compared += total;
+    }
+    assert!(compared > 400, "{compared} eigenvalues only");
 }
 
 /// Closed form of a cantilever, `cos z + 1/ch z = 0`, up to the tenth mode; and of the inner modes, which are those of a

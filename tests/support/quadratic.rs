@@ -46,7 +46,7 @@ impl Model<'_> {
 
     /// Eigenvalues of the linearised problem. With `λ = σ + 1/μ` and σ > 0, where `σ²M + σC + K` is positive definite:
     /// `μ² Q(σ) + μ Q'(σ) + M = 0`; μ = 0 belongs to what has no mass.
-    fn linearised(&self) -> Vec<C> {
+    pub(crate) fn linearised(&self) -> Vec<C> {
         if self.size() == 0 {
             return Vec::new(); // clamped beams alone: nothing that a dashpot could damp
         }
