@@ -17,6 +17,7 @@ impl Range {
     fn outside(self) -> Vec<f64> {
         let finite: &[f64] = match self {
             Range::Positive => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
+            Range::Moderate => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
             Range::Invertible => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
             Range::NonNegative => &[-TINY, -1.0, f64::MIN],
             Range::Position => &[],
@@ -28,6 +29,7 @@ impl Range {
     fn inside(self) -> &'static [f64] {
         match self {
             Range::Positive => &[TINY, f64::MIN_POSITIVE, 1.0, f64::MAX],
+            Range::Moderate => &[1e-60, 1.0, 1e60],
             Range::Invertible => &[f64::MIN_POSITIVE, 1.0, f64::MAX],
             Range::NonNegative => &[0.0, -0.0, TINY, f64::MIN_POSITIVE, 1.0, f64::MAX],
             // a mass centre at ±1 needs just the inertia of 1 that there is

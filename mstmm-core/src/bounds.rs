@@ -8,6 +8,9 @@ pub struct FrequencyBounds {
     stiffness: [Range; 2],
     inertia: [Range; 2],
     waves: Range,
+    wave_count: u32,
+    /// Sum of all lengths: no lever is longer.
+    reach: f64,
 }
 
 /// Smallest and largest positive value so far.
@@ -30,7 +33,13 @@ impl Range {
 
 impl Default for FrequencyBounds {
     fn default() -> Self {
-        FrequencyBounds { stiffness: [Range::EMPTY; 2], inertia: [Range::EMPTY; 2], waves: Range::EMPTY }
+        FrequencyBounds {
+            stiffness: [Range::EMPTY; 2],
+            inertia: [Range::EMPTY; 2],
+            waves: Range::EMPTY,
+            wave_count: 0,
+            reach: 0.0,
+        }
     }
 }
 
@@ -58,6 +67,17 @@ impl FrequencyBounds {
     /// A continuous element with frequencies of its own from this order [rad/s] on; it has infinitely many.
     pub fn waves(&mut self, omega: f64) {
         self.waves.include(omega);
+        self.wave_count = self.wave_count.saturating_add(1);
+    }
+
+    /// A length along a path [m]: masses may turn about the far end of a lever that long.
+    pub fn length(&mut self, value: f64) {
+        self.reach += value.abs();
+    }
+
+    /// Number of continuous elements.
+    pub(crate) fn wave_count(&self) -> u32 {
+        self.wave_count
     }
 
     /// Whether some element has infinitely many frequencies.
@@ -73,6 +93,10 @@ impl FrequencyBounds {
                 squares.include(stiffness.least / inertia.greatest);
                 squares.include(stiffness.greatest / inertia.least);
             }
+        }
+        let lever = self.inertia[0].greatest * self.reach * self.reach;
+        if lever > 0.0 && self.stiffness[1].greatest > 0.0 {
+            squares.include(self.stiffness[1].least / lever);
         }
         if self.is_continuous() {
             squares.include(self.waves.least * self.waves.least);

@@ -12,6 +12,8 @@ pub enum Requirement {
     Positive,
     /// Greater than zero and finite, as is the reciprocal: what a compliance is computed from.
     Invertible,
+    /// Positive, and not so extreme that products with the other parameters of the element leave the range of the type.
+    Moderate,
     /// Finite and not less than zero.
     NonNegative,
     /// Finite and at least `bound`, which comes from `formula`, with room for the rounding of the caller, who may have
@@ -30,6 +32,7 @@ impl fmt::Display for Requirement {
             Requirement::Finite => write!(f, "a finite number"),
             Requirement::Positive => write!(f, "positive and finite"),
             Requirement::Invertible => write!(f, "positive and finite, with a finite reciprocal"),
+            Requirement::Moderate => write!(f, "positive, and not too extreme beside the other parameters"),
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
         }
@@ -80,7 +83,7 @@ impl Requirement {
         let value = value.to_f64();
         let valid = match self {
             Requirement::Finite => true,
-            Requirement::Positive => value > 0.0,
+            Requirement::Positive | Requirement::Moderate => value > 0.0,
             Requirement::Invertible => value > 0.0 && reciprocal.is_finite(),
             Requirement::NonNegative => value >= 0.0,
             // see `AtLeast`: three roundings of each of two numbers of the size of the bound

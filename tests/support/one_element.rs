@@ -13,6 +13,8 @@ type AtOmega = fn(&[f64], f64) -> Scaled<f64>;
 pub(crate) enum Range {
     /// Greater than zero.
     Positive,
+    /// Greater than zero, and not extreme.
+    Moderate,
     /// Greater than zero, with a finite reciprocal.
     Invertible,
     /// Zero or greater.
@@ -107,7 +109,7 @@ fn evaluate<S: mstmm::Scalar, const N: usize>(
 }
 
 scenes! {
-    Beam = fixed -> beam { length: Positive, bending_stiffness: Positive, mass_per_length: Positive } -> free undamped;
+    Beam = fixed -> beam { length: Moderate, bending_stiffness: Moderate, mass_per_length: Moderate } -> free undamped;
     Body = free -> body {
         mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position,
     } -> free undamped;

@@ -7,7 +7,7 @@ use crate::count::{BeamSigns, Tally};
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real, Scalar};
-use crate::scaled::Scaled;
+use crate::scaled::{Scaled, binary_exponent};
 use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
 use nalgebra::Matrix4;
@@ -66,6 +66,12 @@ impl<T: Real> Units<T> {
         let factors = [first, second, second * b, second * second];
         Units { factors, inverses: factors.map(|factor| T::one() / factor) }
     }
+
+    /// Whether all of them are numbers other than zero.
+    fn are_in_range(&self) -> bool {
+        let is_number = |x: &T| x.size() > 0.0 && x.size().is_finite();
+        self.factors.iter().chain(&self.inverses).all(is_number)
+    }
 }
 
 impl<T: Real> Element for Beam<T> {
@@ -80,12 +86,17 @@ impl<T: Real> Element for Beam<T> {
         let square = (mass_per_length / bending_stiffness).sqrt();
         let wave_number = square.sqrt();
         let square = square * length * length;
+        let wave_units = Units::new(bending_stiffness, wave_number);
+        let length_units = Units::new(bending_stiffness, T::one() / length);
+        if !(wave_units.are_in_range() && length_units.are_in_range()) {
+            return Err(self.most_extreme());
+        }
         Ok(BuiltBeam {
             parameters: self,
             wave: wave_number * length,
             wave_fourth: square * square,
-            wave_units: Units::new(bending_stiffness, wave_number),
-            length_units: Units::new(bending_stiffness, T::one() / length),
+            wave_units,
+            length_units,
         })
     }
 
@@ -95,6 +106,7 @@ impl<T: Real> Element for Beam<T> {
         bounds.waves(1.0 / (built.wave * built.wave).to_f64());
         bounds.translational_stiffness(ei / (l * l * l));
         bounds.torsional_stiffness(ei / l);
+        bounds.length(l);
         bounds.mass(m * l);
         bounds.moment_of_inertia(m * l * l * l);
     }
@@ -104,6 +116,24 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Beam<T> {
     fn transfer_matrix(built: &BuiltBeam<T>, x: S) -> Matrix4<S> {
         let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
         bending_matrix(length, bending_stiffness, mass_per_length, x.lambda_squared())
+    }
+}
+
+impl<T: Real> Beam<T> {
+    /// The parameter farthest from 1, where their products leave the range of the type.
+    fn most_extreme(&self) -> InvalidParameter {
+        let parameters = [
+            ("length", self.length.to_f64()),
+            ("bending_stiffness", self.bending_stiffness.to_f64()),
+            ("mass_per_length", self.mass_per_length.to_f64()),
+        ];
+        let mut worst = parameters[0];
+        for parameter in parameters {
+            if binary_exponent(parameter.1).abs() > binary_exponent(worst.1).abs() {
+                worst = parameter;
+            }
+        }
+        InvalidParameter { parameter: worst.0, value: worst.1, requirement: Requirement::Moderate }
     }
 }
 
@@ -346,6 +376,15 @@ impl super::laws::Sample for Beam<f64> {
 mod tests {
     use super::*;
     use crate::tolerance::assert_close;
+
+    #[test]
+    fn what_leaves_the_range_with_its_products_is_refused_by_name() {
+        let beam = Beam { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 };
+        let error = Beam { bending_stiffness: 1e-160, ..beam }.build().unwrap_err();
+        assert_eq!((error.parameter, error.requirement), ("bending_stiffness", Requirement::Moderate));
+        assert_eq!(Beam { length: 1e-100, ..beam }.build().unwrap_err().parameter, "length");
+        assert!(Beam { length: 1e-9, bending_stiffness: 1e-25, mass_per_length: 1e-15 }.build().is_ok());
+    }
 
     /// Cubic deflection of a static cantilever under a unit tip force and a unit tip moment.
     #[test]

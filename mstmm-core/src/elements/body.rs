@@ -53,6 +53,8 @@ impl<T: Real> Element for Body<T> {
 
     fn bound(built: &Self, bounds: &mut FrequencyBounds) {
         bounds.mass(built.mass.to_f64());
+        bounds.length(built.output_x.to_f64());
+        bounds.length(built.centre_x.to_f64());
         bounds.moment_of_inertia(built.inertia.to_f64());
     }
 }

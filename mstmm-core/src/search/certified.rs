@@ -12,6 +12,9 @@ use crate::scaled::Scaled;
 /// doubled in ω) and of the planes.
 const HALF_WIDTH: f64 = 16.0;
 
+/// The same rounding in each of so many equal beams in a row adds up to one more such width.
+const BEAMS_PER_WIDTH: f64 = 64.0;
+
 /// Upper ends of brackets that wait: each split adds one, and a bracket is halved at most about 64 times.
 const WAITING: usize = 128;
 
@@ -24,7 +27,7 @@ const TOUCHING: f64 = 1e-5;
 /// Factor below the lowest estimate of a frequency at which rounding may have made a frequency of a zero.
 const NEARLY_ZERO_EXPONENT: i32 = 20;
 
-/// Samples in a row at which Δ may vanish by accident; more of them, and it vanishes identically: a degree of freedom is
+/// Frequencies far from each other at which Δ may vanish in a row by accident; more of them, and it vanishes identically: a degree of freedom is
 /// held twice, or nothing holds a massless one.
 const ZEROS: usize = 4;
 
@@ -54,6 +57,8 @@ pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     pub(super) is_doubtful: bool,
     /// Samples in a row at which Δ vanished.
     zeros: usize,
+    /// The last of them.
+    last_zero: T,
 }
 
 impl<'a, T, Y> Isolation<'a, Y, T>
@@ -64,8 +69,9 @@ where
     /// A search in arithmetic of type `T`, to the precision of the system's parameters.
     pub(super) fn new(system: &'a Y) -> Self {
         let precision = Y::Parameter::EPSILON;
-        let half_width = T::from_f64(HALF_WIDTH * precision);
-        Isolation { system, half_width, precision, evaluations: 0, is_doubtful: false, zeros: 0 }
+        let waves = f64::from(system.bounds().wave_count());
+        let half_width = T::from_f64(HALF_WIDTH * precision * (1.0 + waves / BEAMS_PER_WIDTH));
+        Isolation { system, half_width, precision, evaluations: 0, is_doubtful: false, zeros: 0, last_zero: T::zero() }
     }
 
     /// Count and Δ at a frequency.
@@ -75,11 +81,18 @@ where
         if !value.mantissa().size().is_finite() {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
-        self.zeros = if value.mantissa().is_zero() { self.zeros + 1 } else { 0 };
-        if self.zeros > ZEROS {
-            return Err(SearchError::Zero { points: self.zeros });
-        }
+        self.look_for_zeros(omega, value.mantissa().is_zero())?;
         Ok(Sample { omega, below, value })
+    }
+
+    /// Gives up where Δ vanishes at several frequencies far from each other; near a root it may do so at several points.
+    fn look_for_zeros(&mut self, omega: T, is_zero: bool) -> Result<(), SearchError> {
+        if !is_zero {
+            self.zeros = 0;
+        } else if self.zeros == 0 || omega > self.last_zero + self.last_zero || omega + omega < self.last_zero {
+            (self.zeros, self.last_zero) = (self.zeros + 1, omega);
+        }
+        if self.zeros > ZEROS { Err(SearchError::Zero { points: self.zeros }) } else { Ok(()) }
     }
 
     /// Count, Δ and its derivative at a frequency.
