@@ -2,9 +2,9 @@
 #![expect(clippy::unwrap_used, reason = "all elements here are valid")]
 
 use core::f64::consts::PI;
-use mstmm::elements::{Beam, Mass, Spring};
+use mstmm::elements::{Beam, Damper, Mass, Spring};
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, ListStep, StepList, Support};
+use mstmm::{AnyElement, AnyUndamped, ListStep, StepList, Support};
 
 type Step = ListStep<AnyUndamped<f64>>;
 
@@ -106,4 +106,39 @@ fn two_supports_at_a_connection_hold_together() {
     let z: f64 = 3.926_602_312_047_919;
     assert_eq!((found[0].omega, found[0].multiplicity), (0.0, 1));
     assert!((found[1].omega / (z * z) - 1.0).abs() < 1e-14, "{}", found[1].omega);
+}
+
+/// Closed form: a spring of 27 beside a damper of 8 in series with a spring of 216 holds a unit mass with the characteristic
+/// polynomial (λ + 9)³.
+#[test]
+fn a_triple_eigenvalue_is_found_as_one() {
+    let element = |element: AnyElement<f64>| ListStep::Element(element);
+    let steps = [
+        ListStep::Tip(Support::Fixed),
+        element(Spring { stiffness: 27.0 }.try_into().unwrap()),
+        ListStep::Tip(Support::Fixed),
+        element(Damper { damping: 8.0 }.try_into().unwrap()),
+        element(Spring { stiffness: 216.0 }.try_into().unwrap()),
+        ListStep::Connection(2),
+        element(Mass { mass: 1.0 }.try_into().unwrap()),
+        ListStep::Root(Support::Free),
+    ];
+    let found = StepList::new(&steps).unwrap().eigenvalues::<4>(Region { re: -50.0..=5.0, im: -50.0..=50.0 }).unwrap();
+    assert_eq!((found.len(), found[0].multiplicity), (1, 3));
+    assert!((found[0].lambda.re + 9.0).abs() <= found[0].error && found[0].error < 1e-2, "{:?}", found[0]);
+}
+
+/// Closed form: an undamped cantilever in a strip of 1e-6 around the imaginary axis; and a damper so strong that one
+/// eigenvalue is 1e10 times as far as the springs of other systems suggest.
+#[test]
+fn slender_regions_and_strong_dampers_are_searched() {
+    let steps: [Step; 3] = [ListStep::Tip(Support::Fixed), beam(), ListStep::Root(Support::Free)];
+    let list = StepList::new(&steps).unwrap();
+    assert_eq!(list.count_in(Region { re: -1e-6..=1e-6, im: 1.0..=100.0 }), Ok(3));
+    let damper = ListStep::Element(AnyElement::try_from(Damper { damping: 1e10_f64 }).unwrap());
+    let mass = ListStep::Element(AnyElement::try_from(Mass { mass: 1.0 }).unwrap());
+    let steps = [ListStep::Tip(Support::Fixed), damper, mass, ListStep::Root(Support::Free)];
+    let found = StepList::new(&steps).unwrap().first_eigenvalues::<2>().unwrap();
+    assert_eq!(found[0].lambda.re, 0.0);
+    assert!((found[1].lambda.re / -1e10 - 1.0).abs() < 1e-14);
 }

@@ -7,6 +7,7 @@
 pub struct FrequencyBounds {
     stiffness: [Range; 2],
     inertia: [Range; 2],
+    damping: [Range; 2],
     waves: Range,
     wave_count: u32,
     /// Sum of all lengths: no lever is longer.
@@ -36,6 +37,7 @@ impl Default for FrequencyBounds {
         FrequencyBounds {
             stiffness: [Range::EMPTY; 2],
             inertia: [Range::EMPTY; 2],
+            damping: [Range::EMPTY; 2],
             waves: Range::EMPTY,
             wave_count: 0,
             reach: 0.0,
@@ -62,6 +64,16 @@ impl FrequencyBounds {
     /// A moment of inertia [kg m²].
     pub fn moment_of_inertia(&mut self, value: f64) {
         self.inertia[1].include(value);
+    }
+
+    /// A translational damping [N s/m].
+    pub fn translational_damping(&mut self, value: f64) {
+        self.damping[0].include(value);
+    }
+
+    /// A torsional damping [N m s/rad].
+    pub fn torsional_damping(&mut self, value: f64) {
+        self.damping[1].include(value);
     }
 
     /// A continuous element with frequencies of its own from this order [rad/s] on; it has infinitely many.
@@ -92,6 +104,18 @@ impl FrequencyBounds {
             if inertia.greatest > 0.0 && stiffness.greatest > 0.0 {
                 squares.include(stiffness.least / inertia.greatest);
                 squares.include(stiffness.greatest / inertia.least);
+            }
+        }
+        for (damping, (stiffness, inertia)) in self.damping.iter().zip(self.stiffness.iter().zip(&self.inertia)) {
+            if damping.greatest > 0.0 && inertia.greatest > 0.0 {
+                let (slow, fast) = (damping.least / inertia.greatest, damping.greatest / inertia.least);
+                squares.include(slow * slow);
+                squares.include(fast * fast);
+            }
+            if damping.greatest > 0.0 && stiffness.greatest > 0.0 {
+                let (slow, fast) = (stiffness.least / damping.greatest, stiffness.greatest / damping.least);
+                squares.include(slow * slow);
+                squares.include(fast * fast);
             }
         }
         let lever = self.inertia[0].greatest * self.reach * self.reach;

@@ -192,12 +192,16 @@ impl fmt::Display for SearchError {
             SearchError::Tolerance { tolerance } => {
                 write!(f, "the tolerance {tolerance} must be positive and finite")
             }
-            SearchError::NotANumber { x, y } => write!(f, "the function is not a number at ({x}, {y})"),
+            SearchError::NotANumber { x, y } => {
+                write!(f, "the function is not a number at ({x:e}, {y:e}); where it overflows, search a smaller range")
+            }
             SearchError::Zero { points } => write!(f, "the function is zero at all {points} points of the grid"),
             SearchError::StillMoving { x, y, moves } => {
                 write!(f, "the search for a minimum was given up at ({x}, {y}), still moving after {moves} moves")
             }
-            SearchError::TooFewRoots { found } => write!(f, "the system has only {found} roots"),
+            SearchError::TooFewRoots { found } => {
+                write!(f, "no more than {found} of the roots asked for were found up to the highest estimate")
+            }
             SearchError::Unresolved { near } => {
                 write!(f, "the roots near {near} cannot be certified: their counts contradict each other")
             }

@@ -1,6 +1,7 @@
 //! Translational damper.
 
 use crate::at::At;
+use crate::bounds::FrequencyBounds;
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix, off_pole};
 use crate::error::{InvalidParameter, Requirement};
@@ -30,6 +31,10 @@ impl<T: Real> Element for Damper<T> {
     fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::NonNegative.check("damping", self.damping)?;
         Ok(self)
+    }
+
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.translational_damping(built.damping.to_f64());
     }
 }
 

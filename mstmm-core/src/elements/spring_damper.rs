@@ -38,6 +38,7 @@ impl<T: Real> Element for SpringDamper<T> {
 
     fn bound(built: &Self, bounds: &mut FrequencyBounds) {
         bounds.translational_stiffness(built.stiffness.to_f64());
+        bounds.translational_damping(built.damping.to_f64());
     }
 }
 

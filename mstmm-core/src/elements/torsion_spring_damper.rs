@@ -38,6 +38,7 @@ impl<T: Real> Element for TorsionSpringDamper<T> {
 
     fn bound(built: &Self, bounds: &mut FrequencyBounds) {
         bounds.torsional_stiffness(built.stiffness.to_f64());
+        bounds.torsional_damping(built.damping.to_f64());
     }
 }
 

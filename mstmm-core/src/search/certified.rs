@@ -192,6 +192,15 @@ where
         root: Option<NaturalFrequency<T>>,
     ) -> Result<(), SearchError> {
         let Some(root) = root else { return Ok(()) };
+        // intervals that overlap hold their roots together
+        if let Some(last) = found.as_mut_slice().last_mut()
+            && last.upper > root.lower
+            && !last.omega.is_zero()
+        {
+            last.omega = (last.lower + root.upper) * T::from_f64(0.5);
+            (last.upper, last.multiplicity) = (root.upper, last.multiplicity + root.multiplicity);
+            return Ok(());
+        }
         found.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })
     }
 

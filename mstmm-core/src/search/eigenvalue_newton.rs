@@ -9,8 +9,9 @@ use crate::error::SearchError;
 use crate::scalar::{Dual, Real};
 use num_complex::Complex;
 
-/// Radius of a certified circle at first, relative to the modulus, in units of eps: as for natural frequencies.
-const RADIUS: f64 = 16.0;
+/// Radius of the first circle, relative to the modulus, in units of eps. A certified circle is twice as large as the one
+/// along which Δ was seen to turn: room for the rounding of what was seen.
+const RADIUS: f64 = 8.0;
 
 /// Around a root a step from corner to corner will do; where much shorter ones do not, rounding rules.
 const STEPS_AROUND: [f64; 2] = [0.02, 1.0];
@@ -18,8 +19,8 @@ const STEPS_AROUND: [f64; 2] = [0.02, 1.0];
 /// The radius grows by this factor until the circle holds the root in spite of rounding.
 const GROWTH: f64 = 4.0;
 
-/// Circles that may be tried: the last one has a relative radius of 1e-6.
-const CIRCLES: u32 = 14;
+/// Relative radius beyond which no circle is tried: rounding blurs a root of multiplicity 4 to about a tenth of it.
+const LARGEST_RADIUS: f64 = 1e-3;
 
 /// Steps of Newton's method: a start that needs more is given up.
 const NEWTON_STEPS: u32 = 40;
@@ -110,7 +111,7 @@ where
     fn circle(&mut self, estimate: Complex<T>, symmetric: bool) -> Result<Option<Eigenvalue<T>>, SearchError> {
         let scale = larger(modulus(estimate), self.smallest());
         let mut radius = scale * T::from_f64(RADIUS * T::EPSILON);
-        for _ in 0..CIRCLES {
+        while radius < scale * T::from_f64(LARGEST_RADIUS) {
             // what cannot be told from a real root is one: complex ones come in pairs
             let is_real = symmetric && estimate.im.abs() <= radius;
             let lambda = if is_real { Complex::from(estimate.re) } else { estimate };
@@ -118,7 +119,7 @@ where
             if let Walk::Argument(argument) = self.evaluation.walk(&OCTAGON.map(corner), STEPS_AROUND, |_| ())?
                 && let Some(multiplicity @ 1..) = whole(argument / core::f64::consts::TAU)
             {
-                return Ok(Some(Eigenvalue { lambda, error: radius, multiplicity }));
+                return Ok(Some(Eigenvalue { lambda, error: radius + radius, multiplicity }));
             }
             radius *= T::from_f64(GROWTH);
         }

@@ -16,8 +16,8 @@ const ROOM: usize = 256;
 /// Room for rectangles that wait: each is at most cut about 64 times.
 const WAITING: usize = 128;
 
-/// Parts of a contour: where steps would be shorter than the first, it passes so close to a root that it is moved; the
-/// second bounds the first step.
+/// Where steps would be shorter than the first of these as part of the shorter side, the contour passes so close to a root
+/// that it is moved; the second, a part of the longer side, bounds the first step.
 const STEPS: [f64; 2] = [1e-7, 0.05];
 
 /// Shares by which a contour that meets a root is moved outwards, one after the other.
@@ -191,7 +191,8 @@ where
     /// A rectangle with the number of its roots; `None` if its contour meets one.
     fn counted(&mut self, rectangle: Rectangle<T>) -> Result<Option<Counted<T>>, SearchError> {
         let mut starts = Starts::default();
-        let walk = self.evaluation.walk(&rectangle.contour(), STEPS, |point| starts.visit(point))?;
+        let steps = [STEPS[0] * rectangle.slenderness(), STEPS[1]];
+        let walk = self.evaluation.walk(&rectangle.contour(), steps, |point| starts.visit(point))?;
         let Walk::Argument(argument) = walk else { return Ok(None) };
         let roots = rectangle.roots(argument).ok_or(unresolved(rectangle))?;
         Ok(Some(Counted { rectangle, roots, starts }))

@@ -99,6 +99,9 @@ impl<Y> Undamped for Y where
 pub trait NaturalFrequencies: System {
     /// Number of natural frequencies below `omega` [rad/s], with multiplicity; rigid-body modes count from ω > 0 on.
     ///
+    /// One evaluation, not judged: within 1e-12 of a frequency, relatively, or within 1e-7 of one that several paths share,
+    /// rounding may put the count on the other side. The searches do not rest on a single count.
+    ///
     /// No frequency is below zero, a negative number or a NaN; at an `omega` so large that the arithmetic overflows, the
     /// count is `u64::MAX`.
     ///

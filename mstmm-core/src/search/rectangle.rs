@@ -1,6 +1,6 @@
 //! Rectangles of the complex plane, plain or symmetric to the real axis, and their contours.
 
-use super::contour::larger;
+use super::contour::{larger, smaller};
 use crate::scalar::Real;
 use num_complex::Complex;
 
@@ -76,10 +76,15 @@ impl<T: Real> Rectangle<T> {
         whole(argument / if self.is_symmetric() { pi } else { turn })
     }
 
-    /// The same with its edges moved outwards by a share of its sides; a symmetric one stays so.
+    /// The same with its edges moved outwards by a share of its longer side; a symmetric one stays so.
     pub(super) fn grown(&self, share: f64) -> Self {
-        let (dx, dy) = (self.width() * T::from_f64(share), self.height() * T::from_f64(share));
-        Rectangle { left: self.left - dx, right: self.right + dx, low: self.low - dy, high: self.high + dy }
+        let d = self.size() * T::from_f64(share);
+        Rectangle { left: self.left - d, right: self.right + d, low: self.low - d, high: self.high + d }
+    }
+
+    /// The shorter side as a part of the longer one.
+    pub(super) fn slenderness(&self) -> f64 {
+        (smaller(self.width(), self.height()) / self.size()).to_f64()
     }
 
     /// Two parts, cut across the longer side near a share of it. A symmetric one is cut into two symmetric ones, or into
