@@ -82,7 +82,7 @@ impl FrequencyBounds {
         self.wave_count = self.wave_count.saturating_add(1);
     }
 
-    /// A length along a path [m]: masses may turn about the far end of a lever that long.
+    /// A length along a path \[m\]: masses may turn about the far end of a lever that long.
     pub fn length(&mut self, value: f64) {
         self.reach += value.abs();
     }
