@@ -2,16 +2,16 @@
 #![allow(unsafe_code, reason = "a global allocator cannot be written without")]
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
-#[path = "support/topologies.rs"]
-mod topologies;
+#[path = "../examples/paper/models.rs"]
+pub mod models;
 
 use core::alloc::{GlobalAlloc, Layout};
 use core::cell::Cell;
 use core::hint::black_box;
+use models::{DampedOscillator, RestrainedBeam, SpringAndMass, TipBody, TwoSpans};
 use mstmm::prelude::*;
 use mstmm::{Dual, Magnitude, ParameterError, SMatrix, Scaled};
 use std::alloc::System;
-use topologies::{DampedOscillator, ElasticEnds, SpringAndMass, TipBody, TwoSpans};
 
 /// The system's allocator, counting what the current thread asks of it: other threads belong to the test harness.
 struct Counting;
@@ -125,41 +125,93 @@ fn the_counter_sees_allocations() {
 /// Section 4.1, by the counter.
 #[test]
 fn beam_with_rigid_body_allocates_nothing() {
-    let model = TipBody { length: 1.0, ei: 1.0, m: 1.0, mass: 1.0, inertia: 0.2, e: 0.3, d: 0.5 };
+    let model = TipBody {
+        length: 1.0,
+        bending_stiffness: 1.0,
+        mass_per_length: 1.0,
+        mass: 1.0,
+        inertia: 0.2,
+        eccentricity: 0.3,
+        depth: 0.5,
+    };
     assert_none_undamped(|| model.build());
 }
 
 /// Section 4.2, by the counter.
 #[test]
 fn beam_with_elastic_restraints_allocates_nothing() {
-    let model = ElasticEnds { length: 1.0, ei: 1.0, m: 1.0, ky1: 100.0, kt1: 1.0, ky2: 100.0, kt2: 1.0 };
+    let model = RestrainedBeam {
+        length: 1.0,
+        bending_stiffness: 1.0,
+        mass_per_length: 1.0,
+        left_stiffness: 100.0,
+        left_torsion: 1.0,
+        right_stiffness: 100.0,
+        right_torsion: 1.0,
+    };
     assert_none_undamped(|| model.build());
 }
 
 /// Section 4.3, by the counter.
 #[test]
 fn beam_with_spring_and_lumped_mass_allocates_nothing() {
-    let model = SpringAndMass { length: 1.0, xs: 0.3, xm: 0.4, ei: 1.0, m: 1.0, ky: 10.0, mass: 0.1 };
+    let model = SpringAndMass {
+        length: 1.0,
+        bending_stiffness: 1.0,
+        mass_per_length: 1.0,
+        spring_position: 0.3,
+        mass_position: 0.4,
+        stiffness: 10.0,
+        mass: 0.1,
+    };
     assert_none_undamped(|| model.build());
 }
 
 /// Section 4.4, by the counter.
 #[test]
 fn beam_with_support_and_elastically_attached_mass_allocates_nothing() {
-    let model = TwoSpans { length: 1.0, x1: 0.4, x2: 0.75, ei: 1.0, m: 1.0, ky: 3.0, mass: 0.2 };
+    let model = TwoSpans {
+        length: 1.0,
+        bending_stiffness: 1.0,
+        mass_per_length: 1.0,
+        support_position: 0.4,
+        spring_position: 0.75,
+        stiffness: 3.0,
+        mass: 0.2,
+    };
     assert_none_undamped(|| model.build());
 }
 
 /// Section 4.5, by the counter.
 #[test]
 fn beam_with_damped_oscillator_allocates_nothing() {
-    let model = DampedOscillator { length: 1.0, ei: 1.0, m: 1.0, ky1: 5.0, ky2: 4.0, c: 1.0, kt: 10.0, mass: 0.12 };
+    let model = DampedOscillator {
+        length: 1.0,
+        bending_stiffness: 1.0,
+        mass_per_length: 1.0,
+        spring_position: 0.2,
+        oscillator_position: 0.6,
+        torsion_position: 0.75,
+        spring_stiffness: 5.0,
+        oscillator_stiffness: 4.0,
+        damping: 1.0,
+        mass: 0.12,
+        torsion_stiffness: 10.0,
+    };
     assert_none(|| model.build());
 }
 
 /// A refused parameter is reported without allocation as well.
 #[test]
 fn a_parameter_error_allocates_nothing() {
-    let model = SpringAndMass { length: 1.0, xs: 0.3, xm: 0.2, ei: 1.0, m: 1.0, ky: 10.0, mass: 0.1 };
+    let model = SpringAndMass {
+        length: 1.0,
+        bending_stiffness: 1.0,
+        mass_per_length: 1.0,
+        spring_position: 0.3,
+        mass_position: 0.2,
+        stiffness: 10.0,
+        mass: 0.1,
+    };
     assert_eq!(allocations(|| model.build().unwrap_err()), 0);
 }

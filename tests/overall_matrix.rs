@@ -3,23 +3,23 @@
 
 #[path = "support/hand.rs"]
 mod hand;
+#[path = "../examples/paper/models.rs"]
+pub mod models;
 #[path = "support/roots.rs"]
 mod roots;
-#[path = "support/topologies.rs"]
-mod topologies;
 
 use hand::{
     C, FIXED, FIXED_LINE, FREE, FREE_LINE, Matrix, PINNED, beam, body, consistent, dynamic_stiffness, hinge, mass,
     minus_identity, reduced, spring, spring_damper, torsion_spring, torsional, translational, zeros,
 };
+use models::{
+    DampedOscillator, DampedOscillatorSystem, RestrainedBeam, RestrainedBeamSystem, SpringAndMass, SpringAndMassSystem,
+    TipBody, TipBodySystem, TwoSpans, TwoSpansSystem,
+};
 use mstmm::{Evaluate, SMatrix, Scaled};
 use nalgebra::{Matrix6, Vector6};
 use proptest::prelude::*;
 use roots::{assert_same_roots, zeros as zeros_of};
-use topologies::{
-    DampedOscillator, DampedOscillatorSystem, ElasticEnds, ElasticEndsSystem, SpringAndMass, SpringAndMassSystem,
-    TipBody, TipBodySystem, TwoSpans, TwoSpansSystem,
-};
 
 /// The accuracy demanded of each entry, relative to the largest.
 const TOLERANCE: f64 = 1e-12;
@@ -72,14 +72,15 @@ where
 
 /// Eq. (30).
 fn tip_body(p: &TipBody, lambda: C) -> Matrix {
-    let u1 = beam(p.length, p.ei, p.m, lambda);
-    let u2 = body(p.mass, p.inertia + p.mass * p.e * p.e, p.d, p.e, lambda);
+    let u1 = beam(p.length, p.bending_stiffness, p.mass_per_length, lambda);
+    let u2 = body(p.mass, p.inertia + p.mass * p.eccentricity * p.eccentricity, p.depth, p.eccentricity, lambda);
     reduced(&[[u2 * u1, minus_identity()]], [FIXED, FREE])
 }
 
 /// Eqs. (33)-(35).
-fn elastic_ends(p: &ElasticEnds, lambda: C) -> Matrix {
-    let (u1, u3, u5) = (hinge(p.ky1, p.kt1), beam(p.length, p.ei, p.m, lambda), hinge(p.ky2, p.kt2));
+fn restrained_beam(p: &RestrainedBeam, lambda: C) -> Matrix {
+    let (u1, u5) = (hinge(p.left_stiffness, p.left_torsion), hinge(p.right_stiffness, p.right_torsion));
+    let u3 = beam(p.length, p.bending_stiffness, p.mass_per_length, lambda);
     let (c2, c4) = (consistent(), consistent());
     let t1 = &c4.u1 * &u3 * &c2.u1;
     let t2 = &c4.u1 * &u3 * &c2.u2 * &u1;
@@ -94,9 +95,10 @@ fn elastic_ends(p: &ElasticEnds, lambda: C) -> Matrix {
 
 /// Eq. (36).
 fn spring_and_mass(p: &SpringAndMass, lambda: C) -> Matrix {
-    let span = |length| beam(length, p.ei, p.m, lambda);
-    let (u1, u4, u7) = (span(p.xs), span(p.xm - p.xs), span(p.length - p.xm));
-    let (u3, u6) = (spring(p.ky), mass(p.mass, lambda));
+    let span = |length| beam(length, p.bending_stiffness, p.mass_per_length, lambda);
+    let (u1, u4, u7) =
+        (span(p.spring_position), span(p.mass_position - p.spring_position), span(p.length - p.mass_position));
+    let (u3, u6) = (spring(p.stiffness), mass(p.mass, lambda));
     let (c2, c5) = (translational(), translational());
     let t1 = &u7 * &c5.u1 * &u4 * &c2.u1 * &u1;
     let t2 = &u7 * &c5.u1 * &u4 * &c2.u2 * &u3;
@@ -111,9 +113,10 @@ fn spring_and_mass(p: &SpringAndMass, lambda: C) -> Matrix {
 
 /// Eqs. (37) and (38).
 fn two_spans(p: &TwoSpans, lambda: C) -> Matrix {
-    let span = |length| beam(length, p.ei, p.m, lambda);
-    let (u1, u3, u7) = (span(p.x1), span(p.x2 - p.x1), span(p.length - p.x2));
-    let (u5, u6) = (spring(p.ky), mass(p.mass, lambda));
+    let span = |length| beam(length, p.bending_stiffness, p.mass_per_length, lambda);
+    let (u1, u3, u7) =
+        (span(p.support_position), span(p.spring_position - p.support_position), span(p.length - p.spring_position));
+    let (u5, u6) = (spring(p.stiffness), mass(p.mass, lambda));
     let (c2, c4) = (consistent(), translational());
     let t1 = &u7 * &c4.u1 * &u3 * &c2.u1 * &u1;
     let t2 = &u7 * &c4.u1 * &u3 * &c2.u2;
@@ -128,10 +131,11 @@ fn two_spans(p: &TwoSpans, lambda: C) -> Matrix {
 
 /// Eq. (40).
 fn damped_oscillator(p: &DampedOscillator, lambda: C) -> Matrix {
-    let span = |part| beam(part * p.length, p.ei, p.m, lambda);
-    let (u1, u4, u8, u11) = (span(0.2), span(0.4), span(0.15), span(0.25));
-    let (u3, u10) = (spring(p.ky1), torsion_spring(p.kt));
-    let (u6, u7) = (spring_damper(p.ky2, p.c, lambda), mass(p.mass, lambda));
+    let span = |length| beam(length, p.bending_stiffness, p.mass_per_length, lambda);
+    let (u1, u4) = (span(p.spring_position), span(p.oscillator_position - p.spring_position));
+    let (u8, u11) = (span(p.torsion_position - p.oscillator_position), span(p.length - p.torsion_position));
+    let (u3, u10) = (spring(p.spring_stiffness), torsion_spring(p.torsion_stiffness));
+    let (u6, u7) = (spring_damper(p.oscillator_stiffness, p.damping, lambda), mass(p.mass, lambda));
     let (c2, c5, c9) = (translational(), translational(), torsional());
     let to_5 = [&u4 * &c2.u1 * &u1, &u4 * &c2.u2 * &u3];
     let to_9 = [&u8 * &c5.u1 * &to_5[0], &u8 * &c5.u1 * &to_5[1], &u8 * &c5.u2 * &u6 * &u7];
@@ -150,8 +154,13 @@ fn damped_oscillator(p: &DampedOscillator, lambda: C) -> Matrix {
 /// The widths that the paper states.
 #[test]
 fn sizes_are_those_of_the_paper() {
-    let sizes =
-        [TipBodySystem::N, ElasticEndsSystem::N, SpringAndMassSystem::N, TwoSpansSystem::N, DampedOscillatorSystem::N];
+    let sizes = [
+        TipBodySystem::N,
+        RestrainedBeamSystem::N,
+        SpringAndMassSystem::N,
+        TwoSpansSystem::N,
+        DampedOscillatorSystem::N,
+    ];
     assert_eq!(sizes, [4, 8, 6, 7, 7]);
 }
 
@@ -163,24 +172,30 @@ proptest! {
     /// Section 4.1 against eq. (30).
     #[test]
     fn beam_with_rigid_body(p in proptest::array::uniform7(0.5..2.0f64), omega in 0.2..8.0f64) {
-        let [length, ei, m, mass, inertia, e, d] = p;
-        let model = TipBody { length, ei, m, mass, inertia, e: e - 1.0, d: d - 1.0 };
+        let [length, bending_stiffness, mass_per_length, mass, inertia, e, d] = p;
+        let (eccentricity, depth) = (e - 1.0, d - 1.0);
+        let model = TipBody { length, bending_stiffness, mass_per_length, mass, inertia, eccentricity, depth };
         check_undamped(&model.build().unwrap(), omega, |lambda| tip_body(&model, lambda));
     }
 
     /// Section 4.2 against eqs. (33)-(35).
     #[test]
     fn beam_with_elastic_restraints(p in proptest::array::uniform7(0.5..2.0f64), omega in 0.2..8.0f64) {
-        let [length, ei, m, ky1, kt1, ky2, kt2] = p;
-        let model = ElasticEnds { length, ei, m, ky1, kt1, ky2, kt2 };
-        check_undamped(&model.build().unwrap(), omega, |lambda| elastic_ends(&model, lambda));
+        let [length, bending_stiffness, mass_per_length, left_stiffness, left_torsion, right_stiffness, right_torsion] = p;
+        let model = RestrainedBeam {
+            length, bending_stiffness, mass_per_length, left_stiffness, left_torsion, right_stiffness, right_torsion,
+        };
+        check_undamped(&model.build().unwrap(), omega, |lambda| restrained_beam(&model, lambda));
     }
 
     /// Section 4.3 against eq. (36).
     #[test]
     fn beam_with_spring_and_lumped_mass(p in proptest::array::uniform7(0.5..2.0f64), omega in 0.2..8.0f64) {
-        let [a, b, c, ei, m, ky, mass] = p;
-        let model = SpringAndMass { length: 0.4 * (a + b + c), xs: 0.4 * a, xm: 0.4 * (a + b), ei, m, ky, mass };
+        let [a, b, c, bending_stiffness, mass_per_length, stiffness, mass] = p;
+        let model = SpringAndMass {
+            length: 0.4 * (a + b + c), spring_position: 0.4 * a, mass_position: 0.4 * (a + b),
+            bending_stiffness, mass_per_length, stiffness, mass,
+        };
         check_undamped(&model.build().unwrap(), omega, |lambda| spring_and_mass(&model, lambda));
     }
 
@@ -189,8 +204,11 @@ proptest! {
     fn beam_with_support_and_elastically_attached_mass(
         p in proptest::array::uniform7(0.5..2.0f64), omega in 0.2..8.0f64,
     ) {
-        let [a, b, c, ei, m, ky, mass] = p;
-        let model = TwoSpans { length: 0.4 * (a + b + c), x1: 0.4 * a, x2: 0.4 * (a + b), ei, m, ky, mass };
+        let [a, b, c, bending_stiffness, mass_per_length, stiffness, mass] = p;
+        let model = TwoSpans {
+            length: 0.4 * (a + b + c), support_position: 0.4 * a, spring_position: 0.4 * (a + b),
+            bending_stiffness, mass_per_length, stiffness, mass,
+        };
         check_undamped(&model.build().unwrap(), omega, |lambda| two_spans(&model, lambda));
     }
 
@@ -199,12 +217,17 @@ proptest! {
     fn beam_with_damped_oscillator(
         p in proptest::array::uniform8(0.5..2.0f64), re in -4.0..4.0f64, im in -8.0..8.0f64,
     ) {
-        let [length, ei, m, ky1, ky2, c, kt, mass] = p;
-        let model = DampedOscillator { length: 1.2 * length, ei, m, ky1, ky2, c, kt, mass };
+        let [length, bending_stiffness, mass_per_length, spring_stiffness, oscillator_stiffness, damping,
+            torsion_stiffness, mass] = p;
+        let model = DampedOscillator {
+            length: 1.2 * length, bending_stiffness, mass_per_length,
+            spring_position: 0.24 * length, oscillator_position: 0.72 * length, torsion_position: 0.9 * length,
+            spring_stiffness, oscillator_stiffness, damping, mass, torsion_stiffness,
+        };
         let lambda = C::new(re, im);
         let (system, expected) = (model.build().unwrap(), damped_oscillator(&model, lambda));
         assert_same_matrix(system.overall_matrix(lambda), &expected);
-        let kappa = dynamic_stiffness(ky2, c, lambda);
+        let kappa = dynamic_stiffness(oscillator_stiffness, damping, lambda);
         assert_same_determinant(system.overall_determinant(lambda), &expected, kappa);
     }
 }
