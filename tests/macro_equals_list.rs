@@ -2,9 +2,11 @@
 //! determinant of the overall matrix.
 //!
 //! The models are written by `written_models_are_those_of_the_generator`: with `WRITE_MODELS=1` in the environment it
-//! writes the file instead of comparing it.
+//! writes the files instead of comparing them.
 #![expect(clippy::unwrap_used, reason = "the trees here are valid")]
 
+#[path = "support/damped_models.rs"]
+mod damped_models;
 #[path = "support/finite_elements.rs"]
 #[allow(dead_code, reason = "says here only whether a tree has a spectrum")]
 mod finite_elements;
@@ -19,11 +21,12 @@ mod random_tree;
 mod sylvester;
 #[path = "support/tree.rs"]
 mod tree;
+#[path = "support/undamped_models.rs"]
+mod undamped_models;
 #[path = "support/write_models.rs"]
 mod write_models;
-#[path = "support/written_models.rs"]
-mod written_models;
 
+use damped_models::for_each_damped;
 use finite_elements::Model;
 use legendre_beam::LegendreBeam;
 use list_of_tree::{any_steps, undamped_steps};
@@ -34,7 +37,7 @@ use mstmm::{
 use nalgebra::DMatrix;
 use random_tree::{Random, random_tree};
 use tree::{Tree, next_space};
-use written_models::{for_each_damped, for_each_undamped};
+use undamped_models::for_each_undamped;
 
 type C = Complex<f64>;
 
@@ -42,7 +45,7 @@ type C = Complex<f64>;
 const BEAMS: usize = 3;
 
 /// The models are in the package's source.
-const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/support/written_models.rs");
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/support");
 
 /// The first trees of moderate size that have a spectrum.
 fn trees(count: usize, damped: bool) -> Vec<(u64, Tree)> {
@@ -59,11 +62,14 @@ fn trees(count: usize, damped: bool) -> Vec<(u64, Tree)> {
 
 #[test]
 fn written_models_are_those_of_the_generator() {
-    let source = write_models::source(&trees(24, false), &trees(16, true));
-    if std::env::var_os("WRITE_MODELS").is_some() {
-        std::fs::write(FILE, &source).unwrap();
+    for (kind, trees) in [("Undamped", trees(24, false)), ("Damped", trees(16, true))] {
+        let file = format!("{FOLDER}/{}_models.rs", kind.to_ascii_lowercase());
+        let source = write_models::source(kind, &trees);
+        if std::env::var_os("WRITE_MODELS").is_some() {
+            std::fs::write(&file, &source).unwrap();
+        }
+        assert!(std::fs::read_to_string(&file).unwrap() == source, "{file}: not the models of the generator");
     }
-    assert!(std::fs::read_to_string(FILE).unwrap() == source, "the models are not those of the generator");
 }
 
 /// Random frequencies, small and large.

@@ -50,25 +50,23 @@ fn paths(tree: &Tree) -> String {
     text
 }
 
-/// A file of models, undamped and damped ones, each named after the seed of its tree.
-pub(crate) fn source(undamped: &[(u64, Tree)], damped: &[(u64, Tree)]) -> String {
+/// A file of models of one kind, each named after the seed of its tree.
+pub(crate) fn source(kind: &str, trees: &[(u64, Tree)]) -> String {
+    let module = kind.to_ascii_lowercase();
     let mut text = String::from(
         "//! Random trees as models, named after their seeds; `macro_equals_list.rs` says how to write this file again.\n\n\
          use mstmm::prelude::*;\n",
     );
-    for (kind, trees) in [("Undamped", undamped), ("Damped", damped)] {
-        for (seed, tree) in trees {
-            let _ = write!(text, "\nsystem! {{\n    pub(crate) struct {kind}{seed};\n\n{}}}\n", paths(tree));
-        }
-        let _ = write!(
-            text,
-            "\n/// Calls a function with the seed and the system of each model.\nmacro_rules! for_each_{} {{\n    ($check:ident) => {{\n",
-            kind.to_ascii_lowercase()
-        );
-        for (seed, _) in trees {
-            let _ = writeln!(text, "        $check({seed}, $crate::written_models::{kind}{seed}.build());");
-        }
-        let _ = write!(text, "    }};\n}}\npub(crate) use for_each_{};\n", kind.to_ascii_lowercase());
+    for (seed, tree) in trees {
+        let _ = write!(text, "\nsystem! {{\n    pub(crate) struct {kind}{seed};\n\n{}}}\n", paths(tree));
     }
+    let _ = write!(
+        text,
+        "\n/// Calls a function with the seed and the system of each model.\nmacro_rules! for_each_{module} {{\n    ($check:ident) => {{\n",
+    );
+    for (seed, _) in trees {
+        let _ = writeln!(text, "        $check({seed}, $crate::{module}_models::{kind}{seed}.build());");
+    }
+    let _ = write!(text, "    }};\n}}\npub(crate) use for_each_{module};\n");
     text
 }
