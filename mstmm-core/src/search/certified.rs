@@ -27,8 +27,8 @@ const TOUCHING: f64 = 1e-5;
 /// Factor below the lowest estimate of a frequency at which rounding may have made a frequency of a zero.
 const NEARLY_ZERO_EXPONENT: i32 = 20;
 
-/// Frequencies far from each other at which Δ may vanish in a row by accident; more of them, and it vanishes identically: a degree of freedom is
-/// held twice, or nothing holds a massless one.
+/// Frequencies far from each other at which Δ may vanish in a row by accident; more of them, and it vanishes identically:
+/// a degree of freedom is held twice, or nothing holds a massless one.
 const ZEROS: usize = 4;
 
 /// A frequency with its count and Δ.
