@@ -1,20 +1,5 @@
-//! The procedural macro behind `mstmm::system!`.
-//!
-//! This crate is an implementation detail of `mstmm`; its language is described there.
+//! The procedural macro behind `mstmm::system!`: a shell around `mstmm-language`.
 #![forbid(unsafe_code)]
-
-mod ast;
-mod check;
-mod diagnostics;
-mod emit;
-mod expand;
-mod groups;
-mod keywords;
-mod parse;
-mod plan;
-#[cfg(test)]
-mod tests;
-mod topology;
 
 use proc_macro::TokenStream;
 
@@ -22,5 +7,5 @@ use proc_macro::TokenStream;
 #[doc(hidden)]
 #[proc_macro]
 pub fn expand_system(input: TokenStream) -> TokenStream {
-    expand::expand(input.into()).into()
+    mstmm_language::expand(input.into()).into()
 }

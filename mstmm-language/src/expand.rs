@@ -5,8 +5,8 @@ use crate::groups::made_visible;
 use crate::{check, emit, plan::Plan, topology::Graph};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
-/// Expands a model into its code, or into all errors of the first stage that has any.
-pub(crate) fn expand(input: TokenStream) -> TokenStream {
+/// Expands `(path to mstmm) model` into its code, or into its errors.
+pub fn expand(input: TokenStream) -> TokenStream {
     match expand_checked(input) {
         Ok(code) => code,
         Err(errors) => errors.into_compile_error(),
