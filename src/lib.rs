@@ -3,11 +3,12 @@
 #![forbid(unsafe_code)]
 
 pub use mstmm_core::{
-    AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexFrequency, Count,
-    DoubleDouble, Dual, Element, Evaluate, Frequency, FrequencyBounds, InvalidParameter, Layout, Line, ListElement,
-    ListError, ListPass, ListStep, Magnitude, MatrixOf, ParameterError, Planar, Plane, PlaneStep, Real, Requirement,
-    Rotation, SMatrix, Scalar, Scaled, SearchError, Space, StateSpace, StepList, Subspace, Support, System, Tally,
-    TransferMatrix, Translation, Untallied, determinant, elements, search,
+    AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
+    ComplexFrequency, Count, DoubleDouble, Dual, Element, Evaluate, Frequency, FrequencyBounds, InvalidParameter,
+    Layout, Line, ListElement, ListError, ListPass, ListStep, Magnitude, MatrixOf, MayDecay, ParameterError, Planar,
+    Plane, PlaneStep, Real, RealFrequency, Requirement, Rotation, SMatrix, Scalar, Scaled, SearchError, Space,
+    StateSpace, StepList, Subspace, Support, System, Tally, TransferMatrix, Translation, Untallied, determinant,
+    elements, search,
 };
 
 /// All that a model needs: `use mstmm::prelude::*;`.

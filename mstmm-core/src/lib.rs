@@ -47,7 +47,10 @@ pub use layout::{Layout, Step};
 pub use list::List;
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
-pub use scalar::{ComplexFrequency, DoubleDouble, Dual, Frequency, Real, Scalar, WaveProducts};
+pub use scalar::{
+    ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, MayDecay, Real, RealFrequency, Scalar,
+    WaveProducts,
+};
 pub use scaled::{Magnitude, Scaled};
 pub use state::{Bending, Coordinate, Planar, Rotation, Space, StateSpace, Support, Translation};
 pub use step_list::{AnyElement, AnyUndamped, ListElement, ListError, ListPass, ListStep, OPEN_PATHS, StepList};

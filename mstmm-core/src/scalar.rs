@@ -102,6 +102,9 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     note = "pass a real number for ω [rad/s], or a `Complex` number for λ [1/s]"
 )]
 pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
+    /// What the scalar stands for: [`RealFrequency`] or [`ComplexEigenvalue`].
+    type Meaning;
+
     /// `λ²`: `-ω²` for a real frequency.
     fn lambda_squared(self) -> Self;
 
@@ -112,11 +115,34 @@ pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
     fn from_parameter(parameter: T) -> Self;
 }
 
-/// A frequency that is the complex eigenvalue `λ` itself: what dashpots need.
+/// The meaning of a real scalar: the angular frequency ω of an undamped motion.
+#[derive(Clone, Copy, Debug)]
+pub enum RealFrequency {}
+
+/// The meaning of a complex scalar: the eigenvalue λ, whose real part says how the motion decays.
+#[derive(Clone, Copy, Debug)]
+pub enum ComplexEigenvalue {}
+
+/// Whether motions of this meaning may decay, as dampers make them.
+///
+/// Four scalars take part in a search for natural frequencies. A damper objects to what they mean, which is one thing: the
+/// compiler says it once.
 #[diagnostic::on_unimplemented(
     message = "a system with a damper has complex eigenvalues: it cannot be evaluated at a real frequency",
-    label = "needs a complex λ, not `{Self}`",
-    note = "search its `eigenvalues` instead of `natural_frequencies`",
+    label = "needs a complex λ, since there is a damper in the model",
+    note = "search its `eigenvalues` instead of `natural_frequencies`, count them with `count_in` instead of `count_below`",
     note = "pass `Complex::new(re, im)` for λ [1/s]; an undamped motion at ω is λ = iω, `Complex::new(0.0, omega)`"
 )]
+pub trait MayDecay {}
+
+impl MayDecay for ComplexEigenvalue {}
+
+/// A frequency that is the complex eigenvalue `λ` itself: what dashpots need.
 pub trait ComplexFrequency<T>: Frequency<T> {}
+
+impl<T, S> ComplexFrequency<T> for S
+where
+    S: Frequency<T>,
+    S::Meaning: MayDecay,
+{
+}

@@ -1,6 +1,6 @@
 //! Complex scalars over any real one.
 
-use super::{ComplexFrequency, Frequency, Real, Scalar, WaveProducts};
+use super::{ComplexEigenvalue, Frequency, Real, Scalar, WaveProducts};
 use crate::scaled::binary_exponent;
 use num_complex::Complex;
 use num_traits::Zero;
@@ -64,6 +64,8 @@ impl<T: Real> Scalar for Complex<T> {
 }
 
 impl<T: Real> Frequency<T> for Complex<T> {
+    type Meaning = ComplexEigenvalue;
+
     #[inline]
     fn lambda_squared(self) -> Self {
         self * self
@@ -79,8 +81,6 @@ impl<T: Real> Frequency<T> for Complex<T> {
         Complex::new(parameter, T::zero())
     }
 }
-
-impl<T: Real> ComplexFrequency<T> for Complex<T> {}
 
 #[cfg(test)]
 mod tests {

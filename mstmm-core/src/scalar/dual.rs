@@ -1,6 +1,6 @@
 //! Dual numbers: a value and its derivative with respect to the frequency.
 
-use super::{ComplexFrequency, Frequency, Real, Scalar, WaveProducts};
+use super::{ComplexEigenvalue, Frequency, Real, RealFrequency, Scalar, WaveProducts};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 use num_complex::Complex;
 use num_traits::{Num, One, Zero};
@@ -185,6 +185,8 @@ impl<S: Scalar> Scalar for Dual<S> {
 }
 
 impl<T: Real> Frequency<T> for Dual<T> {
+    type Meaning = RealFrequency;
+
     #[inline]
     fn lambda_squared(self) -> Self {
         -(self * self)
@@ -202,6 +204,8 @@ impl<T: Real> Frequency<T> for Dual<T> {
 }
 
 impl<T: Real> Frequency<T> for Dual<Complex<T>> {
+    type Meaning = ComplexEigenvalue;
+
     #[inline]
     fn lambda_squared(self) -> Self {
         self * self
@@ -217,8 +221,6 @@ impl<T: Real> Frequency<T> for Dual<Complex<T>> {
         Dual::constant(Frequency::from_parameter(parameter))
     }
 }
-
-impl<T: Real> ComplexFrequency<T> for Dual<Complex<T>> {}
 
 impl<T: Real> PartialOrd for Dual<T> {
     fn partial_cmp(&self, other: &Self) -> Option<core::cmp::Ordering> {

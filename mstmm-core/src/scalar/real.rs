@@ -1,8 +1,10 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
-use super::{DoubleDouble, Frequency, Real, Scalar, WaveProducts, kernel};
+use super::{DoubleDouble, Frequency, Real, RealFrequency, Scalar, WaveProducts, kernel};
 
 impl<T: Real> Frequency<T> for T {
+    type Meaning = RealFrequency;
+
     #[inline]
     fn lambda_squared(self) -> Self {
         -(self * self)

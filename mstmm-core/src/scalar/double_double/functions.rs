@@ -1,7 +1,7 @@
 //! The elementary functions: reduction of the argument, then a Taylor series.
 
 use super::DoubleDouble;
-use crate::scalar::{Dual, Frequency, Real, Scalar, WaveProducts};
+use crate::scalar::{Dual, Frequency, Real, RealFrequency, Scalar, WaveProducts};
 use core::f64::consts;
 
 /// `π/2` in four parts of 53 bits: the multiples below 2^51 keep 106 bits even where the reduced argument is small.
@@ -180,6 +180,8 @@ impl core::ops::Mul<f64> for DoubleDouble {
 
 /// A system with `f64` parameters, judged in double-double.
 impl Frequency<f64> for DoubleDouble {
+    type Meaning = RealFrequency;
+
     #[inline]
     fn lambda_squared(self) -> Self {
         -(self * self)
@@ -206,6 +208,8 @@ impl core::ops::Mul<f64> for Dual<DoubleDouble> {
 }
 
 impl Frequency<f64> for Dual<DoubleDouble> {
+    type Meaning = RealFrequency;
+
     #[inline]
     fn lambda_squared(self) -> Self {
         -(self * self)
