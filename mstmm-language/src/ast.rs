@@ -2,9 +2,10 @@
 
 use crate::diagnostics::Place;
 use proc_macro2::{Span, TokenStream};
+use quote::ToTokens;
 use std::collections::BTreeSet;
 use std::fmt;
-use syn::{Expr, Ident, ItemStruct, LitInt, Path};
+use syn::{Expr, Ident, ItemStruct, Lit, Path};
 
 /// A whole model.
 pub(crate) struct Model {
@@ -16,6 +17,8 @@ pub(crate) struct Model {
     pub(crate) lets: Vec<TokenStream>,
     /// The sketch.
     pub(crate) paths: Vec<TransferPath>,
+    /// Whether every line could be read.
+    pub(crate) is_whole: bool,
     /// Every name that occurs in the model, for emitted names that must differ from them.
     pub(crate) names: BTreeSet<String>,
 }
@@ -83,7 +86,8 @@ pub(crate) struct Parameter {
 /// The name of an element or a connection.
 pub(crate) enum Label {
     Name(Ident),
-    Number(LitInt),
+    /// A number; what else it may be, `check` refuses.
+    Literal(Lit),
 }
 
 impl Connection {
@@ -130,7 +134,7 @@ impl Label {
     pub(crate) fn span(&self) -> Span {
         match self {
             Label::Name(name) => name.span(),
-            Label::Number(number) => number.span(),
+            Label::Literal(literal) => literal.span(),
         }
     }
 }
@@ -139,7 +143,7 @@ impl fmt::Display for Label {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Label::Name(name) => write!(f, "{}", syn::ext::IdentExt::unraw(name)),
-            Label::Number(number) => write!(f, "{}", number.base10_digits()),
+            Label::Literal(literal) => write!(f, "{}", literal.to_token_stream()),
         }
     }
 }

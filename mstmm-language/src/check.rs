@@ -1,7 +1,16 @@
 //! The rules of the language, each with a message at the user's tokens.
 
-mod language;
+mod fields;
+mod parameters;
 mod tree;
+mod words;
 
-pub(crate) use language::language;
 pub(crate) use tree::{Tree, topology};
+pub(crate) use words::{is_doubtful, words};
+
+/// Words for a message: `a`, `b` and `c`.
+fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+    let mut words: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
+    let last = words.pop().unwrap_or_default();
+    if words.is_empty() { last } else { format!("{} and {last}", words.join(", ")) }
+}

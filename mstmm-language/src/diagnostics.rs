@@ -25,7 +25,7 @@ impl ToTokens for Place {
     }
 }
 
-/// The errors of one stage.
+/// The errors found so far.
 #[derive(Default)]
 pub(crate) struct Errors(Option<syn::Error>);
 
@@ -48,7 +48,7 @@ impl Errors {
         self.0.is_none()
     }
 
-    /// Ends the stage: all errors at once, or none.
+    /// All errors at once, or none.
     pub(crate) fn propagate(self) -> syn::Result<()> {
         match self.0 {
             None => Ok(()),

@@ -1,8 +1,8 @@
 //! The pipeline: tokens, syntax tree, graph, checked tree, plan, code.
 
-use crate::ast::Model;
+use crate::diagnostics::Errors;
 use crate::groups::made_visible;
-use crate::{check, emit, plan::Plan, topology::Graph};
+use crate::{check, emit, parse, plan::Plan, topology::Graph};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// Expands `(path to mstmm) model` into its code, or into its errors.
@@ -13,11 +13,13 @@ pub fn expand(input: TokenStream) -> TokenStream {
     }
 }
 
+/// The same before errors are code: all that syntax, words and graph have to object comes at once.
 pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
-    let model: Model = syn::parse2(in_braces(made_visible(input)))?;
-    check::language(&model)?;
-    let graph = Graph::of(&model)?;
-    let tree = check::topology(&graph)?;
+    let mut errors = Errors::default();
+    let model = parse::model(in_braces(made_visible(input)), &mut errors)?;
+    check::words(&model, &mut errors);
+    let graph = Graph::of(&model, &mut errors);
+    let tree = check::topology(&model, &graph, errors)?;
     let plan = Plan::of(&tree);
     Ok(emit::model(&model, &plan))
 }

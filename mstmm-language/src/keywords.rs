@@ -1,22 +1,52 @@
 //! The keywords of the language: one line per element, support and connection.
 
-/// An element keyword and the type in `mstmm_core::elements` behind it.
-pub(crate) const ELEMENTS: &[(&str, &str)] = &[
-    ("spring", "Spring"),
-    ("torsion_spring", "TorsionSpring"),
-    ("damper", "Damper"),
-    ("torsion_damper", "TorsionDamper"),
-    ("spring_damper", "SpringDamper"),
-    ("torsion_spring_damper", "TorsionSpringDamper"),
-    ("mass", "Mass"),
-    ("inertia", "Inertia"),
-    ("point_mass", "PointMass"),
-    ("elastic_hinge", "ElasticHinge"),
-    ("body", "Body"),
-    ("beam", "Beam"),
-    ("planar_body", "PlanarBody"),
-    ("planar_beam", "PlanarBeam"),
-    ("planar_hinge", "PlanarHinge"),
+/// The state at both ends of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum State {
+    Translation,
+    Rotation,
+    Bending,
+    Planar,
+}
+
+/// What the language knows of an element of the core: a test compares it with the core.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Keyword {
+    pub(crate) name: &'static str,
+    /// The type in `mstmm_core::elements`.
+    pub(crate) type_name: &'static str,
+    pub(crate) state: State,
+    pub(crate) parameters: &'static [&'static str],
+}
+
+const fn element(
+    name: &'static str,
+    type_name: &'static str,
+    state: State,
+    parameters: &'static [&'static str],
+) -> Keyword {
+    Keyword { name, type_name, state, parameters }
+}
+
+use State::{Bending, Planar, Rotation, Translation};
+
+#[rustfmt::skip]
+pub(crate) const ELEMENTS: &[Keyword] = &[
+    element("spring", "Spring", Translation, &["stiffness"]),
+    element("torsion_spring", "TorsionSpring", Rotation, &["stiffness"]),
+    element("damper", "Damper", Translation, &["damping"]),
+    element("torsion_damper", "TorsionDamper", Rotation, &["damping"]),
+    element("spring_damper", "SpringDamper", Translation, &["stiffness", "damping"]),
+    element("torsion_spring_damper", "TorsionSpringDamper", Rotation, &["stiffness", "damping"]),
+    element("mass", "Mass", Translation, &["mass"]),
+    element("inertia", "Inertia", Rotation, &["inertia"]),
+    element("point_mass", "PointMass", Bending, &["mass", "inertia"]),
+    element("elastic_hinge", "ElasticHinge", Bending, &["stiffness_y", "stiffness_theta"]),
+    element("body", "Body", Bending, &["mass", "inertia", "output_x", "centre_x"]),
+    element("beam", "Beam", Bending, &["length", "bending_stiffness", "mass_per_length"]),
+    element("planar_body", "PlanarBody", Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
+    element("planar_beam", "PlanarBeam", Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"]),
+    element("planar_hinge", "PlanarHinge", Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"]),
 ];
 
 /// A support keyword and the variant of `mstmm_core::Support` behind it.
@@ -26,12 +56,17 @@ pub(crate) const SUPPORTS: &[(&str, &str)] =
 /// The keyword of connections.
 pub(crate) const CONNECTION: &str = "conn";
 
-/// What a keyword stands for, in one of the tables above.
-pub(crate) fn look_up(table: &[(&str, &'static str)], keyword: &str) -> Option<&'static str> {
-    table.iter().find(|(name, _)| *name == keyword).map(|(_, target)| *target)
+/// The element behind a keyword.
+pub(crate) fn element_of(keyword: &str) -> Option<&'static Keyword> {
+    ELEMENTS.iter().find(|element| element.name == keyword)
 }
 
-/// The keyword most like a misspelt one, if any is like it at all.
+/// The variant of `mstmm_core::Support` behind a keyword.
+pub(crate) fn support_of(keyword: &str) -> Option<&'static str> {
+    SUPPORTS.iter().find(|(name, _)| *name == keyword).map(|(_, variant)| *variant)
+}
+
+/// The word most like a misspelt one, if any is like it at all.
 pub(crate) fn nearest<'a>(candidates: impl Iterator<Item = &'a str>, wrong: &str) -> Option<&'a str> {
     candidates
         .map(|candidate| (strsim::jaro_winkler(candidate, wrong), candidate))
@@ -41,23 +76,4 @@ pub(crate) fn nearest<'a>(candidates: impl Iterator<Item = &'a str>, wrong: &str
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_element_of_the_core_has_one_keyword() {
-        let mut of_keywords: Vec<&str> = ELEMENTS.iter().map(|(_, name)| *name).collect();
-        let mut of_core = mstmm_core::elements::NAMES.to_vec();
-        of_keywords.sort_unstable();
-        of_core.sort_unstable();
-        assert_eq!(of_keywords, of_core);
-    }
-
-    #[test]
-    fn a_slip_of_the_pen_finds_its_keyword() {
-        let elements = || ELEMENTS.iter().map(|(name, _)| *name);
-        assert_eq!(nearest(elements(), "baem"), Some("beam"));
-        assert_eq!(nearest(elements(), "springdamper"), Some("spring_damper"));
-        assert_eq!(nearest(elements(), "quux"), None);
-    }
-}
+mod tests;

@@ -4,34 +4,46 @@ mod node;
 
 use crate::ast::{Arrow, Model, TransferPath};
 use crate::diagnostics::{Errors, Place};
-use proc_macro2::{Group, Punct, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Group, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote;
 use std::collections::BTreeSet;
 use std::fmt::Display;
-use syn::parse::{Parse, ParseStream, Result};
+use syn::parse::{Parse, ParseStream, Parser, Result};
 use syn::{Attribute, Error, Expr, ItemStruct, Pat, Token, Type, Visibility, braced};
 
-/// `{ (path to mstmm) model }`, where the braces stand for the end of the input.
-impl Parse for Model {
-    fn parse(input: ParseStream<'_>) -> Result<Self> {
-        let content;
-        braced!(content in input);
-        let facade: Group = content.parse()?;
-        let mut names = BTreeSet::new();
-        collect_names(content.cursor().token_stream(), &mut names);
-        let parameters = parse_struct(&content)?;
-        let mut errors = Errors::default();
-        let mut lets = Vec::new();
-        while content.peek(Token![let]) {
-            lets.extend(recover(&content, parse_let, &mut errors));
-        }
-        let mut paths = Vec::new();
-        while !content.is_empty() {
-            paths.extend(recover(&content, TransferPath::parse, &mut errors));
-        }
-        errors.propagate()?;
-        Ok(Model { facade: facade.stream(), parameters, lets, paths, names })
+/// Parses `{ (path to mstmm) model }`, where the braces stand for the end of the input. Lines that cannot be read are left
+/// out, each with an error; without its struct a model is none.
+pub(crate) fn model(input: TokenStream, errors: &mut Errors) -> Result<Model> {
+    let mut model = None;
+    let outcome = (|input: ParseStream<'_>| -> Result<()> {
+        model = Some(read(input, errors)?);
+        Ok(())
+    })
+    .parse2(input);
+    match model {
+        // what a line with an error leaves unread inside of brackets is no error of its own
+        Some(model) if !model.is_whole => Ok(model),
+        Some(model) => outcome.map(|()| model),
+        None => Err(outcome.err().unwrap_or_else(|| Error::new(Span::call_site(), "this model cannot be read"))),
     }
+}
+
+fn read(input: ParseStream<'_>, errors: &mut Errors) -> Result<Model> {
+    let content;
+    braced!(content in input);
+    let facade: Group = content.parse()?;
+    let mut names = BTreeSet::new();
+    collect_names(content.cursor().token_stream(), &mut names);
+    let parameters = parse_struct(&content)?;
+    let mut lets = Vec::new();
+    while content.peek(Token![let]) {
+        lets.extend(recover(&content, parse_let, errors));
+    }
+    let mut paths = Vec::new();
+    while !content.is_empty() {
+        paths.extend(recover(&content, TransferPath::parse, errors));
+    }
+    Ok(Model { facade: facade.stream(), parameters, lets, paths, is_whole: errors.is_empty(), names })
 }
 
 /// Parses a line and its `;`; goes on behind the next `;` where it is wrong, so that other lines are read all the same.

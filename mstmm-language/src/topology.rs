@@ -2,7 +2,7 @@
 
 use crate::ast::{Connection, Element, Model, Node};
 use crate::diagnostics::{Errors, Place};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use syn::Ident;
 
 /// A vertex: each mention of a support is one of its own, all mentions of a connection are one.
@@ -20,6 +20,11 @@ impl Vertex<'_> {
             Vertex::Connection(connection) => connection.place(),
             Vertex::Element(element) => element.place(),
         }
+    }
+
+    /// Whether this is an element without parameters.
+    fn is_mention(&self) -> bool {
+        matches!(self, Vertex::Element(element) if element.parameters.is_none())
     }
 
     /// How the user calls it.
@@ -43,28 +48,25 @@ pub(crate) struct Edge {
 pub(crate) struct Graph<'a> {
     pub(crate) vertices: Vec<Vertex<'a>>,
     pub(crate) edges: Vec<Edge>,
+    /// Vertices that share a label with another: it is unknown which of them an arrow meant.
+    pub(crate) ambiguous: BTreeSet<usize>,
 }
 
 impl<'a> Graph<'a> {
-    /// The graph of a model.
-    ///
-    /// # Errors
-    /// A label that two elements, or an element and a connection, share.
-    pub(crate) fn of(model: &'a Model) -> syn::Result<Self> {
-        let mut graph = Graph { vertices: Vec::new(), edges: Vec::new() };
+    /// The graph of a model. A label that two elements, or an element and a connection, share is an error.
+    pub(crate) fn of(model: &'a Model, errors: &mut Errors) -> Self {
+        let mut graph = Graph { vertices: Vec::new(), edges: Vec::new(), ambiguous: BTreeSet::new() };
         let mut labels = BTreeMap::new();
-        let mut errors = Errors::default();
         for path in &model.paths {
-            let mut previous = graph.vertex(&path.first, &mut labels, &mut errors);
+            let mut previous = graph.vertex(&path.first, &mut labels, errors);
             for (arrow, node) in &path.rest {
-                let next = graph.vertex(node, &mut labels, &mut errors);
+                let next = graph.vertex(node, &mut labels, errors);
                 let (from, to) = if arrow.forward { (previous, next) } else { (next, previous) };
                 graph.edges.push(Edge { from, to, place: arrow.place });
                 previous = next;
             }
         }
-        errors.propagate()?;
-        Ok(graph)
+        graph
     }
 
     /// The vertex of a node: a new one, unless it is a connection that was mentioned before.
@@ -87,14 +89,18 @@ impl<'a> Graph<'a> {
         if matches!((first, &vertex), (Vertex::Connection(_), Vertex::Connection(_))) {
             return known;
         }
-        let message = format!(
-            "label `{label}` is taken by `{}`: elements and connections share one set of labels, and an element is \
-             written once",
-            first.name()
-        );
-        errors.push(label.span(), message);
-        errors.push(first.place(), format!("label `{label}` is first used here"));
+        // an element named again without its parameters has a message of its own
+        if !(first.is_mention() || vertex.is_mention()) {
+            let message = format!(
+                "label `{label}` is taken by `{}`: elements and connections share one set of labels, and an element is \
+                 written once",
+                first.name()
+            );
+            errors.push(label.span(), message);
+            errors.push(first.place(), format!("label `{label}` is first used here"));
+        }
         self.vertices.push(vertex);
+        self.ambiguous.extend([known, new]);
         new
     }
 

@@ -34,9 +34,23 @@ impl<const STEPS: usize> Layout<'_, STEPS> {
     #[track_caller]
     pub const fn check_arrow(&self, step: usize) {
         let Step::Element(input, space) = self.steps[step] else { return };
-        if matches!(self.steps[input], Step::Element(..)) && !self.places[input].space.is(space) {
-            panic!("an arrow joins equal states only: put a connection `conn` between these two elements");
+        if !matches!(self.steps[input], Step::Element(..)) || self.places[input].space.is(space) {
+            return;
         }
+        let before = self.places[input].space;
+        if before.is(Space::Planar) || space.is(Space::Planar) {
+            panic!("planar paths meet planar paths only: use planar elements on both sides of this arrow, or on none");
+        }
+        if before.is(Space::Bending) {
+            panic!(
+                "an arrow joins equal states only: put a connection between these two elements, `-> conn .. ->`, where \
+                 the path goes on with fewer states"
+            );
+        }
+        panic!(
+            "an arrow joins equal states only: put a connection with a free tip between these two elements, \
+             `-> conn .. ->` and `free -> conn ..`"
+        );
     }
 
     /// The states around a connection must be able to meet there, and its widest input must fill its output.
@@ -151,11 +165,62 @@ mod tests {
         path(Roller, Bending, Free).check_support(0);
     }
 
+    /// Two elements with an arrow between them.
+    fn arrow(before: Space, behind: Space) -> Layout<'static, 4> {
+        Layout::new([Step::Tip(Fixed), Step::Element(0, before), Step::Element(1, behind), Step::Root(2, Free)])
+    }
+
     #[test]
-    #[should_panic(expected = "an arrow joins equal states only: put a connection `conn` between these two elements")]
-    fn an_arrow_joins_equal_states() {
-        let steps = [Step::Tip(Fixed), Step::Element(0, Bending), Step::Element(1, Translation), Step::Root(2, Free)];
-        Layout::new(steps).check_arrow(2);
+    #[should_panic(expected = "put a connection between these two elements, `-> conn .. ->`, where the path goes on")]
+    fn an_arrow_does_not_narrow() {
+        arrow(Bending, Translation).check_arrow(2);
+    }
+
+    #[test]
+    #[should_panic(expected = "put a connection with a free tip between these two elements")]
+    fn an_arrow_does_not_widen() {
+        arrow(Rotation, Bending).check_arrow(2);
+    }
+
+    #[test]
+    #[should_panic(expected = "put a connection with a free tip between these two elements")]
+    fn an_arrow_does_not_turn_a_force_into_a_moment() {
+        arrow(Translation, Rotation).check_arrow(2);
+    }
+
+    #[test]
+    #[should_panic(expected = "use planar elements on both sides of this arrow, or on none")]
+    fn no_connection_joins_a_planar_path_to_a_spring() {
+        arrow(Planar, Translation).check_arrow(2);
+    }
+
+    /// What the messages advise is right.
+    #[test]
+    fn the_advised_connections_pass() {
+        for (before, behind) in [(Bending, Translation), (Bending, Rotation)] {
+            let steps = [
+                Step::Tip(Fixed),
+                Step::Element(0, before),
+                Step::Connection(&[1]),
+                Step::Element(2, behind),
+                Step::Root(3, Free),
+            ];
+            Layout::new(steps).check_connection(2);
+        }
+        for (before, behind) in
+            [(Translation, Bending), (Rotation, Bending), (Translation, Rotation), (Rotation, Translation)]
+        {
+            let steps = [
+                Step::Tip(Fixed),
+                Step::Element(0, before),
+                Step::Tip(Free),
+                Step::Connection(&[1, 2]),
+                Step::Element(3, behind),
+                Step::Root(4, Free),
+            ];
+            Layout::new(steps).check_connection(3);
+            Layout::new(steps).check_support(2);
+        }
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Rules of the graph: it is a tree of transfer paths, and every arrow leads to the one root.
 
+use super::is_doubtful;
+use crate::ast::Model;
 use crate::diagnostics::{Errors, Place};
 use crate::topology::{Graph, Vertex};
 
@@ -9,29 +11,41 @@ pub(crate) struct Tree<'g, 'a> {
     pub(crate) root: usize,
 }
 
-/// Checks the ends of every vertex first: only where they are right does every way lead on.
-pub(crate) fn topology<'g, 'a>(graph: &'g Graph<'a>) -> syn::Result<Tree<'g, 'a>> {
-    let mut errors = Errors::default();
-    for vertex in 0..graph.vertices.len() {
-        check_ends(graph, vertex, &mut errors);
+/// Checks the graph, unless a line of it is missing, and ends with all errors found so far.
+pub(crate) fn topology<'g, 'a>(model: &Model, graph: &'g Graph<'a>, mut errors: Errors) -> syn::Result<Tree<'g, 'a>> {
+    let mut root = None;
+    if model.is_whole && model.elements().next().is_some() {
+        root = check_graph(graph, &mut errors);
     }
     errors.propagate()?;
-    Ok(Tree { graph, root: find_root(graph)? })
+    // where there is no root, that was an error
+    Ok(Tree { graph, root: root.unwrap_or(0) })
 }
 
-/// Number of inputs and outputs of one vertex.
-fn check_ends(graph: &Graph<'_>, index: usize, errors: &mut Errors) {
-    let name = graph.vertices[index].name();
+/// Checks the ends of every vertex first, except of those that may be meant otherwise: only where all are right does every
+/// way lead on to the root.
+fn check_graph(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
+    let is_clear = |vertex: usize| !graph.ambiguous.contains(&vertex) && !is_doubtful(&graph.vertices[vertex]);
+    let mut all_lead_on = true;
+    for vertex in 0..graph.vertices.len() {
+        let fault = if is_clear(vertex) { ends_fault(graph, vertex) } else { None };
+        all_lead_on &= is_clear(vertex) && fault.is_none();
+        if let Some((place, fault)) = fault {
+            errors.push(place, format!("`{}` {fault}", graph.vertices[vertex].name()));
+        }
+    }
+    if all_lead_on { find_root(graph, errors) } else { None }
+}
+
+/// What is wrong with the number of inputs and outputs of one vertex.
+fn ends_fault(graph: &Graph<'_>, index: usize) -> Option<(Place, &'static str)> {
     let inputs = graph.edges.iter().filter(|edge| edge.to == index).map(|edge| edge.place).collect::<Vec<_>>();
     let outputs = graph.edges.iter().filter(|edge| edge.from == index).map(|edge| edge.place).collect::<Vec<_>>();
     let place = graph.vertices[index].place();
-    let fault = match graph.vertices[index] {
+    match graph.vertices[index] {
         Vertex::Support(_) => support_fault(inputs.len() + outputs.len()).map(|fault| (place, fault)),
         Vertex::Element(_) => element_fault(place, &inputs, &outputs),
         Vertex::Connection(_) => connection_fault(graph, index),
-    };
-    if let Some((place, fault)) = fault {
-        errors.push(place, format!("`{name}` {fault}"));
     }
 }
 
@@ -93,7 +107,9 @@ fn connection_fault(graph: &Graph<'_>, index: usize) -> Option<(Place, &'static 
 
 /// Whether a connection has supports around it and nothing else but, perhaps, another connection behind it.
 fn joins_supports_alone(graph: &Graph<'_>, index: usize) -> bool {
-    let is_support = |vertex: &usize| matches!(graph.vertices[*vertex], Vertex::Support(_));
+    let is_support = |vertex: &usize| {
+        matches!(graph.vertices[*vertex], Vertex::Support(_)) && !is_doubtful(&graph.vertices[*vertex])
+    };
     let leads_to_element =
         graph.output(index).is_some_and(|output| matches!(graph.vertices[output], Vertex::Element(_)));
     graph.inputs(index).iter().all(is_support) && !leads_to_element
@@ -109,7 +125,7 @@ enum End {
 }
 
 /// The support in which all ways end. Every vertex but a root has one output here.
-fn find_root(graph: &Graph<'_>) -> syn::Result<usize> {
+fn find_root(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
     let mut ends: Vec<End> = Vec::new();
     for vertex in 0..graph.vertices.len() {
         let end = follow(graph, vertex);
@@ -117,19 +133,15 @@ fn find_root(graph: &Graph<'_>) -> syn::Result<usize> {
             ends.push(end);
         }
     }
-    if let [End::Root(root)] = ends.as_slice() {
-        return Ok(*root);
-    }
-    let mut errors = Errors::default();
-    let mut first_root = None;
+    let mut root = None;
     for end in ends {
-        let (vertex, message) = match (end, first_root) {
+        let (vertex, message) = match (end, root) {
+            (End::Root(vertex), None) => {
+                root = Some(vertex);
+                continue;
+            }
             (End::Loop(vertex), _) => {
                 (vertex, "does not lead to the root: the arrows from it come back to it, in a closed loop")
-            }
-            (End::Root(vertex), None) => {
-                first_root = Some(vertex);
-                continue;
             }
             (End::Root(vertex), Some(_)) => {
                 (vertex, "is a second root: no path joins this part of the model to the first; a model is one tree")
@@ -137,9 +149,7 @@ fn find_root(graph: &Graph<'_>) -> syn::Result<usize> {
         };
         errors.push(graph.vertices[vertex].place(), format!("`{}` {message}", graph.vertices[vertex].name()));
     }
-    errors.propagate()?;
-    // a checked model has a vertex, and its way has an end
-    Ok(first_root.unwrap_or(0))
+    root
 }
 
 /// Follows the arrows from a vertex.

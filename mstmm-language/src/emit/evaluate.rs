@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
 /// `impl Evaluate<S>`: the overall matrix and its determinant, a line per step.
-pub(super) fn evaluate(plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, frequency, .. } = names;
     let matrices = plan.elements.iter().map(|element| {
         let (matrix, field, kind) =

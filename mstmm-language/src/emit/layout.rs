@@ -7,7 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote_spanned};
 
 /// `LAYOUT`, `N`, and one constant per check at the user's token.
-pub(super) fn layout(plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, .. } = names;
     let count = plan.steps.len();
     let steps = plan.steps.iter().map(|step| emit_step(step, plan, names));
@@ -30,7 +30,7 @@ pub(super) fn layout(plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
     }
 }
 
-fn emit_step(step: &Step<'_>, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+fn emit_step(step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     match step {
         Step::Tip(keyword) => {
@@ -54,7 +54,7 @@ fn emit_step(step: &Step<'_>, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream
 }
 
 /// A constant that fails at the user's tokens.
-fn check(rule: &str, step: usize, place: Place, names: &Names<'_>) -> TokenStream {
+fn check(rule: &str, step: usize, place: Place, names: &Names) -> TokenStream {
     let (first, last) = (names.at(place.first), names.at(place.last));
     let (layout, rule) = (Ident::new("LAYOUT", first), Ident::new(rule, last));
     quote_spanned!(last=> const _: () = #layout.#rule(#step);)

@@ -33,17 +33,17 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
 }
 
 /// Field of the built system that holds an element; labels are unique, so these are.
-fn element_field(element: &Element, names: &Names<'_>) -> Ident {
+fn element_field(element: &Element, names: &Names) -> Ident {
     format_ident!("element_{}", element.label.to_string(), span = names.at_element(element))
 }
 
 /// A local variable for an element.
-fn local(prefix: &str, element: &Element, names: &Names<'_>) -> Ident {
+fn local(prefix: &str, element: &Element, names: &Names) -> Ident {
     format_ident!("{prefix}_{}", element.label.to_string(), span = names.at_element(element))
 }
 
 /// An element of each type that occurs, the first in the source, in a fixed order.
-fn first_of_each_type<'a>(plan: &Plan<'a>, names: &Names<'_>) -> Vec<&'a Element> {
+fn first_of_each_type<'a>(plan: &Plan<'a>, names: &Names) -> Vec<&'a Element> {
     let elements = plan.elements.iter().rev();
     let first: BTreeMap<_, _> = elements.map(|element| (names.element_type(element).to_string(), *element)).collect();
     first.into_values().collect()
@@ -52,7 +52,7 @@ fn first_of_each_type<'a>(plan: &Plan<'a>, names: &Names<'_>) -> Vec<&'a Element
 /// Implements a trait for the built system, where each type of element has a trait of its own.
 ///
 /// If one has not, rustc says so at its keyword, and "required for the system" at the name of the model.
-fn implement(of: &str, of_elements: &str, body: &TokenStream, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+fn implement(of: &str, of_elements: &str, body: &TokenStream, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, frequency, .. } = names;
     let header = names.trait_at(of, names.here);
     let bounds = first_of_each_type(plan, names).into_iter().map(|element| {

@@ -1,15 +1,13 @@
 //! Names and paths that several emitted items share, and where errors in them are shown.
 
 use crate::ast::{Element, Kind, Model};
-use crate::keywords::{ELEMENTS, SUPPORTS, look_up};
+use crate::keywords::{element_of, support_of};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote_spanned};
 use std::collections::BTreeSet;
 
 /// Paths and names that several emitted items share.
-pub(super) struct Names<'a> {
-    /// Every name in the model.
-    taken: &'a BTreeSet<String>,
+pub(super) struct Names {
     /// Path to the facade crate.
     facade: TokenStream,
     /// Where errors are shown that are about no token of the user's: at the name of the model.
@@ -26,12 +24,11 @@ pub(super) struct Names<'a> {
     pub(super) tally: Ident,
 }
 
-impl<'a> Names<'a> {
-    pub(super) fn of(model: &'a Model) -> Self {
+impl Names {
+    pub(super) fn of(model: &Model) -> Self {
         let facade = &model.facade;
         let here = at(facade, model.parameters.ident.span());
         Names {
-            taken: &model.names,
             facade: facade.clone(),
             here,
             private: private_at(facade, here),
@@ -63,12 +60,6 @@ impl<'a> Names<'a> {
                 quote_spanned!(span=> #private::elements::#name)
             }
         }
-    }
-
-    /// A type of an element under a name that nothing in the model has, for literals in the meaning of the user's token:
-    /// for these alone rustc finds the field that a misspelt parameter should have been.
-    pub(super) fn imported(&self, keyword: &Ident) -> Ident {
-        fresh(&format!("__{}", type_of(keyword)), self.taken, keyword.span())
     }
 
     /// Type of an element with the system's type parameter, at the user's tokens.
@@ -116,7 +107,7 @@ impl<'a> Names<'a> {
         let span = self.at(keyword.span());
         let private = private_at(&self.facade, span);
         // `check` has refused unknown keywords
-        let variant = Ident::new(look_up(SUPPORTS, &keyword.to_string()).unwrap_or("Fixed"), span);
+        let variant = Ident::new(support_of(&keyword.to_string()).unwrap_or("Fixed"), span);
         quote_spanned!(span=> #private::Support::#variant)
     }
 }
@@ -142,7 +133,7 @@ fn private_at(facade: &TokenStream, span: Span) -> TokenStream {
 
 /// The type in `mstmm_core::elements` behind a keyword. `check` has refused unknown ones.
 fn type_of(keyword: &Ident) -> &'static str {
-    look_up(ELEMENTS, &keyword.to_string()).unwrap_or("Beam")
+    element_of(&keyword.to_string()).map_or("Beam", |element| element.type_name)
 }
 
 /// A name at another place.

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote_spanned};
 
 /// `impl Characteristic<S>`: one pass of the plane method, a line per step.
-pub(super) fn characteristic(plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, frequency, tally, .. } = names;
     let types = first_of_each_type(plan, names);
     let types = types.into_iter().map(|element| names.element_as(element, "PlaneStep"));
@@ -32,7 +32,7 @@ pub(super) fn characteristic(plan: &Plan<'_>, names: &Names<'_>) -> TokenStream 
 }
 
 /// One step of the pass: `let s3 = ..`, or at the end Δ.
-fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let own = subspace(index, names);
     match step {
@@ -62,7 +62,7 @@ fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names<'_>) 
 
 /// A connection: its paths are joined, to its free state if it goes on wider, then supports hold it, then what does not go
 /// on is left behind.
-fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let own = subspace(index, names);
     let (mut joined, mut held, mut paths) = (TokenStream::new(), Vec::new(), 0);
@@ -105,7 +105,7 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names<'_>
 }
 
 /// The end of the pass, Δ: the last element goes into the root at once.
-fn root(support: &Ident, input: usize, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+fn root(support: &Ident, input: usize, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let support = names.support(support);
     match &plan.steps[input] {
         Step::Element { element, input, .. } => {
@@ -122,6 +122,6 @@ fn root(support: &Ident, input: usize, plan: &Plan<'_>, names: &Names<'_>) -> To
 }
 
 /// The local variable of a step.
-fn subspace(index: usize, names: &Names<'_>) -> Ident {
+fn subspace(index: usize, names: &Names) -> Ident {
     format_ident!("s{index}", span = names.here)
 }

@@ -1,13 +1,13 @@
 //! Emits the built system and `build()`.
 
 use super::{Names, element_field, first_of_each_type};
-use crate::ast::{Element, Kind, Model, Parameter};
+use crate::ast::{Element, Model, Parameter};
 use crate::plan::Plan;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 /// The struct of elements, the function that makes it from the parameters, and what all systems have.
-pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let definition = definition(model, plan, names);
     let build = build(model, plan, names);
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
@@ -34,7 +34,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> Token
 }
 
 /// The struct of elements.
-fn definition(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+fn definition(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
     let fields = plan.elements.iter().map(|element| {
@@ -55,7 +55,7 @@ fn definition(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream 
 }
 
 /// `build()`: from the parameters to the struct of elements.
-fn build(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
+fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let (visibility, name, lets) = (&model.parameters.vis, &model.parameters.ident, &model.lets);
     // a field that is configured away is not there to be bound
@@ -63,13 +63,6 @@ fn build(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
         let conditions = field.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg"));
         let name = &field.ident;
         quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;)
-    });
-    let imports = first_of_each_type(plan, names).into_iter().filter_map(|element| match &element.kind {
-        Kind::Keyword(keyword) => {
-            let (path, name) = (names.element_type(element), names.imported(keyword));
-            Some(quote_spanned!(names.here=> use #path as #name;))
-        }
-        Kind::Type(_) => None,
     });
     let values = plan.elements.iter().map(|element| value(element, names));
     quote_spanned! {names.here=>
@@ -89,7 +82,6 @@ fn build(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
             #visibility fn build_as<#parameter: #private::Real>(
                 &self,
             ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
-                #(#imports)*
                 #(#bindings)*
                 #(#lets)*
                 ::core::result::Result::Ok(#system {
@@ -102,21 +94,18 @@ fn build(model: &Model, plan: &Plan<'_>, names: &Names<'_>) -> TokenStream {
 }
 
 /// The built element, `field: build::<Type<T>>(Type { parameter: expression, .. }, name)?`.
-fn value(element: &Element, names: &Names<'_>) -> TokenStream {
+fn value(element: &Element, names: &Names) -> TokenStream {
     let (span, field, name) = (names.at_element(element), element_field(element, names), element.to_string());
     let (build, of_system) = (names.function_at("build", span), names.element(element));
     let parameters = element.parameters().map(|parameter| parameter_value(parameter, names));
-    let kind = match &element.kind {
-        Kind::Keyword(keyword) => names.imported(keyword).into_token_stream(),
-        Kind::Type(path) => path.to_token_stream(),
-    };
+    let kind = names.element_type(element);
     // all at the keyword, where rustc then shows what is missing
     let literal = quote_spanned!(element.kind.place().last=> #kind { #(#parameters),* });
     quote_spanned!(span=> #field: #build::<#of_system>(#literal, #name)?)
 }
 
 /// `name: expression`, converted; a type that is not `f64` is shown at the expression.
-fn parameter_value(parameter: &Parameter, names: &Names<'_>) -> TokenStream {
+fn parameter_value(parameter: &Parameter, names: &Names) -> TokenStream {
     let (name, span) = (&parameter.name, names.at(parameter.name.span()));
     let value = parameter.value.as_ref().map_or_else(|| name.to_token_stream(), ToTokens::to_token_stream);
     let (scalar, number) = (names.function_at("Scalar", span), Ident::new("number", span));

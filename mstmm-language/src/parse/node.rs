@@ -3,11 +3,10 @@
 use super::error_at;
 use crate::ast::{Connection, Element, Kind, Label, Node, Parameter};
 use crate::diagnostics::Place;
-use crate::keywords::{CONNECTION, SUPPORTS, look_up};
-use proc_macro2::Span;
+use crate::keywords::{CONNECTION, support_of};
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Result};
-use syn::{Error, Ident, LitFloat, LitInt, Path, Token, braced, token};
+use syn::{Error, Ident, Lit, LitInt, Path, Token, braced, token};
 
 impl Parse for Node {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
@@ -35,7 +34,7 @@ impl Parse for Node {
 /// The name of a support does so unless a label with parameters follows: then something is wrong with the support, and
 /// else an arrow or a `;` is missing behind it.
 fn ends_here(keyword: &Ident, input: ParseStream<'_>) -> bool {
-    if look_up(SUPPORTS, &keyword.to_string()).is_some() {
+    if support_of(&keyword.to_string()).is_some() {
         let takes_label = input.peek(LitInt) || (input.peek(Ident) && input.peek2(token::Brace));
         return !takes_label;
     }
@@ -63,24 +62,13 @@ fn parse_parameters(input: ParseStream<'_>) -> Result<Vec<Parameter>> {
     Ok(parameters)
 }
 
-/// A name, or a decimal number without leading zero or suffix, behind `owner`.
+/// A name or a number, behind `owner`.
 fn parse_label(input: ParseStream<'_>, owner: &Ident, place: Place, rest: &str) -> Result<Label> {
     if input.peek(Ident) {
         return Ok(Label::Name(input.parse()?));
     }
-    let malformed = |span: Span, text: &str| {
-        let advice = "a label is a name or a decimal number without leading zero or suffix, such as `arm` or `12`";
-        Err(Error::new(span, format!("`{text}` is not a label: {advice}")))
-    };
-    if input.peek(LitInt) {
-        let number: LitInt = input.parse()?;
-        let text = number.to_string();
-        let plain = text.bytes().all(|b| b.is_ascii_digit()) && (text == "0" || !text.starts_with('0'));
-        return if plain { Ok(Label::Number(number)) } else { malformed(number.span(), &text) };
-    }
-    if input.peek(LitFloat) {
-        let number: LitFloat = input.parse()?;
-        return malformed(number.span(), &number.to_string());
+    if input.peek(Lit) {
+        return Ok(Label::Literal(input.parse()?));
     }
     Err(Error::new_spanned(place, format!("`{owner}` needs a label, a name or a number: `{owner} 1{rest}`")))
 }

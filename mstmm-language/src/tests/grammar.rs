@@ -207,9 +207,21 @@ fn a_label_is_a_name_or_a_plain_number() {
         fixed -> spring 1_000 { stiffness: 1.0 } -> free;
                         ^^^^^ `1_000` is not a label: a label is a name or a decimal number without leading
                         | zero or suffix, such as `arm` or `12`
-        fixed -> spring 1.5 { stiffness: 1.0 } -> conn 2.0;
+        fixed -> spring 1.5 { stiffness: 1.0 } -> free;
                         ^^^ `1.5` is not a label: a label is a name or a decimal number without leading zero
                         | or suffix, such as `arm` or `12`
+        fixed -> spring 1e3 { stiffness: 1.0 } -> conn 2nd -> free;
+                        ^^^ `1e3` is not a label: a label is a name or a decimal number without leading zero
+                        | or suffix, such as `arm` or `12`
+                                                       ^^^ `2nd` is not a label: a label is a name or a
+                                                       | decimal number without leading zero or suffix, such
+                                                       | as `arm` or `12`
+        fixed -> spring \"arm\" { stiffness: 1.0 } -> conn true -> free;
+                        ^^^^^ `\"arm\"` is not a label: a label is a name or a decimal number without leading
+                        | zero or suffix, such as `arm` or `12`
+                                                         ^^^^ `true` is not a label: a label is a name or a
+                                                         | decimal number without leading zero or suffix, such
+                                                         | as `arm` or `12`
         ",
     );
 }

@@ -97,7 +97,7 @@ fn a_connection_has_one_output() {
     assert_refused(
         "
         struct M;
-        pinned -> beam 1 { length: 1.0 } -> conn 2 -> beam 3 { length: 1.0 } -> pinned;
+        pinned -> mass 1 { mass: 1.000 } -> conn 2 -> mass 3 { mass: 1.000 } -> pinned;
         conn 2 -> pinned;
                ^^ `conn 2` has two outputs, but every arrow leads to the one root: turn the arrows of one of
                | the two paths round
@@ -110,8 +110,8 @@ fn two_ways_between_two_connections_are_a_loop() {
     assert_refused(
         "
         struct Frame;
-        fixed -> beam 1 { length: 1.0 } -> conn 2 -> beam 3 { length: 1.0 } -> conn 4 -> free;
-        conn 2 -> beam 5 { length: 1.0 } -> conn 4;
+        fixed -> mass 1 { mass: 1.000 } -> conn 2 -> mass 3 { mass: 1.000 } -> conn 4 -> free;
+        conn 2 -> mass 5 { mass: 1.000 } -> conn 4;
                ^^ `conn 2` has two outputs, and this one is part of a closed loop: a model is a tree of paths,
                | cut the loop open
         ",
@@ -119,7 +119,7 @@ fn two_ways_between_two_connections_are_a_loop() {
     assert_refused(
         "
         struct Frame;
-        fixed -> beam 1 { length: 1.0 } -> conn 2 -> beam 3 { length: 1.0 } -> conn 2 -> free;
+        fixed -> mass 1 { mass: 1.000 } -> conn 2 -> mass 3 { mass: 1.000 } -> conn 2 -> free;
                                                   ^^ `conn 2` has two outputs, and this one is part of a
                                                   | closed loop: a model is a tree of paths, cut the loop open
         ",
@@ -131,8 +131,8 @@ fn arrows_that_come_back_are_a_loop() {
     assert_refused(
         "
         struct M;
-        fixed -> beam 1 { length: 1.0 } -> free;
-        fixed -> beam 2 { length: 1.0 } -> conn 3 -> beam 4 { length: 1.0 } -> conn 5 -> beam 6 { length: 1.0 } -> conn 3;
+        fixed -> mass 1 { mass: 1.000 } -> free;
+        fixed -> mass 2 { mass: 1.000 } -> conn 3 -> mass 4 { mass: 1.000 } -> conn 5 -> mass 6 { mass: 1.000 } -> conn 3;
                                            ^^^^^^ `conn 3` does not lead to the root: the arrows from it come
                                            | back to it, in a closed loop
         ",
@@ -140,7 +140,7 @@ fn arrows_that_come_back_are_a_loop() {
     assert_refused(
         "
         struct M;
-        conn 1 -> beam 2 { length: 1.0 } -> conn 1;
+        conn 1 -> mass 2 { mass: 1.000 } -> conn 1;
         ^^^^^^ `conn 1` does not lead to the root: the arrows from it come back to it, in a closed loop
         ",
     );
@@ -151,7 +151,7 @@ fn a_connection_is_not_joined_to_itself() {
     assert_refused(
         "
         struct M;
-        fixed -> beam 1 { length: 1.0 } -> conn 2 -> conn 2 -> free;
+        fixed -> mass 1 { mass: 1.000 } -> conn 2 -> conn 2 -> free;
                                                   ^^ `conn 2` is joined to itself
         ",
     );
@@ -162,7 +162,7 @@ fn a_connection_joins_elements() {
     assert_refused(
         "
         struct M;
-        fixed -> beam 1 { length: 1.0 } -> conn 2 -> free;
+        fixed -> mass 1 { mass: 1.000 } -> conn 2 -> free;
         pinned -> conn 3 <- free;
                   ^^^^^^ `conn 3` joins no element: let the path of an element end in it
         conn 3 -> conn 2;
@@ -175,11 +175,11 @@ fn a_model_is_one_tree() {
     assert_refused(
         "
         struct M;
-        fixed -> beam 1 { length: 1.0 } -> free;
-        fixed -> beam 2 { length: 1.0 } -> pinned;
+        fixed -> mass 1 { mass: 1.000 } -> free;
+        fixed -> mass 2 { mass: 1.000 } -> pinned;
                                            ^^^^^^ `pinned` is a second root: no path joins this part of the
                                            | model to the first; a model is one tree
-        fixed -> beam 3 { length: 1.0 } -> guided;
+        fixed -> mass 3 { mass: 1.000 } -> guided;
                                            ^^^^^^ `guided` is a second root: no path joins this part of the
                                            | model to the first; a model is one tree
         ",

@@ -101,13 +101,76 @@ fn unknown_elements_and_supports_are_shown_together() {
                                                   | `torsion_spring`, `damper`, `torsion_damper`,
                                                   | `spring_damper`, `torsion_spring_damper`, `mass`,
                                                   | `inertia`, `point_mass`, `elastic_hinge`, `body`, `beam`,
-                                                  | `planar_body`, `planar_beam`, `planar_hinge`, or a type of
-                                                  | your own by a path with `::`
+                                                  | `planar_body`, `planar_beam` and `planar_hinge`, or a type
+                                                  | of your own by a path with `::`
                                                                              ^^^^ `wall` is not a support: the
                                                                              | supports are `fixed`, `pinned`,
-                                                                             | `free`, `guided`, `roller`
+                                                                             | `free`, `guided` and `roller`
         conn 2 <- torsionspring four { stiffness: k } <- fixed;
                   ^^^^^^^^^^^^^ `torsionspring` is not an element: did you mean `torsion_spring`?
+        ",
+    );
+}
+
+/// What is said of the rest of the model does not depend on a word that is not known.
+#[test]
+fn words_labels_parameters_and_graph_are_shown_together() {
+    assert_refused(
+        "
+        struct M { k: f64, name: String }
+                                 ^^^^^^ a field of a model is an `f64`: compute anything else in a `let` line
+        fixed -> sprng 1 { stiffness: k } -> conn 2 <- mass 2 { mas: 1.0 } <- free;
+                 ^^^^^ `sprng` is not an element: did you mean `spring`?
+                                                                ^^^ `mass` has no parameter `mas`: did you
+                                                                | mean `mass`?
+                                                            ^ label `2` is taken by `conn 2`: elements and
+                                                            | connections share one set of labels, and an
+                                                            | element is written once
+                                             ^^^^^^ label `2` is first used here
+        fixed -> beam 3 { length: k } -> conn 4;
+                 ^^^^^^ `beam 3` lacks `bending_stiffness` and `mass_per_length`
+                                         ^^^^^^ `conn 4` has no output: lead it on to the root
+        ",
+    );
+}
+
+/// A line that cannot be read hides what is wrong with the graph, and nothing else.
+#[test]
+fn words_are_shown_beside_lines_that_cannot_be_read() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> spring 1 { stiffness: } -> conn 2;
+                                       ^ unexpected end of input, expected an expression
+        conn 2 <- sprng 3 { stiffness: (1.0 2.0) } <- fixed;
+                                            ^^^ expected `,`
+        free -> mass 4 { mas: 1.0 } -> conn 2;
+                         ^^^ `mass` has no parameter `mas`: did you mean `mass`?
+        ",
+    );
+}
+
+#[test]
+fn an_element_has_its_parameters_and_no_others() {
+    assert_refused(
+        "
+        struct M { length: f64, ei: f64 }
+        fixed -> beam 1 { lenght: length, bending_stiffness: ei, quux: 1.0 } -> free;
+                          ^^^^^^ `beam` has no parameter `lenght`: did you mean `length`?
+                                                                 ^^^^ `beam` has no parameter `quux`: it has
+                                                                 | `length`, `bending_stiffness` and
+                                                                 | `mass_per_length`
+                 ^^^^^^ `beam 1` lacks `mass_per_length`
+        conn 2 <- spring_damper 3 { stiffness: 1.0, stiffness: 2.0 } <- fixed;
+                                                    ^^^^^^^^^ `spring_damper 3` gives `stiffness` twice
+                  ^^^^^^^^^^^^^^^ `spring_damper 3` lacks `damping`
+        free -> mass 4 { r#mass: 1.0 } -> conn 2 -> elastic_hinge five { } -> fixed;
+                                                    ^^^^^^^^^^^^^^^^^^ `elastic_hinge five` lacks
+                                                    | `stiffness_y` and `stiffness_theta`
+                                                                              ^^^^^ `fixed` is a second root:
+                                                                              | no path joins this part of the
+                                                                              | model to the first; a model is
+                                                                              | one tree
         ",
     );
 }
@@ -162,7 +225,7 @@ fn a_support_takes_no_label_and_no_parameters() {
         fixed 1 -> spring 2 { stiffness: 1.0 } -> free 3 {};
         ^^^^^ the support `fixed` takes no label and no parameters
                                                   ^^^^ the support `free` takes no label and no parameters
-        fixed wall { } -> conn 4;
+        fixed wall { } -> conn 4 -> free;
         ^^^^^ the support `fixed` takes no label and no parameters
         ",
     );

@@ -1,0 +1,31 @@
+//! The struct of parameters has named fields of type `f64` and no generics.
+
+use crate::diagnostics::Errors;
+use syn::spanned::Spanned;
+use syn::{Fields, ItemStruct, Type};
+
+pub(super) fn fields(item: &ItemStruct, errors: &mut Errors) {
+    for attribute in item.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg")) {
+        let message = "write `#[cfg(..)]` before `system!`: it is about the whole model";
+        errors.add(syn::Error::new_spanned(attribute, message));
+    }
+    if !item.generics.params.is_empty() {
+        let message = "the struct of a model takes no generic parameters: its fields are all `f64`";
+        errors.add(syn::Error::new_spanned(&item.generics, message));
+    }
+    match &item.fields {
+        Fields::Named(fields) => {
+            for field in &fields.named {
+                if !matches!(&field.ty, Type::Path(path) if path.path.is_ident("f64")) {
+                    let message = "a field of a model is an `f64`: compute anything else in a `let` line";
+                    errors.add(syn::Error::new_spanned(&field.ty, message));
+                }
+            }
+        }
+        Fields::Unit => {}
+        Fields::Unnamed(fields) => {
+            let message = "the struct of a model has named fields, `struct Model { length: f64, .. }`";
+            errors.push(fields.span(), message);
+        }
+    }
+}

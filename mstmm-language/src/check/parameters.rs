@@ -1,0 +1,38 @@
+//! The parameters of an element: all that it has, each once, and no others.
+
+use super::listed;
+use crate::ast::{Element, Kind};
+use crate::diagnostics::Errors;
+use crate::keywords::{element_of, nearest};
+use std::collections::BTreeSet;
+use syn::ext::IdentExt;
+
+/// Checks the parameters of one element. Those of a type of the user's own only rustc knows: here they are given once.
+pub(super) fn parameters(element: &Element, errors: &mut Errors) {
+    let mut given = BTreeSet::new();
+    for parameter in element.parameters() {
+        if !given.insert(parameter.name.unraw().to_string()) {
+            errors.push(parameter.name.span(), format!("`{element}` gives `{}` twice", parameter.name));
+        }
+    }
+    let Kind::Keyword(keyword) = &element.kind else { return };
+    let Some(known) = element_of(&keyword.to_string()) else { return };
+    let mut missing: Vec<&str> = known.parameters.iter().copied().filter(|name| !given.contains(*name)).collect();
+    for parameter in element.parameters() {
+        let name = parameter.name.unraw().to_string();
+        if known.parameters.contains(&name.as_str()) {
+            continue;
+        }
+        let hint = match nearest(missing.iter().copied(), &name) {
+            Some(meant) => {
+                missing.retain(|other| *other != meant);
+                format!("did you mean `{meant}`?")
+            }
+            None => format!("it has {}", listed(known.parameters.iter().copied())),
+        };
+        errors.push(parameter.name.span(), format!("`{keyword}` has no parameter `{name}`: {hint}"));
+    }
+    if !missing.is_empty() {
+        errors.push(element.place(), format!("`{element}` lacks {}", listed(missing)));
+    }
+}

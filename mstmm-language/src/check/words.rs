@@ -1,0 +1,118 @@
+//! Rules that need no graph: keywords, labels, and what an element is made of.
+
+use super::{fields, listed, parameters};
+use crate::ast::{Element, Kind, Label, Model, Node};
+use crate::diagnostics::Errors;
+use crate::keywords::{CONNECTION, ELEMENTS, SUPPORTS, element_of, nearest, support_of};
+use crate::topology::Vertex;
+use syn::{Ident, Lit};
+
+/// Checks all that one node or one field shows by itself.
+pub(crate) fn words(model: &Model, errors: &mut Errors) {
+    fields::fields(&model.parameters, errors);
+    for node in model.nodes() {
+        match node {
+            Node::Support(keyword) => check_support(keyword, errors),
+            Node::Connection(connection) => check_label(&connection.label, errors),
+            Node::Element(element) => {
+                check_label(&element.label, errors);
+                check_element(element, model, errors);
+            }
+        }
+    }
+    if model.is_whole && model.elements().next().is_none() {
+        let message = "this model has no element: write a path such as `fixed -> beam 1 { .. } -> free;`";
+        errors.push(model.parameters.ident.span(), message);
+    }
+}
+
+/// Whether it is unknown what the author meant by a vertex, so that nothing can be said of its arrows.
+pub(crate) fn is_doubtful(vertex: &Vertex<'_>) -> bool {
+    match vertex {
+        Vertex::Support(keyword) => support_of(&keyword.to_string()).is_none(),
+        Vertex::Connection(connection) => !is_well_formed(&connection.label),
+        Vertex::Element(element) => !(is_well_formed(&element.label) && is_known(&element.kind)),
+    }
+}
+
+/// A type of the user's own is known to rustc.
+fn is_known(kind: &Kind) -> bool {
+    match kind {
+        Kind::Keyword(keyword) => element_of(&keyword.to_string()).is_some(),
+        Kind::Type(_) => true,
+    }
+}
+
+/// A label is a name, or a decimal number without leading zero or suffix.
+fn is_well_formed(label: &Label) -> bool {
+    let Label::Literal(literal) = label else { return true };
+    let text = label.to_string();
+    let is_plain = text.bytes().all(|b| b.is_ascii_digit()) && (text == "0" || !text.starts_with('0'));
+    is_plain && matches!(literal, Lit::Int(_))
+}
+
+/// A word that stands alone is a support.
+fn check_support(keyword: &Ident, errors: &mut Errors) {
+    let text = keyword.to_string();
+    if support_of(&text).is_some() {
+        return;
+    }
+    if element_of(&text).is_some() {
+        errors.push(keyword.span(), format!("`{text}` needs a label and parameters, `{text} 1 {{ .. }}`"));
+        return;
+    }
+    let word = text.trim_end_matches(|c: char| c.is_ascii_digit());
+    let hint = if word != text && (word == CONNECTION || element_of(word).is_some()) {
+        format!("put a space before the label, `{word} {}`", &text[word.len()..])
+    } else {
+        let supports = || SUPPORTS.iter().map(|(name, _)| *name);
+        match nearest(supports(), &text) {
+            Some(name) => format!("did you mean `{name}`?"),
+            None => format!("the supports are {}", listed(supports())),
+        }
+    };
+    errors.push(keyword.span(), format!("`{text}` is not a support: {hint}"));
+}
+
+fn check_label(label: &Label, errors: &mut Errors) {
+    if !is_well_formed(label) {
+        let advice = "a label is a name or a decimal number without leading zero or suffix, such as `arm` or `12`";
+        errors.push(label.span(), format!("`{label}` is not a label: {advice}"));
+    }
+}
+
+/// An element has a known keyword and its parameters.
+fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
+    if !is_known(&element.kind) {
+        errors.push(element.kind.place(), unknown_keyword(&element.kind.name().to_string()));
+    } else if element.parameters.is_none() {
+        errors.push(element.place(), without_parameters(element, model));
+    } else {
+        parameters::parameters(element, errors);
+    }
+}
+
+/// What is wrong with the keyword of an element.
+fn unknown_keyword(text: &str) -> String {
+    if support_of(text).is_some() {
+        return format!("the support `{text}` takes no label and no parameters");
+    }
+    let elements = || ELEMENTS.iter().map(|element| element.name);
+    let hint = match nearest(elements().chain([CONNECTION]), text) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => format!("the elements are {}, or a type of your own by a path with `::`", listed(elements())),
+    };
+    format!("`{text}` is not an element: {hint}")
+}
+
+/// Advice for an element without braces: it may have been written before.
+fn without_parameters(element: &Element, model: &Model) -> String {
+    let label = element.label.to_string();
+    if model.elements().any(|other| other.parameters.is_some() && other.label.to_string() == label) {
+        format!(
+            "`{element}` is written a second time: an element is written once; let paths meet in a connection, `conn`"
+        )
+    } else {
+        format!("`{element}` lacks its parameters in braces, `{element} {{ name: value, .. }}`")
+    }
+}
