@@ -3,6 +3,8 @@
 
 #[path = "messages/accepted.rs"]
 mod accepted;
+#[path = "messages/marks.rs"]
+mod marks;
 
 #[test]
 fn the_compiler_points_at_the_token_that_is_wrong() {

@@ -12,7 +12,10 @@ pub(super) fn parameters(element: &Element, errors: &mut Errors) {
     let mut given = BTreeSet::new();
     for parameter in element.parameters() {
         if !given.insert(parameter.name.unraw().to_string()) {
-            errors.push(parameter.name.span(), format!("`{element}` gives `{}` twice", parameter.name));
+            errors.push(
+                parameter.name.span(),
+                format!("`{element}` gives `{}` a second time: remove one of the two", parameter.name),
+            );
         }
     }
     let Kind::Keyword(keyword) = &element.kind else { return };

@@ -82,7 +82,7 @@ fn element_fault(place: Place, inputs: &[Place], outputs: &[Place]) -> Option<(P
 fn connection_fault(graph: &Graph<'_>, index: usize) -> Option<(Place, &'static str)> {
     let place = graph.vertices[index].place();
     if let Some(edge) = graph.edges.iter().find(|edge| edge.from == index && edge.to == index) {
-        return Some((edge.place, "is joined to itself"));
+        return Some((edge.place, "is joined to itself: lead this arrow on to an element or to the root"));
     }
     let outputs: Vec<usize> = (0..graph.edges.len()).filter(|&edge| graph.edges[edge].from == index).collect();
     match outputs.as_slice() {
@@ -140,9 +140,10 @@ fn find_root(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
                 root = Some(vertex);
                 continue;
             }
-            (End::Loop(vertex), _) => {
-                (vertex, "does not lead to the root: the arrows from it come back to it, in a closed loop")
-            }
+            (End::Loop(vertex), _) => (
+                vertex,
+                "does not lead to the root, but round in a loop of arrows back to itself: turn one of them to a support",
+            ),
             (End::Root(vertex), Some(_)) => {
                 (vertex, "is a second root: no path joins this part of the model to the first; a model is one tree")
             }

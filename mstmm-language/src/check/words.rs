@@ -95,7 +95,7 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
 /// What is wrong with the keyword of an element.
 fn unknown_keyword(text: &str) -> String {
     if support_of(text).is_some() {
-        return format!("the support `{text}` takes no label and no parameters");
+        return format!("the support `{text}` takes no label and no parameters: write `{text}` alone");
     }
     let elements = || ELEMENTS.iter().map(|element| element.name);
     let hint = match nearest(elements().chain([CONNECTION]), text) {

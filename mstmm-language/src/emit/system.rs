@@ -1,6 +1,6 @@
 //! Emits the built system and `build()`.
 
-use super::{Names, element_field, first_of_each_type};
+use super::{Names, element_field};
 use crate::ast::{Element, Model, Parameter};
 use crate::plan::Plan;
 use proc_macro2::{Ident, TokenStream};

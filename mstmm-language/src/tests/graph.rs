@@ -133,15 +133,16 @@ fn arrows_that_come_back_are_a_loop() {
         struct M;
         fixed -> mass 1 { mass: 1.000 } -> free;
         fixed -> mass 2 { mass: 1.000 } -> conn 3 -> mass 4 { mass: 1.000 } -> conn 5 -> mass 6 { mass: 1.000 } -> conn 3;
-                                           ^^^^^^ `conn 3` does not lead to the root: the arrows from it come
-                                           | back to it, in a closed loop
+                                           ^^^^^^ `conn 3` does not lead to the root, but round in a loop of
+                                           | arrows back to itself: turn one of them to a support
         ",
     );
     assert_refused(
         "
         struct M;
         conn 1 -> mass 2 { mass: 1.000 } -> conn 1;
-        ^^^^^^ `conn 1` does not lead to the root: the arrows from it come back to it, in a closed loop
+        ^^^^^^ `conn 1` does not lead to the root, but round in a loop of arrows back to itself: turn one of
+        | them to a support
         ",
     );
 }
@@ -152,7 +153,8 @@ fn a_connection_is_not_joined_to_itself() {
         "
         struct M;
         fixed -> mass 1 { mass: 1.000 } -> conn 2 -> conn 2 -> free;
-                                                  ^^ `conn 2` is joined to itself
+                                                  ^^ `conn 2` is joined to itself: lead this arrow on to an
+                                                  | element or to the root
         ",
     );
 }

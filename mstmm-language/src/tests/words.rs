@@ -162,7 +162,8 @@ fn an_element_has_its_parameters_and_no_others() {
                                                                  | `mass_per_length`
                  ^^^^^^ `beam 1` lacks `mass_per_length`
         conn 2 <- spring_damper 3 { stiffness: 1.0, stiffness: 2.0 } <- fixed;
-                                                    ^^^^^^^^^ `spring_damper 3` gives `stiffness` twice
+                                                    ^^^^^^^^^ `spring_damper 3` gives `stiffness` a second
+                                                    | time: remove one of the two
                   ^^^^^^^^^^^^^^^ `spring_damper 3` lacks `damping`
         free -> mass 4 { r#mass: 1.0 } -> conn 2 -> elastic_hinge five { } -> fixed;
                                                     ^^^^^^^^^^^^^^^^^^ `elastic_hinge five` lacks
@@ -223,10 +224,11 @@ fn a_support_takes_no_label_and_no_parameters() {
         "
         struct M;
         fixed 1 -> spring 2 { stiffness: 1.0 } -> free 3 {};
-        ^^^^^ the support `fixed` takes no label and no parameters
-                                                  ^^^^ the support `free` takes no label and no parameters
+        ^^^^^ the support `fixed` takes no label and no parameters: write `fixed` alone
+                                                  ^^^^ the support `free` takes no label and no parameters:
+                                                  | write `free` alone
         fixed wall { } -> conn 4 -> free;
-        ^^^^^ the support `fixed` takes no label and no parameters
+        ^^^^^ the support `fixed` takes no label and no parameters: write `fixed` alone
         ",
     );
     assert_refused(
@@ -244,7 +246,8 @@ fn a_parameter_is_given_once() {
         "
         struct M { stiffness: f64 }
         fixed -> spring 1 { stiffness: 1.0, stiffness } -> mass 2 { mass: 1.0 } -> free;
-                                            ^^^^^^^^^ `spring 1` gives `stiffness` twice
+                                            ^^^^^^^^^ `spring 1` gives `stiffness` a second time: remove one
+                                            | of the two
         ",
     );
 }

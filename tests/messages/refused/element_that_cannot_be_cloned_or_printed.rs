@@ -8,6 +8,8 @@ struct Rope<T> {
 impl<T: Real> Element for Rope<T> {
     type State = Translation;
     type Built = Self;
+//               ^^^^ the trait bound `Rope<T>: Clone` is not satisfied
+//               ^^^^ `Rope<T>` doesn't implement `Debug`
 
     fn build(self) -> Result<Self, InvalidParameter> {
         Ok(self)
@@ -24,6 +26,8 @@ system! {
     struct Hanging { length: f64 }
 
     fixed -> self::Rope 1 { length } -> fixed;
+//                 ^^^^ the trait bound `Rope<T>: Clone` is not satisfied
+//                 ^^^^ `Rope<T>` doesn't implement `Debug`
 }
 
 fn main() {}

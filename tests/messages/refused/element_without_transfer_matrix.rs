@@ -24,4 +24,5 @@ system! {
 fn main() {
     let system = Hanging { length: 1.0 }.build().unwrap();
     let _ = system.overall_determinant(2.0);
+//                 ^^^^^^^^^^^^^^^^^^^ trait bound `Rope<f64>: TransferMatrix<_>` was not satisfied
 }

@@ -4,6 +4,7 @@ system! {
     struct Mixed { k: f64 }
 
     fixed -> spring 1 { stiffness: k } -> conn 2;
+//                                        ^^^^^^ join all planar elements here, or none
     fixed -> planar_hinge 3 { stiffness_x: k, stiffness_y: k, stiffness_theta: k } -> conn 2 -> pinned;
 }
 

@@ -9,5 +9,7 @@ system! {
 fn main() {
     let system = Oscillator { k: 4.0, c: 0.1, m: 1.0 }.build().unwrap();
     let _ = system.overall_determinant(2.0);
+//                                     ^^^ pass `Complex::new(re, im)` for λ [1/s]
     let _ = system.characteristic(2.0);
+//                                ^^^ pass `Complex::new(re, im)` for λ [1/s]
 }

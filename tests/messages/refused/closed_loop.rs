@@ -1,0 +1,11 @@
+use mstmm::prelude::*;
+
+system! {
+    struct Model { k: f64, m: f64 }
+
+    fixed -> spring 1 { stiffness: k } -> conn 2 -> mass 3 { mass: m } -> conn 4 -> free;
+    conn 2 -> spring 5 { stiffness: k } -> conn 4;
+//         ^^ a model is a tree of paths, cut the loop open
+}
+
+fn main() {}

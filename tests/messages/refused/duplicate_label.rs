@@ -1,0 +1,11 @@
+use mstmm::prelude::*;
+
+system! {
+    struct Model { k: f64, m: f64 }
+
+    fixed -> spring 1 { stiffness: k } -> mass 1 { mass: m } -> free;
+//           ^^^^^^^^ label `1` is first used here
+//                                             ^ elements and connections share one set of labels, and an element is written once
+}
+
+fn main() {}

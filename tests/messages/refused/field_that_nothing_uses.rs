@@ -1,0 +1,12 @@
+#![deny(unused_variables)]
+
+use mstmm::prelude::*;
+
+system! {
+    struct Model { k: f64, m: f64 }
+//                         ^ unused variable: `m`
+
+    fixed -> spring 1 { stiffness: k } -> mass 2 { mass: 1.0 } -> free;
+}
+
+fn main() {}

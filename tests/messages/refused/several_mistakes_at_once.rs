@@ -1,0 +1,18 @@
+use mstmm::prelude::*;
+
+system! {
+    struct Model { k: f64, m: f64, name: String }
+//                                       ^^^^^^ compute anything else in a `let` line
+
+    fixd -> sprng 1 { stiffness: k } -> conn 2 -> free;
+//  ^^^^ did you mean `fixed`?
+//          ^^^^^ did you mean `spring`?
+//                                      ^^^^^^ label `2` is first used here
+    conn 2 <- mass 2 { mas: m } <- free;
+//                 ^ elements and connections share one set of labels, and an element is written once
+//                     ^^^ did you mean `mass`?
+    free -> conn 5;
+//          ^^^^^^ lead it on to the root
+}
+
+fn main() {}
