@@ -169,3 +169,21 @@ fn equal_names_of_a_macro_and_its_caller_are_two_variables() {
     let system = Hygienic { unit: 1.0 }.build().unwrap();
     assert_frequencies(|omega| system.overall_determinant(omega), &[13.0_f64.sqrt()], ROUNDING);
 }
+
+/// A function whose own type parameters have the names of emitted ones.
+fn frequency_of<T: Into<f64>, S: Into<f64>>(stiffness: T, mass: S) -> f64 {
+    system! {
+        struct Local { k: f64, m: f64 }
+        fixed -> spring 1 { stiffness: k } -> mass 2 { mass: m } -> free
+    }
+    let system = Local { k: stiffness.into(), m: mass.into() }.build().unwrap();
+    system.first_frequencies::<1>().unwrap()[0].omega
+}
+
+/// Closed form: `ω = sqrt(16/1)`, for whatever types.
+#[test]
+fn a_model_may_stand_in_a_generic_function() {
+    for omega in [frequency_of(16.0_f64, 1.0_f32), frequency_of(16_u8, 1_i32)] {
+        assert!((omega - 4.0).abs() <= 8.0 * f64::EPSILON, "{omega}");
+    }
+}
