@@ -1,6 +1,7 @@
 //! The syntax tree of a model: what the user wrote, nothing concluded from it.
 
 use crate::diagnostics::Place;
+use crate::keywords::{State, element_of};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
@@ -115,6 +116,14 @@ impl Kind {
             Kind::Keyword(keyword) => keyword,
             // a parsed path has a segment
             Kind::Type(path) => &path.segments[path.segments.len() - 1].ident,
+        }
+    }
+
+    /// The state at both ends; of a type of the user's own only rustc knows it.
+    pub(crate) fn state(&self) -> Option<State> {
+        match self {
+            Kind::Keyword(keyword) => element_of(&keyword.to_string()).map(|element| element.state),
+            Kind::Type(_) => None,
         }
     }
 

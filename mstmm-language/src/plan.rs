@@ -1,6 +1,11 @@
 //! The plan: a flat list of steps from the tips to the root. A step refers to earlier steps by index.
 
-use crate::ast::{Element, Kind, Parameter};
+mod sizes;
+#[cfg(test)]
+mod tests;
+mod text;
+
+use crate::ast::{Connection, Element, Kind, Parameter};
 use crate::check::Tree;
 use crate::diagnostics::Place;
 use crate::topology::Vertex;
@@ -13,10 +18,10 @@ use syn::Ident;
 pub(crate) enum Step<'a> {
     /// A path starts from a support.
     Tip(&'a Ident),
-    /// A path goes through an element, given as index into [`Plan::elements`].
-    Element { element: usize, input: usize, arrow: Place },
+    /// A path goes through an element, evaluated as the one at an index into [`Plan::elements`].
+    Element { element: &'a Element, evaluated: usize, input: usize, arrow: Place },
     /// Paths are joined, in source order.
-    Connection { inputs: Vec<usize>, place: Place },
+    Connection { connection: &'a Connection, inputs: Vec<usize> },
     /// All paths end in a support: the last step.
     Root { support: &'a Ident, input: usize },
 }
@@ -42,16 +47,16 @@ impl<'a> Plan<'a> {
             let step = match &tree.graph.vertices[vertex] {
                 Vertex::Support(support) if vertex == tree.root => Step::Root { support, input: inputs[0] },
                 Vertex::Support(support) => Step::Tip(support),
-                Vertex::Connection(connection) => Step::Connection { inputs, place: connection.place() },
+                Vertex::Connection(connection) => Step::Connection { connection, inputs },
                 Vertex::Element(element) => {
                     let next = plan.elements.len();
-                    let element_index = *known.entry(identity(element)).or_insert(next);
-                    if element_index == next {
+                    let evaluated = *known.entry(identity(element)).or_insert(next);
+                    if evaluated == next {
                         plan.elements.push(element);
                     }
                     let edge = tree.graph.edges.iter().find(|edge| edge.to == vertex);
                     let arrow = edge.map_or_else(|| element.place(), |edge| edge.place);
-                    Step::Element { element: element_index, input: inputs[0], arrow }
+                    Step::Element { element, evaluated, input: inputs[0], arrow }
                 }
             };
             step_of.insert(vertex, plan.steps.len());

@@ -1,7 +1,5 @@
 //! What a file of a wrong model says of its messages, under the tokens they are about: `//  ^^^^ hint`.
 
-use std::path::Path;
-
 /// A place in a file, and words.
 #[derive(Debug)]
 struct Mark {
@@ -37,20 +35,20 @@ fn marks(source: &str) -> Vec<Mark> {
 }
 
 /// The errors that the compiler shows, each with all its text.
-fn messages(shown: &str) -> Vec<Mark> {
+fn messages(shown: &str) -> Option<Vec<Mark>> {
     shown.split("\n\n").filter(|block| block.starts_with("error")).map(message).collect()
 }
 
 /// One error: `--> file:line:column`, the line of code, and carets under it.
-fn message(block: &str) -> Mark {
-    let place = block.lines().find_map(|line| line.trim_start().strip_prefix("--> ")).unwrap();
-    let mut numbers = place.rsplit(':').map(|number| number.parse().unwrap());
-    let (column, line): (usize, usize) = (numbers.next().unwrap(), numbers.next().unwrap());
+fn message(block: &str) -> Option<Mark> {
+    let place = block.lines().find_map(|line| line.trim_start().strip_prefix("--> "))?;
+    let mut numbers = place.rsplit(':').map_while(|number| number.parse::<usize>().ok());
+    let (column, line) = (numbers.next()?, numbers.next()?);
     let code = format!("{line} |");
-    let below = block.lines().skip_while(|text| !text.trim_start().starts_with(&code)).nth(1).unwrap();
+    let below = block.lines().skip_while(|text| !text.trim_start().starts_with(&code)).nth(1)?;
     // behind the bar and a space, columns are those of the file
-    let carets = below.split_once('|').unwrap().1.chars().skip(column).take_while(|c| *c == '^');
-    Mark { line, column, width: carets.count(), text: block.to_owned() }
+    let carets = below.split_once('|')?.1.chars().skip(column).take_while(|c| *c == '^');
+    Some(Mark { line, column, width: carets.count(), text: block.to_owned() })
 }
 
 /// Every message stands where the file says, with the hint that the file says, and there are no others.
@@ -58,20 +56,17 @@ fn message(block: &str) -> Mark {
 fn each_message_stands_where_its_file_says() {
     for entry in std::fs::read_dir("tests/messages/refused").unwrap() {
         let path = entry.unwrap().path();
-        if path.extension().is_some_and(|extension| extension == "rs") {
-            compare(&path);
+        if path.extension().is_none_or(|extension| extension != "rs") {
+            continue;
         }
-    }
-}
-
-fn compare(path: &Path) {
-    let marks = marks(&std::fs::read_to_string(path).unwrap());
-    let messages = messages(&std::fs::read_to_string(path.with_extension("stderr")).unwrap());
-    assert!(!marks.is_empty(), "{}: no mark", path.display());
-    for mark in &marks {
-        assert!(messages.iter().any(|message| mark.is_of(message)), "{}: {mark:#?}\n{messages:#?}", path.display());
-    }
-    for message in &messages {
-        assert!(marks.iter().any(|mark| mark.is_of(message)), "{}: unmarked {message:#?}", path.display());
+        let marks = marks(&std::fs::read_to_string(&path).unwrap());
+        let messages = messages(&std::fs::read_to_string(path.with_extension("stderr")).unwrap()).unwrap();
+        assert!(!marks.is_empty(), "{}: no mark", path.display());
+        for mark in &marks {
+            assert!(messages.iter().any(|message| mark.is_of(message)), "{}: {mark:#?}", path.display());
+        }
+        for message in &messages {
+            assert!(marks.iter().any(|mark| mark.is_of(message)), "{}: unmarked {message:#?}", path.display());
+        }
     }
 }

@@ -14,8 +14,8 @@ pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
         quote_spanned!(names.here=> let #matrix = #kind::transfer_matrix(&self.#field, x);)
     });
     let steps = plan.steps.iter().enumerate().filter_map(|(index, step)| match step {
-        Step::Element { element, .. } => {
-            let element = plan.elements[*element];
+        Step::Element { evaluated, .. } => {
+            let element = plan.elements[*evaluated];
             let (matrix, kind) = (local("u", element, names), names.element(element));
             Some(quote_spanned!(names.here=> equation.element::<#kind>(#index, &#matrix);))
         }
@@ -23,8 +23,8 @@ pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
         Step::Tip(_) | Step::Root { .. } => None,
     });
     let denominators = plan.steps.iter().filter_map(|step| {
-        let Step::Element { element, .. } = step else { return None };
-        let element = plan.elements[*element];
+        let Step::Element { evaluated, .. } = step else { return None };
+        let element = plan.elements[*evaluated];
         let (field, kind) = (element_field(element, names), names.element(element));
         Some(quote_spanned! {names.here=>
             let determinant = #private::without_pole::<#kind, #frequency>(determinant, &self.#field, x);

@@ -16,7 +16,7 @@ pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
             check("check_support", index, keyword.span().into(), names)
         }
         Step::Element { arrow, .. } => check("check_arrow", index, *arrow, names),
-        Step::Connection { place, .. } => check("check_connection", index, *place, names),
+        Step::Connection { connection, .. } => check("check_connection", index, connection.place(), names),
     });
     quote_spanned! {names.here=>
         const LAYOUT: #private::Layout<'static, #count> = #private::Layout::new([#(#steps),*]);
@@ -37,8 +37,8 @@ fn emit_step(step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> TokenStream {
             let support = names.support(keyword);
             quote_spanned!(names.here=> #private::Step::Tip(#support))
         }
-        Step::Element { element, input, .. } => {
-            let element = plan.elements[*element];
+        Step::Element { evaluated, input, .. } => {
+            let element = plan.elements[*evaluated];
             let span = names.at_element(element);
             let (space_of, kind) =
                 (names.function_at("space_of", span), names.element_over(element, &format_ident!("f64")));

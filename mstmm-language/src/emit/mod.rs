@@ -1,6 +1,7 @@
 //! Emits the code of a plan. Nothing is decided here.
 
 mod evaluate;
+mod labels;
 mod layout;
 mod names;
 mod pass;
@@ -18,6 +19,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
     let names = Names::of(model);
     let parameters = &model.parameters;
     let system = system::system(model, plan, &names);
+    let labels = labels::labels(model, &names);
     let layout = layout::layout(plan, &names);
     let evaluate = evaluate::evaluate(plan, &names);
     let characteristic = pass::characteristic(plan, &names);
@@ -25,6 +27,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
         #parameters
         #system
         const _: () = {
+            #labels
             #layout
             #evaluate
             #characteristic

@@ -43,8 +43,8 @@ fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> T
         }
         // the last element ends in the root
         Step::Element { .. } if index + 2 == plan.steps.len() => TokenStream::new(),
-        Step::Element { element, input, .. } => {
-            let element = plan.elements[*element];
+        Step::Element { evaluated, input, .. } => {
+            let element = plan.elements[*evaluated];
             let (coefficients, input) = (local("k", element, names), subspace(*input, names));
             if plan.is_short() {
                 let kind = names.element_as(element, "PlaneStep");
@@ -108,8 +108,8 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) ->
 fn root(support: &Ident, input: usize, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let support = names.support(support);
     match &plan.steps[input] {
-        Step::Element { element, input, .. } => {
-            let element = plan.elements[*element];
+        Step::Element { evaluated, input, .. } => {
+            let element = plan.elements[*evaluated];
             let (coefficients, input) = (local("k", element, names), subspace(*input, names));
             let kind = names.element_as(element, "PlaneStep");
             quote_spanned!(names.here=> #kind::root(&#coefficients, #input, #support, tally))

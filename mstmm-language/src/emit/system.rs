@@ -39,13 +39,16 @@ fn definition(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
     let fields = plan.elements.iter().map(|element| {
         let (field, kind) = (element_field(element, names), names.element_as(element, "Element"));
-        quote_spanned!(names.at_element(element)=> #field: #kind::Built)
+        let doc = format!(" `{element}`");
+        quote_spanned!(names.at_element(element)=> #[doc = #doc] #field: #kind::Built)
     });
-    let doc = format!("The system of a [`{model}`], built: evaluate it at a frequency, or search its frequencies.");
+    let doc =
+        format!("The system of a [`{model}`], built: evaluate it at a frequency, or search its frequencies.\n\n{plan}");
+    let doc = doc.lines().map(|line| format!(" {line}"));
     // The size of a struct is known if that of its last field is. Were an element the last, a type that is none would be
     // an error wherever the system occurs.
     quote_spanned! {names.here=>
-        #[doc = #doc]
+        #(#[doc = #doc])*
         #[derive(::core::clone::Clone, ::core::fmt::Debug)]
         #visibility struct #system<#parameter: #private::Real = f64> {
             #(#fields,)*

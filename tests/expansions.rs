@@ -1,0 +1,34 @@
+//! The code of the five examples as the macro emits it, kept as files, so that a change of it is seen.
+//!
+//! Written anew by `UPDATE_EXPECT=1 cargo test --test expansions`; `expansions_compiled.rs` compiles it.
+
+use expect_test::{ExpectFile, expect_file};
+use proc_macro2::TokenStream;
+
+/// The models of the example, each expanded and formatted.
+fn expanded() -> syn::Result<Vec<String>> {
+    let syn::File { items, .. } = syn::parse_file(include_str!("../examples/paper/models.rs"))?;
+    let macros = items.into_iter().filter_map(|item| match item {
+        syn::Item::Macro(item) if item.mac.path.is_ident("system") => Some(item.mac.tokens),
+        _ => None,
+    });
+    let facade: TokenStream = syn::parse_str("(mstmm)")?;
+    let code = macros.map(|model| mstmm_language::expand(facade.clone().into_iter().chain(model).collect()));
+    code.map(|code| Ok(prettyplease::unparse(&syn::parse2(code)?))).collect()
+}
+
+#[test]
+fn the_code_of_the_examples_is_what_it_was() {
+    let files: [ExpectFile; 5] = [
+        expect_file!["expansions/tip_body.rs"],
+        expect_file!["expansions/restrained_beam.rs"],
+        expect_file!["expansions/spring_and_mass.rs"],
+        expect_file!["expansions/two_spans.rs"],
+        expect_file!["expansions/damped_oscillator.rs"],
+    ];
+    let expanded = expanded().unwrap();
+    assert_eq!(expanded.len(), files.len());
+    for (file, code) in files.iter().zip(expanded) {
+        file.assert_eq(&code);
+    }
+}

@@ -1,0 +1,632 @@
+/// Simply supported beam with a grounded spring, a damped oscillator and a grounded torsion spring (section 4.5).
+#[derive(Clone, Copy, Debug)]
+pub struct DampedOscillator {
+    /// Beam length l [m]
+    pub length: f64,
+    /// Bending stiffness EI of the beam [N m²]
+    pub bending_stiffness: f64,
+    /// Mass per length m of the beam [kg/m]
+    pub mass_per_length: f64,
+    /// Position x_1 of the grounded spring [m]
+    pub spring_position: f64,
+    /// Position x_2 of the oscillator [m]
+    pub oscillator_position: f64,
+    /// Position x_3 of the torsion spring [m]
+    pub torsion_position: f64,
+    /// Stiffness K_y1 of the grounded spring [N/m]
+    pub spring_stiffness: f64,
+    /// Stiffness K_y2 of the oscillator [N/m]
+    pub oscillator_stiffness: f64,
+    /// Damping C of the oscillator [N s/m]
+    pub damping: f64,
+    /// Mass of the oscillator [kg]
+    pub mass: f64,
+    /// Stiffness K'_z of the torsion spring [N m/rad]
+    pub torsion_stiffness: f64,
+}
+/// The system of a [`DampedOscillator`], built: evaluate it at a frequency, or search its frequencies.
+///
+/// # Equation
+///
+/// Here `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone.
+///
+/// ```text
+/// U_all z_all = 0, 7 x 7: 4 rows of the main transfer equation, geometrical equations: 3
+/// z_all = [Θ(s0), Q(s0), Q(s2), Y(s6), M(s11), Θ(s15), Q(s15)]
+/// s15 = U(beam 11) U(beam 8) U(beam 4) U(beam 1) s0
+///     + U(beam 11) U(beam 8) U(beam 4) F U(spring 3) s2
+///     + U(beam 11) U(beam 8) F U(spring_damper 6) U(mass 7) s6
+///     + U(beam 11) F U(torsion_spring 10) s11
+/// Y(s3) = Y(s1)
+/// Y(s8) = Y(s5)
+/// Θ(s12) = Θ(s10)
+/// ```
+///
+/// # Steps
+///
+/// ```text
+/// s0   = pinned                          bending
+/// s1   = beam 1 (s0)                     bending
+/// s2   = fixed                           translation
+/// s3   = spring 3 (s2)                   translation
+/// s4   = conn 2 (s1, s3)                 bending
+/// s5   = beam 4 (s4)                     bending
+/// s6   = free                            translation
+/// s7   = mass 7 (s6)                     translation
+/// s8   = spring_damper 6 (s7)            translation
+/// s9   = conn 5 (s5, s8)                 bending
+/// s10  = beam 8 (s9)                     bending
+/// s11  = fixed                           rotation
+/// s12  = torsion_spring 10 (s11)         rotation
+/// s13  = conn 9 (s10, s12)               bending
+/// s14  = beam 11 (s13)                   bending
+/// s15  = pinned, the root (s14)          bending
+/// ```
+///
+/// # Graph
+///
+/// ```mermaid
+/// flowchart LR
+///     s0([pinned])
+///     s1[beam 1]
+///     s2([fixed])
+///     s3[spring 3]
+///     s4((conn 2))
+///     s5[beam 4]
+///     s6([free])
+///     s7[mass 7]
+///     s8[spring_damper 6]
+///     s9((conn 5))
+///     s10[beam 8]
+///     s11([fixed])
+///     s12[torsion_spring 10]
+///     s13((conn 9))
+///     s14[beam 11]
+///     s15([pinned, the root])
+///     s0 --> s1
+///     s2 --> s3
+///     s1 --> s4
+///     s3 --> s4
+///     s4 --> s5
+///     s6 --> s7
+///     s7 --> s8
+///     s5 --> s9
+///     s8 --> s9
+///     s9 --> s10
+///     s11 --> s12
+///     s10 --> s13
+///     s12 --> s13
+///     s13 --> s14
+///     s14 --> s15
+/// ```
+#[derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct DampedOscillatorSystem<T: mstmm::__private::Real = f64> {
+    /// `beam 1`
+    element_1: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    /// `spring 3`
+    element_3: <mstmm::__private::elements::Spring<
+        T,
+    > as mstmm::__private::Element>::Built,
+    /// `beam 4`
+    element_4: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    /// `mass 7`
+    element_7: <mstmm::__private::elements::Mass<T> as mstmm::__private::Element>::Built,
+    /// `spring_damper 6`
+    element_6: <mstmm::__private::elements::SpringDamper<
+        T,
+    > as mstmm::__private::Element>::Built,
+    /// `beam 8`
+    element_8: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    /// `torsion_spring 10`
+    element_10: <mstmm::__private::elements::TorsionSpring<
+        T,
+    > as mstmm::__private::Element>::Built,
+    /// `beam 11`
+    element_11: <mstmm::__private::elements::Beam<
+        T,
+    > as mstmm::__private::Element>::Built,
+    parameter: ::core::marker::PhantomData<T>,
+}
+impl DampedOscillator {
+    /// Validates all parameters and builds the system.
+    ///
+    /// # Errors
+    /// The error names the first element with a parameter out of its range, the parameter and its value.
+    pub fn build(
+        &self,
+    ) -> ::core::result::Result<
+        DampedOscillatorSystem,
+        mstmm::__private::ParameterError,
+    > {
+        self.build_as()
+    }
+    /// Builds the system over another scalar, such as `f32` or the double-double `DoubleDouble`.
+    ///
+    /// # Errors
+    /// As `build`.
+    pub fn build_as<T: mstmm::__private::Real>(
+        &self,
+    ) -> ::core::result::Result<
+        DampedOscillatorSystem<T>,
+        mstmm::__private::ParameterError,
+    > {
+        let length = self.length;
+        let bending_stiffness = self.bending_stiffness;
+        let mass_per_length = self.mass_per_length;
+        let spring_position = self.spring_position;
+        let oscillator_position = self.oscillator_position;
+        let torsion_position = self.torsion_position;
+        let spring_stiffness = self.spring_stiffness;
+        let oscillator_stiffness = self.oscillator_stiffness;
+        let damping = self.damping;
+        let mass = self.mass;
+        let torsion_stiffness = self.torsion_stiffness;
+        let second_span = oscillator_position - spring_position;
+        let third_span = torsion_position - oscillator_position;
+        let last_span = length - torsion_position;
+        ::core::result::Result::Ok(DampedOscillatorSystem {
+            element_1: mstmm::__private::build::<
+                mstmm::__private::elements::Beam<T>,
+            >(
+                mstmm::__private::elements::Beam {
+                    length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = spring_position;
+                        number
+                    }),
+                    bending_stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = bending_stiffness;
+                        number
+                    }),
+                    mass_per_length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_per_length;
+                        number
+                    }),
+                },
+                "beam 1",
+            )?,
+            element_3: mstmm::__private::build::<
+                mstmm::__private::elements::Spring<T>,
+            >(
+                mstmm::__private::elements::Spring {
+                    stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = spring_stiffness;
+                        number
+                    }),
+                },
+                "spring 3",
+            )?,
+            element_4: mstmm::__private::build::<
+                mstmm::__private::elements::Beam<T>,
+            >(
+                mstmm::__private::elements::Beam {
+                    length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = second_span;
+                        number
+                    }),
+                    bending_stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = bending_stiffness;
+                        number
+                    }),
+                    mass_per_length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_per_length;
+                        number
+                    }),
+                },
+                "beam 4",
+            )?,
+            element_7: mstmm::__private::build::<
+                mstmm::__private::elements::Mass<T>,
+            >(
+                mstmm::__private::elements::Mass {
+                    mass: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass;
+                        number
+                    }),
+                },
+                "mass 7",
+            )?,
+            element_6: mstmm::__private::build::<
+                mstmm::__private::elements::SpringDamper<T>,
+            >(
+                mstmm::__private::elements::SpringDamper {
+                    stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = oscillator_stiffness;
+                        number
+                    }),
+                    damping: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = damping;
+                        number
+                    }),
+                },
+                "spring_damper 6",
+            )?,
+            element_8: mstmm::__private::build::<
+                mstmm::__private::elements::Beam<T>,
+            >(
+                mstmm::__private::elements::Beam {
+                    length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = third_span;
+                        number
+                    }),
+                    bending_stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = bending_stiffness;
+                        number
+                    }),
+                    mass_per_length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_per_length;
+                        number
+                    }),
+                },
+                "beam 8",
+            )?,
+            element_10: mstmm::__private::build::<
+                mstmm::__private::elements::TorsionSpring<T>,
+            >(
+                mstmm::__private::elements::TorsionSpring {
+                    stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = torsion_stiffness;
+                        number
+                    }),
+                },
+                "torsion_spring 10",
+            )?,
+            element_11: mstmm::__private::build::<
+                mstmm::__private::elements::Beam<T>,
+            >(
+                mstmm::__private::elements::Beam {
+                    length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = last_span;
+                        number
+                    }),
+                    bending_stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = bending_stiffness;
+                        number
+                    }),
+                    mass_per_length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_per_length;
+                        number
+                    }),
+                },
+                "beam 11",
+            )?,
+            parameter: ::core::marker::PhantomData,
+        })
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::System for DampedOscillatorSystem<T> {
+    type Parameter = T;
+    fn bounds(&self) -> mstmm::__private::FrequencyBounds {
+        let mut bounds = ::core::default::Default::default();
+        <mstmm::__private::elements::Beam<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_1, &mut bounds);
+        <mstmm::__private::elements::Spring<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_3, &mut bounds);
+        <mstmm::__private::elements::Beam<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_4, &mut bounds);
+        <mstmm::__private::elements::Mass<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_7, &mut bounds);
+        <mstmm::__private::elements::SpringDamper<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_6, &mut bounds);
+        <mstmm::__private::elements::Beam<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_8, &mut bounds);
+        <mstmm::__private::elements::TorsionSpring<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_10, &mut bounds);
+        <mstmm::__private::elements::Beam<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_11, &mut bounds);
+        bounds
+    }
+}
+const _: () = {
+    const LAYOUT: mstmm::__private::Layout<'static, 16usize> = mstmm::__private::Layout::new([
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
+        mstmm::__private::Step::Element(
+            0usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+        ),
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+        mstmm::__private::Step::Element(
+            2usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
+        ),
+        mstmm::__private::Step::Connection(&[1usize, 3usize]),
+        mstmm::__private::Step::Element(
+            4usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+        ),
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
+        mstmm::__private::Step::Element(
+            6usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
+        ),
+        mstmm::__private::Step::Element(
+            7usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::SpringDamper<f64>>(),
+        ),
+        mstmm::__private::Step::Connection(&[5usize, 8usize]),
+        mstmm::__private::Step::Element(
+            9usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+        ),
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+        mstmm::__private::Step::Element(
+            11usize,
+            mstmm::__private::space_of::<
+                mstmm::__private::elements::TorsionSpring<f64>,
+            >(),
+        ),
+        mstmm::__private::Step::Connection(&[10usize, 12usize]),
+        mstmm::__private::Step::Element(
+            13usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+        ),
+        mstmm::__private::Step::Root(14usize, mstmm::__private::Support::Pinned),
+    ]);
+    const N: usize = LAYOUT.size();
+    const _: () = LAYOUT.check_support(0usize);
+    const _: () = LAYOUT.check_arrow(1usize);
+    const _: () = LAYOUT.check_support(2usize);
+    const _: () = LAYOUT.check_arrow(3usize);
+    const _: () = LAYOUT.check_connection(4usize);
+    const _: () = LAYOUT.check_arrow(5usize);
+    const _: () = LAYOUT.check_support(6usize);
+    const _: () = LAYOUT.check_arrow(7usize);
+    const _: () = LAYOUT.check_arrow(8usize);
+    const _: () = LAYOUT.check_connection(9usize);
+    const _: () = LAYOUT.check_arrow(10usize);
+    const _: () = LAYOUT.check_support(11usize);
+    const _: () = LAYOUT.check_arrow(12usize);
+    const _: () = LAYOUT.check_connection(13usize);
+    const _: () = LAYOUT.check_arrow(14usize);
+    const _: () = LAYOUT.check_support(15usize);
+    impl DampedOscillatorSystem {
+        /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
+        pub const N: usize = N;
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Evaluate<S> for DampedOscillatorSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::SpringDamper<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::TorsionSpring<
+            T,
+        >: mstmm::__private::TransferMatrix<S>,
+    {
+        type Matrix = mstmm::__private::SMatrix<S, { N }, { N }>;
+        fn overall_matrix(&self, x: S) -> Self::Matrix {
+            let u_1 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_1, x);
+            let u_3 = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_3, x);
+            let u_4 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_4, x);
+            let u_7 = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_7, x);
+            let u_6 = <mstmm::__private::elements::SpringDamper<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_6, x);
+            let u_8 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_8, x);
+            let u_10 = <mstmm::__private::elements::TorsionSpring<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_10, x);
+            let u_11 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_11, x);
+            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            equation.element::<mstmm::__private::elements::Beam<T>>(1usize, &u_1);
+            equation.element::<mstmm::__private::elements::Spring<T>>(3usize, &u_3);
+            equation.connection(4usize);
+            equation.element::<mstmm::__private::elements::Beam<T>>(5usize, &u_4);
+            equation.element::<mstmm::__private::elements::Mass<T>>(7usize, &u_7);
+            equation
+                .element::<mstmm::__private::elements::SpringDamper<T>>(8usize, &u_6);
+            equation.connection(9usize);
+            equation.element::<mstmm::__private::elements::Beam<T>>(10usize, &u_8);
+            equation
+                .element::<mstmm::__private::elements::TorsionSpring<T>>(12usize, &u_10);
+            equation.connection(13usize);
+            equation.element::<mstmm::__private::elements::Beam<T>>(14usize, &u_11);
+            equation.finish()
+        }
+        fn overall_determinant(&self, x: S) -> mstmm::__private::Scaled<S> {
+            let determinant = mstmm::__private::determinant(
+                mstmm::__private::Evaluate::overall_matrix(self, x),
+            );
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+            >(determinant, &self.element_1, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Spring<T>,
+                S,
+            >(determinant, &self.element_3, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+            >(determinant, &self.element_4, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Mass<T>,
+                S,
+            >(determinant, &self.element_7, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::SpringDamper<T>,
+                S,
+            >(determinant, &self.element_6, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+            >(determinant, &self.element_8, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::TorsionSpring<T>,
+                S,
+            >(determinant, &self.element_10, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+            >(determinant, &self.element_11, x);
+            determinant
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Characteristic<S> for DampedOscillatorSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::SpringDamper<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::PlaneStep<S>,
+    {
+        #[inline]
+        fn pass<C: mstmm::__private::Tally<S>>(
+            &self,
+            x: S,
+            tally: &mut C,
+        ) -> mstmm::__private::Scaled<S> {
+            let at = mstmm::__private::At::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::SpringDamper<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::TorsionSpring<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            );
+            let k_1 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, &at);
+            let k_3 = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, &at);
+            let k_4 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_4, &at);
+            let k_7 = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_7, &at);
+            let k_6 = <mstmm::__private::elements::SpringDamper<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_6, &at);
+            let k_8 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_8, &at);
+            let k_10 = <mstmm::__private::elements::TorsionSpring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_10, &at);
+            let k_11 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_11, &at);
+            let s0 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Pinned,
+                const { LAYOUT.space(0usize) },
+            );
+            let s1 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_1, s0, tally);
+            let s2 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Fixed,
+                const { LAYOUT.space(2usize) },
+            );
+            let s3 = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_3, s2, tally);
+            let s4 = s1;
+            let s4 = mstmm::__private::joined(s4, s3);
+            let s4 = mstmm::__private::widened(s4, const { LAYOUT.output(4usize) });
+            let s4 = mstmm::__private::narrowed(
+                s4,
+                const { LAYOUT.output(4usize) },
+                tally,
+            );
+            let s5 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_4, s4, tally);
+            let s6 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Free,
+                const { LAYOUT.space(6usize) },
+            );
+            let s7 = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_7, s6, tally);
+            let s8 = <mstmm::__private::elements::SpringDamper<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_6, s7, tally);
+            let s9 = s5;
+            let s9 = mstmm::__private::joined(s9, s8);
+            let s9 = mstmm::__private::widened(s9, const { LAYOUT.output(9usize) });
+            let s9 = mstmm::__private::narrowed(
+                s9,
+                const { LAYOUT.output(9usize) },
+                tally,
+            );
+            let s10 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_8, s9, tally);
+            let s11 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Fixed,
+                const { LAYOUT.space(11usize) },
+            );
+            let s12 = <mstmm::__private::elements::TorsionSpring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_10, s11, tally);
+            let s13 = s10;
+            let s13 = mstmm::__private::joined(s13, s12);
+            let s13 = mstmm::__private::widened(s13, const { LAYOUT.output(13usize) });
+            let s13 = mstmm::__private::narrowed(
+                s13,
+                const { LAYOUT.output(13usize) },
+                tally,
+            );
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<
+                S,
+            >>::root(&k_11, s13, mstmm::__private::Support::Pinned, tally)
+        }
+    }
+};

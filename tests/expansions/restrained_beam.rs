@@ -1,0 +1,343 @@
+/// Free-free beam whose ends are restrained by elastic hinges (section 4.2).
+#[derive(Clone, Copy, Debug)]
+pub struct RestrainedBeam {
+    /// Beam length l [m]
+    pub length: f64,
+    /// Bending stiffness EI of the beam [N m²]
+    pub bending_stiffness: f64,
+    /// Mass per length m of the beam [kg/m]
+    pub mass_per_length: f64,
+    /// Translational stiffness K_y1 at the left end [N/m]
+    pub left_stiffness: f64,
+    /// Torsional stiffness K'_z1 at the left end [N m/rad]
+    pub left_torsion: f64,
+    /// Translational stiffness K_y2 at the right end [N/m]
+    pub right_stiffness: f64,
+    /// Torsional stiffness K'_z2 at the right end [N m/rad]
+    pub right_torsion: f64,
+}
+/// The system of a [`RestrainedBeam`], built: evaluate it at a frequency, or search its frequencies.
+///
+/// # Equation
+///
+/// Here `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone.
+///
+/// ```text
+/// U_all z_all = 0, 8 x 8: 4 rows of the main transfer equation, geometrical equations: 4
+/// z_all = [Y(s0), Θ(s0), M(s1), Q(s1), M(s5), Q(s5), Y(s8), Θ(s8)]
+/// s8 = U(beam 3) s0
+///     + U(beam 3) F U(elastic_hinge 1) s1
+///     + F U(elastic_hinge 5) s5
+/// Y(s2) = Y(s0)
+/// Θ(s2) = Θ(s0)
+/// Y(s6) = Y(s4)
+/// Θ(s6) = Θ(s4)
+/// ```
+///
+/// # Steps
+///
+/// ```text
+/// s0   = free                            bending
+/// s1   = fixed                           bending
+/// s2   = elastic_hinge 1 (s1)            bending
+/// s3   = conn 2 (s0, s2)                 bending
+/// s4   = beam 3 (s3)                     bending
+/// s5   = fixed                           bending
+/// s6   = elastic_hinge 5 (s5)            bending
+/// s7   = conn 4 (s4, s6)                 bending
+/// s8   = free, the root (s7)             bending
+/// ```
+///
+/// # Graph
+///
+/// ```mermaid
+/// flowchart LR
+///     s0([free])
+///     s1([fixed])
+///     s2[elastic_hinge 1]
+///     s3((conn 2))
+///     s4[beam 3]
+///     s5([fixed])
+///     s6[elastic_hinge 5]
+///     s7((conn 4))
+///     s8([free, the root])
+///     s1 --> s2
+///     s0 --> s3
+///     s2 --> s3
+///     s3 --> s4
+///     s5 --> s6
+///     s4 --> s7
+///     s6 --> s7
+///     s7 --> s8
+/// ```
+#[derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct RestrainedBeamSystem<T: mstmm::__private::Real = f64> {
+    /// `elastic_hinge 1`
+    element_1: <mstmm::__private::elements::ElasticHinge<
+        T,
+    > as mstmm::__private::Element>::Built,
+    /// `beam 3`
+    element_3: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    /// `elastic_hinge 5`
+    element_5: <mstmm::__private::elements::ElasticHinge<
+        T,
+    > as mstmm::__private::Element>::Built,
+    parameter: ::core::marker::PhantomData<T>,
+}
+impl RestrainedBeam {
+    /// Validates all parameters and builds the system.
+    ///
+    /// # Errors
+    /// The error names the first element with a parameter out of its range, the parameter and its value.
+    pub fn build(
+        &self,
+    ) -> ::core::result::Result<RestrainedBeamSystem, mstmm::__private::ParameterError> {
+        self.build_as()
+    }
+    /// Builds the system over another scalar, such as `f32` or the double-double `DoubleDouble`.
+    ///
+    /// # Errors
+    /// As `build`.
+    pub fn build_as<T: mstmm::__private::Real>(
+        &self,
+    ) -> ::core::result::Result<
+        RestrainedBeamSystem<T>,
+        mstmm::__private::ParameterError,
+    > {
+        let length = self.length;
+        let bending_stiffness = self.bending_stiffness;
+        let mass_per_length = self.mass_per_length;
+        let left_stiffness = self.left_stiffness;
+        let left_torsion = self.left_torsion;
+        let right_stiffness = self.right_stiffness;
+        let right_torsion = self.right_torsion;
+        ::core::result::Result::Ok(RestrainedBeamSystem {
+            element_1: mstmm::__private::build::<
+                mstmm::__private::elements::ElasticHinge<T>,
+            >(
+                mstmm::__private::elements::ElasticHinge {
+                    stiffness_y: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = left_stiffness;
+                        number
+                    }),
+                    stiffness_theta: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = left_torsion;
+                        number
+                    }),
+                },
+                "elastic_hinge 1",
+            )?,
+            element_3: mstmm::__private::build::<
+                mstmm::__private::elements::Beam<T>,
+            >(
+                mstmm::__private::elements::Beam {
+                    length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = length;
+                        number
+                    }),
+                    bending_stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = bending_stiffness;
+                        number
+                    }),
+                    mass_per_length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_per_length;
+                        number
+                    }),
+                },
+                "beam 3",
+            )?,
+            element_5: mstmm::__private::build::<
+                mstmm::__private::elements::ElasticHinge<T>,
+            >(
+                mstmm::__private::elements::ElasticHinge {
+                    stiffness_y: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = right_stiffness;
+                        number
+                    }),
+                    stiffness_theta: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = right_torsion;
+                        number
+                    }),
+                },
+                "elastic_hinge 5",
+            )?,
+            parameter: ::core::marker::PhantomData,
+        })
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::System for RestrainedBeamSystem<T> {
+    type Parameter = T;
+    fn bounds(&self) -> mstmm::__private::FrequencyBounds {
+        let mut bounds = ::core::default::Default::default();
+        <mstmm::__private::elements::ElasticHinge<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_1, &mut bounds);
+        <mstmm::__private::elements::Beam<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_3, &mut bounds);
+        <mstmm::__private::elements::ElasticHinge<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_5, &mut bounds);
+        bounds
+    }
+}
+const _: () = {
+    const LAYOUT: mstmm::__private::Layout<'static, 9usize> = mstmm::__private::Layout::new([
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+        mstmm::__private::Step::Element(
+            1usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::ElasticHinge<f64>>(),
+        ),
+        mstmm::__private::Step::Connection(&[0usize, 2usize]),
+        mstmm::__private::Step::Element(
+            3usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+        ),
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+        mstmm::__private::Step::Element(
+            5usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::ElasticHinge<f64>>(),
+        ),
+        mstmm::__private::Step::Connection(&[4usize, 6usize]),
+        mstmm::__private::Step::Root(7usize, mstmm::__private::Support::Free),
+    ]);
+    const N: usize = LAYOUT.size();
+    const _: () = LAYOUT.check_support(0usize);
+    const _: () = LAYOUT.check_support(1usize);
+    const _: () = LAYOUT.check_arrow(2usize);
+    const _: () = LAYOUT.check_connection(3usize);
+    const _: () = LAYOUT.check_arrow(4usize);
+    const _: () = LAYOUT.check_support(5usize);
+    const _: () = LAYOUT.check_arrow(6usize);
+    const _: () = LAYOUT.check_connection(7usize);
+    const _: () = LAYOUT.check_support(8usize);
+    impl RestrainedBeamSystem {
+        /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
+        pub const N: usize = N;
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Evaluate<S> for RestrainedBeamSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::TransferMatrix<S>,
+    {
+        type Matrix = mstmm::__private::SMatrix<S, { N }, { N }>;
+        fn overall_matrix(&self, x: S) -> Self::Matrix {
+            let u_1 = <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_1, x);
+            let u_3 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_3, x);
+            let u_5 = <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_5, x);
+            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            equation
+                .element::<mstmm::__private::elements::ElasticHinge<T>>(2usize, &u_1);
+            equation.connection(3usize);
+            equation.element::<mstmm::__private::elements::Beam<T>>(4usize, &u_3);
+            equation
+                .element::<mstmm::__private::elements::ElasticHinge<T>>(6usize, &u_5);
+            equation.connection(7usize);
+            equation.finish()
+        }
+        fn overall_determinant(&self, x: S) -> mstmm::__private::Scaled<S> {
+            let determinant = mstmm::__private::determinant(
+                mstmm::__private::Evaluate::overall_matrix(self, x),
+            );
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::ElasticHinge<T>,
+                S,
+            >(determinant, &self.element_1, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+            >(determinant, &self.element_3, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::ElasticHinge<T>,
+                S,
+            >(determinant, &self.element_5, x);
+            determinant
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Characteristic<S> for RestrainedBeamSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::PlaneStep<S>,
+    {
+        #[inline]
+        fn pass<C: mstmm::__private::Tally<S>>(
+            &self,
+            x: S,
+            tally: &mut C,
+        ) -> mstmm::__private::Scaled<S> {
+            let at = mstmm::__private::At::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::ElasticHinge<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            );
+            let k_1 = <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, &at);
+            let k_3 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, &at);
+            let k_5 = <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_5, &at);
+            let s1 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Fixed,
+                const { LAYOUT.space(1usize) },
+            );
+            let s2 = <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_1, s1, tally);
+            let s3 = s2;
+            let s3 = mstmm::__private::widened(s3, const { LAYOUT.output(3usize) });
+            let s3 = mstmm::__private::held(s3, mstmm::__private::Support::Free);
+            let s3 = mstmm::__private::narrowed(
+                s3,
+                const { LAYOUT.output(3usize) },
+                tally,
+            );
+            let s4 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_3, s3, tally);
+            let s5 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Fixed,
+                const { LAYOUT.space(5usize) },
+            );
+            let s6 = <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_5, s5, tally);
+            let s7 = s4;
+            let s7 = mstmm::__private::joined(s7, s6);
+            let s7 = mstmm::__private::widened(s7, const { LAYOUT.output(7usize) });
+            let s7 = mstmm::__private::narrowed(
+                s7,
+                const { LAYOUT.output(7usize) },
+                tally,
+            );
+            s7.at_root(mstmm::__private::Support::Free, tally)
+        }
+    }
+};

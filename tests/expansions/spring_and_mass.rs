@@ -1,0 +1,436 @@
+/// Pinned-pinned beam with a grounded spring and a lumped mass (section 4.3).
+#[derive(Clone, Copy, Debug)]
+pub struct SpringAndMass {
+    /// Beam length l [m]
+    pub length: f64,
+    /// Bending stiffness EI of the beam [N m²]
+    pub bending_stiffness: f64,
+    /// Mass per length m of the beam [kg/m]
+    pub mass_per_length: f64,
+    /// Position x_s of the spring [m]
+    pub spring_position: f64,
+    /// Position x_m of the mass [m]
+    pub mass_position: f64,
+    /// Stiffness K_y of the spring [N/m]
+    pub stiffness: f64,
+    /// Lumped mass [kg]
+    pub mass: f64,
+}
+/// The system of a [`SpringAndMass`], built: evaluate it at a frequency, or search its frequencies.
+///
+/// # Equation
+///
+/// Here `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone.
+///
+/// ```text
+/// U_all z_all = 0, 6 x 6: 4 rows of the main transfer equation, geometrical equations: 2
+/// z_all = [Θ(s0), Q(s0), Q(s2), Y(s6), Θ(s10), Q(s10)]
+/// s10 = U(beam 7) U(beam 4) U(beam 1) s0
+///     + U(beam 7) U(beam 4) F U(spring 3) s2
+///     + U(beam 7) F U(mass 6) s6
+/// Y(s3) = Y(s1)
+/// Y(s7) = Y(s5)
+/// ```
+///
+/// # Steps
+///
+/// ```text
+/// s0   = pinned                          bending
+/// s1   = beam 1 (s0)                     bending
+/// s2   = fixed                           translation
+/// s3   = spring 3 (s2)                   translation
+/// s4   = conn 2 (s1, s3)                 bending
+/// s5   = beam 4 (s4)                     bending
+/// s6   = free                            translation
+/// s7   = mass 6 (s6)                     translation
+/// s8   = conn 5 (s5, s7)                 bending
+/// s9   = beam 7 (s8)                     bending
+/// s10  = pinned, the root (s9)           bending
+/// ```
+///
+/// # Graph
+///
+/// ```mermaid
+/// flowchart LR
+///     s0([pinned])
+///     s1[beam 1]
+///     s2([fixed])
+///     s3[spring 3]
+///     s4((conn 2))
+///     s5[beam 4]
+///     s6([free])
+///     s7[mass 6]
+///     s8((conn 5))
+///     s9[beam 7]
+///     s10([pinned, the root])
+///     s0 --> s1
+///     s2 --> s3
+///     s1 --> s4
+///     s3 --> s4
+///     s4 --> s5
+///     s6 --> s7
+///     s5 --> s8
+///     s7 --> s8
+///     s8 --> s9
+///     s9 --> s10
+/// ```
+#[derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct SpringAndMassSystem<T: mstmm::__private::Real = f64> {
+    /// `beam 1`
+    element_1: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    /// `spring 3`
+    element_3: <mstmm::__private::elements::Spring<
+        T,
+    > as mstmm::__private::Element>::Built,
+    /// `beam 4`
+    element_4: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    /// `mass 6`
+    element_6: <mstmm::__private::elements::Mass<T> as mstmm::__private::Element>::Built,
+    /// `beam 7`
+    element_7: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    parameter: ::core::marker::PhantomData<T>,
+}
+impl SpringAndMass {
+    /// Validates all parameters and builds the system.
+    ///
+    /// # Errors
+    /// The error names the first element with a parameter out of its range, the parameter and its value.
+    pub fn build(
+        &self,
+    ) -> ::core::result::Result<SpringAndMassSystem, mstmm::__private::ParameterError> {
+        self.build_as()
+    }
+    /// Builds the system over another scalar, such as `f32` or the double-double `DoubleDouble`.
+    ///
+    /// # Errors
+    /// As `build`.
+    pub fn build_as<T: mstmm::__private::Real>(
+        &self,
+    ) -> ::core::result::Result<
+        SpringAndMassSystem<T>,
+        mstmm::__private::ParameterError,
+    > {
+        let length = self.length;
+        let bending_stiffness = self.bending_stiffness;
+        let mass_per_length = self.mass_per_length;
+        let spring_position = self.spring_position;
+        let mass_position = self.mass_position;
+        let stiffness = self.stiffness;
+        let mass = self.mass;
+        ::core::result::Result::Ok(SpringAndMassSystem {
+            element_1: mstmm::__private::build::<
+                mstmm::__private::elements::Beam<T>,
+            >(
+                mstmm::__private::elements::Beam {
+                    length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = spring_position;
+                        number
+                    }),
+                    bending_stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = bending_stiffness;
+                        number
+                    }),
+                    mass_per_length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_per_length;
+                        number
+                    }),
+                },
+                "beam 1",
+            )?,
+            element_3: mstmm::__private::build::<
+                mstmm::__private::elements::Spring<T>,
+            >(
+                mstmm::__private::elements::Spring {
+                    stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = stiffness;
+                        number
+                    }),
+                },
+                "spring 3",
+            )?,
+            element_4: mstmm::__private::build::<
+                mstmm::__private::elements::Beam<T>,
+            >(
+                mstmm::__private::elements::Beam {
+                    length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_position
+                            - spring_position;
+                        number
+                    }),
+                    bending_stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = bending_stiffness;
+                        number
+                    }),
+                    mass_per_length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_per_length;
+                        number
+                    }),
+                },
+                "beam 4",
+            )?,
+            element_6: mstmm::__private::build::<
+                mstmm::__private::elements::Mass<T>,
+            >(
+                mstmm::__private::elements::Mass {
+                    mass: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass;
+                        number
+                    }),
+                },
+                "mass 6",
+            )?,
+            element_7: mstmm::__private::build::<
+                mstmm::__private::elements::Beam<T>,
+            >(
+                mstmm::__private::elements::Beam {
+                    length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = length - mass_position;
+                        number
+                    }),
+                    bending_stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = bending_stiffness;
+                        number
+                    }),
+                    mass_per_length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_per_length;
+                        number
+                    }),
+                },
+                "beam 7",
+            )?,
+            parameter: ::core::marker::PhantomData,
+        })
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::System for SpringAndMassSystem<T> {
+    type Parameter = T;
+    fn bounds(&self) -> mstmm::__private::FrequencyBounds {
+        let mut bounds = ::core::default::Default::default();
+        <mstmm::__private::elements::Beam<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_1, &mut bounds);
+        <mstmm::__private::elements::Spring<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_3, &mut bounds);
+        <mstmm::__private::elements::Beam<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_4, &mut bounds);
+        <mstmm::__private::elements::Mass<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_6, &mut bounds);
+        <mstmm::__private::elements::Beam<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_7, &mut bounds);
+        bounds
+    }
+}
+const _: () = {
+    const LAYOUT: mstmm::__private::Layout<'static, 11usize> = mstmm::__private::Layout::new([
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
+        mstmm::__private::Step::Element(
+            0usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+        ),
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+        mstmm::__private::Step::Element(
+            2usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
+        ),
+        mstmm::__private::Step::Connection(&[1usize, 3usize]),
+        mstmm::__private::Step::Element(
+            4usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+        ),
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
+        mstmm::__private::Step::Element(
+            6usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
+        ),
+        mstmm::__private::Step::Connection(&[5usize, 7usize]),
+        mstmm::__private::Step::Element(
+            8usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+        ),
+        mstmm::__private::Step::Root(9usize, mstmm::__private::Support::Pinned),
+    ]);
+    const N: usize = LAYOUT.size();
+    const _: () = LAYOUT.check_support(0usize);
+    const _: () = LAYOUT.check_arrow(1usize);
+    const _: () = LAYOUT.check_support(2usize);
+    const _: () = LAYOUT.check_arrow(3usize);
+    const _: () = LAYOUT.check_connection(4usize);
+    const _: () = LAYOUT.check_arrow(5usize);
+    const _: () = LAYOUT.check_support(6usize);
+    const _: () = LAYOUT.check_arrow(7usize);
+    const _: () = LAYOUT.check_connection(8usize);
+    const _: () = LAYOUT.check_arrow(9usize);
+    const _: () = LAYOUT.check_support(10usize);
+    impl SpringAndMassSystem {
+        /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
+        pub const N: usize = N;
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Evaluate<S> for SpringAndMassSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
+    {
+        type Matrix = mstmm::__private::SMatrix<S, { N }, { N }>;
+        fn overall_matrix(&self, x: S) -> Self::Matrix {
+            let u_1 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_1, x);
+            let u_3 = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_3, x);
+            let u_4 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_4, x);
+            let u_6 = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_6, x);
+            let u_7 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_7, x);
+            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            equation.element::<mstmm::__private::elements::Beam<T>>(1usize, &u_1);
+            equation.element::<mstmm::__private::elements::Spring<T>>(3usize, &u_3);
+            equation.connection(4usize);
+            equation.element::<mstmm::__private::elements::Beam<T>>(5usize, &u_4);
+            equation.element::<mstmm::__private::elements::Mass<T>>(7usize, &u_6);
+            equation.connection(8usize);
+            equation.element::<mstmm::__private::elements::Beam<T>>(9usize, &u_7);
+            equation.finish()
+        }
+        fn overall_determinant(&self, x: S) -> mstmm::__private::Scaled<S> {
+            let determinant = mstmm::__private::determinant(
+                mstmm::__private::Evaluate::overall_matrix(self, x),
+            );
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+            >(determinant, &self.element_1, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Spring<T>,
+                S,
+            >(determinant, &self.element_3, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+            >(determinant, &self.element_4, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Mass<T>,
+                S,
+            >(determinant, &self.element_6, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+            >(determinant, &self.element_7, x);
+            determinant
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Characteristic<S> for SpringAndMassSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
+    {
+        #[inline]
+        fn pass<C: mstmm::__private::Tally<S>>(
+            &self,
+            x: S,
+            tally: &mut C,
+        ) -> mstmm::__private::Scaled<S> {
+            let at = mstmm::__private::At::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            );
+            let k_1 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, &at);
+            let k_3 = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, &at);
+            let k_4 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_4, &at);
+            let k_6 = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_6, &at);
+            let k_7 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_7, &at);
+            let s0 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Pinned,
+                const { LAYOUT.space(0usize) },
+            );
+            let s1 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_1, s0, tally);
+            let s2 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Fixed,
+                const { LAYOUT.space(2usize) },
+            );
+            let s3 = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_3, s2, tally);
+            let s4 = s1;
+            let s4 = mstmm::__private::joined(s4, s3);
+            let s4 = mstmm::__private::widened(s4, const { LAYOUT.output(4usize) });
+            let s4 = mstmm::__private::narrowed(
+                s4,
+                const { LAYOUT.output(4usize) },
+                tally,
+            );
+            let s5 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_4, s4, tally);
+            let s6 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Free,
+                const { LAYOUT.space(6usize) },
+            );
+            let s7 = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_6, s6, tally);
+            let s8 = s5;
+            let s8 = mstmm::__private::joined(s8, s7);
+            let s8 = mstmm::__private::widened(s8, const { LAYOUT.output(8usize) });
+            let s8 = mstmm::__private::narrowed(
+                s8,
+                const { LAYOUT.output(8usize) },
+                tally,
+            );
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<
+                S,
+            >>::root(&k_7, s8, mstmm::__private::Support::Pinned, tally)
+        }
+    }
+};

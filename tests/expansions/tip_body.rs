@@ -1,0 +1,252 @@
+/// Cantilever with an eccentric rigid body at its tip (section 4.1).
+#[derive(Clone, Copy, Debug)]
+pub struct TipBody {
+    /// Beam length l [m]
+    pub length: f64,
+    /// Bending stiffness EI of the beam [N m²]
+    pub bending_stiffness: f64,
+    /// Mass per length m of the beam [kg/m]
+    pub mass_per_length: f64,
+    /// Mass of the body [kg]
+    pub mass: f64,
+    /// Moment of inertia of the body about its mass centre, J_c [kg m²]
+    pub inertia: f64,
+    /// Distance e of the body's mass centre from the end of the beam [m]
+    pub eccentricity: f64,
+    /// Distance d of the body's free end from the end of the beam [m]
+    pub depth: f64,
+}
+/// The system of a [`TipBody`], built: evaluate it at a frequency, or search its frequencies.
+///
+/// # Equation
+///
+/// Here `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone.
+///
+/// ```text
+/// U_all z_all = 0, 4 x 4: 4 rows of the main transfer equation, geometrical equations: 0
+/// z_all = [M(s0), Q(s0), Y(s3), Θ(s3)]
+/// s3 = U(body 2) U(beam 1) s0
+/// ```
+///
+/// # Steps
+///
+/// ```text
+/// s0   = fixed                           bending
+/// s1   = beam 1 (s0)                     bending
+/// s2   = body 2 (s1)                     bending
+/// s3   = free, the root (s2)             bending
+/// ```
+///
+/// # Graph
+///
+/// ```mermaid
+/// flowchart LR
+///     s0([fixed])
+///     s1[beam 1]
+///     s2[body 2]
+///     s3([free, the root])
+///     s0 --> s1
+///     s1 --> s2
+///     s2 --> s3
+/// ```
+#[derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct TipBodySystem<T: mstmm::__private::Real = f64> {
+    /// `beam 1`
+    element_1: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    /// `body 2`
+    element_2: <mstmm::__private::elements::Body<T> as mstmm::__private::Element>::Built,
+    parameter: ::core::marker::PhantomData<T>,
+}
+impl TipBody {
+    /// Validates all parameters and builds the system.
+    ///
+    /// # Errors
+    /// The error names the first element with a parameter out of its range, the parameter and its value.
+    pub fn build(
+        &self,
+    ) -> ::core::result::Result<TipBodySystem, mstmm::__private::ParameterError> {
+        self.build_as()
+    }
+    /// Builds the system over another scalar, such as `f32` or the double-double `DoubleDouble`.
+    ///
+    /// # Errors
+    /// As `build`.
+    pub fn build_as<T: mstmm::__private::Real>(
+        &self,
+    ) -> ::core::result::Result<TipBodySystem<T>, mstmm::__private::ParameterError> {
+        let length = self.length;
+        let bending_stiffness = self.bending_stiffness;
+        let mass_per_length = self.mass_per_length;
+        let mass = self.mass;
+        let inertia = self.inertia;
+        let eccentricity = self.eccentricity;
+        let depth = self.depth;
+        let inertia_about_input = inertia + mass * eccentricity * eccentricity;
+        ::core::result::Result::Ok(TipBodySystem {
+            element_1: mstmm::__private::build::<
+                mstmm::__private::elements::Beam<T>,
+            >(
+                mstmm::__private::elements::Beam {
+                    length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = length;
+                        number
+                    }),
+                    bending_stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = bending_stiffness;
+                        number
+                    }),
+                    mass_per_length: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass_per_length;
+                        number
+                    }),
+                },
+                "beam 1",
+            )?,
+            element_2: mstmm::__private::build::<
+                mstmm::__private::elements::Body<T>,
+            >(
+                mstmm::__private::elements::Body {
+                    mass: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass;
+                        number
+                    }),
+                    inertia: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = inertia_about_input;
+                        number
+                    }),
+                    output_x: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = depth;
+                        number
+                    }),
+                    centre_x: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = eccentricity;
+                        number
+                    }),
+                },
+                "body 2",
+            )?,
+            parameter: ::core::marker::PhantomData,
+        })
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::System for TipBodySystem<T> {
+    type Parameter = T;
+    fn bounds(&self) -> mstmm::__private::FrequencyBounds {
+        let mut bounds = ::core::default::Default::default();
+        <mstmm::__private::elements::Beam<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_1, &mut bounds);
+        <mstmm::__private::elements::Body<
+            T,
+        > as mstmm::__private::Element>::bound(&self.element_2, &mut bounds);
+        bounds
+    }
+}
+const _: () = {
+    const LAYOUT: mstmm::__private::Layout<'static, 4usize> = mstmm::__private::Layout::new([
+        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+        mstmm::__private::Step::Element(
+            0usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+        ),
+        mstmm::__private::Step::Element(
+            1usize,
+            mstmm::__private::space_of::<mstmm::__private::elements::Body<f64>>(),
+        ),
+        mstmm::__private::Step::Root(2usize, mstmm::__private::Support::Free),
+    ]);
+    const N: usize = LAYOUT.size();
+    const _: () = LAYOUT.check_support(0usize);
+    const _: () = LAYOUT.check_arrow(1usize);
+    const _: () = LAYOUT.check_arrow(2usize);
+    const _: () = LAYOUT.check_support(3usize);
+    impl TipBodySystem {
+        /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
+        pub const N: usize = N;
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Evaluate<S> for TipBodySystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::Body<T>: mstmm::__private::TransferMatrix<S>,
+    {
+        type Matrix = mstmm::__private::SMatrix<S, { N }, { N }>;
+        fn overall_matrix(&self, x: S) -> Self::Matrix {
+            let u_1 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_1, x);
+            let u_2 = <mstmm::__private::elements::Body<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_2, x);
+            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            equation.element::<mstmm::__private::elements::Beam<T>>(1usize, &u_1);
+            equation.element::<mstmm::__private::elements::Body<T>>(2usize, &u_2);
+            equation.finish()
+        }
+        fn overall_determinant(&self, x: S) -> mstmm::__private::Scaled<S> {
+            let determinant = mstmm::__private::determinant(
+                mstmm::__private::Evaluate::overall_matrix(self, x),
+            );
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+            >(determinant, &self.element_1, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Body<T>,
+                S,
+            >(determinant, &self.element_2, x);
+            determinant
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Characteristic<S> for TipBodySystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Body<T>: mstmm::__private::PlaneStep<S>,
+    {
+        #[inline]
+        fn pass<C: mstmm::__private::Tally<S>>(
+            &self,
+            x: S,
+            tally: &mut C,
+        ) -> mstmm::__private::Scaled<S> {
+            let at = mstmm::__private::At::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Body<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            );
+            let k_1 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, &at);
+            let k_2 = <mstmm::__private::elements::Body<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_2, &at);
+            let s0 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Fixed,
+                const { LAYOUT.space(0usize) },
+            );
+            let s1 = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::step(&k_1, s0, tally);
+            <mstmm::__private::elements::Body<
+                T,
+            > as mstmm::__private::PlaneStep<
+                S,
+            >>::root(&k_2, s1, mstmm::__private::Support::Free, tally)
+        }
+    }
+};
