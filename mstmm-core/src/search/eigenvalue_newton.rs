@@ -46,7 +46,7 @@ where
         found: &Found<T>,
     ) -> Result<Option<Complex<T>>, SearchError> {
         let (mut lambda, mut last, mut is_slow) = (start, T::zero(), false);
-        let (eps, coarse) = (T::from_f64(0.25 * T::EPSILON), T::from_f64(T::EPSILON.sqrt()));
+        let (eps, coarse) = (T::from_f64(0.25 * T::EPSILON), T::from_f64(T::EPSILON).sqrt());
         for _ in 0..NEWTON_STEPS {
             let point = self.evaluation.at(lambda)?;
             if point.is_root {
