@@ -142,3 +142,27 @@ fn slender_regions_and_strong_dampers_are_searched() {
     assert_eq!(found[0].lambda.re, 0.0);
     assert!((found[1].lambda.re / -1e10 - 1.0).abs() < 1e-14);
 }
+
+system! {
+    /// A mass on a spring, and an inertia on a torsion spring behind it: nothing passes from one to the other.
+    struct TurnedAway { k: f64, m: f64, kt: f64, j: f64 }
+    fixed -> spring 1 { stiffness: k } -> mass 2 { mass: m } -> conn 3
+          -> torsion_spring 4 { stiffness: kt } -> inertia 5 { inertia: j } -> free;
+    guided -> conn 3;
+}
+
+/// Closed form: `ω² = k/m` and `kt/j`, since the guide holds the rotation and leaves the deflection free.
+#[test]
+fn a_translation_may_go_on_as_a_rotation() {
+    let system = TurnedAway { k: 4.0, m: 1.0, kt: 18.0, j: 2.0 }.build().unwrap();
+    let found = system.first_frequencies::<2>().unwrap();
+    let expected = [2.0, 3.0];
+    for (found, expected) in found.iter().zip(expected) {
+        assert!(found.lower <= expected && expected <= found.upper, "{found}");
+    }
+    // and the same Δ as the determinant, which knows nothing of planes
+    let ratio = |omega: f64| system.characteristic(omega).value() / system.overall_determinant(omega).value();
+    for omega in [0.3, 1.1, 2.5, 7.0] {
+        assert!((ratio(omega) / ratio(1.7) - 1.0).abs() <= 16.0 * f64::EPSILON, "{omega}");
+    }
+}

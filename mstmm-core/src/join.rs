@@ -155,10 +155,10 @@ pub fn called_joined_on<S: Scalar>(sum: Subspace<S>, path: Subspace<S>) -> Subsp
     joined_on(sum, path)
 }
 
-/// Joins a line to the free state of a wider output, before supports hold the point.
+/// Joins a line to the free bending state of a connection that goes on otherwise, before supports hold the point.
 #[inline(always)]
 pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subspace<S> {
-    if !matches!(output, Some(Space::Bending)) {
+    if output.is_none_or(|output| output.is(subspace.space())) {
         return subspace;
     }
     match subspace {
@@ -173,8 +173,8 @@ pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subsp
 #[inline(always)]
 pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
     match subspace {
+        _ if support == Support::Free => subspace,
         Subspace::Tip(Support::Free, space) => Subspace::Tip(support, space),
-        Subspace::Tip(..) if support == Support::Free => subspace,
         Subspace::Tip(_, Space::Bending) | Subspace::Plane(_) | Subspace::Springs { .. } => {
             Subspace::Plane(subspace.plane().held(support))
         }

@@ -75,15 +75,6 @@ impl Space {
         }
     }
 
-    /// Whether a connection may lead from this space to another: the same, a part of it, or one of which this is a part.
-    #[inline]
-    pub const fn goes_on_as(self, other: Space) -> bool {
-        match self.join(other) {
-            Some(joined) => joined.is(self) || joined.is(other),
-            None => false,
-        }
-    }
-
     /// Whether two spaces are the same; `==` is not available in constants.
     #[inline]
     pub const fn is(self, other: Space) -> bool {

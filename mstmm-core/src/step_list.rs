@@ -239,11 +239,11 @@ fn joined(inputs: &[Open], next: Option<Space>) -> Result<Space, &'static str> {
         Some(space) => space,
         None => next.ok_or("supports alone")?,
     };
-    if own.is(Space::Planar) || next.is_some_and(|next| !own.goes_on_as(next)) {
-        return Err("its paths cannot meet, or not lead on to that state");
-    }
     // the widest state here is what supports hold
-    let widest = next.map_or(own, |next| own.join(next).unwrap_or(own));
+    let widest = next.map_or(Some(own), |next| own.join(next));
+    let Some(widest @ (Space::Translation | Space::Rotation | Space::Bending)) = widest else {
+        return Err("its paths cannot meet, or not lead on to that state");
+    };
     let holds = |path: &Open| path.support.is_none_or(|support| is_support_of(support, widest));
     if inputs.iter().all(holds) { Ok(next.unwrap_or(own)) } else { Err("a support that its state does not have") }
 }

@@ -58,6 +58,22 @@ system! {
 }
 
 system! {
+    pub(crate) struct Damped43;
+
+    fixed -> torsion_spring_damper 1 { stiffness: 0.36, damping: 0.164 } -> inertia 2 { inertia: 0.36 } -> torsion_spring_damper 3 { stiffness: 0.94, damping: 0.066 } -> conn 7;
+    free -> mass 5 { mass: 2.3 } -> conn 7;
+    free -> conn 7;
+    fixed -> torsion_spring 11 { stiffness: 1.16 } -> torsion_spring_damper 12 { stiffness: 3.75, damping: 0.034999999999999996 } -> inertia 13 { inertia: 2.31 } -> conn 15;
+    guided -> conn 15;
+    conn 15 -> mass 16 { mass: 1.36 } -> conn 22;
+    fixed -> torsion_spring 18 { stiffness: 0.21 } -> inertia 19 { inertia: 1.61 } -> inertia 20 { inertia: 3.48 } -> conn 22;
+    fixed -> conn 22;
+    conn 7 -> elastic_hinge 8 { stiffness_y: 22.9, stiffness_theta: 0.51 } -> beam 9 { length: 3.02, bending_stiffness: 0.32, mass_per_length: 0.32 } -> conn 25;
+    conn 22 -> body 23 { mass: 3.93, inertia: 2.63340425, output_x: 1.88, centre_x: 0.815 } -> beam 24 { length: 1.87, bending_stiffness: 1.98, mass_per_length: 0.65 } -> conn 25;
+    conn 25 -> point_mass 26 { mass: 0.24, inertia: 0.34400000000000003 } -> beam 27 { length: 1.28, bending_stiffness: 0.27, mass_per_length: 0.28 } -> fixed;
+}
+
+system! {
     pub(crate) struct Damped53;
 
     pinned -> elastic_hinge 1 { stiffness_y: 2.6, stiffness_theta: 0.22 } -> conn 5;
@@ -84,12 +100,36 @@ system! {
 }
 
 system! {
+    pub(crate) struct Damped102;
+
+    free -> mass 1 { mass: 0.28 } -> conn 3;
+    guided -> conn 3;
+    conn 3 -> inertia 4 { inertia: 3.86 } -> torsion_spring_damper 5 { stiffness: 0.31, damping: 0.263 } -> conn 10;
+    fixed -> torsion_spring_damper 7 { stiffness: 0.73, damping: 0.451 } -> inertia 8 { inertia: 0.95 } -> conn 10;
+    free -> conn 10;
+    conn 10 -> beam 11 { length: 1.62, bending_stiffness: 0.26, mass_per_length: 1.61 } -> elastic_hinge 12 { stiffness_y: 45.599999999999994, stiffness_theta: 4.49 } -> fixed;
+}
+
+system! {
     pub(crate) struct Damped116;
 
     pinned -> point_mass 1 { mass: 1.79, inertia: 0.20099999999999998 } -> conn 2;
     conn 2 -> torsion_damper 3 { damping: 0.342 } -> conn 5;
     free -> conn 5;
     conn 5 -> beam 6 { length: 2.29, bending_stiffness: 3.78, mass_per_length: 1.67 } -> free;
+}
+
+system! {
+    pub(crate) struct Damped118;
+
+    fixed -> torsion_damper 1 { damping: 0.034999999999999996 } -> inertia 2 { inertia: 2.28 } -> inertia 3 { inertia: 0.22 } -> conn 8;
+    fixed -> torsion_spring 5 { stiffness: 1.69 } -> torsion_spring_damper 6 { stiffness: 0.46, damping: 0.041 } -> conn 8;
+    fixed -> conn 8;
+    conn 8 -> torsion_spring 9 { stiffness: 0.32 } -> conn 11;
+    pinned -> conn 11;
+    conn 11 -> mass 12 { mass: 0.41 } -> damper 13 { damping: 2.13 } -> conn 15;
+    guided -> conn 15;
+    conn 15 -> beam 16 { length: 0.96, bending_stiffness: 0.26, mass_per_length: 0.21 } -> fixed;
 }
 
 system! {
@@ -129,43 +169,11 @@ system! {
 system! {
     pub(crate) struct Damped141;
 
-    fixed -> torsion_damper 1 { damping: 0.163 } -> inertia 2 { inertia: 2.25 } -> torsion_spring 3 { stiffness: 0.39 } -> conn 15;
-    fixed -> torsion_damper 5 { damping: 0.163 } -> inertia 6 { inertia: 2.25 } -> torsion_spring 7 { stiffness: 0.39 } -> conn 15;
-    fixed -> torsion_damper 9 { damping: 0.163 } -> inertia 10 { inertia: 2.25 } -> torsion_spring 11 { stiffness: 0.39 } -> conn 15;
-    free -> beam 13 { length: 0.2, bending_stiffness: 1.73, mass_per_length: 3.06 } -> body 14 { mass: 0.43, inertia: 0.04154800000000001, output_x: 0.815, centre_x: 0.06 } -> conn 15;
-    conn 15 -> mass 16 { mass: 0.26 } -> free;
-}
-
-system! {
-    pub(crate) struct Damped151;
-
-    free -> point_mass 1 { mass: 3.49, inertia: 0.025 } -> conn 3;
-    free -> conn 3;
-    conn 3 -> damper 4 { damping: 0.23 } -> mass 5 { mass: 0.21 } -> fixed;
-}
-
-system! {
-    pub(crate) struct Damped158;
-
-    fixed -> beam 1 { length: 1.43, bending_stiffness: 0.38, mass_per_length: 0.65 } -> body 2 { mass: 0.72, inertia: 0.174392, output_x: 0.64, centre_x: 0.44 } -> conn 3;
-    conn 3 -> torsion_spring 4 { stiffness: 1.24 } -> torsion_damper 5 { damping: 0.026000000000000002 } -> fixed;
-}
-
-system! {
-    pub(crate) struct Damped170;
-
-    free -> torsion_spring_damper 3 { stiffness: 0.32, damping: 0.08100000000000002 } -> inertia 4 { inertia: 0.52 } -> conn 11;
-    pinned -> beam 6 { length: 1.9, bending_stiffness: 2.26, mass_per_length: 1.99 } -> conn 11;
-    pinned -> beam 8 { length: 1.9, bending_stiffness: 2.26, mass_per_length: 1.99 } -> conn 11;
-    pinned -> beam 10 { length: 1.9, bending_stiffness: 2.26, mass_per_length: 1.99 } -> conn 11;
-    free -> body 15 { mass: 0.64, inertia: 0.10891600000000001, output_x: 1.055, centre_x: 0.0675 } -> body 16 { mass: 1.67, inertia: 0.3936929375, output_x: 1.25, centre_x: 0.1725 } -> conn 19;
-    pinned -> body 18 { mass: 1.29, inertia: 0.2548330625, output_x: 0.445, centre_x: 0.3775 } -> conn 19;
-    conn 11 -> beam 12 { length: 0.56, bending_stiffness: 3.57, mass_per_length: 0.79 } -> beam 13 { length: 1.9, bending_stiffness: 2.26, mass_per_length: 1.99 } -> conn 21;
-    conn 19 -> mass 20 { mass: 0.76 } -> conn 21;
-    free -> inertia 1 { inertia: 0.67 } -> conn 25;
-    conn 21 -> body 22 { mass: 0.21, inertia: 0.09206900000000001, output_x: 0.13, centre_x: 0.17 } -> body 23 { mass: 1.37, inertia: 0.047406250000000004, output_x: 1.505, centre_x: 0.125 } -> conn 25;
-    pinned -> conn 25;
-    conn 25 -> body 26 { mass: 1.55, inertia: 0.5585549999999999, output_x: 0.625, centre_x: 0.41 } -> guided;
+    fixed -> torsion_damper 1 { damping: 0.163 } -> inertia 2 { inertia: 2.25 } -> torsion_spring 3 { stiffness: 0.39 } -> conn 13;
+    fixed -> torsion_damper 5 { damping: 0.163 } -> inertia 6 { inertia: 2.25 } -> torsion_spring 7 { stiffness: 0.39 } -> conn 13;
+    fixed -> torsion_damper 9 { damping: 0.163 } -> inertia 10 { inertia: 2.25 } -> torsion_spring 11 { stiffness: 0.39 } -> conn 13;
+    free -> conn 13;
+    conn 13 -> spring 14 { stiffness: 6.2 } -> spring 15 { stiffness: 7.7 } -> fixed;
 }
 
 /// Calls a function with the seed and the system of each model.
@@ -177,16 +185,16 @@ macro_rules! for_each_damped {
         $check(31, $crate::damped_models::Damped31.build());
         $check(35, $crate::damped_models::Damped35.build());
         $check(39, $crate::damped_models::Damped39.build());
+        $check(43, $crate::damped_models::Damped43.build());
         $check(53, $crate::damped_models::Damped53.build());
         $check(90, $crate::damped_models::Damped90.build());
+        $check(102, $crate::damped_models::Damped102.build());
         $check(116, $crate::damped_models::Damped116.build());
+        $check(118, $crate::damped_models::Damped118.build());
         $check(119, $crate::damped_models::Damped119.build());
         $check(124, $crate::damped_models::Damped124.build());
         $check(132, $crate::damped_models::Damped132.build());
         $check(141, $crate::damped_models::Damped141.build());
-        $check(151, $crate::damped_models::Damped151.build());
-        $check(158, $crate::damped_models::Damped158.build());
-        $check(170, $crate::damped_models::Damped170.build());
     };
 }
 pub(crate) use for_each_damped;

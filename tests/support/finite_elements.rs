@@ -87,9 +87,8 @@ impl Energies {
             End::Point { y, theta } => Some((y, theta)),
             End::Held(_) => None,
         });
-        let wide = next.is_some_and(|space| space.is(Space::Bending));
-        let y = self.join(points.clone().map(|point| point.0), wide);
-        let theta = self.join(points.map(|point| point.1), wide);
+        let y = self.join(points.clone().map(|point| point.0), next.is_some_and(|space| !space.is(Space::Rotation)));
+        let theta = self.join(points.map(|point| point.1), next.is_some_and(|space| !space.is(Space::Translation)));
         for end in inputs {
             if let End::Held(support) = *end {
                 self.hold(y, theta, support);

@@ -127,11 +127,8 @@ impl Generator {
             wide |= input.is(Space::Bending);
             space = space.map_or(Some(input), |space: Space| space.join(input));
         }
-        if mixed && space.is_some_and(|space| !space.goes_on_as(output)) {
-            inputs += self.arms(&mut tree, Space::Bending, depth - 1);
-            (wide, space) = (true, Some(Space::Bending));
-        }
-        let bending = space.is_some_and(|space| space.is(Space::Bending)) || output.is(Space::Bending);
+        let space = space.and_then(|space| space.join(output));
+        let bending = space.is_some_and(|space| space.is(Space::Bending));
         // one input alone narrows; a connection of lines that has a plane takes it from a support
         let narrows = bending && !output.is(Space::Bending);
         if inputs == 1 && !narrows || bending && !wide || self.random.chance(0.25) {

@@ -141,6 +141,22 @@ system! {
 }
 
 system! {
+    pub(crate) struct Undamped43;
+
+    fixed -> torsion_spring 1 { stiffness: 0.36 } -> inertia 2 { inertia: 0.36 } -> torsion_spring 3 { stiffness: 0.94 } -> conn 7;
+    free -> mass 5 { mass: 2.3 } -> conn 7;
+    free -> conn 7;
+    fixed -> torsion_spring 11 { stiffness: 1.16 } -> torsion_spring 12 { stiffness: 3.75 } -> inertia 13 { inertia: 2.31 } -> conn 15;
+    guided -> conn 15;
+    conn 15 -> mass 16 { mass: 1.36 } -> conn 22;
+    fixed -> torsion_spring 18 { stiffness: 0.21 } -> inertia 19 { inertia: 1.61 } -> inertia 20 { inertia: 3.48 } -> conn 22;
+    fixed -> conn 22;
+    conn 7 -> elastic_hinge 8 { stiffness_y: 22.9, stiffness_theta: 0.51 } -> beam 9 { length: 3.02, bending_stiffness: 0.32, mass_per_length: 0.32 } -> conn 25;
+    conn 22 -> body 23 { mass: 3.93, inertia: 2.63340425, output_x: 1.88, centre_x: 0.815 } -> beam 24 { length: 1.87, bending_stiffness: 1.98, mass_per_length: 0.65 } -> conn 25;
+    conn 25 -> point_mass 26 { mass: 0.24, inertia: 0.34400000000000003 } -> beam 27 { length: 1.28, bending_stiffness: 0.27, mass_per_length: 0.28 } -> fixed;
+}
+
+system! {
     pub(crate) struct Undamped44;
 
     pinned -> beam 4 { length: 1.12, bending_stiffness: 0.41, mass_per_length: 2.25 } -> beam 5 { length: 0.98, bending_stiffness: 1.08, mass_per_length: 2.54 } -> conn 7;
@@ -226,6 +242,24 @@ system! {
 }
 
 system! {
+    pub(crate) struct Undamped67;
+
+    guided -> beam 1 { length: 0.83, bending_stiffness: 0.28, mass_per_length: 2.54 } -> conn 3;
+    free -> conn 3;
+    conn 3 -> beam 4 { length: 0.48, bending_stiffness: 2.84, mass_per_length: 4.99 } -> conn 6;
+    free -> conn 6;
+    fixed -> spring 9 { stiffness: 25.8 } -> mass 10 { mass: 0.68 } -> mass 11 { mass: 0.33 } -> conn 17;
+    free -> mass 13 { mass: 0.37 } -> conn 17;
+    free -> mass 15 { mass: 4.27 } -> spring 16 { stiffness: 3.7 } -> conn 17;
+    conn 17 -> mass 18 { mass: 1.22 } -> spring 19 { stiffness: 41.0 } -> conn 21;
+    free -> conn 21;
+    conn 6 -> beam 7 { length: 0.27, bending_stiffness: 1.5, mass_per_length: 0.78 } -> conn 25;
+    conn 21 -> torsion_spring 22 { stiffness: 0.42 } -> torsion_spring 23 { stiffness: 0.28 } -> conn 25;
+    free -> conn 25;
+    conn 25 -> inertia 26 { inertia: 1.12 } -> torsion_spring 27 { stiffness: 0.33 } -> fixed;
+}
+
+system! {
     pub(crate) struct Undamped70;
 
     fixed -> beam 3 { length: 0.21, bending_stiffness: 1.35, mass_per_length: 0.31 } -> conn 10;
@@ -234,29 +268,6 @@ system! {
     fixed -> beam 1 { length: 1.67, bending_stiffness: 0.67, mass_per_length: 2.82 } -> conn 12;
     conn 10 -> point_mass 11 { mass: 0.83, inertia: 0.148 } -> conn 12;
     conn 12 -> pinned;
-}
-
-system! {
-    pub(crate) struct Undamped81;
-
-    free -> spring 1 { stiffness: 33.8 } -> mass 2 { mass: 0.23 } -> conn 4;
-    fixed -> conn 4;
-    conn 4 -> beam 5 { length: 2.9, bending_stiffness: 0.87, mass_per_length: 1.58 } -> body 6 { mass: 1.25, inertia: 0.5390078125, output_x: 0.25, centre_x: 0.6425 } -> conn 8;
-    free -> conn 8;
-    conn 8 -> point_mass 9 { mass: 0.29, inertia: 0.033 } -> body 10 { mass: 0.97, inertia: 0.7873080000000001, output_x: 0.115, centre_x: 0.58 } -> guided;
-}
-
-system! {
-    pub(crate) struct Undamped88;
-
-    fixed -> torsion_spring 1 { stiffness: 2.84 } -> torsion_spring 2 { stiffness: 2.14 } -> inertia 3 { inertia: 0.84 } -> conn 5;
-    free -> conn 5;
-    fixed -> beam 8 { length: 4.29, bending_stiffness: 3.91, mass_per_length: 0.65 } -> conn 14;
-    guided -> beam 10 { length: 4.29, bending_stiffness: 3.91, mass_per_length: 0.65 } -> conn 14;
-    guided -> point_mass 12 { mass: 0.33, inertia: 0.46799999999999997 } -> elastic_hinge 13 { stiffness_y: 6.8999999999999995, stiffness_theta: 3.8 } -> conn 14;
-    conn 5 -> beam 6 { length: 0.2, bending_stiffness: 1.2, mass_per_length: 0.76 } -> conn 16;
-    conn 14 -> body 15 { mass: 0.3, inertia: 0.36830187500000006, output_x: 0.105, centre_x: 0.2025 } -> conn 16;
-    conn 16 -> fixed;
 }
 
 /// Calls a function with the seed and the system of each model.
@@ -275,6 +286,7 @@ macro_rules! for_each_undamped {
         $check(35, $crate::undamped_models::Undamped35.build());
         $check(36, $crate::undamped_models::Undamped36.build());
         $check(39, $crate::undamped_models::Undamped39.build());
+        $check(43, $crate::undamped_models::Undamped43.build());
         $check(44, $crate::undamped_models::Undamped44.build());
         $check(45, $crate::undamped_models::Undamped45.build());
         $check(48, $crate::undamped_models::Undamped48.build());
@@ -283,9 +295,8 @@ macro_rules! for_each_undamped {
         $check(55, $crate::undamped_models::Undamped55.build());
         $check(63, $crate::undamped_models::Undamped63.build());
         $check(64, $crate::undamped_models::Undamped64.build());
+        $check(67, $crate::undamped_models::Undamped67.build());
         $check(70, $crate::undamped_models::Undamped70.build());
-        $check(81, $crate::undamped_models::Undamped81.build());
-        $check(88, $crate::undamped_models::Undamped88.build());
     };
 }
 pub(crate) use for_each_undamped;

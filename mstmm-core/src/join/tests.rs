@@ -134,8 +134,8 @@ proptest! {
     fn a_support_joins_its_own_plane(paths in proptest::collection::vec(path(), 1..4)) {
         let sum = joined_at(&paths, &[], Some(Space::Bending)).plane();
         for support in [Support::Free, Support::Pinned, Support::Guided, Support::Fixed] {
-            let held = joined_at(&paths, &[support], Some(Space::Bending));
-            prop_assert_eq!(held, Subspace::Plane(sum.with_plane(Plane::of_tip(support))));
+            let held = joined_at(&paths, &[support], Some(Space::Bending)).plane();
+            prop_assert_eq!(held, sum.with_plane(Plane::of_tip(support)));
         }
     }
 
@@ -185,6 +185,23 @@ proptest! {
             let size = (kept * left).abs() + coupling * coupling;
             assert_stiffness(narrow, placed(expected, space), size / left.abs());
             prop_assert_eq!(count.below(), u64::from(left < 0.0));
+        }
+    }
+
+    /// A translation that goes on as a rotation, or the other way round, is left behind as a whole: what goes on is free, or
+    /// held by a support, and the count gains the sign of the stiffness behind.
+    #[test]
+    fn a_line_that_goes_on_otherwise_is_left_behind(k in prop_oneof![0.01..5.0f64, -5.0..-0.01f64], factor in factor()) {
+        for (space, other) in [(Space::Translation, Space::Rotation), (Space::Rotation, Space::Translation)] {
+            for path in [Path::line(k, space, factor), Path::grounded(k, space)] {
+                let mut count = Count::default();
+                let free = connection(&[path.subspace, Subspace::Tip(Support::Free, Space::Bending)], Some(other), &mut count);
+                prop_assert!(free.space().is(other) && free.line().y != 0.0 && free.line().q == 0.0, "{free:?}");
+                prop_assert_eq!(count.below(), u64::from(k < 0.0));
+                let own_support = if space.is(Space::Translation) { Support::Guided } else { Support::Pinned };
+                let held = joined_at(&[path], &[own_support], Some(other));
+                prop_assert!(held.space().is(other) && held.line().y == 0.0 && held.line().q != 0.0, "{held:?}");
+            }
         }
     }
 
