@@ -18,6 +18,21 @@ impl<S: Scalar> Plane<S> {
         Plane::unscaled(minors, exponent)
     }
 
+    /// Joins a grounded stiffness against deflection and one against rotation.
+    #[inline(always)]
+    fn with_springs(self, k_y: S, k_theta: S) -> Self {
+        let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = self;
+        let minors = [
+            y_theta,
+            y_m + k_theta * y_theta,
+            w,
+            theta_q + k_y * y_theta,
+            // in pairs: a short chain of dependent operations
+            (m_q + k_y * y_m) + (k_theta * theta_q + (k_y * k_theta) * y_theta),
+        ];
+        Plane::unscaled(minors, exponent)
+    }
+
     /// Joins a line of a translation or rotation path.
     #[inline(always)]
     pub(crate) fn with_line(self, Line { y, q, exponent }: Line<S>, space: Space) -> Self {
@@ -112,9 +127,7 @@ pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
         (springs @ Springs { .. }, OfLine(line, space)) | (OfLine(line, space), springs @ Springs { .. }) => {
             OfPlane(springs.plane().with_line(line, space))
         }
-        (OfPlane(p), Springs { y, theta }) | (Springs { y, theta }, OfPlane(p)) => {
-            OfPlane(p.with_stiffness(y, Space::Translation).with_stiffness(theta, Space::Rotation))
-        }
+        (OfPlane(p), Springs { y, theta }) | (Springs { y, theta }, OfPlane(p)) => OfPlane(p.with_springs(y, theta)),
         (OfPlane(p), OfPlane(r)) => OfPlane(p.with_plane(r)),
         (OfPlane(p), Grounded(k, space)) | (Grounded(k, space), OfPlane(p)) => OfPlane(p.with_stiffness(k, space)),
         (OfPlane(p), OfLine(line, space)) | (OfLine(line, space), OfPlane(p)) => OfPlane(p.with_line(line, space)),

@@ -18,19 +18,35 @@ pub struct Scaled<S> {
 /// Exponent `e` with `2^e <= size < 2^(e+1)`; 0 for zero and for what is not finite.
 #[inline]
 pub(crate) fn binary_exponent(size: f64) -> i32 {
-    let bits = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
-    match bits(size) {
+    match biased_exponent(size) {
         0x7ff => 0,
         0 if size == 0.0 => 0,
-        0 => bits(size * (1u64 << 54) as f64) - 1023 - 54,
+        0 => biased_exponent(size * (1u64 << 54) as f64) - 1023 - 54,
         biased => biased - 1023,
     }
+}
+
+/// The exponent as it is stored: 0 for zero and subnormal numbers, `0x7ff` for what is not finite.
+#[inline(always)]
+fn biased_exponent(size: f64) -> i32 {
+    ((size.to_bits() >> 52) & 0x7ff) as i32
 }
 
 impl<S: Scalar> Scaled<S> {
     /// `value · 2^exponent`, normalised.
     #[inline]
     pub fn new(value: S, exponent: i64) -> Self {
+        let biased = biased_exponent(value.size());
+        if biased == 0 || biased == 0x7ff {
+            return Scaled::of_extreme(value, exponent);
+        }
+        let shift = biased - 1023;
+        Scaled { mantissa: value.times_power_of_two(-shift), exponent: exponent.saturating_add(i64::from(shift)) }
+    }
+
+    /// The same for zero, subnormal numbers, and what is not finite.
+    #[cold]
+    fn of_extreme(value: S, exponent: i64) -> Self {
         let size = value.size();
         if size == 0.0 || !size.is_finite() {
             return Scaled { mantissa: value, exponent: 0 };

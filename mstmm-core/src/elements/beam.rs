@@ -173,42 +173,38 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
             return BeamCoefficients::small(z, built, at);
         }
         let waves = z.wave_products();
-        let half = S::from_f64(0.5);
-        let (one, c) = (waves.one * half, waves.ch_cos);
-        let (half_c, ch_sin, sh_cos) = (c * half, waves.ch_sin * half, waves.sh_cos * half);
-        let (b, f, d, e) = (ch_sin + sh_cos, waves.sh_sin * half, ch_sin - sh_cos, one - half_c);
+        let (one, c, f) = (waves.one, waves.ch_cos, waves.sh_sin);
+        let (b, d) = (waves.ch_sin + waves.sh_cos, waves.ch_sin - waves.sh_cos);
         BeamCoefficients {
             z,
-            a: one + half_c,
-            c,
+            a: one + c,
+            c: c + c,
             b,
             f,
             d,
-            e,
+            e: one - c,
             raised_b: b,
             raised_f: f,
             raised_d: d,
-            raised_e: e,
+            raised_e: one - c,
             factors: core::array::from_fn(|k| at.powers[k] * built.wave_units.factors[k]),
             inverses: core::array::from_fn(|k| at.inverse_powers[k] * built.wave_units.inverses[k]),
-            exponent: waves.exponent,
+            // above stands twice of each
+            exponent: waves.exponent - 1,
         }
     }
 
     #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
-        let (before, after) = match input {
-            Subspace::Tip(support, _) => (Plane::of_tip(support), coefficients.behind_tip(support)),
-            Subspace::Springs { y, theta } => (input.plane(), coefficients.behind_springs(y, theta)),
-            _ => {
-                let before = input.plane();
-                (before, coefficients.through(before))
-            }
+        let after = match input {
+            Subspace::Tip(support, _) => coefficients.behind_tip(support),
+            Subspace::Springs { y, theta } => coefficients.behind_springs(y, theta),
+            _ => coefficients.through(input.plane()),
         };
         if C::COUNTS {
             let BeamCoefficients { z, e, b, .. } = *coefficients;
             let clamped_stiffness = coefficients.factors[2] * b / e;
-            tally.beam(&before, &after, BeamSigns { z, one_minus_product: e, clamped_stiffness });
+            tally.beam(&input.plane(), &after, BeamSigns { z, one_minus_product: e, clamped_stiffness });
         }
         Subspace::Plane(after)
     }
@@ -323,7 +319,7 @@ impl<S: Scalar> BeamCoefficients<S> {
             - self.raised_d * theta_q
     }
 
-    /// The plane behind a beam with grounded springs at its free end.
+    /// The plane behind a beam with grounded springs at its free end, like one behind a tip without a look at the range.
     #[inline(always)]
     fn behind_springs(&self, y: S, theta: S) -> Plane<S> {
         let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, factors, .. } = *self;
@@ -336,7 +332,7 @@ impl<S: Scalar> BeamCoefficients<S> {
             ((c * theta_q - raised_b) + (b * m_q - raised_f * (y_m + y_m))) * factors[2],
             ((a * m_q + raised_e) - (raised_b * y_m + raised_d * theta_q)) * factors[3],
         ];
-        Plane::new(minors, self.exponent)
+        Plane::unscaled(minors, self.exponent)
     }
 
     /// The plane behind a beam that starts at a support: a column of the compound.
