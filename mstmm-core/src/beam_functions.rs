@@ -6,11 +6,20 @@ use nalgebra::Matrix4;
 /// Krylov functions `[S, T/z, U/z², V/z³]` of `x = z⁴`, with `S = (ch z + cos z)/2`, `T = (sh z + sin z)/2`,
 /// `U = (ch z - cos z)/2`, `V = (sh z - sin z)/2`: entire in `x`.
 ///
-/// Taylor series `Σ x^k/(4k+j)!` for `|x| <= 1`, where the closed forms cancel.
+/// Taylor series `Σ x^k/(4k+j)!` for `|x| <= 1`, where the closed forms cancel. Near the negative axis, where z is not real,
+/// `[ch y cos y, (ch y sin y + sh y cos y)/(2y), sh y sin y/(2y²), (ch y sin y - sh y cos y)/(4y³)]` with `z = (1 + i) y`.
 #[inline]
 pub(crate) fn krylov<S: Scalar>(x: S) -> [S; 4] {
     if x.size() <= 1.0 {
         return [0, 1, 2, 3].map(|first| series(x, first, 4));
+    }
+    if is_nearly_negative(x) {
+        let y2 = (-x * S::from_f64(0.25)).sqrt();
+        let y = y2.sqrt();
+        let ((sin, cos), (sh, ch)) = (y.sin_cos(), y.sinh_cosh());
+        let two_y = y + y;
+        let (even, odd) = (ch * sin, sh * cos);
+        return [ch * cos, (even + odd) / two_y, sh * sin / (y2 + y2), (even - odd) / (two_y * (y2 + y2))];
     }
     let z2 = x.sqrt();
     let z = z2.sqrt();
@@ -18,6 +27,12 @@ pub(crate) fn krylov<S: Scalar>(x: S) -> [S; 4] {
     let (sh, ch) = z.sinh_cosh();
     let two = S::from_f64(2.0);
     [(ch + cos) / two, (sh + sin) / (two * z), (ch - cos) / (two * z2), (sh - sin) / (two * z * z2)]
+}
+
+/// Whether a number is negative, or complex and within an eighth of a turn of the negative axis.
+#[inline]
+fn is_nearly_negative<S: Scalar>(x: S) -> bool {
+    (x + S::from_f64(x.size())).size() < x.size()
 }
 
 /// Transfer matrix of a beam in bending, eq. (19) of the paper, written in `z⁴` and the normalised functions.
@@ -85,6 +100,20 @@ mod tests {
         let (cos_series, sinc_series) = cosine_and_sinc(1.0);
         assert_close(cos, cos_series, 1.0, 1e-12 / f64::EPSILON);
         assert_close(sinc, sinc_series, 1.0, 1e-12 / f64::EPSILON);
+    }
+
+    /// Oracle: the complex fourth root of `x` and the definitions, where a real one has none.
+    #[test]
+    fn negative_arguments_have_real_values() {
+        for x in [-1.1, -4.0, -60.0, -3e3_f64] {
+            let z2 = Complex::new(0.0, (-x).sqrt());
+            let z = z2.sqrt();
+            let (sh, ch, sin, cos) = (z.sinh(), z.cosh(), z.sin(), z.cos());
+            let expected = [ch + cos, (sh + sin) / z, (ch - cos) / z2, (sh - sin) / (z2 * z)];
+            for (real, expected) in krylov(x).iter().zip(expected) {
+                assert_close(*real, (expected / 2.0).re, ch.norm(), 16.0);
+            }
+        }
     }
 
     #[test]
