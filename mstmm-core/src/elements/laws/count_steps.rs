@@ -122,8 +122,31 @@ where
     });
 }
 
+/// Two halves of an element count as the whole does, far above its own clamped frequencies: z up to 90. What the halves
+/// eliminate on their own is the point between them.
+fn two_halves_count_as_the_whole<E>()
+where
+    E: Sample + PlaneStep<f64>,
+{
+    check(-3.0..3.0, |element: E, lambda, numbers| {
+        let Some(half) = element.halves() else { return };
+        let at = At::new(lambda.norm(), E::WAVES);
+        let [whole, half] = [element, half].map(|element| E::coefficients(&built(element), &at));
+        let space = space::<E>();
+        let input: Vec<f64> = coordinates(space, &random_states(space, numbers, 0.0)).iter().map(|z| z.re).collect();
+        for support in supports(space) {
+            let (mut once, mut twice) = (Count::default(), Count::default());
+            E::step(&whole, subspace(space, &input), &mut once).at_root(support, &mut once);
+            let middle = E::step(&half, subspace(space, &input), &mut twice);
+            E::step(&half, middle, &mut twice).at_root(support, &mut twice);
+            assert_eq!(once, twice, "{element:?} at {lambda} behind {input:?}, then {support:?}");
+        }
+    });
+}
+
 #[test]
 fn counts_of_undamped_elements() {
     for_each_undamped_stepping_element!(a_step_counts_the_inertia_of_what_it_eliminates);
     for_each_undamped_stepping_element!(a_step_into_the_root_counts_as_a_step_and_the_root);
+    for_each_undamped_stepping_element!(two_halves_count_as_the_whole);
 }

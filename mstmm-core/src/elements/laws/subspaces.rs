@@ -42,7 +42,8 @@ fn no_element_with_a_plane_step_escapes_the_laws() {
 }
 
 /// Runs a law on random samples of an element, random λ with a modulus in the given decades, and eight random numbers
-/// in [-1, 1] for the states.
+/// in [-1, 1] for the states; a failure shows the law's own line and the element.
+#[track_caller]
 pub(super) fn check<E: Sample>(decades: core::ops::Range<f64>, law: impl Fn(E, C, &[f64])) {
     let parameters = proptest::collection::vec(0.5..2.0f64, 8);
     let states = proptest::collection::vec(-1.0..1.0f64, 8);
@@ -55,7 +56,9 @@ pub(super) fn check<E: Sample>(decades: core::ops::Range<f64>, law: impl Fn(E, C
             Ok(())
         },
     );
-    run.unwrap();
+    if let Err(error) = run {
+        panic!("{}: {error}", core::any::type_name::<E>());
+    }
 }
 
 /// States that span a random subspace which a path of reciprocal elements can leave at its end: all of a two-entry
