@@ -5,10 +5,7 @@ use crate::bounds::FrequencyBounds;
 use crate::characteristic::{Characteristic, System};
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep};
-use crate::elements::{
-    Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
-    TorsionSpringDamper,
-};
+use crate::elements::*;
 use crate::error::InvalidParameter;
 use crate::join::connection;
 use crate::scalar::{ComplexFrequency, Frequency, Real, Scalar};
@@ -134,16 +131,19 @@ macro_rules! any_element {
     };
 }
 
-any_element!(
-    /// Any built-in element without damping.
-    AnyUndamped, Frequency: Beam, Body, ElasticHinge, PointMass, Spring, TorsionSpring, Mass, Inertia
-);
-any_element!(
-    /// Any built-in element; with a damper among them, a list has complex eigenvalues only.
-    AnyElement, ComplexFrequency:
-    Beam, Body, ElasticHinge, PointMass, Spring, TorsionSpring, Mass, Inertia,
-    Damper, TorsionDamper, SpringDamper, TorsionSpringDamper
-);
+macro_rules! any_elements {
+    (undamped { $($element:ident),* } damped { $($damped:ident),* }) => {
+        any_element!(
+            /// Any built-in element without damping.
+            AnyUndamped, Frequency: $($element),*
+        );
+        any_element!(
+            /// Any built-in element; with a damper among them, a list has complex eigenvalues only.
+            AnyElement, ComplexFrequency: $($element,)* $($damped),*
+        );
+    };
+}
+stepping_elements!(any_elements);
 
 /// A tree of elements as a list of steps in the caller's memory.
 ///

@@ -12,9 +12,8 @@ use proptest::test_runner::TestRunner;
 use std::vec;
 use std::vec::Vec;
 
-/// Runs laws over the list of all elements of the plane method, which are those without a planar state, and laws of
-/// undamped elements over those among them.
-macro_rules! stepping_elements {
+/// Runs laws over all elements of the plane method, and laws of undamped elements over those among them.
+macro_rules! laws_of_steps {
     (undamped { $($element:ident),* } damped { $($damped:ident),* }) => {
         macro_rules! for_each_stepping_element {
             ($law:ident) => {
@@ -25,21 +24,10 @@ macro_rules! stepping_elements {
         macro_rules! for_each_undamped_stepping_element {
             ($law:ident) => { $($law::<$crate::elements::$element<f64>>();)* };
         }
-        const STEPPING: &[&str] = &[$(stringify!($element),)* $(stringify!($damped)),*];
         pub(super) use {for_each_stepping_element, for_each_undamped_stepping_element};
     };
 }
-stepping_elements! {
-    undamped { Spring, TorsionSpring, Mass, Inertia, PointMass, ElasticHinge, Body, Beam }
-    damped { Damper, TorsionDamper, SpringDamper, TorsionSpringDamper }
-}
-
-/// The laws of the plane method leave out the planar elements and no other.
-#[test]
-fn no_element_with_a_plane_step_escapes_the_laws() {
-    let all = crate::elements::NAMES.iter().copied();
-    assert_eq!(STEPPING, all.filter(|name| !name.starts_with("Planar")).collect::<Vec<_>>());
-}
+crate::elements::stepping_elements!(laws_of_steps);
 
 /// Runs a law on random samples of an element, random λ with a modulus in the given decades, and eight random numbers
 /// in [-1, 1] for the states; a failure shows the law's own line and the element.
