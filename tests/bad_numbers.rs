@@ -54,7 +54,7 @@ fn every_element_of_the_language_has_its_scene() {
     let mut elements = NAMES.to_vec();
     tested.sort_unstable();
     elements.sort_unstable();
-    assert_eq!(tested, elements);
+    assert_eq!(tested, elements, "scenes of support/one_element.rs, and elements of the core");
 }
 
 /// Oracle: the ranges that the documentation of the language states.

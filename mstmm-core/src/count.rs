@@ -11,7 +11,7 @@ use crate::subspace::{Line, Plane};
 /// What a beam tells the tally besides its planes.
 #[derive(Clone, Copy, Debug)]
 pub struct BeamSigns<S> {
-    /// `z = βl`.
+    /// `z = βl`; 0 where nothing oscillates along the beam (`z⁴ < 0`): then no clamped frequency is below.
     pub z: S,
     /// Positive multiple of `1 - ch z cos z`.
     pub one_minus_product: S,
