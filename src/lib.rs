@@ -7,8 +7,8 @@ pub use mstmm_core::{
     ComplexFrequency, Count, DoubleDouble, Dual, Element, Evaluate, Frequency, FrequencyBounds, InvalidParameter,
     Layout, Line, ListElement, ListError, ListPass, ListStep, Magnitude, MatrixOf, MayDecay, ParameterError, Planar,
     Plane, PlaneStep, Real, RealFrequency, Requirement, Rotation, SMatrix, Scalar, Scaled, SearchError, Space,
-    StateSpace, StepList, Subspace, Support, System, Tally, TransferMatrix, Translation, Untallied, determinant,
-    elements, search,
+    StateSpace, StepList, Subspace, Support, System, Tally, TransferMatrix, Translation, Untallied, WaveProducts,
+    determinant, elements, search,
 };
 
 /// All that a model needs: `use mstmm::prelude::*;`.

@@ -26,8 +26,9 @@ impl<S: Scalar> At<S> {
         if !waves {
             return At { x, lambda_squared, powers: [S::one(); 4], inverse_powers: [S::one(); 4] };
         }
-        let s = x.wave_root();
-        let (s2, inverse) = (s * s, S::one() / s);
+        let s2 = x.omega();
+        let s = s2.sqrt();
+        let inverse = S::one() / s;
         let inverse2 = inverse * inverse;
         At {
             x,

@@ -18,9 +18,15 @@ impl<S: Scalar> Plane<S> {
         Plane::unscaled(minors, exponent)
     }
 
-    /// Joins a grounded stiffness against deflection and one against rotation.
+    /// Joins grounded stiffnesses against deflection and rotation.
     #[inline(always)]
-    fn with_springs(self, k_y: S, k_theta: S) -> Self {
+    fn with_springs(self, y: Option<S>, theta: Option<S>) -> Self {
+        let (k_y, k_theta) = match (y, theta) {
+            (None, None) => return self,
+            (Some(k), None) => return self.with_stiffness(k, Space::Translation),
+            (None, Some(k)) => return self.with_stiffness(k, Space::Rotation),
+            (Some(k_y), Some(k_theta)) => (k_y, k_theta),
+        };
         let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = self;
         let minors = [
             y_theta,
@@ -113,16 +119,29 @@ impl<S: Scalar> Line<S> {
     }
 }
 
+/// The stiffness of two springs side by side, each of which may not be there.
+#[inline(always)]
+pub(crate) fn in_parallel<S: Scalar>(a: Option<S>, b: Option<S>) -> Option<S> {
+    a.zip(b).map(|(a, b)| a + b).or(a).or(b)
+}
+
 /// Joins two subspaces that are no supports.
 #[inline(always)]
 pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
+    // what a pin holds is an ordinary plane to others
+    let ordinary = |subspace| if let Subspace::OnPin(plane) = subspace { OfPlane(plane) } else { subspace };
+    let (a, b) = (ordinary(a), ordinary(b));
     match (a, b) {
         (Springs { y, theta }, Springs { y: other_y, theta: other_theta }) => {
-            Springs { y: y + other_y, theta: theta + other_theta }
+            Springs { y: in_parallel(y, other_y), theta: in_parallel(theta, other_theta) }
         }
         (Springs { y, theta }, Grounded(k, space)) | (Grounded(k, space), Springs { y, theta }) => {
-            if space.is(Space::Translation) { Springs { y: y + k, theta } } else { Springs { y, theta: theta + k } }
+            if space.is(Space::Translation) {
+                Springs { y: in_parallel(y, Some(k)), theta }
+            } else {
+                Springs { y, theta: in_parallel(theta, Some(k)) }
+            }
         }
         (springs @ Springs { .. }, OfLine(line, space)) | (OfLine(line, space), springs @ Springs { .. }) => {
             OfPlane(springs.plane().with_line(line, space))
@@ -132,7 +151,7 @@ pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
         (OfPlane(p), Grounded(k, space)) | (Grounded(k, space), OfPlane(p)) => OfPlane(p.with_stiffness(k, space)),
         (OfPlane(p), OfLine(line, space)) | (OfLine(line, space), OfPlane(p)) => OfPlane(p.with_line(line, space)),
         (Grounded(k, Space::Translation), Grounded(j, Space::Rotation))
-        | (Grounded(j, Space::Rotation), Grounded(k, Space::Translation)) => Springs { y: k, theta: j },
+        | (Grounded(j, Space::Rotation), Grounded(k, Space::Translation)) => Springs { y: Some(k), theta: Some(j) },
         (a, Grounded(k, space)) if !a.space().is(space) => OfPlane(a.plane().with_stiffness(k, space)),
         (a, OfLine(line, space)) if !a.space().is(space) => OfPlane(a.plane().with_line(line, space)),
         (Grounded(j, space), Grounded(k, _)) => Grounded(j + k, space),
@@ -148,9 +167,7 @@ pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
 #[inline(always)]
 pub(crate) fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
     match subspace {
-        Subspace::Plane(Plane { y_theta, y_m, w, theta_q, m_q, exponent }) => {
-            Subspace::Plane(Plane::new([y_theta, y_m, w, theta_q, m_q], exponent))
-        }
+        Subspace::Plane(plane) | Subspace::OnPin(plane) => Subspace::Plane(plane.in_range()),
         Subspace::Line(line, space) => Subspace::Line(Line::new(line.y, line.q, line.exponent), space),
         Subspace::Tip(..) | Subspace::Grounded(..) | Subspace::Springs { .. } => subspace,
     }
@@ -175,8 +192,8 @@ pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subsp
         return subspace;
     }
     match subspace {
-        Subspace::Grounded(k, Space::Translation) => Subspace::Springs { y: k, theta: S::zero() },
-        Subspace::Grounded(k, _) => Subspace::Springs { y: S::zero(), theta: k },
+        Subspace::Grounded(k, Space::Translation) => Subspace::Springs { y: Some(k), theta: None },
+        Subspace::Grounded(k, _) => Subspace::Springs { y: None, theta: Some(k) },
         Subspace::Springs { .. } => subspace,
         _ => Subspace::Plane(subspace.plane()),
     }
@@ -188,7 +205,10 @@ pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
     match subspace {
         _ if support == Support::Free => subspace,
         Subspace::Tip(Support::Free, space) => Subspace::Tip(support, space),
-        Subspace::Tip(_, Space::Bending) | Subspace::Plane(_) | Subspace::Springs { .. } => {
+        Subspace::Plane(_) | Subspace::Springs { .. } if support == Support::Pinned => {
+            Subspace::OnPin(subspace.plane().held(support))
+        }
+        Subspace::Tip(_, Space::Bending) | Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
             Subspace::Plane(subspace.plane().held(support))
         }
         _ if support != Support::Fixed => subspace,
@@ -204,7 +224,10 @@ pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
 #[inline(always)]
 pub fn narrowed<S: Scalar, C: Tally<S>>(subspace: Subspace<S>, output: Option<Space>, tally: &mut C) -> Subspace<S> {
     match (subspace, output) {
-        (Subspace::Plane(_) | Subspace::Springs { .. }, Some(space @ (Space::Translation | Space::Rotation))) => {
+        (
+            Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. },
+            Some(space @ (Space::Translation | Space::Rotation)),
+        ) => {
             let plane = subspace.plane();
             tally.narrowing(&plane, space);
             let y = if space.is(Space::Translation) { plane.y_m } else { plane.theta_q };

@@ -12,9 +12,16 @@ pub(crate) fn through_stiffness<S: Scalar, C: Tally<S>>(kappa: S, input: Subspac
     if let Subspace::Tip(Support::Fixed, _) = input {
         return Subspace::Grounded(kappa, space);
     }
-    let before = input.line();
-    let after = Line::new(kappa * before.y - before.q, kappa * before.q, before.exponent);
-    tally.spring(&before, &after);
+    let after = match input {
+        Subspace::Grounded(k, _) => Line::new(kappa + k, -(kappa * k), 0),
+        _ => {
+            let before = input.line();
+            Line::new(kappa * before.y - before.q, kappa * before.q, before.exponent)
+        }
+    };
+    if C::COUNTS {
+        tally.spring(&input.line(), &after);
+    }
     Subspace::Line(after, space)
 }
 
@@ -27,6 +34,8 @@ pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subs
         Subspace::Tip(Support::Fixed, _) => Subspace::Line(input.line(), space),
         Subspace::Grounded(k, _) => Subspace::Grounded(k + inertia, space),
         Subspace::Line(Line { y, q, exponent }, _) => Subspace::Line(Line { y, q: q - inertia * y, exponent }, space),
-        Subspace::Tip(..) | Subspace::Plane(_) | Subspace::Springs { .. } => Subspace::Grounded(inertia, space),
+        Subspace::Tip(..) | Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
+            Subspace::Grounded(inertia, space)
+        }
     }
 }

@@ -108,8 +108,8 @@ pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
     /// `λ²`: `-ω²` for a real frequency.
     fn lambda_squared(self) -> Self;
 
-    /// `sqrt(ω)` with `ω = -iλ`, to which the wave numbers of beams are proportional; of `|ω|` for a real frequency.
-    fn wave_root(self) -> Self;
+    /// `ω = -iλ`, to whose root the wave numbers of beams are proportional; `|ω|` for a real frequency.
+    fn omega(self) -> Self;
 
     /// A parameter as a scalar of this type.
     fn from_parameter(parameter: T) -> Self;

@@ -50,17 +50,19 @@ pub enum Subspace<S> {
     /// `q = -k y`, never scaled: a grounded spring, a free mass, or several of them at one point.
     Grounded(S, Space),
     /// `Q = -k_y Y` and `M = k_θ Θ` in a bending path, never scaled: a grounded hinge, a free point mass, or grounded springs
-    /// at the free end of a beam.
+    /// at the free end of a beam. What is not there is known to be zero when the code is compiled.
     Springs {
         /// Stiffness against deflection.
-        y: S,
+        y: Option<S>,
         /// Stiffness against rotation.
-        theta: S,
+        theta: Option<S>,
     },
     /// A line of a translation or rotation path.
     Line(Line<S>, Space),
     /// A plane of a bending path.
     Plane(Plane<S>),
+    /// A plane where a pin holds the point: only p_ΘQ and p_MQ are not zero.
+    OnPin(Plane<S>),
 }
 
 /// Where the exponents of subspaces are shifted back into the middle of the range.
@@ -110,6 +112,13 @@ impl<S: Scalar> Plane<S> {
         Plane { y_theta, y_m, w, theta_q, m_q, exponent }
     }
 
+    /// The same plane with its minors in the middle of the range.
+    #[inline(always)]
+    pub(crate) fn in_range(self) -> Self {
+        let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = self;
+        Plane::new([y_theta, y_m, w, theta_q, m_q], exponent)
+    }
+
     /// The plane that a support leaves.
     #[inline(always)]
     pub(crate) fn of_tip(support: Support) -> Self {
@@ -146,7 +155,9 @@ impl<S: Scalar> Subspace<S> {
             Subspace::Tip(Support::Fixed, _) => Line { y: zero, q: one, exponent: 0 },
             Subspace::Grounded(k, _) => Line::new(one, -k, 0),
             Subspace::Line(line, _) => line,
-            Subspace::Tip(..) | Subspace::Plane(_) | Subspace::Springs { .. } => Line { y: one, q: zero, exponent: 0 },
+            Subspace::Tip(..) | Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
+                Line { y: one, q: zero, exponent: 0 }
+            }
         }
     }
 
@@ -154,10 +165,14 @@ impl<S: Scalar> Subspace<S> {
     #[inline(always)]
     pub fn plane(self) -> Plane<S> {
         match self {
-            Subspace::Plane(plane) => plane,
+            Subspace::Plane(plane) | Subspace::OnPin(plane) => plane,
             Subspace::Tip(support, _) => Plane::of_tip(support),
             Subspace::Grounded(k, space) => Plane::of_tip(Support::Free).with_stiffness(k, space),
-            Subspace::Springs { y, theta } => Plane::new([S::one(), theta, S::zero(), y, y * theta], 0),
+            Subspace::Springs { y, theta } => {
+                let product = y.zip(theta).map(|(y, theta)| y * theta);
+                let [theta, y, product] = [theta, y, product].map(Option::unwrap_or_default);
+                Plane::new([S::one(), theta, S::zero(), y, product], 0)
+            }
             Subspace::Line(line, space) => Plane::of_tip(Support::Free).with_line(line, space),
         }
     }
@@ -167,14 +182,14 @@ impl<S: Scalar> Subspace<S> {
     pub fn space(&self) -> Space {
         match self {
             Subspace::Tip(_, space) | Subspace::Grounded(_, space) | Subspace::Line(_, space) => *space,
-            Subspace::Plane(_) | Subspace::Springs { .. } => Space::Bending,
+            Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => Space::Bending,
         }
     }
 
     /// Δ: vanishes where the subspace meets the boundary condition of the root.
     #[inline(always)]
     pub fn at_root<C: Tally<S>>(self, support: Support, tally: &mut C) -> Scaled<S> {
-        if let Subspace::Plane(_) | Subspace::Springs { .. } = self {
+        if let Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } = self {
             let plane = self.plane();
             tally.plane_root(&plane, support);
             return Scaled::new(plane.minor_at(support), i64::from(plane.exponent));

@@ -6,7 +6,7 @@ use crate::bounds::FrequencyBounds;
 use crate::count::{BeamSigns, Tally};
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real, Scalar};
+use crate::scalar::{Frequency, Real, Scalar, WaveProducts};
 use crate::scaled::{Scaled, binary_exponent};
 use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
@@ -172,25 +172,24 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
         if z.size() <= 1.0 {
             return BeamCoefficients::small(z, built, at);
         }
-        let waves = z.wave_products();
-        let (one, c, f) = (waves.one, waves.ch_cos, waves.sh_sin);
-        let (b, d) = (waves.ch_sin + waves.sh_cos, waves.ch_sin - waves.sh_cos);
+        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = z.wave_products();
+        let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
         BeamCoefficients {
             z,
-            a: one + c,
-            c: c + c,
+            a: one + ch_cos,
+            c: ch_cos + ch_cos,
             b,
             f,
             d,
-            e: one - c,
+            e,
             raised_b: b,
             raised_f: f,
             raised_d: d,
-            raised_e: one - c,
+            raised_e: e,
             factors: core::array::from_fn(|k| at.powers[k] * built.wave_units.factors[k]),
             inverses: core::array::from_fn(|k| at.inverse_powers[k] * built.wave_units.inverses[k]),
             // above stands twice of each
-            exponent: waves.exponent - 1,
+            exponent: exponent - 1,
         }
     }
 
@@ -199,7 +198,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
         let after = match input {
             Subspace::Tip(support, _) => coefficients.behind_tip(support),
             Subspace::Springs { y, theta } => coefficients.behind_springs(y, theta),
-            _ => coefficients.through(input.plane()),
+            Subspace::OnPin(plane) => coefficients.behind_pin(&plane).in_range(),
+            _ => coefficients.through(&input.plane()).in_range(),
         };
         if C::COUNTS {
             let BeamCoefficients { z, e, b, .. } = *coefficients;
@@ -216,17 +216,22 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
         support: Support,
         tally: &mut C,
     ) -> Scaled<S> {
-        if C::COUNTS || matches!(input, Subspace::Tip(..) | Subspace::Springs { .. }) {
+        if C::COUNTS || matches!(input, Subspace::Tip(..)) {
             return Self::step(coefficients, input, tally).at_root(support, tally);
         }
-        let plane = input.plane();
-        let exponent = i64::from(plane.exponent) + i64::from(coefficients.exponent);
-        Scaled::new(coefficients.minor_at(support, plane), exponent)
+        // no look at the range: only the minor that decides is needed
+        let plane = match input {
+            Subspace::Springs { y, theta } => coefficients.behind_springs(y, theta),
+            Subspace::OnPin(plane) => coefficients.behind_pin(&plane),
+            _ => coefficients.through(&input.plane()),
+        };
+        Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
     }
 }
 
 impl<S: Scalar> BeamCoefficients<S> {
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
+    #[cold]
     fn small<T: Real>(z: S, built: &BuiltBeam<T>, at: &At<S>) -> Self
     where
         S: Frequency<T>,
@@ -252,92 +257,83 @@ impl<S: Scalar> BeamCoefficients<S> {
         }
     }
 
-    /// The minors of a plane in the units of the coefficients.
+    /// The plane behind the beam, given its minors in the units of the coefficients.
     #[inline(always)]
-    fn local(&self, p: Plane<S>) -> [S; 5] {
-        [
-            p.y_theta,
-            p.y_m * self.inverses[0],
-            p.w * self.inverses[1],
-            p.theta_q * self.inverses[2],
-            p.m_q * self.inverses[3],
-        ]
+    fn plane(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5], exponent: i32) -> Plane<S> {
+        let factors = self.factors;
+        let minors = [y_theta, y_m * factors[0], w * factors[1], theta_q * factors[2], m_q * factors[3]];
+        Plane::unscaled(minors, exponent.saturating_add(self.exponent))
     }
 
-    /// Takes a plane through the beam.
+    /// Takes a plane through the beam. Sums in pairs: short chains of dependent additions.
     #[inline(always)]
-    fn through(&self, plane: Plane<S>) -> Plane<S> {
-        let p = self.local(plane);
+    fn through(&self, p: &Plane<S>) -> Plane<S> {
+        let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, .. } = *self;
+        let (y_theta, y_m, w) = (p.y_theta, p.y_m * inverses[0], p.w * inverses[1]);
+        let (theta_q, m_q) = (p.theta_q * inverses[2], p.m_q * inverses[3]);
+        let (two_y_m, two_w, two_theta_q) = (y_m + y_m, w + w, theta_q + theta_q);
         let minors = [
-            self.y_theta(p),
-            self.y_m(p) * self.factors[0],
-            self.w(p) * self.factors[1],
-            self.theta_q(p) * self.factors[2],
-            self.m_q(p) * self.factors[3],
+            (a * y_theta + b * y_m) + (f * two_w + d * theta_q) + e * m_q,
+            (c * y_m - raised_d * y_theta) + (b * two_w + f * two_theta_q) + d * m_q,
+            (c * w - raised_f * y_theta) + (b * theta_q - raised_d * y_m) + f * m_q,
+            (c * theta_q - raised_b * y_theta) - (raised_f * two_y_m + raised_d * two_w) + b * m_q,
+            (a * m_q + raised_e * y_theta) - (raised_b * y_m + raised_f * two_w) - raised_d * theta_q,
         ];
-        Plane::new(minors, plane.exponent.saturating_add(self.exponent))
+        self.plane(minors, p.exponent)
     }
 
-    /// The one minor that decides at the root.
+    /// The same for the plane of a point on a pin.
     #[inline(always)]
-    fn minor_at(&self, support: Support, plane: Plane<S>) -> S {
-        let p = self.local(plane);
-        match support {
-            Support::Fixed => self.y_theta(p),
-            Support::Pinned => self.y_m(p) * self.factors[0],
-            Support::Guided => self.theta_q(p) * self.factors[2],
-            Support::Free => self.m_q(p) * self.factors[3],
-            Support::Roller => S::zero(),
-        }
-    }
-
-    // sums in pairs: short chains of dependent additions
-    #[inline(always)]
-    fn y_theta(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        (self.a * y_theta + self.b * y_m) + (self.f * (w + w) + self.d * theta_q) + self.e * m_q
-    }
-
-    #[inline(always)]
-    fn y_m(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        (self.c * y_m - self.raised_d * y_theta) + (self.b * (w + w) + self.f * (theta_q + theta_q)) + self.d * m_q
-    }
-
-    #[inline(always)]
-    fn w(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        (self.c * w - self.raised_f * y_theta) + (self.b * theta_q - self.raised_d * y_m) + self.f * m_q
-    }
-
-    #[inline(always)]
-    fn theta_q(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        (self.c * theta_q - self.raised_b * y_theta) - (self.raised_f * (y_m + y_m) + self.raised_d * (w + w))
-            + self.b * m_q
-    }
-
-    #[inline(always)]
-    fn m_q(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5]) -> S {
-        (self.a * m_q + self.raised_e * y_theta) - (self.raised_b * y_m + self.raised_f * (w + w))
-            - self.raised_d * theta_q
-    }
-
-    /// The plane behind a beam with grounded springs at its free end, like one behind a tip without a look at the range.
-    #[inline(always)]
-    fn behind_springs(&self, y: S, theta: S) -> Plane<S> {
-        let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, factors, .. } = *self;
-        let (y_m, theta_q) = (theta * self.inverses[0], y * self.inverses[2]);
-        let m_q = y_m * theta_q;
+    fn behind_pin(&self, p: &Plane<S>) -> Plane<S> {
+        let BeamCoefficients { a, c, b, f, d, e, raised_d, inverses, .. } = *self;
+        let (theta_q, m_q) = (p.theta_q * inverses[2], p.m_q * inverses[3]);
         let minors = [
-            (a + b * y_m) + (d * theta_q + e * m_q),
-            ((c * y_m - raised_d) + (f * (theta_q + theta_q) + d * m_q)) * factors[0],
-            ((b * theta_q - raised_f) + (f * m_q - raised_d * y_m)) * factors[1],
-            ((c * theta_q - raised_b) + (b * m_q - raised_f * (y_m + y_m))) * factors[2],
-            ((a * m_q + raised_e) - (raised_b * y_m + raised_d * theta_q)) * factors[3],
+            d * theta_q + e * m_q,
+            f * (theta_q + theta_q) + d * m_q,
+            b * theta_q + f * m_q,
+            c * theta_q + b * m_q,
+            a * m_q - raised_d * theta_q,
         ];
-        Plane::unscaled(minors, self.exponent)
+        self.plane(minors, p.exponent)
+    }
+
+    /// The same for grounded springs at the free end of the beam, like behind a tip without a look at the range.
+    #[inline(always)]
+    fn behind_springs(&self, y: Option<S>, theta: Option<S>) -> Plane<S> {
+        let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, .. } = *self;
+        let minors = match (theta.map(|theta| theta * inverses[0]), y.map(|y| y * inverses[2])) {
+            (None, None) => [a, -raised_d, -raised_f, -raised_b, raised_e],
+            (Some(y_m), None) => [
+                a + b * y_m,
+                c * y_m - raised_d,
+                -(raised_f + raised_d * y_m),
+                -(raised_b + raised_f * (y_m + y_m)),
+                raised_e - raised_b * y_m,
+            ],
+            (None, Some(theta_q)) => [
+                a + d * theta_q,
+                f * (theta_q + theta_q) - raised_d,
+                b * theta_q - raised_f,
+                c * theta_q - raised_b,
+                raised_e - raised_d * theta_q,
+            ],
+            (Some(y_m), Some(theta_q)) => {
+                let m_q = y_m * theta_q;
+                [
+                    (a + b * y_m) + (d * theta_q + e * m_q),
+                    (c * y_m - raised_d) + (f * (theta_q + theta_q) + d * m_q),
+                    (b * theta_q - raised_f) + (f * m_q - raised_d * y_m),
+                    (c * theta_q - raised_b) + (b * m_q - raised_f * (y_m + y_m)),
+                    (a * m_q + raised_e) - (raised_b * y_m + raised_d * theta_q),
+                ]
+            }
+        };
+        self.plane(minors, 0)
     }
 
     /// The plane behind a beam that starts at a support: a column of the compound.
     fn behind_tip(&self, support: Support) -> Plane<S> {
-        let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, .. } = *self;
+        let BeamCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, .. } = *self;
         let (factor, inverse) = (self.factors, self.inverses);
         let minors = match support {
             Support::Fixed => [e * inverse[3], d * inverse[2], f * inverse[1], b * inverse[0], a],
@@ -349,7 +345,7 @@ impl<S: Scalar> BeamCoefficients<S> {
                 let number = factor[1] * inverse[0];
                 [b * inverse[0], c, -(raised_d * number), -((raised_f + raised_f) * (number * number)), -(raised_b * factor[2])]
             }
-            Support::Free => [a, -(raised_d * factor[0]), -(raised_f * factor[1]), -(raised_b * factor[2]), raised_e * factor[3]],
+            Support::Free => return self.behind_springs(None, None),
             // refused before: the roller is a support of planar states
             Support::Roller => [S::zero(); 5],
         };

@@ -6,6 +6,7 @@ use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::scalar::{Frequency, Real};
+use crate::scaled::Scaled;
 use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
 use nalgebra::Matrix4;
@@ -24,69 +25,90 @@ pub struct ElasticHinge<T> {
     pub stiffness_theta: T,
 }
 
+/// The two stiffnesses and their product.
+#[derive(Clone, Copy, Debug)]
+pub struct BuiltHinge<T> {
+    k_y: T,
+    k_theta: T,
+    product: T,
+}
+
 impl<T: Real> Element for ElasticHinge<T> {
     type State = Bending;
-    type Built = Self;
+    type Built = BuiltHinge<T>;
 
-    fn build(self) -> Result<Self, InvalidParameter> {
+    fn build(self) -> Result<BuiltHinge<T>, InvalidParameter> {
         Requirement::Invertible.check("stiffness_y", self.stiffness_y)?;
         Requirement::Invertible.check("stiffness_theta", self.stiffness_theta)?;
-        Ok(self)
+        let ElasticHinge { stiffness_y: k_y, stiffness_theta: k_theta } = self;
+        Ok(BuiltHinge { k_y, k_theta, product: k_y * k_theta })
     }
 
-    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
-        bounds.translational_stiffness(built.stiffness_y.to_f64());
-        bounds.torsional_stiffness(built.stiffness_theta.to_f64());
+    fn bound(built: &BuiltHinge<T>, bounds: &mut FrequencyBounds) {
+        bounds.translational_stiffness(built.k_y.to_f64());
+        bounds.torsional_stiffness(built.k_theta.to_f64());
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for ElasticHinge<T> {
     #[inline(always)]
-    fn transfer_matrix(built: &Self, _x: S) -> Matrix4<S> {
+    fn transfer_matrix(built: &BuiltHinge<T>, _x: S) -> Matrix4<S> {
         let mut u = Matrix4::identity();
-        u[(0, 3)] = -S::from_parameter(T::one() / built.stiffness_y);
-        u[(1, 2)] = S::from_parameter(T::one() / built.stiffness_theta);
+        u[(0, 3)] = -S::from_parameter(T::one() / built.k_y);
+        u[(1, 2)] = S::from_parameter(T::one() / built.k_theta);
         u
     }
 }
 
-/// The two stiffnesses and their product.
-#[derive(Clone, Copy, Debug)]
-pub struct HingeCoefficients<S> {
-    k_y: S,
-    k_theta: S,
-    product: S,
-}
-
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
-    type Coefficients = HingeCoefficients<S>;
+    type Coefficients = BuiltHinge<T>;
 
     #[inline(always)]
-    fn coefficients(built: &Self, _at: &At<S>) -> HingeCoefficients<S> {
-        HingeCoefficients {
-            k_y: S::from_parameter(built.stiffness_y),
-            k_theta: S::from_parameter(built.stiffness_theta),
-            product: S::from_parameter(built.stiffness_y * built.stiffness_theta),
-        }
+    fn coefficients(built: &BuiltHinge<T>, _at: &At<S>) -> BuiltHinge<T> {
+        *built
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
-        let HingeCoefficients { k_y, k_theta, product } = *coefficients;
+    fn step<C: Tally<S>>(coefficients: &BuiltHinge<T>, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         if let Subspace::Tip(Support::Fixed, _) = input {
-            return Subspace::Springs { y: k_y, theta: k_theta };
+            let (y, theta) = (S::from_parameter(coefficients.k_y), S::from_parameter(coefficients.k_theta));
+            return Subspace::Springs { y: Some(y), theta: Some(theta) };
         }
-        let p = input.plane();
-        let minors = [
-            product * p.y_theta + k_y * p.y_m + k_theta * p.theta_q + p.m_q,
-            product * p.y_m + k_theta * p.m_q,
-            product * p.w,
-            product * p.theta_q + k_y * p.m_q,
-            product * p.m_q,
-        ];
-        let after = Plane::new(minors, p.exponent);
-        tally.hinge(&p, &after, k_y);
+        let before = input.plane();
+        let after = coefficients.through(&before).in_range();
+        tally.hinge(&before, &after, S::from_parameter(coefficients.k_y));
         Subspace::Plane(after)
+    }
+
+    #[inline(always)]
+    fn root<C: Tally<S>>(
+        coefficients: &BuiltHinge<T>,
+        input: Subspace<S>,
+        support: Support,
+        tally: &mut C,
+    ) -> Scaled<S> {
+        if C::COUNTS || matches!(input, Subspace::Tip(..)) {
+            return Self::step(coefficients, input, tally).at_root(support, tally);
+        }
+        // no look at the range: only the minor that decides is needed
+        let plane = coefficients.through(&input.plane());
+        Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
+    }
+}
+
+impl<T: Real> BuiltHinge<T> {
+    /// Takes a plane through the hinge.
+    #[inline(always)]
+    fn through<S: Frequency<T>>(&self, p: &Plane<S>) -> Plane<S> {
+        let BuiltHinge { k_y, k_theta, product } = *self;
+        let minors = [
+            p.y_theta * product + p.y_m * k_y + p.theta_q * k_theta + p.m_q,
+            p.y_m * product + p.m_q * k_theta,
+            p.w * product,
+            p.theta_q * product + p.m_q * k_y,
+            p.m_q * product,
+        ];
+        Plane::unscaled(minors, p.exponent)
     }
 }
 

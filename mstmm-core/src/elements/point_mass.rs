@@ -5,6 +5,7 @@ use crate::bounds::FrequencyBounds;
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
+use crate::join::in_parallel;
 use crate::scalar::{Frequency, Real};
 use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
@@ -69,8 +70,10 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
         let PointMassCoefficients { a, j } = *coefficients;
         match input {
-            Subspace::Tip(Support::Free, _) => return Subspace::Springs { y: a, theta: j },
-            Subspace::Springs { y, theta } => return Subspace::Springs { y: y + a, theta: theta + j },
+            Subspace::Tip(Support::Free, _) => return Subspace::Springs { y: Some(a), theta: Some(j) },
+            Subspace::Springs { y, theta } => {
+                return Subspace::Springs { y: in_parallel(y, Some(a)), theta: in_parallel(theta, Some(j)) };
+            }
             _ => {}
         }
         let p = input.plane();

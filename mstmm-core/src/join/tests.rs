@@ -4,6 +4,7 @@ use super::*;
 use crate::count::{Count, Untallied};
 use crate::scaled::Scaled;
 use crate::tolerance::assert_close;
+use proptest::option;
 use proptest::prelude::*;
 use std::vec::Vec;
 
@@ -29,8 +30,9 @@ impl Path {
         Path { subspace, stiffness: placed(k, space) }
     }
 
-    fn springs(y: f64, theta: f64) -> Self {
-        Path { subspace: Subspace::Springs { y, theta }, stiffness: [y, 0.0, theta] }
+    fn springs(y: Option<f64>, theta: Option<f64>) -> Self {
+        let stiffness = [y.unwrap_or(0.0), 0.0, theta.unwrap_or(0.0)];
+        Path { subspace: Subspace::Springs { y, theta }, stiffness }
     }
 
     fn grounded(k: f64, space: Space) -> Self {
@@ -63,7 +65,7 @@ fn assert_stiffness(subspace: Subspace<f64>, expected: Stiffness, scale: f64) {
     // a join has at most five products of five factors, and there are up to four joins
     const ROUNDINGS: f64 = 100.0;
     match subspace {
-        Subspace::Plane(_) | Subspace::Springs { .. } => {
+        Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
             let p = subspace.plane();
             let actual = [p.theta_q / p.y_theta, -p.w / p.y_theta, p.y_m / p.y_theta];
             for (actual, expected) in actual.into_iter().zip(expected) {
@@ -97,7 +99,7 @@ fn narrow_path(space: Space) -> impl Strategy<Value = Path> {
 fn path() -> impl Strategy<Value = Path> {
     prop_oneof![
         (stiffness(), factor()).prop_map(|(k, factor)| Path::plane(k, factor)),
-        (-5.0..5.0f64, -5.0..5.0f64).prop_map(|(y, theta)| Path::springs(y, theta)),
+        (option::of(-5.0..5.0f64), option::of(-5.0..5.0f64)).prop_map(|(y, theta)| Path::springs(y, theta)),
         narrow_path(Space::Translation),
         narrow_path(Space::Rotation),
     ]

@@ -72,8 +72,8 @@ impl<T: Real> Frequency<T> for Complex<T> {
     }
 
     #[inline]
-    fn wave_root(self) -> Self {
-        Scalar::sqrt(Complex::new(self.im, -self.re))
+    fn omega(self) -> Self {
+        Complex::new(self.im, -self.re)
     }
 
     #[inline]

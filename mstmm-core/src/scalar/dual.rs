@@ -193,8 +193,8 @@ impl<T: Real> Frequency<T> for Dual<T> {
     }
 
     #[inline]
-    fn wave_root(self) -> Self {
-        Scalar::sqrt(if self.value < T::zero() { -self } else { self })
+    fn omega(self) -> Self {
+        self.abs()
     }
 
     #[inline]
@@ -212,8 +212,8 @@ impl<T: Real> Frequency<T> for Dual<Complex<T>> {
     }
 
     #[inline]
-    fn wave_root(self) -> Self {
-        Scalar::sqrt(self.map(|part| Complex::new(part.im, -part.re)))
+    fn omega(self) -> Self {
+        self.map(Frequency::<T>::omega)
     }
 
     #[inline]

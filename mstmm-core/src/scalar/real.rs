@@ -11,8 +11,8 @@ impl<T: Real> Frequency<T> for T {
     }
 
     #[inline]
-    fn wave_root(self) -> Self {
-        self.abs().sqrt()
+    fn omega(self) -> Self {
+        self.abs()
     }
 
     #[inline]
@@ -111,7 +111,8 @@ macro_rules! real {
                 (elementary!(<$type>::sinh, $sinh, self), elementary!(<$type>::cosh, $cosh, self))
             }
 
-            #[inline]
+            // a call: in line its many constants and registers cost short models more than the call does
+            #[inline(never)]
             fn wave_products(self) -> WaveProducts<Self> {
                 WaveProducts::of_real(self)
             }

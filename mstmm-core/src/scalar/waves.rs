@@ -58,9 +58,9 @@ impl<T: Real> Functions<T> {
 }
 
 impl<T: Real> WaveProducts<T> {
-    /// Of a real argument.
+    /// Of a real argument: what [`Scalar::wave_products`](super::Scalar::wave_products) of a real scalar returns.
     #[inline(always)]
-    pub(super) fn of_real(z: T) -> Self {
+    pub fn of_real(z: T) -> Self {
         let Functions { sin, cos, ch, sh, one, exponent } = Functions::of(z);
         WaveProducts { ch_cos: ch * cos, ch_sin: ch * sin, sh_cos: sh * cos, sh_sin: sh * sin, one, exponent }
     }

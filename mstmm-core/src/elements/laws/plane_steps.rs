@@ -10,7 +10,7 @@ use crate::count::Untallied;
 use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
 use crate::scalar::Scalar;
 use crate::state::Space;
-use crate::subspace::Subspace;
+use crate::subspace::{Plane, Subspace};
 use crate::tolerance::assert_close;
 use core::ops::Index;
 use std::vec::Vec;
@@ -100,8 +100,22 @@ where
     });
 }
 
-/// A step from grounded springs is the step from their plane; sums in another order differ by a few roundings.
-fn a_step_from_springs_is_that_from_their_plane<E>()
+/// Forms of a plane in which some minors are known to be zero or one: grounded springs, a point on a pin.
+fn short_forms(numbers: &[f64]) -> [Subspace<C>; 5] {
+    let [a, b] = [0, 1].map(|k| C::from(numbers[k]));
+    let springs = |y, theta| Subspace::Springs { y, theta };
+    let on_pin = Plane { y_theta: C::ZERO, y_m: C::ZERO, w: C::ZERO, theta_q: a, m_q: b, exponent: 0 };
+    [
+        springs(None, None),
+        springs(Some(a), None),
+        springs(None, Some(b)),
+        springs(Some(a), Some(b)),
+        Subspace::OnPin(on_pin),
+    ]
+}
+
+/// A step from a short form is the step from its plane; sums in another order differ by a few roundings.
+fn a_step_from_a_short_form_is_that_from_its_plane<E>()
 where
     E: Sample + PlaneStep<C>,
 {
@@ -109,12 +123,13 @@ where
         if !space::<E>().is(Space::Bending) {
             return;
         }
-        let springs = Subspace::Springs { y: C::from(numbers[0]), theta: C::from(numbers[1]) };
-        let (short, long) =
-            (plain(step(&element, lambda, springs)), plain(step(&element, lambda, Subspace::Plane(springs.plane()))));
-        let scale = long.iter().map(|minor| minor.norm()).fold(1.0, f64::max);
-        for (a, b) in short.iter().zip(long) {
-            assert_close((a - b).norm(), 0.0, scale, ROUNDINGS);
+        for form in short_forms(numbers) {
+            let plane = Subspace::Plane(form.plane());
+            let (short, long) = (plain(step(&element, lambda, form)), plain(step(&element, lambda, plane)));
+            let scale = long.iter().map(|minor| minor.norm()).fold(1.0, f64::max);
+            for (a, b) in short.iter().zip(long) {
+                assert_close((a - b).norm(), 0.0, scale, ROUNDINGS);
+            }
         }
     });
 }
@@ -130,6 +145,9 @@ where
         let random = subspace(space, &coordinates(space, &random_states(space, numbers, 1.0)));
         let mut inputs: Vec<_> = supports(space).into_iter().map(|support| Subspace::Tip(support, space)).collect();
         inputs.push(random);
+        if space.is(Space::Bending) {
+            inputs.extend(short_forms(numbers));
+        }
         for input in inputs {
             for support in supports(space) {
                 let root = E::root(&coefficients, input, support, &mut Untallied);
@@ -186,7 +204,7 @@ where
 fn steps_of_all_elements() {
     for_each_stepping_element!(a_step_is_the_transfer_matrix);
     for_each_stepping_element!(a_step_from_a_tip_is_that_from_its_subspace);
-    for_each_stepping_element!(a_step_from_springs_is_that_from_their_plane);
+    for_each_stepping_element!(a_step_from_a_short_form_is_that_from_its_plane);
     for_each_stepping_element!(a_step_into_the_root_is_a_step_and_the_root);
     for_each_stepping_element!(two_half_steps_make_the_whole);
 }

@@ -107,7 +107,7 @@ pub(super) fn read<S: Scalar>(subspace: Subspace<S>) -> (Vec<S>, i32) {
             let Line { y, q, exponent } = subspace.line();
             (vec![y, q], exponent)
         }
-        Subspace::Plane(_) | Subspace::Springs { .. } => {
+        Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
             let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = subspace.plane();
             (vec![y_theta, y_m, w, theta_q, m_q], exponent)
         }

@@ -188,8 +188,8 @@ impl Frequency<f64> for DoubleDouble {
     }
 
     #[inline]
-    fn wave_root(self) -> Self {
-        self.abs().sqrt()
+    fn omega(self) -> Self {
+        self.abs()
     }
 
     #[inline]
@@ -216,8 +216,8 @@ impl Frequency<f64> for Dual<DoubleDouble> {
     }
 
     #[inline]
-    fn wave_root(self) -> Self {
-        Scalar::sqrt(Real::abs(self))
+    fn omega(self) -> Self {
+        Real::abs(self)
     }
 
     #[inline]
