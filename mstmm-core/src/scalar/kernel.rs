@@ -62,7 +62,8 @@ pub(super) fn circular_and_hyperbolic(x: f64) -> [f64; 4] {
 #[inline(always)]
 fn circular(x: f64) -> [f64; 2] {
     let (quarters, bits) = nearest_whole(x * core::f64::consts::FRAC_2_PI);
-    let r = ((x - quarters * HALF_PI[0]) - quarters * HALF_PI[1]) - quarters * HALF_PI[2];
+    // the last part is below the last bit of the second: their sum is as good, and at hand when the first difference is
+    let r = (x - quarters * HALF_PI[0]) - (quarters * HALF_PI[1] + quarters * HALF_PI[2]);
     let z = r * r;
     let sin = r + r * (z * polynomial(&SINE, z));
     let half = 0.5 * z;
