@@ -2,7 +2,7 @@
 
 use crate::diagnostics::Errors;
 use crate::groups::made_visible;
-use crate::{check, emit, parse, plan::Plan, topology::Graph};
+use crate::{check, depth, emit, parse, plan::Plan, topology::Graph};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// Expands `(path to mstmm) model` into its code, or into its errors.
@@ -15,6 +15,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
 
 /// The same before errors are code: all that syntax, words and graph have to object comes at once.
 pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
+    depth::check(input.clone())?;
     let mut errors = Errors::default();
     let model = parse::model(in_braces(made_visible(input)), &mut errors)?;
     check::words(&model, &mut errors);

@@ -6,6 +6,7 @@
 
 mod ast;
 mod check;
+mod depth;
 mod diagnostics;
 mod emit;
 mod expand;

@@ -1,0 +1,117 @@
+//! Refuses what is nested so deeply that reading it could overflow the stack.
+//!
+//! The parser of Rust expressions and types calls itself: for each bracket, for each operator in front of an operand, for
+//! each generic argument. One level takes up to 60 kB of stack where a macro is compiled without optimisation, as macros are,
+//! and rustc has 8 MB.
+
+use proc_macro2::token_stream::IntoIter;
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+
+/// Weight of a token that may begin a level; other tokens weigh one.
+const LEVEL: usize = 32;
+
+/// Greatest weight around a token: 64 levels, or a sum of a thousand terms.
+const LIMIT: usize = 64 * LEVEL;
+
+const MESSAGE: &str = "this is too long or nested too deeply: write a part of it in a `let` line of its own";
+
+/// Checks a model without calling itself.
+///
+/// # Errors
+/// The first token that lies too deep.
+pub(crate) fn check(model: TokenStream) -> syn::Result<()> {
+    let mut open: Vec<Row> = Vec::new();
+    let mut row = Row { tokens: model.into_iter(), is_invisible: false, nesting: Nesting::default() };
+    loop {
+        match row.tokens.next() {
+            Some(token) => {
+                row.nesting.pass(&token, open.is_empty());
+                if row.nesting.weight() > LIMIT {
+                    let span = if let TokenTree::Group(group) = &token { group.span_open() } else { token.span() };
+                    return Err(syn::Error::new(span, MESSAGE));
+                }
+                if let TokenTree::Group(group) = token {
+                    let inner = row.enter(&group);
+                    open.push(std::mem::replace(&mut row, inner));
+                }
+            }
+            None => {
+                let Some(mut outer) = open.pop() else { return Ok(()) };
+                if row.is_invisible {
+                    outer.nesting = row.nesting;
+                }
+                row = outer;
+            }
+        }
+    }
+}
+
+/// The tokens of a group that are still to come.
+struct Row {
+    tokens: IntoIter,
+    is_invisible: bool,
+    nesting: Nesting,
+}
+
+impl Row {
+    /// The row in a group. That of an invisible group is a part of the row around it.
+    fn enter(&self, group: &Group) -> Row {
+        let is_invisible = group.delimiter() == Delimiter::None;
+        let inside = Nesting { outside: self.nesting.weight() + LEVEL, ..Nesting::default() };
+        let nesting = if is_invisible { self.nesting } else { inside };
+        Row { tokens: group.stream().into_iter(), is_invisible, nesting }
+    }
+}
+
+/// A bound of how deeply the next token of a row is nested.
+#[derive(Clone, Copy, Default)]
+struct Nesting {
+    /// Weight of what the group of the row stands in.
+    outside: usize,
+    /// Weight since the last `,`.
+    passing: usize,
+    /// Weight of what a `,` may belong to: generic arguments, the arguments of a closure.
+    lasting: usize,
+    /// Whether the last token may end an operand, so that no operator in front of one follows.
+    after_operand: bool,
+    in_let: bool,
+}
+
+impl Nesting {
+    fn weight(&self) -> usize {
+        self.outside + self.passing + self.lasting
+    }
+
+    /// Adds a token.
+    fn pass(&mut self, token: &TokenTree, in_sketch: bool) {
+        match token {
+            TokenTree::Punct(punct) => match punct.as_char() {
+                ';' => *self = Nesting { outside: self.outside, ..Nesting::default() },
+                ',' => self.passing = 0,
+                '<' | '|' => self.lasting += LEVEL,
+                ':' | '#' => self.passing += 1,
+                '=' => self.passing += LEVEL,
+                _ => self.passing += if self.after_operand { 1 } else { LEVEL },
+            },
+            TokenTree::Ident(_) if is_keyword(token) => {
+                self.passing += LEVEL;
+                self.in_let |= in_sketch && token.to_string() == "let";
+            }
+            // an element of the sketch ends, and only `let` lines have braces behind a name that go on
+            TokenTree::Group(group) if in_sketch && self.ends_element(group) => {
+                (self.passing, self.lasting) = (0, 0);
+            }
+            TokenTree::Ident(_) | TokenTree::Literal(_) | TokenTree::Group(_) => self.passing += 1,
+        }
+        self.after_operand = !matches!(token, TokenTree::Punct(_)) && !is_keyword(token);
+    }
+
+    fn ends_element(&self, group: &Group) -> bool {
+        group.delimiter() == Delimiter::Brace && self.after_operand && !self.in_let
+    }
+}
+
+/// Whether a token is a word of Rust's own.
+fn is_keyword(token: &TokenTree) -> bool {
+    matches!(token, TokenTree::Ident(_)) && syn::parse2::<syn::Ident>(token.clone().into()).is_err()
+}

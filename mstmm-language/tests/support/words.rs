@@ -1,0 +1,21 @@
+//! The words of the fuzzer's dictionary as tokens: the language's own and whatever else may stand in a model.
+
+use proc_macro2::{TokenStream, TokenTree};
+
+/// The tokens of each line of the dictionary.
+///
+/// # Panics
+/// If a line is not written as libFuzzer wants it or does not lex.
+pub(crate) fn words() -> Vec<Vec<TokenTree>> {
+    let lines = include_str!("../../../fuzz/words.dict").lines();
+    lines.filter(|line| !line.is_empty() && !line.starts_with('#')).map(word).collect()
+}
+
+fn word(line: &str) -> Vec<TokenTree> {
+    let text = line.strip_prefix('"').and_then(|line| line.strip_suffix('"'));
+    let text = text.map(|text| text.replace("\\\"", "\"").replace("\\\\", "\\"));
+    match text.as_deref().map(str::parse::<TokenStream>) {
+        Some(Ok(tokens)) => tokens.into_iter().collect(),
+        _ => panic!("not a word: {line}"),
+    }
+}
