@@ -6,6 +6,8 @@
 
 use proc_macro2::token_stream::IntoIter;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::Ident;
 
 /// Weight of a token that may begin a level; other tokens weigh one.
 const LEVEL: usize = 32;
@@ -84,6 +86,11 @@ impl Nesting {
 
     /// Adds a token.
     fn pass(&mut self, token: &TokenTree, in_sketch: bool) {
+        let is_operand = match token {
+            TokenTree::Ident(word) => !is_keyword(word),
+            TokenTree::Literal(_) | TokenTree::Group(_) => true,
+            TokenTree::Punct(_) => false,
+        };
         match token {
             TokenTree::Punct(punct) => match punct.as_char() {
                 ';' => *self = Nesting { outside: self.outside, ..Nesting::default() },
@@ -93,17 +100,14 @@ impl Nesting {
                 '=' => self.passing += LEVEL,
                 _ => self.passing += if self.after_operand { 1 } else { LEVEL },
             },
-            TokenTree::Ident(_) if is_keyword(token) => {
-                self.passing += LEVEL;
-                self.in_let |= in_sketch && token.to_string() == "let";
-            }
             // an element of the sketch ends, and only `let` lines have braces behind a name that go on
             TokenTree::Group(group) if in_sketch && self.ends_element(group) => {
                 (self.passing, self.lasting) = (0, 0);
             }
-            TokenTree::Ident(_) | TokenTree::Literal(_) | TokenTree::Group(_) => self.passing += 1,
+            _ => self.passing += if is_operand { 1 } else { LEVEL },
         }
-        self.after_operand = !matches!(token, TokenTree::Punct(_)) && !is_keyword(token);
+        self.in_let |= in_sketch && matches!(token, TokenTree::Ident(word) if word == "let");
+        self.after_operand = is_operand;
     }
 
     fn ends_element(&self, group: &Group) -> bool {
@@ -111,7 +115,7 @@ impl Nesting {
     }
 }
 
-/// Whether a token is a word of Rust's own.
-fn is_keyword(token: &TokenTree) -> bool {
-    matches!(token, TokenTree::Ident(_)) && syn::parse2::<syn::Ident>(token.clone().into()).is_err()
+/// Whether a word is one of Rust's own, which names nothing.
+pub(crate) fn is_keyword(word: &Ident) -> bool {
+    syn::parse2::<Ident>(word.to_token_stream()).is_err()
 }

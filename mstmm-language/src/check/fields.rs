@@ -16,6 +16,9 @@ pub(super) fn fields(item: &ItemStruct, errors: &mut Errors) {
     match &item.fields {
         Fields::Named(fields) => {
             for field in &fields.named {
+                if let Some(name) = field.ident.as_ref().filter(|name| *name == "_") {
+                    errors.push(name.span(), "a field of a model has a name: parameters are written by it");
+                }
                 if !matches!(&field.ty, Type::Path(path) if path.path.is_ident("f64")) {
                     let message = "a field of a model is an `f64`: compute anything else in a `let` line";
                     errors.add(syn::Error::new_spanned(&field.ty, message));

@@ -2,6 +2,7 @@
 
 use super::error_at;
 use crate::ast::{Connection, Element, Kind, Label, Node, Parameter};
+use crate::depth::is_keyword;
 use crate::diagnostics::Place;
 use crate::keywords::{CONNECTION, support_of};
 use syn::ext::IdentExt;
@@ -12,8 +13,13 @@ impl Parse for Node {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         let is_type = input.peek(Token![::]) || (input.peek(Ident::peek_any) && input.peek2(Token![::]));
         if is_type {
-            let path = Path::parse_mod_style(input)?;
-            return parse_element(Kind::Type(path), input);
+            let kind = Kind::Type(Path::parse_mod_style(input)?);
+            if is_keyword(kind.name()) {
+                let message =
+                    format!("`{}` is no type: the path of an element ends in the name of its type", kind.name());
+                return Err(Error::new(kind.name().span(), message));
+            }
+            return parse_element(kind, input);
         }
         let Ok(keyword) = input.parse::<Ident>() else {
             return Err(error_at(input, "expected a support, a connection `conn ..` or an element"));

@@ -247,3 +247,14 @@ fn a_parameter_is_written_with_a_colon() {
         ",
     );
 }
+
+#[test]
+fn the_path_of_an_element_ends_in_a_type() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> self::self 1 { stiffness: 1.0 } -> shop::Self 2 { stiffness: 1.0 } -> free;
+                       ^^^^ `self` is no type: the path of an element ends in the name of its type
+        ",
+    );
+}

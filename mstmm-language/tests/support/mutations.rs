@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// Tokens with brackets as tokens of their own: a mutation may leave them unbalanced.
 #[derive(Clone)]
-enum Flat {
+pub(crate) enum Flat {
     Token(TokenTree),
     Open(Delimiter),
     Close,
@@ -16,10 +16,10 @@ const DELIMITERS: [&Delimiter; 4] = [&Delimiter::None, &Delimiter::Brace, &Delim
 /// Most tokens of a mutated model: the fuzzer shall try many small ones.
 const MOST: usize = 2000;
 
-/// Mutates a model as long as there are choices left. `others` are models to take tokens from.
+/// Mutates a model as long as there are choices left. `others` are models to take tokens from, flat and none empty.
 pub(crate) fn mutated(
     model: TokenStream,
-    others: &[TokenStream],
+    others: &[Vec<Flat>],
     words: &[Vec<TokenTree>],
     choices: &mut Choices<'_>,
 ) -> TokenStream {
@@ -30,7 +30,7 @@ pub(crate) fn mutated(
     balanced(row)
 }
 
-fn mutate(row: &mut Vec<Flat>, others: &[TokenStream], words: &[Vec<TokenTree>], choices: &mut Choices<'_>) {
+fn mutate(row: &mut Vec<Flat>, others: &[Vec<Flat>], words: &[Vec<TokenTree>], choices: &mut Choices<'_>) {
     let action = choices.below(9);
     let at = choices.below(row.len());
     let word = |choices: &mut Choices<'_>| words[choices.below(words.len())].iter().cloned().map(Flat::Token);
@@ -58,7 +58,7 @@ fn mutate(row: &mut Vec<Flat>, others: &[TokenStream], words: &[Vec<TokenTree>],
             row.insert(at, Flat::Open(*choices.pick(&DELIMITERS)));
         }
         _ => {
-            let donor = flat(others[choices.below(others.len())].clone());
+            let donor = &others[choices.below(others.len())];
             let from = choices.below(donor.len());
             let to = from + choices.below(64.min(donor.len() - from)) + 1;
             drop(row.splice(at..at, donor[from..to].iter().cloned()));
@@ -66,7 +66,8 @@ fn mutate(row: &mut Vec<Flat>, others: &[TokenStream], words: &[Vec<TokenTree>],
     }
 }
 
-fn flat(tokens: TokenStream) -> Vec<Flat> {
+/// Tokens with brackets as tokens of their own.
+pub(crate) fn flat(tokens: TokenStream) -> Vec<Flat> {
     let mut row = Vec::new();
     for token in tokens {
         match token {

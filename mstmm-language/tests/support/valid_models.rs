@@ -102,11 +102,11 @@ impl Writer<'_, '_> {
     /// Nodes from a start on, the last an element of the space.
     fn path(&mut self, space: Space, depth: usize) -> Vec<String> {
         let mut nodes = match self.choices.below(3) {
-            1 if depth < 4 => vec![self.junction(space, depth)],
-            2 if depth < 4 && matches!(space, Space::Translation | Space::Rotation) => vec![self.narrowing(depth)],
+            1 if depth < 2 => vec![self.junction(space, depth)],
+            2 if depth < 2 && matches!(space, Space::Translation | Space::Rotation) => vec![self.narrowing(depth)],
             _ => vec![self.choices.pick(supports(space)).to_owned()],
         };
-        for _ in 0..=self.choices.below(3) {
+        for _ in 0..=self.choices.below(2) {
             let element = self.element(space);
             nodes.push(element);
         }
