@@ -15,7 +15,7 @@ type Failure = Box<dyn core::error::Error>;
 
 const SIZES: [usize; 3] = [10, 100, 500];
 
-/// Rounds of each measurement; the least counts, since other work on the machine only ever adds.
+/// Rounds of an expansion; the least counts, since other work on the machine only ever adds.
 const ROUNDS: usize = 3;
 
 /// What writes the paths of a model of so many elements.
@@ -82,23 +82,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {{
     )
 }
 
-/// Least time of some rounds.
-fn least<E>(mut run: impl FnMut() -> Result<Duration, E>) -> Result<Duration, E> {
-    let mut least = Duration::MAX;
-    for _ in 0..ROUNDS {
-        least = least.min(run()?);
-    }
-    Ok(least)
-}
-
 /// Time of the expansion, optimised and outside the compiler.
 fn expansion(model: &str) -> Result<Duration, Failure> {
     let input = format!("(::mstmm) {model}").parse::<proc_macro2::TokenStream>()?;
-    least(|| {
+    let round = |_| {
         let start = Instant::now();
         std::hint::black_box(mstmm_language::expand(input.clone()));
-        Ok(start.elapsed())
-    })
+        start.elapsed()
+    };
+    Ok((0..ROUNDS).map(round).min().unwrap_or_default())
 }
 
 /// A crate to measure; all share their dependencies.
@@ -121,16 +113,16 @@ impl Scratch {
 
     /// Time of a cargo command on a new version of the program.
     fn time(&self, command: &[&str], program: &str) -> Result<Duration, Failure> {
-        // what differs between rounds is compiled again
-        fs::write(self.folder.join("src/main.rs"), format!("// {:?}\n{program}", Instant::now()))?;
+        fs::write(self.folder.join("src/main.rs"), program)?;
         let start = Instant::now();
         let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        // without the variables that cargo sets for this program
+        // all is compiled, and in a target directory of its own
         let output = cargo
             .args(command)
             .args(["--offline", "--quiet"])
             .current_dir(&self.folder)
             .env_remove("CARGO_TARGET_DIR")
+            .env("CARGO_INCREMENTAL", "0")
             .output()?;
         let time = start.elapsed();
         match output.status.success() {
@@ -143,14 +135,12 @@ impl Scratch {
 fn main() -> Result<(), Failure> {
     let wanted: Vec<String> = env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     let scratch = Scratch::new()?;
-    let commands: [&[&str]; 3] = [&["check"], &["build"], &["build", "--release"]];
+    let commands: [&[&str]; 2] = [&["check"], &["build", "--release"]];
     for command in commands {
         scratch.time(command, "fn main() {}")?;
     }
-    println!(
-        "| model | elements | expansion [ms] | `cargo check` [s] | `cargo build` [s] | `cargo build --release` [s] |"
-    );
-    println!("|---|---|---|---|---|---|");
+    println!("| model | elements | expansion [ms] | `cargo check` [s] | `cargo build --release` [s] |");
+    println!("|---|---|---|---|---|");
     for (name, paths) in KINDS {
         for size in SIZES {
             if !wanted.is_empty() && !wanted.iter().any(|wanted| format!("{name} {size}").contains(wanted)) {
@@ -161,7 +151,7 @@ fn main() -> Result<(), Failure> {
             let program = program(&model);
             print!("| {name} | {size} | {expansion:.1} |");
             for command in commands {
-                let time = least(|| scratch.time(command, &program))?;
+                let time = scratch.time(command, &program)?;
                 print!(" {:.1} |", time.as_secs_f64());
             }
             println!();

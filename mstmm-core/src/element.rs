@@ -119,6 +119,14 @@ pub fn called_step<E: PlaneStep<S>, S: Scalar, C: Tally<S>>(
     E::step(coefficients, input, tally)
 }
 
+/// The coefficients of a step, likewise as a call: in line, those of a beam in double-double with derivatives are a
+/// thousand instructions.
+#[doc(hidden)]
+#[inline(never)]
+pub fn called_coefficients<E: PlaneStep<S>, S: Scalar>(built: &E::Built, at: &At<S>) -> E::Coefficients {
+    E::coefficients(built, at)
+}
+
 /// The space of the states of an element.
 #[doc(hidden)]
 pub const fn space_of<E: Element>() -> Space {

@@ -40,7 +40,10 @@ pub use bounds::FrequencyBounds;
 pub use characteristic::{Characteristic, System};
 pub use count::{BeamSigns, Count, Tally, Untallied};
 pub use determinant::determinant;
-pub use element::{Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build, called_step, space_of, without_pole};
+pub use element::{
+    Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build, called_coefficients, called_step, space_of,
+    without_pole,
+};
 pub use error::{InvalidParameter, ParameterError, Requirement, SearchError};
 pub use join::{called_joined_on, held, joined, joined_on, narrowed, widened};
 pub use layout::{Layout, Step};

@@ -11,9 +11,15 @@ pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let types = first_of_each_type(plan, names);
     let types = types.into_iter().map(|element| names.element_as(element, "PlaneStep"));
     let coefficients = plan.elements.iter().map(|element| {
-        let (coefficients, field, kind) =
-            (local("k", element, names), element_field(element, names), names.element_as(element, "PlaneStep"));
-        quote_spanned!(names.here=> let #coefficients = #kind::coefficients(&self.#field, &at);)
+        let (coefficients, field) = (local("k", element, names), element_field(element, names));
+        if plan.is_short() {
+            let kind = names.element_as(element, "PlaneStep");
+            return quote_spanned!(names.here=> let #coefficients = #kind::coefficients(&self.#field, &at););
+        }
+        let kind = names.element(element);
+        quote_spanned! {names.here=>
+            let #coefficients = #private::called_coefficients::<#kind, #frequency>(&self.#field, &at);
+        }
     });
     let steps = plan.steps.iter().enumerate().map(|(index, step)| pass_step(index, step, plan, names));
     let body = quote_spanned! {names.here=>
