@@ -1,4 +1,5 @@
 //! The macro survives any tokens: errors come out, or code that parses, and the same ones each time.
+#![expect(clippy::unwrap_used, reason = "what is written here lexes")]
 
 #[path = "support/properties.rs"]
 mod properties;

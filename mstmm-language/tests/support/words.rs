@@ -1,4 +1,5 @@
 //! The words of the fuzzer's dictionary as tokens: the language's own and whatever else may stand in a model.
+#![expect(clippy::panic, reason = "a wrong dictionary is shown")]
 
 use proc_macro2::{TokenStream, TokenTree};
 

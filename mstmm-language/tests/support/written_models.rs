@@ -1,4 +1,5 @@
 //! The models written by hand or in advance: those of the paper and random ones that other tests compile.
+#![expect(clippy::panic, reason = "a source that is no Rust is shown")]
 
 use proc_macro2::TokenStream;
 use syn::Item;
