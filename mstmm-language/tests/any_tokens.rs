@@ -70,7 +70,7 @@ fn stream() -> impl Strategy<Value = TokenStream> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(ProptestConfig::with_cases(400))]
 
     #[test]
     fn random_tokens_are_survived(beginning in select(&BEGINNINGS[..]), rest in stream()) {

@@ -38,7 +38,7 @@ fn written_models_are_accepted() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(500))]
+    #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
     fn valid_models_are_accepted(bytes in vec(any::<u8>(), 0..120)) {
@@ -57,7 +57,7 @@ proptest! {
 fn mutations_of_written_models_are_survived() {
     let (models, words) = (written_models(), words());
     let flat: Vec<_> = models.iter().cloned().map(flat).collect();
-    proptest!(ProptestConfig::with_cases(1000), |(which in 0..models.len(), slips in vec(any::<u8>(), 3..40))| {
+    proptest!(ProptestConfig::with_cases(400), |(which in 0..models.len(), slips in vec(any::<u8>(), 3..40))| {
         expanded(mutated(models[which].clone(), &flat, &words, &mut Choices(&slips)));
     });
 }

@@ -27,6 +27,17 @@ fn the_fields_are_numbers() {
 }
 
 #[test]
+fn the_fields_have_names() {
+    assert_refused(
+        "
+        struct M { _: f64, k: f64 }
+                   ^ a field of a model has a name: parameters are written by it
+        fixed -> spring 1 { stiffness: k } -> free
+        ",
+    );
+}
+
+#[test]
 fn the_struct_is_not_generic() {
     assert_refused(
         "
