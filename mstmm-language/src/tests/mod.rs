@@ -2,8 +2,8 @@
 //!
 //! A test shows a wrong model with its messages under the tokens they are about, as the compiler does.
 
-mod editors;
 mod depth;
+mod editors;
 mod grammar;
 mod graph;
 mod words;
