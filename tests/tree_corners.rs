@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "all elements here are valid")]
 
 use core::f64::consts::PI;
-use mstmm::elements::{Beam, Damper, Mass, Spring};
+use mstmm::elements::{Beam, Damper, Mass, Spring, SpringDamper};
 use mstmm::prelude::*;
 use mstmm::{AnyElement, AnyUndamped, ListStep, StepList, Support};
 
@@ -165,4 +165,52 @@ fn a_translation_may_go_on_as_a_rotation() {
     for omega in [0.3, 1.1, 2.5, 7.0] {
         assert!((ratio(omega) / ratio(1.7) - 1.0).abs() <= 16.0 * f64::EPSILON, "{omega}");
     }
+}
+
+/// Masses on springs of so many stiffnesses, all on a mass on a spring and damper.
+fn oscillators(stiffnesses: &[f64]) -> Vec<ListStep<AnyElement<f64>>> {
+    let mut steps = Vec::new();
+    for &stiffness in stiffnesses {
+        let (mass, spring) = (Mass { mass: 1.0 }.try_into().unwrap(), Spring { stiffness }.try_into().unwrap());
+        steps.extend([ListStep::Tip(Support::Free), ListStep::Element(mass), ListStep::Element(spring)]);
+    }
+    let strut = SpringDamper { stiffness: 3.0, damping: 0.01 };
+    steps.extend([ListStep::Tip(Support::Free), ListStep::Element(Mass { mass: 1.0 }.try_into().unwrap())]);
+    steps.extend([ListStep::Tip(Support::Fixed), ListStep::Element(strut.try_into().unwrap())]);
+    steps.extend([ListStep::Connection(stiffnesses.len() + 2), ListStep::Root(Support::Free)]);
+    steps
+}
+
+/// Eleven of the eigenvalues lie within a part in ten thousand of each other, and are simple. Closed form: the zeros of
+/// `λ² + cλ + K + Σ k λ²/(λ² + k)`, from each of which a step of Newton's method must not lead out of its circle.
+#[test]
+fn a_cluster_of_simple_eigenvalues_is_told_apart() {
+    let stiffnesses: Vec<f64> = (0..12).map(|i| 1.0 + 3e-5 * f64::from(i) * (1.0 + 0.1 * f64::from(i))).collect();
+    let steps = oscillators(&stiffnesses);
+    let list = StepList::new(&steps).unwrap();
+    let found = list.eigenvalues::<32>(Region { re: -5.0..=1.0, im: 0.1..=30.0 }).unwrap();
+    assert_eq!(found.len(), 13);
+    for root in &found {
+        let Eigenvalue { lambda, error, multiplicity, .. } = *root;
+        let (mut value, mut slope) = (lambda * lambda + 0.01 * lambda + 3.0, 2.0 * lambda + 0.01);
+        for &k in &stiffnesses {
+            let below = lambda * lambda + k;
+            value += k * lambda * lambda / below;
+            slope += 2.0 * k * k * lambda / (below * below);
+        }
+        assert!(multiplicity == 1 && error < 1e-12, "{root:?}");
+        // the terms of the closed form nearly cancel and magnify the rounding of λ² + k: it is good to 1e-10 here
+        assert!((value / slope).norm() <= error + 1e-10, "{root:?}: {:e}", (value / slope).norm());
+    }
+}
+
+/// Closed form: of twelve equal oscillators, eleven move against each other with `λ² = -k`.
+#[test]
+fn equal_oscillators_have_one_eigenvalue_many_times() {
+    let steps = oscillators(&[1.0; 12]);
+    let list = StepList::new(&steps).unwrap();
+    let found = list.eigenvalues::<32>(Region { re: -5.0..=1.0, im: 0.1..=30.0 }).unwrap();
+    let multiple = found.iter().find(|root| root.multiplicity > 1).unwrap();
+    assert_eq!((found.len(), multiple.multiplicity), (3, 11));
+    assert!((multiple.lambda - Complex::new(0.0, 1.0)).norm() <= multiple.error, "{multiple:?}");
 }

@@ -6,7 +6,7 @@ use super::rectangle::{Rectangle, whole};
 use super::region::Eigenvalue;
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
-use crate::scalar::{Dual, Real};
+use crate::scalar::{Dual, Real, Scalar};
 use num_complex::Complex;
 
 /// Radius of the first circle, relative to the modulus, in units of eps. A certified circle is twice as large as the one
@@ -61,6 +61,10 @@ where
                 }
             }
             let mut step = Complex::from(T::one()) / rate;
+            if !step.size().is_finite() {
+                // at a known root, or where Δ is flat
+                return Ok(None);
+            }
             // at a root of multiplicity m the steps shrink by 1 - 1/m only
             let shrinkage = (modulus(step) / last).to_f64();
             if is_slow && (0.4..0.95).contains(&shrinkage) {
@@ -98,7 +102,9 @@ where
             // Newton's step for a root of that multiplicity is good where the plain one is slow
             let point = self.evaluation.at(lambda)?;
             let step = Complex::from(T::from_f64(multiplicity as f64)) / point.rate;
+            // on the plateau around a multiple root Δ' may vanish, and the step with it lead nowhere
             if !point.is_root
+                && step.size().is_finite()
                 && let Some(better) = self.circle(lambda - step, symmetric)?
                 && better.multiplicity == multiplicity
             {

@@ -29,6 +29,12 @@ const CUTS: [f64; 5] = [0.5, 0.47, 0.54, 0.42, 0.59];
 /// Points of a contour from which Newton's method starts.
 const STARTS: usize = 24;
 
+/// Radius, in roots of eps, of a circle that the rounding of a double root explains.
+const BLUR: f64 = 64.0;
+
+/// Size of a rectangle, in radii of such a circle, from whose contour the roots within are told apart.
+const NEAR: f64 = 8.0;
+
 /// A search in progress.
 pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized> {
     pub(super) evaluation: Evaluation<'a, Y>,
@@ -231,7 +237,8 @@ where
             let Some(root) = self.certify(root, rectangle.is_symmetric())? else { continue };
             let known = found.iter().any(|old| modulus(old.lambda - root.lambda) <= old.error + root.error);
             let count = members(&root, *rectangle).map(|member| member.multiplicity).sum::<u64>();
-            if !known && count <= missing && rectangle.contains(root.lambda, T::zero()) {
+            let settled = !self.may_be_a_cluster(&root, rectangle);
+            if settled && !known && count <= missing && rectangle.contains(root.lambda, T::zero()) {
                 keep(found, root)?;
                 missing -= count;
             }
@@ -240,6 +247,14 @@ where
             found.truncate(before);
         }
         Ok(missing == 0)
+    }
+
+    /// Whether a circle with several roots is so wide that rounding alone need not have blurred a double one, while the
+    /// rectangle is wide beside it: from nearer by, the roots may be told apart.
+    fn may_be_a_cluster(&self, root: &Eigenvalue<T>, rectangle: &Rectangle<T>) -> bool {
+        let scale = super::contour::larger(modulus(root.lambda), self.smallest());
+        let is_wide = root.multiplicity > 1 && root.error > scale * T::from_f64(BLUR) * T::from_f64(T::EPSILON).sqrt();
+        is_wide && rectangle.size() > root.error * T::from_f64(NEAR)
     }
 
     /// Whether a rectangle is as small as a certified circle: what it holds cannot be told apart.
