@@ -108,25 +108,6 @@ pub(crate) fn off_pole<S: Scalar>(kappa: S) -> (S, S) {
     (power(-100), power(100))
 }
 
-/// A step as a call of its own: for long models, which would take minutes to compile with every step in line.
-#[doc(hidden)]
-#[inline(never)]
-pub fn called_step<E: PlaneStep<S>, S: Scalar, C: Tally<S>>(
-    coefficients: &E::Coefficients,
-    input: Subspace<S>,
-    tally: &mut C,
-) -> Subspace<S> {
-    E::step(coefficients, input, tally)
-}
-
-/// The coefficients of a step, likewise as a call: in line, those of a beam in double-double with derivatives are a
-/// thousand instructions.
-#[doc(hidden)]
-#[inline(never)]
-pub fn called_coefficients<E: PlaneStep<S>, S: Scalar>(built: &E::Built, at: &At<S>) -> E::Coefficients {
-    E::coefficients(built, at)
-}
-
 /// The space of the states of an element.
 #[doc(hidden)]
 pub const fn space_of<E: Element>() -> Space {

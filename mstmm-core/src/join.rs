@@ -127,7 +127,7 @@ pub(crate) fn in_parallel<S: Scalar>(a: Option<S>, b: Option<S>) -> Option<S> {
 
 /// Joins two subspaces that are no supports.
 #[inline(always)]
-pub fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
+pub(crate) fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
     // what a pin holds is an ordinary plane to others
     let ordinary = |subspace| if let Subspace::OnPin(plane) = subspace { OfPlane(plane) } else { subspace };
@@ -173,16 +173,10 @@ pub(crate) fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
     }
 }
 
-/// The join of one path more to a sum, in line.
+/// The join of one path more to a sum.
 #[inline(always)]
-pub fn joined_on<S: Scalar>(sum: Subspace<S>, path: Subspace<S>) -> Subspace<S> {
+pub(crate) fn joined_on<S: Scalar>(sum: Subspace<S>, path: Subspace<S>) -> Subspace<S> {
     joined(moderated(sum), path)
-}
-
-/// The same as a call of its own, for long models.
-#[inline(never)]
-pub fn called_joined_on<S: Scalar>(sum: Subspace<S>, path: Subspace<S>) -> Subspace<S> {
-    joined_on(sum, path)
 }
 
 /// Joins a line to the free bending state of a connection that goes on otherwise, before supports hold the point.

@@ -21,6 +21,7 @@ mod determinant;
 mod element;
 pub mod elements;
 mod error;
+mod in_line;
 mod join;
 mod layout;
 mod line_steps;
@@ -40,12 +41,10 @@ pub use bounds::FrequencyBounds;
 pub use characteristic::{Characteristic, System};
 pub use count::{BeamSigns, Count, Tally, Untallied};
 pub use determinant::determinant;
-pub use element::{
-    Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build, called_coefficients, called_step, space_of,
-    without_pole,
-};
+pub use element::{Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use error::{InvalidParameter, ParameterError, Requirement, SearchError};
-pub use join::{called_joined_on, held, joined, joined_on, narrowed, widened};
+pub use in_line::{coefficients, join, root, step};
+pub use join::{held, narrowed, widened};
 pub use layout::{Layout, Step};
 pub use list::List;
 pub use nalgebra::SMatrix;

@@ -37,6 +37,9 @@ pub trait Scalar:
     /// Number of terms after which a Taylor series in `z⁴`, `|z⁴| <= 1`, is exact to rounding.
     const SERIES_TERMS: usize;
 
+    /// Number of steps up to which all steps of a pass stand in line: faster, but slower to compile.
+    const LONGEST_IN_LINE: usize = 24;
+
     /// The scalar nearest to `value`.
     fn from_f64(value: f64) -> Self;
 

@@ -33,9 +33,6 @@ pub(crate) struct Plan<'a> {
     pub(crate) elements: Vec<&'a Element>,
 }
 
-/// Number of steps up to which all stand in line.
-const LONGEST_IN_LINE: usize = 24;
-
 impl<'a> Plan<'a> {
     /// Plans a checked tree: depth first from the root, inputs in source order, so that inputs precede outputs.
     pub(crate) fn of(tree: &Tree<'_, 'a>) -> Self {
@@ -63,11 +60,6 @@ impl<'a> Plan<'a> {
             plan.steps.push(step);
         }
         plan
-    }
-
-    /// Whether the model is short enough for all steps to stand in line: faster, but slower to compile.
-    pub(crate) fn is_short(&self) -> bool {
-        self.steps.len() <= LONGEST_IN_LINE
     }
 
     /// Whether a step is a support that holds a connection.

@@ -518,6 +518,7 @@ const _: () = {
             x: S,
             tally: &mut C,
         ) -> mstmm::__private::Scaled<S> {
+            const STEPS: usize = 16usize;
             let at = mstmm::__private::At::new(
                 x,
                 false
@@ -537,96 +538,134 @@ const _: () = {
                         T,
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             );
-            let k_1 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, &at);
-            let k_3 = <mstmm::__private::elements::Spring<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, &at);
-            let k_4 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_4, &at);
-            let k_7 = <mstmm::__private::elements::Mass<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_7, &at);
-            let k_6 = <mstmm::__private::elements::SpringDamper<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_6, &at);
-            let k_8 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_8, &at);
-            let k_10 = <mstmm::__private::elements::TorsionSpring<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_10, &at);
-            let k_11 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_11, &at);
+            let k_1 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                STEPS,
+            >(&self.element_1, &at);
+            let k_3 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Spring<T>,
+                S,
+                STEPS,
+            >(&self.element_3, &at);
+            let k_4 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                STEPS,
+            >(&self.element_4, &at);
+            let k_7 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Mass<T>,
+                S,
+                STEPS,
+            >(&self.element_7, &at);
+            let k_6 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::SpringDamper<T>,
+                S,
+                STEPS,
+            >(&self.element_6, &at);
+            let k_8 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                STEPS,
+            >(&self.element_8, &at);
+            let k_10 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::TorsionSpring<T>,
+                S,
+                STEPS,
+            >(&self.element_10, &at);
+            let k_11 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                STEPS,
+            >(&self.element_11, &at);
             let s0 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Pinned,
                 const { LAYOUT.space(0usize) },
             );
-            let s1 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_1, s0, tally);
+            let s1 = mstmm::__private::step::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_1, s0, tally);
             let s2 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(2usize) },
             );
-            let s3 = <mstmm::__private::elements::Spring<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_3, s2, tally);
+            let s3 = mstmm::__private::step::<
+                mstmm::__private::elements::Spring<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_3, s2, tally);
             let s4 = s1;
-            let s4 = mstmm::__private::joined(s4, s3);
+            let s4 = mstmm::__private::join::<S, true, STEPS>(s4, s3);
             let s4 = mstmm::__private::widened(s4, const { LAYOUT.output(4usize) });
             let s4 = mstmm::__private::narrowed(
                 s4,
                 const { LAYOUT.output(4usize) },
                 tally,
             );
-            let s5 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_4, s4, tally);
+            let s5 = mstmm::__private::step::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_4, s4, tally);
             let s6 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Free,
                 const { LAYOUT.space(6usize) },
             );
-            let s7 = <mstmm::__private::elements::Mass<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_7, s6, tally);
-            let s8 = <mstmm::__private::elements::SpringDamper<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_6, s7, tally);
+            let s7 = mstmm::__private::step::<
+                mstmm::__private::elements::Mass<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_7, s6, tally);
+            let s8 = mstmm::__private::step::<
+                mstmm::__private::elements::SpringDamper<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_6, s7, tally);
             let s9 = s5;
-            let s9 = mstmm::__private::joined(s9, s8);
+            let s9 = mstmm::__private::join::<S, true, STEPS>(s9, s8);
             let s9 = mstmm::__private::widened(s9, const { LAYOUT.output(9usize) });
             let s9 = mstmm::__private::narrowed(
                 s9,
                 const { LAYOUT.output(9usize) },
                 tally,
             );
-            let s10 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_8, s9, tally);
+            let s10 = mstmm::__private::step::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_8, s9, tally);
             let s11 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(11usize) },
             );
-            let s12 = <mstmm::__private::elements::TorsionSpring<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_10, s11, tally);
+            let s12 = mstmm::__private::step::<
+                mstmm::__private::elements::TorsionSpring<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_10, s11, tally);
             let s13 = s10;
-            let s13 = mstmm::__private::joined(s13, s12);
+            let s13 = mstmm::__private::join::<S, true, STEPS>(s13, s12);
             let s13 = mstmm::__private::widened(s13, const { LAYOUT.output(13usize) });
             let s13 = mstmm::__private::narrowed(
                 s13,
                 const { LAYOUT.output(13usize) },
                 tally,
             );
-            <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<
+            mstmm::__private::root::<
+                mstmm::__private::elements::Beam<T>,
                 S,
-            >>::root(&k_11, s13, mstmm::__private::Support::Pinned, tally)
+                C,
+                STEPS,
+            >(&k_11, s13, mstmm::__private::Support::Pinned, tally)
         }
     }
 };

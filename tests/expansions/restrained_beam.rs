@@ -285,6 +285,7 @@ const _: () = {
             x: S,
             tally: &mut C,
         ) -> mstmm::__private::Scaled<S> {
+            const STEPS: usize = 9usize;
             let at = mstmm::__private::At::new(
                 x,
                 false
@@ -295,22 +296,31 @@ const _: () = {
                         T,
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             );
-            let k_1 = <mstmm::__private::elements::ElasticHinge<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, &at);
-            let k_3 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, &at);
-            let k_5 = <mstmm::__private::elements::ElasticHinge<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_5, &at);
+            let k_1 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::ElasticHinge<T>,
+                S,
+                STEPS,
+            >(&self.element_1, &at);
+            let k_3 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                STEPS,
+            >(&self.element_3, &at);
+            let k_5 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::ElasticHinge<T>,
+                S,
+                STEPS,
+            >(&self.element_5, &at);
             let s1 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(1usize) },
             );
-            let s2 = <mstmm::__private::elements::ElasticHinge<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_1, s1, tally);
+            let s2 = mstmm::__private::step::<
+                mstmm::__private::elements::ElasticHinge<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_1, s1, tally);
             let s3 = s2;
             let s3 = mstmm::__private::widened(s3, const { LAYOUT.output(3usize) });
             let s3 = mstmm::__private::held(s3, mstmm::__private::Support::Free);
@@ -319,18 +329,24 @@ const _: () = {
                 const { LAYOUT.output(3usize) },
                 tally,
             );
-            let s4 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_3, s3, tally);
+            let s4 = mstmm::__private::step::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_3, s3, tally);
             let s5 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(5usize) },
             );
-            let s6 = <mstmm::__private::elements::ElasticHinge<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_5, s5, tally);
+            let s6 = mstmm::__private::step::<
+                mstmm::__private::elements::ElasticHinge<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_5, s5, tally);
             let s7 = s4;
-            let s7 = mstmm::__private::joined(s7, s6);
+            let s7 = mstmm::__private::join::<S, true, STEPS>(s7, s6);
             let s7 = mstmm::__private::widened(s7, const { LAYOUT.output(7usize) });
             let s7 = mstmm::__private::narrowed(
                 s7,

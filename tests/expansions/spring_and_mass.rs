@@ -358,6 +358,7 @@ const _: () = {
             x: S,
             tally: &mut C,
         ) -> mstmm::__private::Scaled<S> {
+            const STEPS: usize = 11usize;
             let at = mstmm::__private::At::new(
                 x,
                 false
@@ -371,66 +372,89 @@ const _: () = {
                         T,
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             );
-            let k_1 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, &at);
-            let k_3 = <mstmm::__private::elements::Spring<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, &at);
-            let k_4 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_4, &at);
-            let k_6 = <mstmm::__private::elements::Mass<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_6, &at);
-            let k_7 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_7, &at);
+            let k_1 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                STEPS,
+            >(&self.element_1, &at);
+            let k_3 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Spring<T>,
+                S,
+                STEPS,
+            >(&self.element_3, &at);
+            let k_4 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                STEPS,
+            >(&self.element_4, &at);
+            let k_6 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Mass<T>,
+                S,
+                STEPS,
+            >(&self.element_6, &at);
+            let k_7 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                STEPS,
+            >(&self.element_7, &at);
             let s0 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Pinned,
                 const { LAYOUT.space(0usize) },
             );
-            let s1 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_1, s0, tally);
+            let s1 = mstmm::__private::step::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_1, s0, tally);
             let s2 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(2usize) },
             );
-            let s3 = <mstmm::__private::elements::Spring<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_3, s2, tally);
+            let s3 = mstmm::__private::step::<
+                mstmm::__private::elements::Spring<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_3, s2, tally);
             let s4 = s1;
-            let s4 = mstmm::__private::joined(s4, s3);
+            let s4 = mstmm::__private::join::<S, true, STEPS>(s4, s3);
             let s4 = mstmm::__private::widened(s4, const { LAYOUT.output(4usize) });
             let s4 = mstmm::__private::narrowed(
                 s4,
                 const { LAYOUT.output(4usize) },
                 tally,
             );
-            let s5 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_4, s4, tally);
+            let s5 = mstmm::__private::step::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_4, s4, tally);
             let s6 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Free,
                 const { LAYOUT.space(6usize) },
             );
-            let s7 = <mstmm::__private::elements::Mass<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_6, s6, tally);
+            let s7 = mstmm::__private::step::<
+                mstmm::__private::elements::Mass<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_6, s6, tally);
             let s8 = s5;
-            let s8 = mstmm::__private::joined(s8, s7);
+            let s8 = mstmm::__private::join::<S, true, STEPS>(s8, s7);
             let s8 = mstmm::__private::widened(s8, const { LAYOUT.output(8usize) });
             let s8 = mstmm::__private::narrowed(
                 s8,
                 const { LAYOUT.output(8usize) },
                 tally,
             );
-            <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<
+            mstmm::__private::root::<
+                mstmm::__private::elements::Beam<T>,
                 S,
-            >>::root(&k_7, s8, mstmm::__private::Support::Pinned, tally)
+                C,
+                STEPS,
+            >(&k_7, s8, mstmm::__private::Support::Pinned, tally)
         }
     }
 };

@@ -219,6 +219,7 @@ const _: () = {
             x: S,
             tally: &mut C,
         ) -> mstmm::__private::Scaled<S> {
+            const STEPS: usize = 4usize;
             let at = mstmm::__private::At::new(
                 x,
                 false
@@ -229,24 +230,32 @@ const _: () = {
                         T,
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             );
-            let k_1 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, &at);
-            let k_2 = <mstmm::__private::elements::Body<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_2, &at);
+            let k_1 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Beam<T>,
+                S,
+                STEPS,
+            >(&self.element_1, &at);
+            let k_2 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Body<T>,
+                S,
+                STEPS,
+            >(&self.element_2, &at);
             let s0 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(0usize) },
             );
-            let s1 = <mstmm::__private::elements::Beam<
-                T,
-            > as mstmm::__private::PlaneStep<S>>::step(&k_1, s0, tally);
-            <mstmm::__private::elements::Body<
-                T,
-            > as mstmm::__private::PlaneStep<
+            let s1 = mstmm::__private::step::<
+                mstmm::__private::elements::Beam<T>,
                 S,
-            >>::root(&k_2, s1, mstmm::__private::Support::Free, tally)
+                C,
+                STEPS,
+            >(&k_1, s0, tally);
+            mstmm::__private::root::<
+                mstmm::__private::elements::Body<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_2, s1, mstmm::__private::Support::Free, tally)
         }
     }
 };

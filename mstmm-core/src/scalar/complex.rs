@@ -7,6 +7,7 @@ use num_traits::Zero;
 
 impl<T: Real> Scalar for Complex<T> {
     const SERIES_TERMS: usize = T::SERIES_TERMS;
+    const LONGEST_IN_LINE: usize = T::LONGEST_IN_LINE;
 
     #[inline]
     fn from_f64(value: f64) -> Self {

@@ -134,6 +134,7 @@ impl<S: Scalar> One for Dual<S> {
 
 impl<S: Scalar> Scalar for Dual<S> {
     const SERIES_TERMS: usize = S::SERIES_TERMS;
+    const LONGEST_IN_LINE: usize = S::LONGEST_IN_LINE;
 
     #[inline]
     fn from_f64(value: f64) -> Self {

@@ -11,17 +11,14 @@ pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let types = first_of_each_type(plan, names);
     let types = types.into_iter().map(|element| names.element_as(element, "PlaneStep"));
     let coefficients = plan.elements.iter().map(|element| {
-        let (coefficients, field) = (local("k", element, names), element_field(element, names));
-        if plan.is_short() {
-            let kind = names.element_as(element, "PlaneStep");
-            return quote_spanned!(names.here=> let #coefficients = #kind::coefficients(&self.#field, &at););
-        }
-        let kind = names.element(element);
+        let (coefficients, field, kind) =
+            (local("k", element, names), element_field(element, names), names.element(element));
         quote_spanned! {names.here=>
-            let #coefficients = #private::called_coefficients::<#kind, #frequency>(&self.#field, &at);
+            let #coefficients = #private::coefficients::<#kind, #frequency, STEPS>(&self.#field, &at);
         }
     });
     let steps = plan.steps.iter().enumerate().map(|(index, step)| pass_step(index, step, plan, names));
+    let count = plan.steps.len();
     let body = quote_spanned! {names.here=>
         #[inline]
         fn pass<#tally: #private::Tally<#frequency>>(
@@ -29,6 +26,7 @@ pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
             x: #frequency,
             tally: &mut #tally,
         ) -> #private::Scaled<#frequency> {
+            const STEPS: usize = #count;
             let at = #private::At::new(x, false #(|| #types::WAVES)*);
             #(#coefficients)*
             #(#steps)*
@@ -52,13 +50,9 @@ fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> T
         Step::Element { evaluated, input, .. } => {
             let element = plan.elements[*evaluated];
             let (coefficients, input) = (local("k", element, names), subspace(*input, names));
-            if plan.is_short() {
-                let kind = names.element_as(element, "PlaneStep");
-                return quote_spanned!(names.here=> let #own = #kind::step(&#coefficients, #input, tally););
-            }
             let (kind, frequency, tally) = (names.element(element), &names.frequency, &names.tally);
             quote_spanned! {names.here=>
-                let #own = #private::called_step::<#kind, #frequency, #tally>(&#coefficients, #input, tally);
+                let #own = #private::step::<#kind, #frequency, #tally, STEPS>(&#coefficients, #input, tally);
             }
         }
         Step::Connection { inputs, .. } => connection(index, inputs, plan, names),
@@ -81,15 +75,12 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) ->
                 held.push(quote_spanned!(names.here=> let #own = #private::held(#own, #support);));
             }
             _ if joined.is_empty() => joined = quote_spanned!(names.here=> let #own = #path;),
-            _ if plan.is_short() && paths == 1 => joined.extend(quote_spanned! {names.here=>
-                let #own = #private::joined(#own, #path);
-            }),
-            _ if plan.is_short() => joined.extend(quote_spanned! {names.here=>
-                let #own = #private::joined_on(#own, #path);
-            }),
-            _ => joined.extend(quote_spanned! {names.here=>
-                let #own = #private::called_joined_on(#own, #path);
-            }),
+            _ => {
+                let (frequency, first_two) = (&names.frequency, paths == 1);
+                joined.extend(quote_spanned! {names.here=>
+                    let #own = #private::join::<#frequency, #first_two, STEPS>(#own, #path);
+                });
+            }
         }
         paths += usize::from(is_path);
     }
@@ -117,8 +108,11 @@ fn root(support: &Ident, input: usize, plan: &Plan<'_>, names: &Names) -> TokenS
         Step::Element { evaluated, input, .. } => {
             let element = plan.elements[*evaluated];
             let (coefficients, input) = (local("k", element, names), subspace(*input, names));
-            let kind = names.element_as(element, "PlaneStep");
-            quote_spanned!(names.here=> #kind::root(&#coefficients, #input, #support, tally))
+            let Names { private, frequency, tally, .. } = names;
+            let kind = names.element(element);
+            quote_spanned! {names.here=>
+                #private::root::<#kind, #frequency, #tally, STEPS>(&#coefficients, #input, #support, tally)
+            }
         }
         _ => {
             let input = subspace(input, names);

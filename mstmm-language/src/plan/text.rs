@@ -4,6 +4,9 @@ use super::{Plan, Step};
 use crate::keywords::State;
 use std::fmt::{Display, Formatter, Result};
 
+/// Number of steps up to which the main transfer equation is written out: one term per tip, as long as its way to the root.
+const LONGEST_IN_FULL: usize = 24;
+
 impl Display for Plan<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let states = self.states();
@@ -40,7 +43,7 @@ impl Plan<'_> {
             equations.len()
         )?;
         writeln!(f, "z_all = [{}]", unknowns.join(", "))?;
-        if self.is_short() {
+        if self.steps.len() <= LONGEST_IN_FULL {
             let paths: Vec<String> = self.tips(root, states).into_iter().map(|tip| self.product(tip, states)).collect();
             writeln!(f, "s{root} = {}", paths.join("\n    + "))?;
         }

@@ -78,6 +78,8 @@ fn nearest_integer(value: f64) -> f64 {
 
 impl Scalar for DoubleDouble {
     const SERIES_TERMS: usize = 10;
+    // the judge is seldom asked, and long in line
+    const LONGEST_IN_LINE: usize = 6;
 
     #[inline]
     fn from_f64(value: f64) -> Self {
