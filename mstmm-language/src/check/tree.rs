@@ -22,19 +22,19 @@ pub(crate) fn topology<'g, 'a>(model: &Model, graph: &'g Graph<'a>, mut errors: 
     Ok(Tree { graph, root: root.unwrap_or(0) })
 }
 
-/// Checks the ends of every vertex first, except of those that may be meant otherwise: only where all are right does every
-/// way lead on to the root.
+/// Checks the ends of every vertex, except of those that may be meant otherwise; then that every way that is clear leads to
+/// one root.
 fn check_graph(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
-    let is_clear = |vertex: usize| !graph.ambiguous.contains(&vertex) && !is_doubtful(&graph.vertices[vertex]);
-    let mut all_lead_on = true;
+    let mut is_clear = vec![true; graph.vertices.len()];
     for vertex in 0..graph.vertices.len() {
-        let fault = if is_clear(vertex) { ends_fault(graph, vertex) } else { None };
-        all_lead_on &= is_clear(vertex) && fault.is_none();
+        is_clear[vertex] = !graph.ambiguous.contains(&vertex) && !is_doubtful(&graph.vertices[vertex]);
+        let fault = if is_clear[vertex] { ends_fault(graph, vertex) } else { None };
         if let Some((place, fault)) = fault {
+            is_clear[vertex] = false;
             errors.push(place, format!("`{}` {fault}", graph.vertices[vertex].name()));
         }
     }
-    if all_lead_on { find_root(graph, errors) } else { None }
+    find_root(graph, &is_clear, errors)
 }
 
 /// What is wrong with the number of inputs and outputs of one vertex.
@@ -124,11 +124,11 @@ enum End {
     Loop(usize),
 }
 
-/// The support in which all ways end. Every vertex but a root has one output here.
-fn find_root(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
+/// The support in which all ways end that are clear. Every clear vertex but a root has one output.
+fn find_root(graph: &Graph<'_>, is_clear: &[bool], errors: &mut Errors) -> Option<usize> {
     let mut ends: Vec<End> = Vec::new();
-    for vertex in 0..graph.vertices.len() {
-        let end = follow(graph, vertex);
+    let starts = (0..graph.vertices.len()).filter(|vertex| graph.output(*vertex).is_some());
+    for end in starts.filter_map(|start| follow(graph, is_clear, start)) {
         if !ends.contains(&end) {
             ends.push(end);
         }
@@ -153,12 +153,15 @@ fn find_root(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
     root
 }
 
-/// Follows the arrows from a vertex.
-fn follow(graph: &Graph<'_>, start: usize) -> End {
+/// Follows the arrows from a vertex; `None` if they lead to one that is not clear.
+fn follow(graph: &Graph<'_>, is_clear: &[bool], start: usize) -> Option<End> {
     let mut vertex = start;
     for _ in 0..graph.vertices.len() {
+        if !is_clear[vertex] {
+            return None;
+        }
         match graph.output(vertex) {
-            None => return End::Root(vertex),
+            None => return Some(End::Root(vertex)),
             Some(next) => vertex = next,
         }
     }
@@ -169,5 +172,5 @@ fn follow(graph: &Graph<'_>, start: usize) -> End {
         first = first.min(next);
         next = graph.output(next).unwrap_or(vertex);
     }
-    End::Loop(first)
+    Some(End::Loop(first))
 }

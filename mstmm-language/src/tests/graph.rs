@@ -187,3 +187,22 @@ fn a_model_is_one_tree() {
         ",
     );
 }
+
+/// What is wrong at one end of a model does not hide what is wrong at another.
+#[test]
+fn faulty_ends_loops_and_roots_are_shown_together() {
+    assert_refused(
+        "
+        struct M;
+        fixed -> mass 1 { mass: 1.000 } -> conn 2;
+                                           ^^^^^^ `conn 2` has no output: lead it on to the root
+        fixed -> mass 3 { mass: 1.000 } -> free;
+        fixed -> mass 4 { mass: 1.000 } -> pinned;
+                                           ^^^^^^ `pinned` is a second root: no path joins this part of the
+                                           | model to the first; a model is one tree
+        fixed -> mass 5 { mass: 1.000 } -> conn 6 -> mass 7 { mass: 1.000 } -> conn 6;
+                                           ^^^^^^ `conn 6` does not lead to the root, but round in a loop of
+                                           | arrows back to itself: turn one of them to a support
+        ",
+    );
+}
