@@ -66,6 +66,13 @@ pub(crate) fn support_of(keyword: &str) -> Option<&'static str> {
     SUPPORTS.iter().find(|(name, _)| *name == keyword).map(|(_, variant)| *variant)
 }
 
+/// A keyword and a label that were written as one word, `beam1`, apart.
+pub(crate) fn apart(word: &str) -> Option<String> {
+    let keyword = word.trim_end_matches(|c: char| c.is_ascii_digit());
+    let is_keyword = keyword == CONNECTION || element_of(keyword).is_some();
+    (is_keyword && keyword != word).then(|| format!("{keyword} {}", &word[keyword.len()..]))
+}
+
 /// The word most like a misspelt one, if any is like it at all.
 pub(crate) fn nearest<'a>(candidates: impl Iterator<Item = &'a str>, wrong: &str) -> Option<&'a str> {
     candidates

@@ -9,7 +9,7 @@ use quote::quote;
 use std::collections::BTreeSet;
 use std::fmt::Display;
 use syn::parse::{Parse, ParseStream, Parser, Result};
-use syn::{Attribute, Error, Expr, ItemStruct, Pat, Token, Type, Visibility, braced};
+use syn::{Attribute, Error, Expr, ItemStruct, Pat, Token, Type, Visibility, braced, token};
 
 /// Parses `{ (path to mstmm) model }`, where the braces stand for the end of the input. Lines that cannot be read are left
 /// out, each with an error; without its struct a model is none.
@@ -84,6 +84,9 @@ fn parse_struct(input: ParseStream<'_>) -> Result<ItemStruct> {
 /// `let pattern = expression`, with or without a type, as a statement.
 fn parse_let(input: ParseStream<'_>) -> Result<TokenStream> {
     let keyword: Token![let] = input.parse()?;
+    if input.peek(Token![=]) {
+        return Err(error_at(input, "expected a name: a `let` line gives a value a name, `let name = expression;`"));
+    }
     let pattern = Pat::parse_single(input)?;
     let colon: Option<Token![:]> = input.parse()?;
     let of_type: Option<Type> = if colon.is_some() { Some(input.parse()?) } else { None };
@@ -97,13 +100,18 @@ fn parse_let(input: ParseStream<'_>) -> Result<TokenStream> {
     if !input.peek(Token![;]) {
         return Err(error_at(input, "expected `;` at the end of the `let` line"));
     }
-    Ok(quote!(#keyword #pattern #colon #of_type #equals #value;))
+    // the user's own token, at which rustc shows what it would put before
+    let end: Token![;] = input.fork().parse()?;
+    Ok(quote!(#keyword #pattern #colon #of_type #equals #value #end))
 }
 
 impl Parse for TransferPath {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         if input.peek(Token![let]) {
             return Err(error_at(input, "`let` lines stand between the struct and the first path: move this one up"));
+        }
+        if input.peek(Token![;]) {
+            return Err(error_at(input, "there is no path before this `;`: remove it"));
         }
         let first = input.parse()?;
         let mut rest = Vec::new();
@@ -117,6 +125,9 @@ impl Parse for TransferPath {
 impl Parse for Arrow {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         let forward = input.peek(Token![->]);
+        if input.peek(token::Paren) {
+            return Err(error_at(input, "parameters stand in braces, `{ name: value, .. }`, and nodes between arrows"));
+        }
         if !forward && !input.peek(Token![<-]) {
             return Err(error_at(
                 input,

@@ -21,12 +21,15 @@ pub(super) fn parameters(element: &Element, errors: &mut Errors) {
     let Kind::Keyword(keyword) = &element.kind else { return };
     let Some(known) = element_of(&keyword.to_string()) else { return };
     let mut missing: Vec<&str> = known.parameters.iter().copied().filter(|name| !given.contains(*name)).collect();
+    let is_unknown = |name: &str| !known.parameters.contains(&name);
+    let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;
     for parameter in element.parameters() {
         let name = parameter.name.unraw().to_string();
-        if known.parameters.contains(&name.as_str()) {
+        if !is_unknown(&name) {
             continue;
         }
-        let hint = match nearest(missing.iter().copied(), &name) {
+        let meant = nearest(missing.iter().copied(), &name).or(missing.first().copied().filter(|_| is_only_one));
+        let hint = match meant {
             Some(meant) => {
                 missing.retain(|other| *other != meant);
                 format!("did you mean `{meant}`?")

@@ -3,7 +3,7 @@
 use super::{fields, listed, parameters};
 use crate::ast::{Element, Kind, Label, Model, Node};
 use crate::diagnostics::Errors;
-use crate::keywords::{CONNECTION, ELEMENTS, SUPPORTS, element_of, nearest, support_of};
+use crate::keywords::{CONNECTION, ELEMENTS, SUPPORTS, apart, element_of, nearest, support_of};
 use crate::topology::Vertex;
 use syn::{Ident, Lit};
 
@@ -61,15 +61,11 @@ fn check_support(keyword: &Ident, errors: &mut Errors) {
         errors.push(keyword.span(), format!("`{text}` needs a label and parameters, `{text} 1 {{ .. }}`"));
         return;
     }
-    let word = text.trim_end_matches(|c: char| c.is_ascii_digit());
-    let hint = if word != text && (word == CONNECTION || element_of(word).is_some()) {
-        format!("put a space before the label, `{word} {}`", &text[word.len()..])
-    } else {
-        let supports = || SUPPORTS.iter().map(|(name, _)| *name);
-        match nearest(supports(), &text) {
-            Some(name) => format!("did you mean `{name}`?"),
-            None => format!("the supports are {}", listed(supports())),
-        }
+    let supports = || SUPPORTS.iter().map(|(name, _)| *name);
+    let hint = match (apart(&text), nearest(supports(), &text)) {
+        (Some(apart), _) => format!("put a space before the label, `{apart}`"),
+        (None, Some(name)) => format!("did you mean `{name}`?"),
+        (None, None) => format!("the supports are {}", listed(supports())),
     };
     errors.push(keyword.span(), format!("`{text}` is not a support: {hint}"));
 }
@@ -96,6 +92,9 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
 fn unknown_keyword(text: &str) -> String {
     if support_of(text).is_some() {
         return format!("the support `{text}` takes no label and no parameters: write `{text}` alone");
+    }
+    if text.starts_with(char::is_uppercase) {
+        return format!("`{text}` is not an element: a type of your own is written with its path, `self::{text}`");
     }
     let elements = || ELEMENTS.iter().map(|element| element.name);
     let hint = match nearest(elements().chain([CONNECTION]), text) {

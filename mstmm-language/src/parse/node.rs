@@ -4,7 +4,7 @@ use super::error_at;
 use crate::ast::{Connection, Element, Kind, Label, Node, Parameter};
 use crate::depth::is_keyword;
 use crate::diagnostics::Place;
-use crate::keywords::{CONNECTION, support_of};
+use crate::keywords::{CONNECTION, apart, support_of};
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Result};
 use syn::{Error, Ident, Lit, LitInt, Path, Token, braced, token};
@@ -22,10 +22,16 @@ impl Parse for Node {
             return parse_element(kind, input);
         }
         let Ok(keyword) = input.parse::<Ident>() else {
-            return Err(error_at(input, "expected a support, a connection `conn ..` or an element"));
+            let expected = "expected a support, a connection `conn ..` or an element";
+            let hint =
+                input.fork().parse::<LitInt>().map_or(String::new(), |label| format!(", such as `conn {label}`"));
+            return Err(error_at(input, format!("{expected}{hint}")));
         };
         if keyword == CONNECTION {
             let label = parse_label(input, &keyword, keyword.span().into(), "")?;
+            if input.peek(token::Brace) {
+                return Err(error_at(input, format!("`{keyword} {label}` joins paths: it takes no parameters")));
+            }
             return Ok(Node::Connection(Connection { keyword, label }));
         }
         if ends_here(&keyword, input) {
@@ -49,6 +55,9 @@ fn ends_here(keyword: &Ident, input: ParseStream<'_>) -> bool {
 
 /// `label { parameters }`, behind the kind of an element.
 fn parse_element(kind: Kind, input: ParseStream<'_>) -> Result<Node> {
+    if input.peek(Token![<]) {
+        return Err(error_at(input, "the type of an element is written without generic arguments"));
+    }
     let label = parse_label(input, kind.name(), kind.place(), " { .. }")?;
     let parameters = if input.peek(token::Brace) { Some(parse_parameters(input)?) } else { None };
     Ok(Node::Element(Box::new(Element { kind, label, parameters })))
@@ -76,7 +85,16 @@ fn parse_label(input: ParseStream<'_>, owner: &Ident, place: Place, rest: &str) 
     if input.peek(Lit) {
         return Ok(Label::Literal(input.parse()?));
     }
-    Err(Error::new_spanned(place, format!("`{owner}` needs a label, a name or a number: `{owner} 1{rest}`")))
+    if input.peek(Ident::peek_any) {
+        let word = input.call(Ident::parse_any)?;
+        return Err(Error::new(word.span(), format!("`{word}` is a word of Rust: give `{owner}` another label")));
+    }
+    let text = owner.to_string();
+    let advice = match apart(&text) {
+        Some(apart) => format!("put a space before the label, `{apart}{rest}`"),
+        None => format!("`{text}` needs a label, a name or a number: `{text} 1{rest}`"),
+    };
+    Err(Error::new_spanned(place, advice))
 }
 
 impl Parse for Parameter {
@@ -87,6 +105,9 @@ impl Parse for Parameter {
         };
         if input.is_empty() || input.peek(Token![,]) {
             return Ok(Parameter { name, value: None });
+        }
+        if input.peek(Token![;]) || input.peek2(Token![:]) || input.peek2(Token![,]) {
+            return Err(error_at(input, "expected `,` between parameters"));
         }
         if !input.peek(Token![:]) {
             return Err(error_at(input, format!("expected `:`: a parameter is written `{name}: value`")));

@@ -165,12 +165,11 @@ fn a_node_is_missing() {
         fixed -> -> spring 2 { stiffness: 1.0 } -> free;
                  ^^ expected a support, a connection `conn ..` or an element
         fixed -> 3 { stiffness: 1.0 } -> free;
-                 ^ expected a support, a connection `conn ..` or an element
+                 ^ expected a support, a connection `conn ..` or an element, such as `conn 3`
         fixed -> { stiffness: 1.0 } -> free;
                  ^ expected a support, a connection `conn ..` or an element
         fixed -> spring 4 { stiffness: 1.0 } -> free;;
-                                                     ^ expected a support, a connection `conn ..` or an
-                                                     | element
+                                                     ^ there is no path before this `;`: remove it
         ",
     );
 }
@@ -255,6 +254,44 @@ fn the_path_of_an_element_ends_in_a_type() {
         struct M;
         fixed -> self::self 1 { stiffness: 1.0 } -> shop::Self 2 { stiffness: 1.0 } -> free;
                        ^^^^ `self` is no type: the path of an element ends in the name of its type
+        ",
+    );
+}
+
+#[test]
+fn slips_between_nodes_have_their_own_advice() {
+    assert_refused(
+        "
+        struct M;
+        let = 2.0;
+            ^ expected a name: a `let` line gives a value a name, `let name = expression;`
+        fixed -> beam1 { length: 1.0 } -> free;
+                 ^^^^^ put a space before the label, `beam 1 { .. }`
+        fixed -> beam 1 (length, mass) -> free;
+                        ^ parameters stand in braces, `{ name: value, .. }`, and nodes between arrows
+        fixed -> conn 2 {} -> free;
+                        ^ `conn 2` joins paths: it takes no parameters
+        pinned(conn 2);
+              ^ parameters stand in braces, `{ name: value, .. }`, and nodes between arrows
+        fixed -> beam fn {} -> conn _;
+                      ^^ `fn` is a word of Rust: give `beam` another label
+        fixed -> cable::Cable<f64> 1 {} -> free;
+                             ^ the type of an element is written without generic arguments
+        fixed -> 2;
+                 ^ expected a support, a connection `conn ..` or an element, such as `conn 2`
+        fixed -> beam 3 { length bending_stiffness: 1.0 } -> free;
+                                 ^^^^^^^^^^^^^^^^^ expected `,` between parameters
+        fixed -> beam 3 { length; bending_stiffness } -> free;
+                                ^ expected `,` between parameters
+        fixed -> spring 4 { stiffness: 1.0 } -> free;;
+                                                     ^ there is no path before this `;`: remove it
+        ",
+    );
+    assert_refused(
+        "
+        struct M {};
+                   ^ there is no path before this `;`: remove it
+        fixed -> spring 4 { stiffness: 1.0 } -> free
         ",
     );
 }

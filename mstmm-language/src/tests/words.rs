@@ -262,3 +262,17 @@ fn a_parameter_is_given_once() {
         ",
     );
 }
+
+#[test]
+fn one_slip_is_one_message() {
+    assert_refused(
+        "
+        struct M { k: f64 }
+        fixed -> spring 1 { k } -> mass 2 { m: 1.0 } -> conn 3 -> free;
+                            ^ `spring` has no parameter `k`: did you mean `stiffness`?
+                                            ^ `mass` has no parameter `m`: did you mean `mass`?
+        fixed -> Cable 4 { tension: k } -> conn 3;
+                 ^^^^^ `Cable` is not an element: a type of your own is written with its path, `self::Cable`
+        ",
+    );
+}
