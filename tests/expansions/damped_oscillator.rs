@@ -24,11 +24,12 @@ pub struct DampedOscillator {
     /// Stiffness K'_z of the torsion spring [N m/rad]
     pub torsion_stiffness: f64,
 }
-/// The system of a [`DampedOscillator`], built: evaluate it at a frequency, or search its frequencies.
+/// The built system of [`DampedOscillator`]: evaluate it at a frequency, or search its frequencies.
 ///
 /// # Equation
 ///
-/// Here `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone.
+/// `s0` is the state behind step 0 below, `U` the transfer matrix of an element. Where paths meet, the first gives the
+/// displacements, and each its forces: `F` takes the forces of a state alone. `P` takes of a state what goes on to fewer.
 ///
 /// ```text
 /// U_all z_all = 0, 7 x 7: 4 rows of the main transfer equation, geometrical equations: 3
@@ -67,22 +68,22 @@ pub struct DampedOscillator {
 ///
 /// ```mermaid
 /// flowchart LR
-///     s0([pinned])
-///     s1[beam 1]
-///     s2([fixed])
-///     s3[spring 3]
-///     s4((conn 2))
-///     s5[beam 4]
-///     s6([free])
-///     s7[mass 7]
-///     s8[spring_damper 6]
-///     s9((conn 5))
-///     s10[beam 8]
-///     s11([fixed])
-///     s12[torsion_spring 10]
-///     s13((conn 9))
-///     s14[beam 11]
-///     s15([pinned, the root])
+///     s0(["pinned"])
+///     s1["beam 1"]
+///     s2(["fixed"])
+///     s3["spring 3"]
+///     s4(("conn 2"))
+///     s5["beam 4"]
+///     s6(["free"])
+///     s7["mass 7"]
+///     s8["spring_damper 6"]
+///     s9(("conn 5"))
+///     s10["beam 8"]
+///     s11(["fixed"])
+///     s12["torsion_spring 10"]
+///     s13(("conn 9"))
+///     s14["beam 11"]
+///     s15(["pinned, the root"])
 ///     s0 --> s1
 ///     s2 --> s3
 ///     s1 --> s4

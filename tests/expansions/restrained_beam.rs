@@ -16,11 +16,12 @@ pub struct RestrainedBeam {
     /// Torsional stiffness K'_z2 at the right end [N m/rad]
     pub right_torsion: f64,
 }
-/// The system of a [`RestrainedBeam`], built: evaluate it at a frequency, or search its frequencies.
+/// The built system of [`RestrainedBeam`]: evaluate it at a frequency, or search its frequencies.
 ///
 /// # Equation
 ///
-/// Here `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone.
+/// `s0` is the state behind step 0 below, `U` the transfer matrix of an element. Where paths meet, the first gives the
+/// displacements, and each its forces: `F` takes the forces of a state alone. `P` takes of a state what goes on to fewer.
 ///
 /// ```text
 /// U_all z_all = 0, 8 x 8: 4 rows of the main transfer equation, geometrical equations: 4
@@ -52,15 +53,15 @@ pub struct RestrainedBeam {
 ///
 /// ```mermaid
 /// flowchart LR
-///     s0([free])
-///     s1([fixed])
-///     s2[elastic_hinge 1]
-///     s3((conn 2))
-///     s4[beam 3]
-///     s5([fixed])
-///     s6[elastic_hinge 5]
-///     s7((conn 4))
-///     s8([free, the root])
+///     s0(["free"])
+///     s1(["fixed"])
+///     s2["elastic_hinge 1"]
+///     s3(("conn 2"))
+///     s4["beam 3"]
+///     s5(["fixed"])
+///     s6["elastic_hinge 5"]
+///     s7(("conn 4"))
+///     s8(["free, the root"])
 ///     s1 --> s2
 ///     s0 --> s3
 ///     s2 --> s3

@@ -16,11 +16,12 @@ pub struct SpringAndMass {
     /// Lumped mass [kg]
     pub mass: f64,
 }
-/// The system of a [`SpringAndMass`], built: evaluate it at a frequency, or search its frequencies.
+/// The built system of [`SpringAndMass`]: evaluate it at a frequency, or search its frequencies.
 ///
 /// # Equation
 ///
-/// Here `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone.
+/// `s0` is the state behind step 0 below, `U` the transfer matrix of an element. Where paths meet, the first gives the
+/// displacements, and each its forces: `F` takes the forces of a state alone. `P` takes of a state what goes on to fewer.
 ///
 /// ```text
 /// U_all z_all = 0, 6 x 6: 4 rows of the main transfer equation, geometrical equations: 2
@@ -52,17 +53,17 @@ pub struct SpringAndMass {
 ///
 /// ```mermaid
 /// flowchart LR
-///     s0([pinned])
-///     s1[beam 1]
-///     s2([fixed])
-///     s3[spring 3]
-///     s4((conn 2))
-///     s5[beam 4]
-///     s6([free])
-///     s7[mass 6]
-///     s8((conn 5))
-///     s9[beam 7]
-///     s10([pinned, the root])
+///     s0(["pinned"])
+///     s1["beam 1"]
+///     s2(["fixed"])
+///     s3["spring 3"]
+///     s4(("conn 2"))
+///     s5["beam 4"]
+///     s6(["free"])
+///     s7["mass 6"]
+///     s8(("conn 5"))
+///     s9["beam 7"]
+///     s10(["pinned, the root"])
 ///     s0 --> s1
 ///     s2 --> s3
 ///     s1 --> s4

@@ -16,11 +16,12 @@ pub struct TipBody {
     /// Distance d of the body's free end from the end of the beam [m]
     pub depth: f64,
 }
-/// The system of a [`TipBody`], built: evaluate it at a frequency, or search its frequencies.
+/// The built system of [`TipBody`]: evaluate it at a frequency, or search its frequencies.
 ///
 /// # Equation
 ///
-/// Here `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone.
+/// `s0` is the state behind step 0 below, `U` the transfer matrix of an element. Where paths meet, the first gives the
+/// displacements, and each its forces: `F` takes the forces of a state alone. `P` takes of a state what goes on to fewer.
 ///
 /// ```text
 /// U_all z_all = 0, 4 x 4: 4 rows of the main transfer equation, geometrical equations: 0
@@ -41,10 +42,10 @@ pub struct TipBody {
 ///
 /// ```mermaid
 /// flowchart LR
-///     s0([fixed])
-///     s1[beam 1]
-///     s2[body 2]
-///     s3([free, the root])
+///     s0(["fixed"])
+///     s1["beam 1"]
+///     s2["body 2"]
+///     s3(["free, the root"])
 ///     s0 --> s1
 ///     s1 --> s2
 ///     s2 --> s3

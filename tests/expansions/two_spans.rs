@@ -16,11 +16,12 @@ pub struct TwoSpans {
     /// Mass on the spring [kg]
     pub mass: f64,
 }
-/// The system of a [`TwoSpans`], built: evaluate it at a frequency, or search its frequencies.
+/// The built system of [`TwoSpans`]: evaluate it at a frequency, or search its frequencies.
 ///
 /// # Equation
 ///
-/// Here `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone.
+/// `s0` is the state behind step 0 below, `U` the transfer matrix of an element. Where paths meet, the first gives the
+/// displacements, and each its forces: `F` takes the forces of a state alone. `P` takes of a state what goes on to fewer.
 ///
 /// ```text
 /// U_all z_all = 0, 7 x 7: 4 rows of the main transfer equation, geometrical equations: 3
@@ -53,17 +54,17 @@ pub struct TwoSpans {
 ///
 /// ```mermaid
 /// flowchart LR
-///     s0([pinned])
-///     s1[beam 1]
-///     s2([pinned])
-///     s3((conn 2))
-///     s4[beam 3]
-///     s5([free])
-///     s6[mass 6]
-///     s7[spring 5]
-///     s8((conn 4))
-///     s9[beam 7]
-///     s10([pinned, the root])
+///     s0(["pinned"])
+///     s1["beam 1"]
+///     s2(["pinned"])
+///     s3(("conn 2"))
+///     s4["beam 3"]
+///     s5(["free"])
+///     s6["mass 6"]
+///     s7["spring 5"]
+///     s8(("conn 4"))
+///     s9["beam 7"]
+///     s10(["pinned, the root"])
 ///     s0 --> s1
 ///     s1 --> s3
 ///     s2 --> s3

@@ -62,7 +62,9 @@ fn each_message_stands_where_its_file_says() {
         let marks = marks(&std::fs::read_to_string(&path).unwrap());
         let messages = messages(&std::fs::read_to_string(path.with_extension("stderr")).unwrap()).unwrap();
         assert!(!marks.is_empty(), "{}: no mark", path.display());
+        assert_eq!(marks.len(), messages.len(), "{}: a mark for each message", path.display());
         for mark in &marks {
+            assert!(!mark.text.is_empty(), "{}: no hint", path.display());
             assert!(messages.iter().any(|message| mark.is_of(message)), "{}: {mark:#?}", path.display());
         }
         for message in &messages {

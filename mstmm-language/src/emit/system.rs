@@ -43,7 +43,7 @@ fn definition(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
         quote_spanned!(names.at_element(element)=> #[doc = #doc] #field: #kind::Built)
     });
     let doc =
-        format!("The system of a [`{model}`], built: evaluate it at a frequency, or search its frequencies.\n\n{plan}");
+        format!("The built system of [`{model}`]: evaluate it at a frequency, or search its frequencies.\n\n{plan}");
     let doc = doc.lines().map(|line| format!(" {line}"));
     // The size of a struct is known if that of its last field is. Were an element the last, a type that is none would be
     // an error wherever the system occurs.

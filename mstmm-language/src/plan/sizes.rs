@@ -57,24 +57,24 @@ impl State {
 }
 
 impl Plan<'_> {
-    /// The state behind each step; `None` if only rustc knows some of them, or if they do not fit, of which rustc speaks.
-    pub(super) fn states(&self) -> Option<Vec<State>> {
-        let mut states: Vec<State> = Vec::new();
+    /// The state behind each step; `None` where only rustc knows it, or where states do not fit, of which rustc speaks.
+    pub(super) fn states(&self) -> Vec<Option<State>> {
+        let mut states: Vec<Option<State>> = Vec::new();
         for (index, step) in self.steps.iter().enumerate() {
             states.push(match step {
-                Step::Tip(_) => State::Bending, // until what it holds is known
-                Step::Element { element, .. } => element.kind.state()?,
-                Step::Connection { inputs, .. } => self.widest_neighbour(index, inputs, &states)?,
+                Step::Tip(_) => None, // until what it holds is known
+                Step::Element { element, .. } => element.kind.state(),
+                Step::Connection { inputs, .. } => self.widest_neighbour(index, inputs, &states),
                 Step::Root { input, .. } => states[*input],
             });
         }
         for index in 0..self.steps.len() {
             if let Step::Tip(support) = self.steps[index] {
-                states[index] = states[self.downstream(index)?];
-                states[index].unknowns(&support.to_string())?;
+                let state = self.downstream(index).and_then(|step| states[step]);
+                states[index] = state.filter(|state| state.unknowns(&support.to_string()).is_some());
             }
         }
-        Some(states)
+        states
     }
 
     /// The step that takes another as input; none takes the root.
@@ -83,15 +83,15 @@ impl Plan<'_> {
     }
 
     /// The widest among the states around a connection but those of supports and of a connection behind it.
-    fn widest_neighbour(&self, connection: usize, inputs: &[usize], states: &[State]) -> Option<State> {
+    fn widest_neighbour(&self, connection: usize, inputs: &[usize], states: &[Option<State>]) -> Option<State> {
         let behind = match &self.steps[self.downstream(connection)?] {
-            Step::Element { element, .. } => Some(element.kind.state()?),
+            Step::Element { element, .. } => Some(element.kind.state()),
             _ => None,
         };
         let before = inputs.iter().filter(|input| !matches!(self.steps[**input], Step::Tip(_)));
         let mut around = before.map(|input| states[*input]).chain(behind);
-        let first = around.next()?;
-        around.try_fold(first, State::join)
+        let first = around.next()??;
+        around.try_fold(first, |widest, state| widest.join(state?))
     }
 
     /// The inputs of a step, widest state first, then in source order.

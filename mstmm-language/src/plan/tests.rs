@@ -47,9 +47,26 @@ fn plans_of_the_examples() {
         expect_file!["snapshots/two_spans.md"],
         expect_file!["snapshots/damped_oscillator.md"],
     ];
-    for (model, file) in models(EXAMPLES).iter().zip(files) {
+    let models = models(EXAMPLES);
+    assert_eq!(models.len(), files.len());
+    for (model, file) in models.iter().zip(files) {
         file.assert_eq(&format!("{}\n", with_plan(model, |plan| plan.to_string())));
     }
+}
+
+/// Three paths at a connection, of which the widest comes first; one goes on to fewer states, one comes back from them.
+#[test]
+fn the_plan_of_paths_that_narrow_and_widen() {
+    let model = model(quote! {
+        struct Branches { l: f64, ei: f64, m: f64, k: f64 }
+        fixed -> spring 1 { stiffness: k } -> conn 2;
+        free -> inertia 3 { inertia: m } -> conn 2;
+        pinned -> beam 4 { length: l, bending_stiffness: ei, mass_per_length: m } -> conn 2;
+        conn 2 -> spring 5 { stiffness: k } -> conn 6 -> beam upper { length: l, bending_stiffness: ei, mass_per_length: m } -> fixed;
+        guided -> conn 6
+    });
+    expect_file!["snapshots/narrow_and_wide.md"]
+        .assert_eq(&format!("{}\n", with_plan(&model, |plan| plan.to_string())));
 }
 
 /// What rustc alone knows is left to it: the size, and nothing else.
@@ -142,7 +159,7 @@ fn sizes_are_those_that_the_core_resolves() {
             // as many equations as unknowns: none is missing, none said twice
             let block = text.lines().skip_while(|line| !line.starts_with("z_all")).skip(1);
             let equations = block.take_while(|line| *line != "```").filter(|line| !line.starts_with(['s', ' ']));
-            let main = plan.states().unwrap()[plan.steps.len() - 1].size();
+            let main = plan.states()[plan.steps.len() - 1].unwrap().size();
             assert_eq!(main + equations.count(), size, "{text}");
         });
         compared += 1;

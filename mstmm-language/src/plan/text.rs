@@ -7,21 +7,21 @@ use std::fmt::{Display, Formatter, Result};
 /// Number of steps up to which the main transfer equation is written out: one term per tip, as long as its way to the root.
 const LONGEST_IN_FULL: usize = 24;
 
+const NOTATION: &str = "\
+`s0` is the state behind step 0 below, `U` the transfer matrix of an element. Where paths meet, the first gives the
+displacements, and each its forces: `F` takes the forces of a state alone. `P` takes of a state what goes on to fewer.";
+
 impl Display for Plan<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let states = self.states();
-        writeln!(
-            f,
-            "# Equation\n\nHere `s0` is the state behind step 0 of those below, `U` a transfer matrix; `F` takes the forces of a state alone."
-        )?;
-        writeln!(f, "\n```text")?;
-        match &states {
-            Some(states) => self.write_equation(states, f)?,
+        writeln!(f, "# Equation\n\n{NOTATION}\n\n```text")?;
+        match states.iter().copied().collect::<Option<Vec<State>>>() {
+            Some(states) => self.write_equation(&states, f)?,
             None => writeln!(f, "U_all z_all = 0; its size `N` depends on elements that only the compiler knows")?,
         }
         writeln!(f, "```\n\n# Steps\n\n```text")?;
-        for index in 0..self.steps.len() {
-            writeln!(f, "{}", self.step_line(index, states.as_deref()).trim_end())?;
+        for (index, state) in states.iter().enumerate() {
+            writeln!(f, "{}", self.step_line(index, *state).trim_end())?;
         }
         writeln!(f, "```\n\n# Graph\n\n```mermaid\nflowchart LR")?;
         self.write_graph(f)?;
@@ -97,16 +97,18 @@ impl Plan<'_> {
         }
     }
 
-    /// The way of a tip's state to the root, `U(body 2) U(beam 1) s0`; `F` takes the forces of a path that is not the first
-    /// at its connection.
+    /// The way of a tip's state to the root, `U(body 2) U(beam 1) s0`.
     fn product(&self, tip: usize, states: &[State]) -> String {
         let mut product = format!("s{tip}");
         let mut step = tip;
         while let Some(next) = self.downstream(step) {
             match &self.steps[next] {
-                Step::Element { element, .. } => product = format!("U({element}) {product}"),
+                Step::Element { element, .. } => {
+                    let narrows = states[next].size() < states[step].size();
+                    product = format!("U({element}) {}{product}", if narrows { "P " } else { "" });
+                }
                 Step::Connection { .. } if self.sorted_inputs(next, states)[0] != step => {
-                    product = format!("F {product}")
+                    product = format!("F {product}");
                 }
                 _ => {}
             }
@@ -116,12 +118,12 @@ impl Plan<'_> {
     }
 
     /// `s4 = conn 2 (s1, s3)` with the state behind it.
-    fn step_line(&self, index: usize, states: Option<&[State]>) -> String {
+    fn step_line(&self, index: usize, state: Option<State>) -> String {
         let inputs: Vec<String> = self.steps[index].inputs().iter().map(|input| format!("s{input}")).collect();
         let from = if inputs.is_empty() { String::new() } else { format!(" ({})", inputs.join(", ")) };
         let mut notes = Vec::new();
-        if let Some(states) = states {
-            notes.push(format!("{:?}", states[index]).to_lowercase());
+        if let Some(state) = state {
+            notes.push(format!("{state:?}").to_lowercase());
         }
         if let Step::Element { element, evaluated, .. } = &self.steps[index] {
             let twin = self.elements[*evaluated];
@@ -147,9 +149,9 @@ impl Plan<'_> {
         for (index, step) in self.steps.iter().enumerate() {
             let name = self.name(index);
             match step {
-                Step::Tip(_) | Step::Root { .. } => writeln!(f, "    s{index}([{name}])")?,
-                Step::Element { .. } => writeln!(f, "    s{index}[{name}]")?,
-                Step::Connection { .. } => writeln!(f, "    s{index}(({name}))")?,
+                Step::Tip(_) | Step::Root { .. } => writeln!(f, "    s{index}([\"{name}\"])")?,
+                Step::Element { .. } => writeln!(f, "    s{index}[\"{name}\"]")?,
+                Step::Connection { .. } => writeln!(f, "    s{index}((\"{name}\"))")?,
             }
         }
         for (index, step) in self.steps.iter().enumerate() {

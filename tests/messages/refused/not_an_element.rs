@@ -12,6 +12,10 @@ system! {
 
     fixed -> shop::Rope 1 { length } -> fixed;
 //           ^^^^^^^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::Element`
+//           ^^^^^^^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::Element`
+//           ^^^^^^^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::Element`
+//                 ^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::Element`
+//                 ^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::Element`
 //                 ^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::Element`
 }
 

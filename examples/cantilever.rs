@@ -1,0 +1,23 @@
+//! The model of the README.
+
+use mstmm::prelude::*;
+
+system! {
+    /// Cantilever with an eccentric tip body (section 4.1 of the paper).
+    #[derive(Debug)]
+    pub struct TipBody { length: f64, ei: f64, m: f64, mass: f64, inertia: f64, centre: f64, depth: f64 }
+
+    fixed -> beam 1 { length, bending_stiffness: ei, mass_per_length: m }
+          -> body 2 { mass, inertia: inertia + mass * centre * centre, output_x: depth, centre_x: centre }
+          -> free;
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let (m, ei) = (0.212058, 33.8703);
+    let model = TipBody { length: 1.0, ei, m, mass: m, inertia: m, centre: 0.4, depth: 0.8 };
+    let system = model.build()?;
+    for root in &system.first_frequencies::<5>()? {
+        println!("{:.10} rad/s, certified to {:.0e}", root.omega, root.upper - root.lower);
+    }
+    Ok(())
+}
