@@ -25,13 +25,13 @@ pub(crate) fn topology<'g, 'a>(model: &Model, graph: &'g Graph<'a>, mut errors: 
 /// Checks the ends of every vertex, except of those that may be meant otherwise; then that every way that is clear leads to
 /// one root.
 fn check_graph(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
-    let mut is_clear = vec![true; graph.vertices.len()];
-    for vertex in 0..graph.vertices.len() {
-        is_clear[vertex] = !graph.ambiguous.contains(&vertex) && !is_doubtful(&graph.vertices[vertex]);
-        let fault = if is_clear[vertex] { ends_fault(graph, vertex) } else { None };
+    let mut is_clear = Vec::new();
+    for (index, vertex) in graph.vertices.iter().enumerate() {
+        let is_meant = !graph.ambiguous.contains(&index) && !is_doubtful(vertex);
+        let fault = if is_meant { ends_fault(graph, index) } else { None };
+        is_clear.push(is_meant && fault.is_none());
         if let Some((place, fault)) = fault {
-            is_clear[vertex] = false;
-            errors.push(place, format!("`{}` {fault}", graph.vertices[vertex].name()));
+            errors.push(place, format!("`{}` {fault}", vertex.name()));
         }
     }
     find_root(graph, &is_clear, errors)
