@@ -16,7 +16,7 @@ use mstmm::elements::{
     TorsionSpringDamper,
 };
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, ListStep, Scaled, StepList, Support};
+use mstmm::{AnyUndamped, ListStep, Scaled, SearchError, StepList, Support};
 use random_tree::{Random, random_tree};
 use tree::{Part, Tree};
 
@@ -178,4 +178,85 @@ fn a_frequency_at_a_guided_root_is_not_below_itself() {
     let root = |sign: f64| (1.0 + sign * 5f64.sqrt() / 3.0).sqrt();
     let (low, high) = (root(-1.0), root(1.0));
     assert_eq!([0.99 * low, 1.01 * low, 0.99 * high, 1.01 * high].map(|omega| count(&two, omega)), [0, 1, 1, 2]);
+}
+
+/// So many cantilevers with their ends at one point, joined there at once or, at one connection after another, in a row.
+fn arms(count: usize, arm: Beam<f64>, in_a_row: bool) -> Vec<ListStep<AnyUndamped<f64>>> {
+    let mut steps = Vec::new();
+    for index in 0..count {
+        steps.extend([ListStep::Tip(Support::Fixed), ListStep::Element(arm.try_into().unwrap())]);
+        if in_a_row && index > 0 {
+            steps.push(ListStep::Connection(2));
+        }
+    }
+    steps.extend((!in_a_row).then_some(ListStep::Connection(count)));
+    steps.push(ListStep::Root(Support::Free));
+    steps
+}
+
+/// Closed form: one frequency of a cantilever, `z = 1.875..`, and all others but one of each clamped beam's.
+#[test]
+fn a_sum_may_enter_another_sum_whatever_the_units() {
+    for (ei, m) in [(1.0, 1.0), (2e7, 80.0), (1e-20, 1e-20), (1e12, 1e5)] {
+        let arm = Beam { length: 1.0, bending_stiffness: ei, mass_per_length: m };
+        for count in [2, 8, 16] {
+            let found = [false, true].map(|in_a_row| {
+                let steps = arms(count, arm, in_a_row);
+                let found = StepList::new(&steps).unwrap().first_frequencies::<17>().unwrap();
+                found.iter().map(|root| (root.omega, root.multiplicity)).collect::<Vec<_>>()
+            });
+            let cantilever = 1.875_104_068_711_961_2_f64.powi(2) * f64::sqrt(ei / m);
+            assert!((found[0][0].0 / cantilever - 1.0).abs() < 1e-14, "{:?}", found[0]);
+            for ((a, multiplicity), (b, other)) in found[0].iter().zip(&found[1]) {
+                assert!(multiplicity == other && (a / b - 1.0).abs() < 1e-14, "{count} {ei}: {found:?}");
+            }
+        }
+    }
+}
+
+/// Two arms on hinges that are beyond all stiffness of the arms: right, or refused.
+#[test]
+fn hinges_of_any_stiffness_are_clamps_or_an_error() {
+    for (k, ei) in [(1e40, 1e-40), (1e50, 1e-30), (1e70, 1e-10), (1e60, 1.0), (1e100, 1.0), (1e150, 1.0), (1e40, 1e40)]
+    {
+        let hinge = ElasticHinge { stiffness_y: k, stiffness_theta: k };
+        let beam = Beam { length: 1.0, bending_stiffness: ei, mass_per_length: ei };
+        let (hinge, beam): (AnyUndamped<f64>, AnyUndamped<f64>) = (hinge.try_into().unwrap(), beam.try_into().unwrap());
+        let arm = [ListStep::Tip(Support::Fixed), ListStep::Element(hinge), ListStep::Element(beam)];
+        let steps = [&arm[..], &arm, &[ListStep::Connection(2), ListStep::Root(Support::Free)]].concat();
+        match StepList::new(&steps).unwrap().first_frequencies::<2>() {
+            Err(error) => assert!(matches!(error, SearchError::NotANumber { .. }), "{k:e}: {error}"),
+            Ok(found) if k > 1e12 * ei => {
+                assert!((found[0].omega / 3.516_015_268_500_152 - 1.0).abs() < 1e-11, "{k:e}: {}", found[0]);
+            }
+            Ok(_) => {}
+        }
+    }
+}
+
+/// Arms with their ends at one point, joined at one connection after another.
+macro_rules! arms_in_a_row {
+    ($($arm:ident at $point:ident from $before:ident;)*) => {
+        system! {
+            struct ArmsInARow { ei: f64 }
+            fixed -> beam arm { length: 1.0, bending_stiffness: ei, mass_per_length: ei } -> conn a;
+            fixed -> beam other { length: 1.0, bending_stiffness: ei, mass_per_length: ei } -> conn a;
+            $(fixed -> beam $arm { length: 1.0, bending_stiffness: ei, mass_per_length: ei } -> conn $point;)*
+            $(conn $before -> conn $point;)*
+            conn h -> free
+        }
+    };
+}
+arms_in_a_row! {
+    arm_b at b from a; arm_c at c from b; arm_d at d from c; arm_e at e from d; arm_f at f from e; arm_g at g from f; arm_h at h from g;
+}
+
+/// Closed form: nine arms in unison are one cantilever, whatever the unit of force; the rest are clamped beams.
+#[test]
+fn the_macro_looks_at_the_range_of_sums_of_sums() {
+    for ei in [1.0, 1e-20, 1e-30, 1e12] {
+        let found = ArmsInARow { ei }.build().unwrap().first_frequencies::<8>().unwrap();
+        assert!((found[0].omega / 3.516_015_268_500_152 - 1.0).abs() < 1e-14, "{ei:e}: {}", found[0]);
+        assert_eq!((found[0].multiplicity, found.len()), (1, 3), "{ei:e}");
+    }
 }

@@ -147,7 +147,8 @@ pub(crate) fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
             OfPlane(springs.plane().with_line(line, space))
         }
         (OfPlane(p), Springs { y, theta }) | (Springs { y, theta }, OfPlane(p)) => OfPlane(p.with_springs(y, theta)),
-        (OfPlane(p), OfPlane(r)) => OfPlane(p.with_plane(r)),
+        // behind springs and tips planes come without a look at their range, and here minors meet minors
+        (OfPlane(p), OfPlane(r)) => OfPlane(p.in_range().with_plane(r.in_range())),
         (OfPlane(p), Grounded(k, space)) | (Grounded(k, space), OfPlane(p)) => OfPlane(p.with_stiffness(k, space)),
         (OfPlane(p), OfLine(line, space)) | (OfLine(line, space), OfPlane(p)) => OfPlane(p.with_line(line, space)),
         (Grounded(k, Space::Translation), Grounded(j, Space::Rotation))
@@ -163,9 +164,10 @@ pub(crate) fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
 }
 
 /// The same subspace with its entries in the middle of the range: joins multiply entries and do not look at their size, so
-/// between two of them someone must.
+/// between two of them, also at two connections in a row, someone must.
+#[doc(hidden)]
 #[inline(always)]
-pub(crate) fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
+pub fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
     match subspace {
         Subspace::Plane(plane) | Subspace::OnPin(plane) => Subspace::Plane(plane.in_range()),
         Subspace::Line(line, space) => Subspace::Line(Line::new(line.y, line.q, line.exponent), space),
@@ -241,8 +243,7 @@ pub(crate) fn connection<S: Scalar, C: Tally<S>>(
     tally: &mut C,
 ) -> Subspace<S> {
     let is_tip = |input: &&Subspace<S>| matches!(input, Subspace::Tip(..));
-    let mut paths = inputs.iter().filter(|input| !is_tip(input)).copied();
-    // as in emitted code: what elements and tips lead here needs no look at its size, a sum does
+    let mut paths = inputs.iter().filter(|input| !is_tip(input)).copied().map(moderated);
     let first = paths.next();
     let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second)));
     let sum = pair.map(|pair| paths.fold(pair, joined_on));

@@ -44,7 +44,7 @@ pub use determinant::determinant;
 pub use element::{Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use error::{InvalidParameter, ParameterError, Requirement, SearchError};
 pub use in_line::{coefficients, join, root, step};
-pub use join::{held, narrowed, widened};
+pub use join::{held, moderated, narrowed, widened};
 pub use layout::{Layout, Step};
 pub use list::List;
 pub use nalgebra::SMatrix;

@@ -192,11 +192,19 @@ impl<S: Scalar> Subspace<S> {
         if let Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } = self {
             let plane = self.plane();
             tally.plane_root(&plane, support);
-            return Scaled::new(plane.minor_at(support), i64::from(plane.exponent));
+            let minors = || [plane.y_theta, plane.y_m, plane.theta_q, plane.m_q];
+            return Scaled::new(counted::<S, C, 4>(plane.minor_at(support), minors), i64::from(plane.exponent));
         }
         let line = self.line();
         tally.line_root(&line, support);
         let value = if support == Support::Fixed { line.y } else { line.q };
-        Scaled::new(value, i64::from(line.exponent))
+        Scaled::new(counted::<S, C, 2>(value, || [line.y, line.q]), i64::from(line.exponent))
     }
+}
+
+/// Δ of a pass that counts: the count looks at all entries, so that Δ is a number only if all of them are.
+#[inline(always)]
+fn counted<S: Scalar, C: Tally<S>, const N: usize>(delta: S, entries: impl Fn() -> [S; N]) -> S {
+    let is_good = !C::COUNTS || entries().iter().all(|entry| entry.size().is_finite());
+    if is_good { delta } else { S::from_f64(f64::NAN) }
 }

@@ -81,7 +81,7 @@ impl<T: Real> WaveProducts<Complex<T>> {
             sh_cos: sh * cos,
             sh_sin: sh * sin,
             one: Complex::new(re.one * im.one, T::zero()),
-            exponent: re.exponent + im.exponent,
+            exponent: re.exponent.saturating_add(im.exponent),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::{Names, element_field, first_of_each_type, implement, local};
 use crate::plan::{Plan, Step};
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote_spanned};
+use quote::{ToTokens, format_ident, quote_spanned};
 
 /// `impl Characteristic<S>`: one pass of the plane method, a line per step.
 pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
@@ -68,6 +68,11 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) ->
     let (mut joined, mut held, mut paths) = (TokenStream::new(), Vec::new(), 0);
     for &input in inputs {
         let path = subspace(input, names);
+        // a sum that enters another one
+        let path = match &plan.steps[input] {
+            Step::Connection { .. } => quote_spanned!(names.here=> #private::moderated(#path)),
+            _ => path.into_token_stream(),
+        };
         let is_path = !matches!(plan.steps[input], Step::Tip(_));
         match &plan.steps[input] {
             Step::Tip(keyword) => {
