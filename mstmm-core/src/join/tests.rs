@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::count::{Count, Untallied};
+use crate::scalar::{DoubleDouble, Real};
 use crate::scaled::Scaled;
 use crate::tolerance::assert_close;
 use proptest::option;
@@ -205,6 +206,27 @@ proptest! {
                 prop_assert!(held.space().is(other) && held.line().y == 0.0 && held.line().q != 0.0, "{held:?}");
             }
         }
+    }
+
+    /// Two planes near a common clamped frequency, their ratios w/p_YM equal to a part in 1e9: oracle is the plain formula in
+    /// double-double, on planes that obey `w² = p_YM p_ΘQ - p_YΘ p_MQ` to its last digit. Of the plain formula in `f64`
+    /// nothing is left there.
+    #[test]
+    fn nearly_equal_planes_keep_their_digits(
+        ratio in 0.5..2.0f64, factor in factor(), [a, b, c, d, offset] in proptest::array::uniform5(0.5..2.0f64),
+    ) {
+        let exact = |y_m: f64, ratio: f64, y_theta: f64, m_q: f64| {
+            let [y_m, ratio, y_theta, m_q] = [y_m, ratio, y_theta, m_q].map(DoubleDouble::from_f64);
+            let w = ratio * y_m;
+            Plane::unscaled([y_theta, y_m, w, (w * w + y_theta * m_q) / y_m, m_q], 0)
+        };
+        let (p, r) = (exact(1.0, ratio, 1e-9 * a, 1e-9 * b), exact(factor, ratio + 1e-9 * offset, 1e-9 * c, 1e-9 * d));
+        let rounded = |p: Plane<DoubleDouble>| {
+            Plane::unscaled([p.y_theta, p.y_m, p.w, p.theta_q, p.m_q].map(Real::to_f64), 0)
+        };
+        let expected = p.with_plane(r).m_q.to_f64();
+        // the offset of 1e-9 is known to 1e-7 of itself
+        assert_close(rounded(p).with_plane(rounded(r)).m_q, expected, 1e-18, 1e-5 / f64::EPSILON);
     }
 
     /// At the root of a joined line or plane the count is the number of negative eigenvalues of the sum.
