@@ -14,6 +14,7 @@ compile_error!("mstmm needs one of its features `std` (default) or `libm` for si
 mod assembly;
 mod at;
 mod beam_functions;
+mod bending_steps;
 mod bounds;
 mod characteristic;
 mod count;
