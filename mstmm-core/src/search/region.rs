@@ -39,6 +39,21 @@ impl<T: Real> Eigenvalue<T> {
         let modulus = self.frequency();
         if modulus.is_zero() { modulus } else { -self.lambda.re / modulus }
     }
+
+    /// Logarithmic decrement `-2π Re λ/|Im λ|`: the natural logarithm of the ratio of two amplitudes one period apart. 0
+    /// undamped, infinite where λ is real and the motion does not oscillate; 0 for λ = 0.
+    pub fn logarithmic_decrement(&self) -> T {
+        if self.lambda.re.is_zero() {
+            return T::zero();
+        }
+        -(self.lambda.re * T::from_f64(core::f64::consts::TAU)) / self.lambda.im.abs()
+    }
+
+    /// Time `-1/Re λ` \[s\] in which the amplitude falls to 1/e; infinite for an undamped motion.
+    pub fn decay_time(&self) -> T {
+        // not -0, whose inverse is negative
+        if self.lambda.re.is_zero() { T::one() / T::zero() } else { -T::one() / self.lambda.re }
+    }
 }
 
 /// Eigenvalues and the number of evaluations they took; dereferences to a slice.
@@ -119,3 +134,38 @@ pub trait Eigenvalues: System {
 }
 
 impl<Y: System + ?Sized> Eigenvalues for Y {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tolerance::assert_close;
+
+    fn eigenvalue(re: f64, im: f64) -> Eigenvalue<f64> {
+        Eigenvalue { lambda: Complex::new(re, im), error: 0.0, multiplicity: 1 }
+    }
+
+    /// Oracle: the motion `e^{λt}` itself, one period and one decay time later; and the textbook's `2πζ/sqrt(1 - ζ²)`.
+    #[test]
+    fn measures_of_damping_are_those_of_the_motion() {
+        for (re, im) in [(-0.3, 2.0), (-1e-3, 0.7), (-5.0, -1.0), (0.02, 3.0)] {
+            let root = eigenvalue(re, im);
+            let period = core::f64::consts::TAU / im.abs();
+            let after = |time: f64| (root.lambda * time).exp().norm();
+            assert_close(after(period), (-root.logarithmic_decrement()).exp(), 1.0, 64.0);
+            assert_close(after(root.decay_time()), (-1.0_f64).exp(), 1.0, 8.0);
+            let ratio = root.damping_ratio();
+            let textbook = core::f64::consts::TAU * ratio / (1.0 - ratio * ratio).sqrt();
+            // near the critical damping 1 - ζ² cancels, here to a 26th
+            assert_close(root.logarithmic_decrement(), textbook, textbook.abs(), 128.0);
+        }
+    }
+
+    #[test]
+    fn measures_of_damping_at_their_limits() {
+        let (undamped, overdamped, rest) = (eigenvalue(0.0, 2.0), eigenvalue(-3.0, 0.0), eigenvalue(0.0, 0.0));
+        assert_eq!((undamped.logarithmic_decrement(), undamped.decay_time()), (0.0, f64::INFINITY));
+        assert_eq!((overdamped.logarithmic_decrement(), overdamped.decay_time()), (f64::INFINITY, 1.0 / 3.0));
+        assert_eq!((rest.logarithmic_decrement(), rest.damping_ratio()), (0.0, 0.0));
+        assert_eq!(eigenvalue(-0.0, 2.0).decay_time(), f64::INFINITY);
+    }
+}
