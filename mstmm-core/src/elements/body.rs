@@ -38,54 +38,36 @@ pub struct Body<T> {
     pub centre_x: T,
 }
 
-/// A body with what does not depend on the frequency.
-#[derive(Clone, Copy, Debug)]
-pub struct BuiltBody<T> {
-    parameters: Body<T>,
-    /// Moment of inertia about the mass centre, `J_I - m c1²`.
-    about_centre: T,
-    /// Way from the mass centre to the output end, `b1 - c1`.
-    from_centre: T,
-}
-
 impl<T: Real> Element for Body<T> {
     type State = Bending;
-    type Built = BuiltBody<T>;
+    type Built = Self;
 
-    fn build(self) -> Result<BuiltBody<T>, InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::NonNegative.check("mass", self.mass)?;
         Requirement::Finite.check("output_x", self.output_x)?;
         Requirement::Finite.check("centre_x", self.centre_x)?;
-        let of_centre = self.mass * self.centre_x * self.centre_x;
-        Requirement::at_least(of_centre, "mass * centre_x²").check("inertia", self.inertia)?;
-        let about_centre = self.inertia - of_centre;
-        Ok(BuiltBody {
-            parameters: self,
-            // the requirement leaves room for rounding
-            about_centre: if about_centre < T::zero() { T::zero() } else { about_centre },
-            from_centre: self.output_x - self.centre_x,
-        })
+        let about_centre = self.mass * self.centre_x * self.centre_x;
+        Requirement::at_least(about_centre, "mass * centre_x²").check("inertia", self.inertia)?;
+        Ok(self)
     }
 
-    fn bound(built: &BuiltBody<T>, bounds: &mut FrequencyBounds) {
-        let Body { mass, inertia, output_x, centre_x } = built.parameters;
-        bounds.mass(mass.to_f64());
-        bounds.length(output_x.to_f64());
-        bounds.length(centre_x.to_f64());
-        bounds.moment_of_inertia(inertia.to_f64());
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.mass(built.mass.to_f64());
+        bounds.length(built.output_x.to_f64());
+        bounds.length(built.centre_x.to_f64());
+        bounds.moment_of_inertia(built.inertia.to_f64());
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Body<T> {
     #[rustfmt::skip]
-    fn transfer_matrix(built: &BuiltBody<T>, x: S) -> Matrix4<S> {
-        let Body { mass, inertia, output_x, centre_x } = built.parameters;
+    fn transfer_matrix(built: &Self, x: S) -> Matrix4<S> {
         let (zero, one) = (S::zero(), S::one());
-        let b1 = S::from_parameter(output_x);
+        let b1 = S::from_parameter(built.output_x);
         let lambda_squared = x.lambda_squared();
-        let a = lambda_squared * mass;
-        let b = lambda_squared * (mass * centre_x);
-        let j = lambda_squared * inertia;
+        let a = lambda_squared * built.mass;
+        let b = lambda_squared * (built.mass * built.centre_x);
+        let j = lambda_squared * built.inertia;
         Matrix4::new(
             one,          b1,         zero, zero,
             zero,         one,        zero, zero,
@@ -95,35 +77,30 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Body<T> {
     }
 }
 
-/// `a = mλ²`, `j = J_c λ²` about the mass centre, and the ways to it and from it.
-///
-/// About the mass centre nothing cancels: about the input end the determinant of the inertias, `J_I m - (m c1)²`, loses all
-/// digits of a small `J_c`, and with them the frequency of a body pinned at its centre.
+/// `a = mλ²`, `b = m c1 λ²`, `j = J_I λ²` and the shift b1 to the output end.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyCoefficients<T, S> {
     a: S,
+    b: S,
     j: S,
-    to_centre: T,
-    from_centre: T,
+    shift: T,
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
     type Coefficients = BodyCoefficients<T, S>;
 
     #[inline(always)]
-    fn coefficients(built: &BuiltBody<T>, at: &At<S>) -> BodyCoefficients<T, S> {
-        BodyCoefficients {
-            a: at.lambda_squared * built.parameters.mass,
-            j: at.lambda_squared * built.about_centre,
-            to_centre: built.parameters.centre_x,
-            from_centre: built.from_centre,
-        }
+    fn coefficients(built: &Self, at: &At<S>) -> BodyCoefficients<T, S> {
+        let a = at.lambda_squared * built.mass;
+        BodyCoefficients { a, b: a * built.centre_x, j: at.lambda_squared * built.inertia, shift: built.output_x }
     }
 
     #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
-        let plane = coefficients.at_centre(input);
-        Subspace::Plane(shifted(plane, coefficients.from_centre).in_range())
+        let (p, shift) = (coefficients.at_input(input), coefficients.shift);
+        let moved = p.theta_q * shift;
+        let y_m = p.y_m + (p.w + p.w + moved) * shift;
+        Subspace::Plane(Plane::new([p.y_theta, y_m, p.w + moved, p.theta_q, p.m_q], p.exponent))
     }
 
     #[inline(always)]
@@ -137,32 +114,31 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
             return Self::step(coefficients, input, tally).at_root(support, tally);
         }
         // the shift to the output end does not change p_MQ
-        let p = coefficients.at_centre(input);
-        Scaled::new(p.m_q, i64::from(p.exponent))
+        let p = input.plane();
+        Scaled::new(coefficients.m_q(&p), i64::from(p.exponent))
     }
 }
 
 impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
-    /// The plane behind the body's inertia, at the mass centre.
+    /// The plane behind the body's inertia, still at the input end.
     #[inline(always)]
-    fn at_centre(&self, input: Subspace<S>) -> Plane<S> {
-        let BodyCoefficients { a, j, .. } = *self;
+    fn at_input(&self, input: Subspace<S>) -> Plane<S> {
+        let BodyCoefficients { a, b, j, .. } = *self;
         if let Subspace::Tip(Support::Free, _) = input {
-            return Plane::unscaled([S::one(), j, S::zero(), a, j * a], 0);
+            return Plane::unscaled([S::one(), j, -b, a, j * a - b * b], 0);
         }
-        let p = shifted(input.plane(), self.to_centre);
-        let theta_q = p.theta_q + a * p.y_theta;
-        let minors = [p.y_theta, p.y_m + j * p.y_theta, p.w, theta_q, p.m_q + a * p.y_m + j * theta_q];
+        let p = input.plane();
+        let minors = [p.y_theta, p.y_m + j * p.y_theta, p.w - b * p.y_theta, p.theta_q + a * p.y_theta, self.m_q(&p)];
         Plane::unscaled(minors, p.exponent)
     }
-}
 
-/// The plane at another point of a rigid body: Y and M follow from Θ and Q.
-#[inline(always)]
-fn shifted<T: Real, S: Frequency<T>>(p: Plane<S>, shift: T) -> Plane<S> {
-    let moved = p.theta_q * shift;
-    let y_m = p.y_m + (p.w + p.w + moved) * shift;
-    Plane::unscaled([p.y_theta, y_m, p.w + moved, p.theta_q, p.m_q], p.exponent)
+    /// `p_MQ` behind the body.
+    #[inline(always)]
+    fn m_q(&self, p: &Plane<S>) -> S {
+        let BodyCoefficients { a, b, j, .. } = *self;
+        let bw = b * p.w;
+        p.m_q + a * p.y_m + j * p.theta_q + (bw + bw) + (j * a - b * b) * p.y_theta
+    }
 }
 
 #[cfg(test)]
