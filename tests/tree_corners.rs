@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "all elements here are valid")]
 
 use core::f64::consts::PI;
-use mstmm::elements::{Beam, Damper, Mass, Spring, SpringDamper};
+use mstmm::elements::{Beam, Damper, ElasticHinge, Mass, PointMass, Spring, SpringDamper};
 use mstmm::prelude::*;
 use mstmm::{AnyElement, AnyUndamped, ListStep, StepList, Support};
 
@@ -213,4 +213,24 @@ fn equal_oscillators_have_one_eigenvalue_many_times() {
     let multiple = found.iter().find(|root| root.multiplicity > 1).unwrap();
     assert_eq!((found.len(), multiple.multiplicity), (3, 11));
     assert!((multiple.lambda - Complex::new(0.0, 1.0)).norm() <= multiple.error, "{multiple:?}");
+}
+
+/// Closed form: a point mass behind a hinge with `k_y/m = k_θ/J` has one frequency twice, sqrt(k/m), written from either end.
+#[test]
+fn a_double_frequency_behind_a_hinge_is_one() {
+    for k in 1..=300 {
+        let (mass, stiffness) = (0.01 * f64::from(k) + 0.05, 0.37 + 0.013 * f64::from(k));
+        let hinge = ElasticHinge { stiffness_y: stiffness, stiffness_theta: stiffness };
+        let point_mass = PointMass { mass, inertia: mass };
+        let (hinge, point_mass): (Step, Step) =
+            (ListStep::Element(hinge.try_into().unwrap()), ListStep::Element(point_mass.try_into().unwrap()));
+        let to_fixed = [ListStep::Tip(Support::Free), point_mass, hinge, ListStep::Root(Support::Fixed)];
+        let to_free = [ListStep::Tip(Support::Fixed), hinge, point_mass, ListStep::Root(Support::Free)];
+        for steps in [to_fixed, to_free] {
+            let found = first::<2>(&steps);
+            let expected = (stiffness / mass).sqrt();
+            assert!(found.len() == 1 && found[0].1 == 2, "{mass} {stiffness}: {found:?}");
+            assert!((found[0].0 / expected - 1.0).abs() < 1e-14, "{mass} {stiffness}: {found:?}");
+        }
+    }
 }

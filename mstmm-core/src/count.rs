@@ -141,11 +141,6 @@ impl<T: Real> Tally<T> for Count {
     fn plane_root(&mut self, plane: &Plane<T>, support: Support) {
         let differs = |x: T| !x.is_zero() && (x < T::zero()) != plane_negative(plane);
         match support {
-            // a zero of p_YΘ was taken for the limit of a stiff spring, above the frequency; here it is the frequency itself
-            Support::Fixed if plane.y_theta.is_zero() => {
-                let is_double = plane.y_m.is_zero() && plane.theta_q.is_zero();
-                self.below = self.below.saturating_sub(if is_double { 2 } else { 1 });
-            }
             Support::Fixed | Support::Roller => {}
             Support::Pinned => self.add_if(differs(plane.y_m)),
             Support::Guided => self.add_if(differs(plane.theta_q)),
@@ -160,9 +155,6 @@ impl<T: Real> Tally<T> for Count {
     }
 
     fn line_root(&mut self, line: &Line<T>, support: Support) {
-        if support == Support::Fixed && line.y.is_zero() {
-            self.below = self.below.saturating_sub(1);
-        }
         // stiffness -q/y of the free end
         self.add_if(support != Support::Fixed && !line.q.is_zero() && (line.q < T::zero()) == line_negative(line));
     }

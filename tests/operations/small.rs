@@ -111,6 +111,7 @@ fn a_hinge_at_the_root_is_one_sum() {
         ("ch c, ch s, sh c; a, b, d, e", 3 * MUL + 4 * ADD),
         ("1/s, s⁻², s⁻³, s⁻⁴", DIV + 3 * MUL),
         ("p_YΘ = e / EI²β⁴, p_YM = d / EIβ³, p_ΘQ = b / EIβ", 6 * MUL),
+        ("K_y K_θ, in the arithmetic of the evaluation", MUL),
         ("K_y K_θ p_YΘ + K_y p_YM + K_θ p_ΘQ + p_MQ", 3 * MUL + 3 * ADD),
     ];
     assert_counts(at_omega!(scenes::HingeAtRoot, 20.0), &by_hand);

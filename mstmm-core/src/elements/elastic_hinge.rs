@@ -25,51 +25,52 @@ pub struct ElasticHinge<T> {
     pub stiffness_theta: T,
 }
 
-/// The two stiffnesses and their product.
-#[derive(Clone, Copy, Debug)]
-pub struct BuiltHinge<T> {
-    k_y: T,
-    k_theta: T,
-    product: T,
-}
-
 impl<T: Real> Element for ElasticHinge<T> {
     type State = Bending;
-    type Built = BuiltHinge<T>;
+    type Built = Self;
 
-    fn build(self) -> Result<BuiltHinge<T>, InvalidParameter> {
+    fn build(self) -> Result<Self, InvalidParameter> {
         Requirement::Invertible.check("stiffness_y", self.stiffness_y)?;
         Requirement::Invertible.check("stiffness_theta", self.stiffness_theta)?;
-        let ElasticHinge { stiffness_y: k_y, stiffness_theta: k_theta } = self;
-        Ok(BuiltHinge { k_y, k_theta, product: k_y * k_theta })
+        Ok(self)
     }
 
-    fn bound(built: &BuiltHinge<T>, bounds: &mut FrequencyBounds) {
-        bounds.translational_stiffness(built.k_y.to_f64());
-        bounds.torsional_stiffness(built.k_theta.to_f64());
+    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+        bounds.translational_stiffness(built.stiffness_y.to_f64());
+        bounds.torsional_stiffness(built.stiffness_theta.to_f64());
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for ElasticHinge<T> {
     #[inline(always)]
-    fn transfer_matrix(built: &BuiltHinge<T>, _x: S) -> Matrix4<S> {
+    fn transfer_matrix(built: &Self, _x: S) -> Matrix4<S> {
         let mut u = Matrix4::identity();
-        u[(0, 3)] = -S::from_parameter(T::one() / built.k_y);
-        u[(1, 2)] = S::from_parameter(T::one() / built.k_theta);
+        u[(0, 3)] = -S::from_parameter(T::one() / built.stiffness_y);
+        u[(1, 2)] = S::from_parameter(T::one() / built.stiffness_theta);
         u
     }
 }
 
+/// The two stiffnesses and their product: rounded in the arithmetic of the evaluation, so that the judge of a root judges
+/// the hinge that was given.
+#[derive(Clone, Copy, Debug)]
+pub struct HingeCoefficients<T, S> {
+    k_y: T,
+    k_theta: T,
+    product: S,
+}
+
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
-    type Coefficients = BuiltHinge<T>;
+    type Coefficients = HingeCoefficients<T, S>;
 
     #[inline(always)]
-    fn coefficients(built: &BuiltHinge<T>, _at: &At<S>) -> BuiltHinge<T> {
-        *built
+    fn coefficients(built: &Self, _at: &At<S>) -> HingeCoefficients<T, S> {
+        let (k_y, k_theta) = (built.stiffness_y, built.stiffness_theta);
+        HingeCoefficients { k_y, k_theta, product: S::from_parameter(k_y) * k_theta }
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &BuiltHinge<T>, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         if let Subspace::Tip(Support::Fixed, _) = input {
             let (y, theta) = (S::from_parameter(coefficients.k_y), S::from_parameter(coefficients.k_theta));
             return Subspace::Springs { y: Some(y), theta: Some(theta) };
@@ -82,7 +83,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
 
     #[inline(always)]
     fn root<C: Tally<S>>(
-        coefficients: &BuiltHinge<T>,
+        coefficients: &Self::Coefficients,
         input: Subspace<S>,
         support: Support,
         tally: &mut C,
@@ -96,11 +97,11 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
     }
 }
 
-impl<T: Real> BuiltHinge<T> {
+impl<T: Real, S: Frequency<T>> HingeCoefficients<T, S> {
     /// Takes a plane through the hinge.
     #[inline(always)]
-    fn through<S: Frequency<T>>(&self, p: &Plane<S>) -> Plane<S> {
-        let BuiltHinge { k_y, k_theta, product } = *self;
+    fn through(&self, p: &Plane<S>) -> Plane<S> {
+        let HingeCoefficients { k_y, k_theta, product } = *self;
         let minors = [
             p.y_theta * product + p.y_m * k_y + p.theta_q * k_theta + p.m_q,
             p.y_m * product + p.m_q * k_theta,
