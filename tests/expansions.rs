@@ -5,15 +5,15 @@
 use expect_test::{ExpectFile, expect_file};
 use proc_macro2::TokenStream;
 
+#[path = "../mstmm-language/tests/support/models_in.rs"]
+mod models_in;
+
 /// The models of the example, each expanded and formatted.
 fn expanded() -> syn::Result<Vec<String>> {
-    let syn::File { items, .. } = syn::parse_file(include_str!("../examples/paper/models.rs"))?;
-    let macros = items.into_iter().filter_map(|item| match item {
-        syn::Item::Macro(item) if item.mac.path.is_ident("system") => Some(item.mac.tokens),
-        _ => None,
-    });
     let facade: TokenStream = syn::parse_str("(mstmm)")?;
-    let code = macros.map(|model| mstmm_language::expand(facade.clone().into_iter().chain(model).collect()));
+    let models = models_in::models_in(include_str!("../examples/paper/models.rs"))?;
+    let code =
+        models.into_iter().map(|model| mstmm_language::expand(facade.clone().into_iter().chain(model).collect()));
     code.map(|code| Ok(prettyplease::unparse(&syn::parse2(code)?))).collect()
 }
 

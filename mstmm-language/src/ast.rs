@@ -1,7 +1,7 @@
 //! The syntax tree of a model: what the user wrote, nothing concluded from it.
 
 use crate::diagnostics::Place;
-use crate::keywords::{State, element_of};
+use crate::keywords::{Keyword, element_of};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
@@ -119,10 +119,10 @@ impl Kind {
         }
     }
 
-    /// The state at both ends; of a type of the user's own only rustc knows it.
-    pub(crate) fn state(&self) -> Option<State> {
+    /// What the language knows of the element: nothing of a type of the user's own, nor of a misspelt keyword.
+    pub(crate) fn known(&self) -> Option<&'static Keyword> {
         match self {
-            Kind::Keyword(keyword) => element_of(&keyword.to_string()).map(|element| element.state),
+            Kind::Keyword(keyword) => element_of(&keyword.to_string()),
             Kind::Type(_) => None,
         }
     }

@@ -26,6 +26,17 @@ pub(crate) enum Step<'a> {
     Root { support: &'a Ident, input: usize },
 }
 
+impl Step<'_> {
+    /// Earlier steps from which this one goes on.
+    fn inputs(&self) -> &[usize] {
+        match self {
+            Step::Tip(_) => &[],
+            Step::Element { input, .. } | Step::Root { input, .. } => std::slice::from_ref(input),
+            Step::Connection { inputs, .. } => inputs,
+        }
+    }
+}
+
 /// What the emitted code evaluates, in order.
 pub(crate) struct Plan<'a> {
     pub(crate) steps: Vec<Step<'a>>,
@@ -64,8 +75,12 @@ impl<'a> Plan<'a> {
 
     /// Whether a step is a support that holds a connection.
     pub(crate) fn holds_connection(&self, step: usize) -> bool {
-        let joins = |other: &Step<'_>| matches!(other, Step::Connection { inputs, .. } if inputs.contains(&step));
-        self.steps.iter().any(joins)
+        self.downstream(step).is_some_and(|next| matches!(self.steps[next], Step::Connection { .. }))
+    }
+
+    /// The step that takes another as input; none takes the root.
+    fn downstream(&self, index: usize) -> Option<usize> {
+        self.steps.iter().position(|step| step.inputs().contains(&index))
     }
 }
 

@@ -1,9 +1,9 @@
 //! The parameters of an element: all that it has, each once, and no others.
 
 use super::listed;
-use crate::ast::{Element, Kind};
+use crate::ast::Element;
 use crate::diagnostics::Errors;
-use crate::keywords::{element_of, nearest};
+use crate::keywords::nearest;
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
@@ -18,8 +18,7 @@ pub(super) fn parameters(element: &Element, errors: &mut Errors) {
             );
         }
     }
-    let Kind::Keyword(keyword) = &element.kind else { return };
-    let Some(known) = element_of(&keyword.to_string()) else { return };
+    let Some(known) = element.kind.known() else { return };
     let mut missing: Vec<&str> = known.parameters.iter().copied().filter(|name| !given.contains(*name)).collect();
     let is_unknown = |name: &str| !known.parameters.contains(&name);
     let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;
@@ -36,7 +35,7 @@ pub(super) fn parameters(element: &Element, errors: &mut Errors) {
             }
             None => format!("it has {}", listed(known.parameters.iter().copied())),
         };
-        errors.push(parameter.name.span(), format!("`{keyword}` has no parameter `{name}`: {hint}"));
+        errors.push(parameter.name.span(), format!("`{}` has no parameter `{name}`: {hint}", known.name));
     }
     if !missing.is_empty() {
         errors.push(element.place(), format!("`{element}` lacks {}", listed(missing)));

@@ -37,10 +37,7 @@ pub(crate) fn is_doubtful(vertex: &Vertex<'_>) -> bool {
 
 /// A type of the user's own is known to rustc.
 fn is_known(kind: &Kind) -> bool {
-    match kind {
-        Kind::Keyword(keyword) => element_of(&keyword.to_string()).is_some(),
-        Kind::Type(_) => true,
-    }
+    matches!(kind, Kind::Type(_)) || kind.known().is_some()
 }
 
 /// A label is a name, or a decimal number without leading zero or suffix.

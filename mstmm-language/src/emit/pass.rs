@@ -65,29 +65,26 @@ fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> T
 fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let own = subspace(index, names);
-    let (mut joined, mut held, mut paths) = (TokenStream::new(), Vec::new(), 0);
-    for &input in inputs {
-        let path = subspace(input, names);
+    let (tips, paths): (Vec<usize>, Vec<usize>) =
+        inputs.iter().partition(|input| matches!(plan.steps[**input], Step::Tip(_)));
+    let held = tips.iter().map(|&tip| {
+        let Step::Tip(keyword) = &plan.steps[tip] else { return TokenStream::new() };
+        let support = names.support(keyword);
+        quote_spanned!(names.here=> let #own = #private::held(#own, #support);)
+    });
+    let mut joined = TokenStream::new();
+    for (rank, &path) in paths.iter().enumerate() {
+        let subspace = subspace(path, names);
         // a sum that enters another one
-        let path = match &plan.steps[input] {
-            Step::Connection { .. } => quote_spanned!(names.here=> #private::moderated(#path)),
-            _ => path.into_token_stream(),
+        let path = match &plan.steps[path] {
+            Step::Connection { .. } => quote_spanned!(names.here=> #private::moderated(#subspace)),
+            _ => subspace.into_token_stream(),
         };
-        let is_path = !matches!(plan.steps[input], Step::Tip(_));
-        match &plan.steps[input] {
-            Step::Tip(keyword) => {
-                let support = names.support(keyword);
-                held.push(quote_spanned!(names.here=> let #own = #private::held(#own, #support);));
-            }
-            _ if joined.is_empty() => joined = quote_spanned!(names.here=> let #own = #path;),
-            _ => {
-                let (frequency, first_two) = (&names.frequency, paths == 1);
-                joined.extend(quote_spanned! {names.here=>
-                    let #own = #private::join::<#frequency, #first_two, STEPS>(#own, #path);
-                });
-            }
-        }
-        paths += usize::from(is_path);
+        let (frequency, first_two) = (&names.frequency, rank == 1);
+        joined.extend(match rank {
+            0 => quote_spanned!(names.here=> let #own = #path;),
+            _ => quote_spanned!(names.here=> let #own = #private::join::<#frequency, #first_two, STEPS>(#own, #path);),
+        });
     }
     if joined.is_empty() {
         // supports alone hold what goes on

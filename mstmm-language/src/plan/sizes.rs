@@ -2,6 +2,7 @@
 //! layout. A test compares the two.
 
 use super::{Plan, Step};
+use crate::ast::Element;
 use crate::keywords::{State, support_of};
 
 impl State {
@@ -56,6 +57,11 @@ impl State {
     }
 }
 
+/// The state at both ends of an element; of a type of the user's own only rustc knows it.
+fn state_of(element: &Element) -> Option<State> {
+    element.kind.known().map(|known| known.state)
+}
+
 impl Plan<'_> {
     /// The state behind each step; `None` where only rustc knows it, or where states do not fit, of which rustc speaks.
     pub(super) fn states(&self) -> Vec<Option<State>> {
@@ -63,7 +69,7 @@ impl Plan<'_> {
         for (index, step) in self.steps.iter().enumerate() {
             states.push(match step {
                 Step::Tip(_) => None, // until what it holds is known
-                Step::Element { element, .. } => element.kind.state(),
+                Step::Element { element, .. } => state_of(element),
                 Step::Connection { inputs, .. } => self.widest_neighbour(index, inputs, &states),
                 Step::Root { input, .. } => states[*input],
             });
@@ -77,15 +83,10 @@ impl Plan<'_> {
         states
     }
 
-    /// The step that takes another as input; none takes the root.
-    pub(super) fn downstream(&self, index: usize) -> Option<usize> {
-        self.steps.iter().position(|step| step.inputs().contains(&index))
-    }
-
     /// The widest among the states around a connection but those of supports and of a connection behind it.
     fn widest_neighbour(&self, connection: usize, inputs: &[usize], states: &[Option<State>]) -> Option<State> {
         let behind = match &self.steps[self.downstream(connection)?] {
-            Step::Element { element, .. } => Some(element.kind.state()),
+            Step::Element { element, .. } => Some(state_of(element)),
             _ => None,
         };
         let before = inputs.iter().filter(|input| !matches!(self.steps[**input], Step::Tip(_)));
@@ -99,16 +100,5 @@ impl Plan<'_> {
         let mut inputs = self.steps[index].inputs().to_vec();
         inputs.sort_by_key(|input| std::cmp::Reverse(states[*input].size()));
         inputs
-    }
-}
-
-impl Step<'_> {
-    /// Earlier steps from which this one goes on.
-    pub(super) fn inputs(&self) -> &[usize] {
-        match self {
-            Step::Tip(_) => &[],
-            Step::Element { input, .. } | Step::Root { input, .. } => std::slice::from_ref(input),
-            Step::Connection { inputs, .. } => inputs,
-        }
     }
 }

@@ -9,7 +9,9 @@ use expect_test::expect_file;
 use mstmm_core::{Coordinate, Layout, Space, Step as CoreStep, Support};
 use proc_macro2::{Delimiter, Group, TokenTree};
 use quote::quote;
-use syn::{File, Item};
+
+#[path = "../../tests/support/models_in.rs"]
+mod models_in;
 
 const EXAMPLES: &str = include_str!("../../../examples/paper/models.rs");
 const UNDAMPED: &str = include_str!("../../../tests/support/undamped_models.rs");
@@ -17,12 +19,7 @@ const DAMPED: &str = include_str!("../../../tests/support/damped_models.rs");
 
 /// The models in a source file.
 fn models(source: &str) -> Vec<Model> {
-    let File { items, .. } = syn::parse_file(source).unwrap();
-    let macros = items.into_iter().filter_map(|item| match item {
-        Item::Macro(item) if item.mac.path.is_ident("system") => Some(item.mac.tokens),
-        _ => None,
-    });
-    macros.map(model).collect()
+    models_in::models_in(source).unwrap().into_iter().map(model).collect()
 }
 
 fn model(tokens: TokenStream) -> Model {
@@ -137,7 +134,7 @@ fn size_of_core(steps: &[CoreStep<'_>]) -> usize {
 fn for_core<'p>(plan: &'p Plan<'_>) -> Vec<CoreStep<'p>> {
     let steps = plan.steps.iter().map(|step| match step {
         Step::Tip(keyword) => CoreStep::Tip(support(&keyword.to_string())),
-        Step::Element { element, input, .. } => CoreStep::Element(*input, space(element.kind.state().unwrap())),
+        Step::Element { element, input, .. } => CoreStep::Element(*input, space(element.kind.known().unwrap().state)),
         Step::Connection { inputs, .. } => CoreStep::Connection(inputs),
         Step::Root { support: keyword, input } => CoreStep::Root(*input, support(&keyword.to_string())),
     });

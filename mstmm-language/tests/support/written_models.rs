@@ -1,8 +1,11 @@
 //! The models written by hand or in advance: those of the paper and random ones that other tests compile.
 #![expect(clippy::panic, reason = "a source that is no Rust is shown")]
 
+#[path = "models_in.rs"]
+mod models_in;
+
+use models_in::models_in;
 use proc_macro2::TokenStream;
-use syn::Item;
 
 const SOURCES: [&str; 3] = [
     include_str!("../../../examples/paper/models.rs"),
@@ -15,13 +18,9 @@ const SOURCES: [&str; 3] = [
 /// # Panics
 /// If a source is no Rust.
 pub(crate) fn written_models() -> Vec<TokenStream> {
-    let files = SOURCES.iter().map(|source| match syn::parse_file(source) {
-        Ok(file) => file,
+    let models = |source: &&str| match models_in(source) {
+        Ok(models) => models,
         Err(error) => panic!("{error}"),
-    });
-    let model = |item| match item {
-        Item::Macro(item) if item.mac.path.is_ident("system") => Some(item.mac.tokens),
-        _ => None,
     };
-    files.flat_map(|file| file.items).filter_map(model).collect()
+    SOURCES.iter().flat_map(models).collect()
 }
