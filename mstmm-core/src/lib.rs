@@ -27,6 +27,7 @@ mod join;
 mod layout;
 mod line_steps;
 mod list;
+mod motion;
 mod scalar;
 mod scaled;
 pub mod search;
@@ -48,6 +49,7 @@ pub use in_line::{coefficients, join, root, step};
 pub use join::{held, moderated, narrowed, widened};
 pub use layout::{Layout, Step};
 pub use list::List;
+pub use motion::{Covector, Ends, Motion};
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
 pub use scalar::{
@@ -55,6 +57,6 @@ pub use scalar::{
     WaveProducts,
 };
 pub use scaled::{Magnitude, Scaled};
-pub use state::{Bending, Coordinate, Planar, Rotation, Space, StateSpace, Support, Translation};
+pub use state::{Bending, Coordinate, Planar, Rotation, Space, State, StateSpace, Support, Translation};
 pub use step_list::{AnyElement, AnyUndamped, ListElement, ListError, ListPass, ListStep, OPEN_PATHS, StepList};
 pub use subspace::{Line, Plane, Subspace};

@@ -26,6 +26,19 @@ pub enum Coordinate {
 
 use Coordinate::{M, Q, Qx, Theta, X, Y};
 
+/// A state vector of planar bending; of a translation or rotation path half of the entries are zero.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State<S> {
+    /// Deflection Y \[m\]
+    pub y: S,
+    /// Rotation Θ \[rad\]
+    pub theta: S,
+    /// Bending moment M [N m]
+    pub m: S,
+    /// Shear force Q \[N\]
+    pub q: S,
+}
+
 /// The space of a state vector: displacements first, forces second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Space {
