@@ -238,12 +238,12 @@ pub fn narrowed<S: Scalar, C: Tally<S>>(subspace: Subspace<S>, output: Option<Sp
 /// Paths are joined first; if the output is wider, they are joined to its free state; then supports hold the point; if
 /// the output is narrower, what does not go on has no force.
 pub(crate) fn connection<S: Scalar, C: Tally<S>>(
-    inputs: &[Subspace<S>],
+    inputs: impl Iterator<Item = Subspace<S>> + Clone,
     output: Option<Space>,
     tally: &mut C,
 ) -> Subspace<S> {
-    let is_tip = |input: &&Subspace<S>| matches!(input, Subspace::Tip(..));
-    let mut paths = inputs.iter().filter(|input| !is_tip(input)).copied().map(moderated);
+    let is_tip = |input: &Subspace<S>| matches!(input, Subspace::Tip(..));
+    let mut paths = inputs.clone().filter(|input| !is_tip(input)).map(moderated);
     let first = paths.next();
     let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second)));
     let sum = pair.map(|pair| paths.fold(pair, joined_on));
@@ -252,7 +252,7 @@ pub(crate) fn connection<S: Scalar, C: Tally<S>>(
     let mut sum = sum.map_or(alone, |sum| widened(sum, output));
     for input in inputs {
         if let Subspace::Tip(support, _) = input {
-            sum = held(sum, *support);
+            sum = held(sum, support);
         }
     }
     narrowed(sum, output, tally)

@@ -50,7 +50,53 @@ pub struct Layout<'a, const STEPS: usize> {
     first_input: [usize; STEPS],
 }
 
+/// A resolved plan of any number of steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Scheme<'a> {
+    pub(crate) steps: &'a [Step<'a>],
+    places: &'a [Place],
+    downstream: &'a [usize],
+}
+
+impl<'a> Scheme<'a> {
+    /// Number of steps.
+    pub(crate) fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Space of a step: of the widest state at a connection, of a support that of its neighbour.
+    pub(crate) fn space(&self, step: usize) -> Space {
+        self.places[step].space
+    }
+
+    /// The step that takes another as input.
+    pub(crate) fn downstream(&self, step: usize) -> usize {
+        self.downstream[step]
+    }
+
+    /// Space of the element to which a step leads; `None` if it leads to a connection or to the root.
+    pub(crate) fn output(&self, step: usize) -> Option<Space> {
+        match self.steps[self.downstream[step]] {
+            Step::Element(_, space) => Some(space),
+            _ => None,
+        }
+    }
+
+    /// Space of the state behind a step: that with which a path goes on.
+    pub(crate) fn behind(&self, step: usize) -> Space {
+        match self.steps[step] {
+            Step::Connection(_) => self.output(step).unwrap_or(self.space(step)),
+            _ => self.space(step),
+        }
+    }
+}
+
 impl<'a, const STEPS: usize> Layout<'a, STEPS> {
+    /// The plan without its number of steps in the type.
+    pub const fn scheme(&'a self) -> Scheme<'a> {
+        Scheme { steps: &self.steps, places: &self.places, downstream: &self.downstream }
+    }
+
     /// Resolves a plan.
     ///
     /// Inputs of a connection are taken by widest state first, then in source order; columns by tips, depth first

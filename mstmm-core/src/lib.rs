@@ -14,6 +14,7 @@ compile_error!("mstmm needs one of its features `std` (default) or `libm` for si
 mod assembly;
 mod at;
 mod beam_functions;
+mod bending_links;
 mod bending_steps;
 mod bounds;
 mod characteristic;
@@ -47,14 +48,17 @@ pub use element::{Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build,
 pub use error::{InvalidParameter, ParameterError, Requirement, SearchError};
 pub use in_line::{coefficients, join, root, step};
 pub use join::{held, moderated, narrowed, widened};
-pub use layout::{Layout, Step};
+pub use layout::{Layout, Scheme, Step};
 pub use list::List;
-pub use motion::{Covector, Ends, Motion};
+pub use motion::{
+    Covector, Ends, Entry, Field, Inside, Label, Labelled, Load, ModeShape, ModeShapes, Motion, MotionError, Point,
+    Root, ShapeList, Tree, Visit, VisitAt,
+};
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
 pub use scalar::{
-    ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, MayDecay, Real, RealFrequency, Scalar,
-    WaveProducts,
+    ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, MayDecay, Oscillation, Real, RealFrequency,
+    Scalar, WaveFunctions, WaveProducts,
 };
 pub use scaled::{Magnitude, Scaled};
 pub use state::{Bending, Coordinate, Planar, Rotation, Space, State, StateSpace, Support, Translation};

@@ -4,13 +4,15 @@ mod complex;
 mod double_double;
 mod dual;
 mod kernel;
+mod oscillation;
 mod real;
 mod waves;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
+pub use oscillation::Oscillation;
 pub(crate) use real::argument;
-pub use waves::WaveProducts;
+pub use waves::{WaveFunctions, WaveProducts};
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{NumAssign, One, Zero};

@@ -74,6 +74,16 @@ impl<S: Scalar> Scaled<S> {
         Scaled::new(self.mantissa * factor.mantissa, self.exponent.saturating_add(factor.exponent))
     }
 
+    /// The quotient by another.
+    pub(crate) fn over(self, divisor: Scaled<S>) -> Self {
+        Scaled::new(self.mantissa / divisor.mantissa, self.exponent.saturating_sub(divisor.exponent))
+    }
+
+    /// Its size, of whatever kind the number is.
+    pub(crate) fn magnitude(self) -> Magnitude {
+        Scaled::new(self.mantissa.size(), self.exponent).into()
+    }
+
     /// The plain number; infinite or zero where it leaves the range of the type.
     pub fn value(self) -> S {
         let exponent = self.exponent.clamp(-5000, 5000);

@@ -294,7 +294,8 @@ where
                     open[count - 1] = element.step(&at, input, tally);
                 }
                 ListStep::Connection(inputs) => {
-                    let joined = connection(&open[count - inputs..count], next_space(self.steps, index), tally);
+                    let joined =
+                        connection(open[count - inputs..count].iter().copied(), next_space(self.steps, index), tally);
                     count -= inputs - 1;
                     open[count - 1] = joined;
                 }

@@ -188,6 +188,9 @@ impl<T: Real> BuiltBeam<T> {
     }
 }
 
+mod interior;
+mod motion;
+
 #[cfg(test)]
 impl super::laws::Sample for Beam<f64> {
     fn sample(mut next: impl FnMut() -> f64) -> Self {

@@ -5,7 +5,9 @@ use crate::bounds::FrequencyBounds;
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real};
+use crate::motion::line_motions::half;
+use crate::motion::{Covector, Ends, Motion};
+use crate::scalar::{Frequency, Oscillation, Real};
 use crate::scaled::Scaled;
 use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
@@ -138,6 +140,60 @@ impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
         let BodyCoefficients { a, b, j, .. } = *self;
         let bw = b * p.w;
         p.m_q + a * p.y_m + j * p.theta_q + (bw + bw) + (j * a - b * b) * p.y_theta
+    }
+}
+
+impl<T: Real, S: Oscillation<T>> Motion<S> for Body<T> {
+    type Links = BodyCoefficients<T, S>;
+    type Gradient = Body<S>;
+    const SYMMETRIC: bool = false;
+
+    /// The same body about its output end: `J_I + m b1 (b1 - 2 c1)` and `b1 - c1`.
+    fn reversed(built: &Self) -> Self {
+        let Body { mass, inertia, output_x, centre_x } = *built;
+        let to_centre = output_x - centre_x;
+        let inertia = inertia + mass * output_x * (to_centre - centre_x);
+        Body { mass, inertia, output_x, centre_x: to_centre }
+    }
+
+    fn links(built: &Self, at: &At<S>) -> BodyCoefficients<T, S> {
+        Self::coefficients(built, at)
+    }
+
+    fn pull_back(links: &BodyCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+        let ([y, theta, m, q], exponent) = covector.entries();
+        let BodyCoefficients { a, b, j, shift } = *links;
+        let q_in = q + m * shift;
+        let entries = [y + b * m - a * q_in, theta + y * shift + j * m - b * q_in, m, q_in];
+        Covector::Plane(entries, exponent)
+    }
+
+    fn units(built: &Self, at: &At<S>) -> [f64; 2] {
+        let BodyCoefficients { a, j, .. } = Self::coefficients(built, at);
+        [S::size(a), S::size(j)]
+    }
+
+    /// `m (Y₁ Y₂ + c1 (Y₁ Θ₂ + Θ₁ Y₂)) + J_I Θ₁ Θ₂`
+    fn mass_form(built: &Self, first: &Ends<S>, second: &Ends<S>) -> S {
+        let (first, second) = (first.input, second.input);
+        let lever = (first.y * second.theta + first.theta * second.y) * built.centre_x;
+        (first.y * second.y + lever) * built.mass + first.theta * second.theta * built.inertia
+    }
+
+    fn stiffness_form(_built: &Self, _first: &Ends<S>, _second: &Ends<S>) -> S {
+        S::zero()
+    }
+
+    /// The shift of the output end moves what is downstream by Θ: its derivative is the work `Q_O Θ`.
+    fn gradient(built: &Self, ends: &Ends<S>) -> Body<S> {
+        let (lambda_squared, input) = (ends.x.lambda_squared(), ends.input);
+        let lever = input.y * input.theta;
+        Body {
+            mass: lambda_squared * (half(input.y * input.y) + lever * built.centre_x),
+            inertia: lambda_squared * half(input.theta * input.theta),
+            output_x: ends.output.q * input.theta,
+            centre_x: lambda_squared * lever * built.mass,
+        }
     }
 }
 

@@ -5,9 +5,11 @@ use crate::bounds::FrequencyBounds;
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real};
+use crate::motion::line_motions::{elongations, half};
+use crate::motion::{Covector, Ends, Motion};
+use crate::scalar::{Frequency, Oscillation, Real};
 use crate::scaled::Scaled;
-use crate::state::{Bending, Support};
+use crate::state::{Bending, Coordinate, Support};
 use crate::subspace::{Plane, Subspace};
 use nalgebra::Matrix4;
 
@@ -110,6 +112,46 @@ impl<T: Real, S: Frequency<T>> HingeCoefficients<T, S> {
             p.m_q * product,
         ];
         Plane::unscaled(minors, p.exponent)
+    }
+}
+
+impl<T: Real, S: Oscillation<T>> Motion<S> for ElasticHinge<T> {
+    type Links = HingeCoefficients<T, S>;
+    type Gradient = ElasticHinge<S>;
+    const SYMMETRIC: bool = true;
+
+    fn reversed(built: &Self) -> Self {
+        *built
+    }
+
+    fn links(built: &Self, at: &At<S>) -> HingeCoefficients<T, S> {
+        Self::coefficients(built, at)
+    }
+
+    /// `K_y K_θ Uᵀ η`, since the step multiplies by the stiffnesses.
+    fn pull_back(links: &HingeCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+        let ([y, theta, m, q], exponent) = covector.entries();
+        let HingeCoefficients { k_y, k_theta, product } = *links;
+        let entries = [y * product, theta * product, m * product + theta * k_y, q * product - y * k_theta];
+        Covector::Plane(entries, exponent)
+    }
+
+    fn units(built: &Self, _at: &At<S>) -> [f64; 2] {
+        [built.stiffness_y.to_f64(), built.stiffness_theta.to_f64()]
+    }
+
+    fn mass_form(_built: &Self, _first: &Ends<S>, _second: &Ends<S>) -> S {
+        S::zero()
+    }
+
+    fn stiffness_form(built: &Self, first: &Ends<S>, second: &Ends<S>) -> S {
+        elongations(Coordinate::Y, first, second) * built.stiffness_y
+            + elongations(Coordinate::Theta, first, second) * built.stiffness_theta
+    }
+
+    fn gradient(_built: &Self, ends: &Ends<S>) -> ElasticHinge<S> {
+        let form = |coordinate| half(elongations(coordinate, ends, ends));
+        ElasticHinge { stiffness_y: form(Coordinate::Y), stiffness_theta: form(Coordinate::Theta) }
     }
 }
 

@@ -5,9 +5,11 @@ use crate::bounds::FrequencyBounds;
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real};
+use crate::scalar::{Frequency, Oscillation, Real};
 use crate::line_steps::through_inertia;
-use crate::state::Translation;
+use crate::motion::line_motions::{displacements, half, inertial_motion, unit_of};
+use crate::motion::{Covector, Ends, Motion};
+use crate::state::{Coordinate, Translation};
 use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
@@ -57,6 +59,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Mass<T> {
         through_inertia(*coefficients, input)
     }
 }
+
+inertial_motion!(Mass, Y, mass);
 
 #[cfg(test)]
 impl super::laws::Sample for Mass<f64> {

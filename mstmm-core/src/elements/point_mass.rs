@@ -6,8 +6,10 @@ use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
 use crate::join::in_parallel;
-use crate::scalar::{Frequency, Real};
-use crate::state::{Bending, Support};
+use crate::motion::line_motions::{displacements, half};
+use crate::motion::{Covector, Ends, Motion};
+use crate::scalar::{Frequency, Oscillation, Real};
+use crate::state::{Bending, Coordinate, Support};
 use crate::subspace::{Plane, Subspace};
 use nalgebra::Matrix4;
 
@@ -80,6 +82,44 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
         let theta_q = p.theta_q + a * p.y_theta;
         let minors = [p.y_theta, p.y_m + j * p.y_theta, p.w, theta_q, p.m_q + a * p.y_m + j * theta_q];
         Subspace::Plane(Plane::new(minors, p.exponent))
+    }
+}
+
+impl<T: Real, S: Oscillation<T>> Motion<S> for PointMass<T> {
+    type Links = PointMassCoefficients<S>;
+    type Gradient = PointMass<S>;
+    const SYMMETRIC: bool = true;
+
+    fn reversed(built: &Self) -> Self {
+        *built
+    }
+
+    fn links(built: &Self, at: &At<S>) -> PointMassCoefficients<S> {
+        Self::coefficients(built, at)
+    }
+
+    fn pull_back(links: &PointMassCoefficients<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+        let ([y, theta, m, q], exponent) = covector.entries();
+        Covector::Plane([y - links.a * q, theta + links.j * m, m, q], exponent)
+    }
+
+    fn units(built: &Self, at: &At<S>) -> [f64; 2] {
+        let PointMassCoefficients { a, j } = Self::coefficients(built, at);
+        [S::size(a), S::size(j)]
+    }
+
+    fn mass_form(built: &Self, first: &Ends<S>, second: &Ends<S>) -> S {
+        displacements(Coordinate::Y, first, second) * built.mass
+            + displacements(Coordinate::Theta, first, second) * built.inertia
+    }
+
+    fn stiffness_form(_built: &Self, _first: &Ends<S>, _second: &Ends<S>) -> S {
+        S::zero()
+    }
+
+    fn gradient(_built: &Self, ends: &Ends<S>) -> PointMass<S> {
+        let form = |coordinate| ends.x.lambda_squared() * half(displacements(coordinate, ends, ends));
+        PointMass { mass: form(Coordinate::Y), inertia: form(Coordinate::Theta) }
     }
 }
 

@@ -5,9 +5,11 @@ use crate::bounds::FrequencyBounds;
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real};
+use crate::scalar::{Frequency, Oscillation, Real};
 use crate::line_steps::through_stiffness;
-use crate::state::Rotation;
+use crate::motion::line_motions::{back_through_stiffness, elongations, half, massless_motion, unit_of};
+use crate::motion::{Covector, Ends, Motion};
+use crate::state::{Coordinate, Rotation};
 use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
@@ -58,6 +60,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for TorsionSpring<T> {
         through_stiffness(*coefficients, input, tally)
     }
 }
+
+massless_motion!(TorsionSpring, Theta, Frequency, [stiffness], []);
 
 #[cfg(test)]
 impl super::laws::Sample for TorsionSpring<f64> {

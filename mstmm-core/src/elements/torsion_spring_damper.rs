@@ -5,9 +5,11 @@ use crate::bounds::FrequencyBounds;
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix, off_pole};
 use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{ComplexFrequency, Real};
+use crate::scalar::{ComplexFrequency, Oscillation, Real};
 use crate::line_steps::through_stiffness;
-use crate::state::Rotation;
+use crate::motion::line_motions::{back_through_stiffness, elongations, half, massless_motion, unit_of};
+use crate::motion::{Covector, Ends, Motion};
+use crate::state::{Coordinate, Rotation};
 use crate::subspace::Subspace;
 use nalgebra::Matrix2;
 
@@ -76,6 +78,8 @@ impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for TorsionSpringDamper<T> {
         through_stiffness(*coefficients, input, tally)
     }
 }
+
+massless_motion!(TorsionSpringDamper, Theta, ComplexFrequency, [stiffness], [damping]);
 
 #[cfg(test)]
 impl super::laws::Sample for TorsionSpringDamper<f64> {

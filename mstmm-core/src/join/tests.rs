@@ -58,7 +58,7 @@ fn scale(paths: &[Path]) -> f64 {
 fn joined_at(paths: &[Path], supports: &[Support], output: Option<Space>) -> Subspace<f64> {
     let tips = supports.iter().map(|&support| Subspace::Tip(support, Space::Bending));
     let inputs: Vec<_> = paths.iter().map(|path| path.subspace).chain(tips).collect();
-    connection(&inputs, output, &mut Untallied)
+    connection(inputs.iter().copied(), output, &mut Untallied)
 }
 
 /// Asserts the stiffness of a subspace and, of a plane, `p_YΘ p_MQ = p_YM p_ΘQ - w²`.
@@ -181,7 +181,7 @@ proptest! {
         prop_assume!(left.abs() > 0.01);
         for (space, k) in [(Space::Translation, k), (Space::Rotation, [left, coupling, kept])] {
             let mut count = Count::default();
-            let narrow = connection(&[Path::plane(k, factor).subspace], Some(space), &mut count);
+            let narrow = connection([Path::plane(k, factor).subspace].into_iter(), Some(space), &mut count);
             prop_assert!(narrow.space().is(space));
             let expected = kept - coupling * coupling / left;
             // the sum and the determinant in p_MQ, divided by what was left behind
@@ -198,7 +198,7 @@ proptest! {
         for (space, other) in [(Space::Translation, Space::Rotation), (Space::Rotation, Space::Translation)] {
             for path in [Path::line(k, space, factor), Path::grounded(k, space)] {
                 let mut count = Count::default();
-                let free = connection(&[path.subspace, Subspace::Tip(Support::Free, Space::Bending)], Some(other), &mut count);
+                let free = connection([path.subspace, Subspace::Tip(Support::Free, Space::Bending)].into_iter(), Some(other), &mut count);
                 prop_assert!(free.space().is(other) && free.line().y != 0.0 && free.line().q == 0.0, "{free:?}");
                 prop_assert_eq!(count.below(), u64::from(k < 0.0));
                 let own_support = if space.is(Space::Translation) { Support::Guided } else { Support::Pinned };

@@ -19,6 +19,15 @@ pub struct Ends<S> {
     pub output: State<S>,
 }
 
+/// The inside of an element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inside {
+    /// Length \[m\].
+    pub length: f64,
+    /// Wave number [rad/m]: how fast the deflection changes along it.
+    pub wave_number: f64,
+}
+
 /// An element whose motion is known: what mode shapes, responses and sensitivities need besides the plane method.
 ///
 /// The dynamic work of an element is `L = V + λ² T + λ D`, with `2V` its stiffness, `2T` its mass and `2D` its damping form.
@@ -57,9 +66,22 @@ pub trait Motion<S: Scalar>: PlaneStep<S> {
     /// The mass form of two motions, `∫ m Y₁ Y₂ dx` for a beam: twice the kinetic energy over `(dt)²` of one.
     fn mass_form(built: &Self::Built, first: &Ends<S>, second: &Ends<S>) -> S;
 
+    /// The stiffness form of two motions, `∫ EI Y₁'' Y₂'' dx` for a beam: twice the strain energy of one.
+    fn stiffness_form(built: &Self::Built, first: &Ends<S>, second: &Ends<S>) -> S;
+
     /// The damping form of two motions, `C ΔY₁ ΔY₂` for a damper.
     fn damping_form(_built: &Self::Built, _first: &Ends<S>, _second: &Ends<S>) -> S {
         S::zero()
+    }
+
+    /// What is between the ends; `None` for an element without an inside.
+    fn inside(_built: &Self::Built, _x: S) -> Option<Inside> {
+        None
+    }
+
+    /// The state at a distance from the input end, within the length that [`inside`](Motion::inside) tells.
+    fn state_at(_built: &Self::Built, ends: &Ends<S>, _distance: f64) -> State<S> {
+        ends.input
     }
 
     /// `∂L/∂p` for each parameter, with the displacements at both ends held.

@@ -1,7 +1,27 @@
 //! Motions: the states that belong to a root or to a load, and what follows from them.
 
+mod candidates;
 mod covector;
 mod element;
+mod error;
+mod field;
+mod forms;
+mod inside;
+mod label;
+pub(crate) mod line_motions;
+mod multiple;
+mod passes;
+mod root;
+mod shape;
+mod source;
+mod spread;
+mod tree;
 
 pub use covector::Covector;
-pub use element::{Ends, Motion};
+pub use element::{Ends, Inside, Motion};
+pub use error::MotionError;
+pub use field::Field;
+pub use label::{Entry, Label, Labelled, Load, Point};
+pub use root::Root;
+pub use shape::{ModeShape, ModeShapes, ShapeList};
+pub use tree::{Tree, Visit, VisitAt};

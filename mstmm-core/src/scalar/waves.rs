@@ -23,6 +23,21 @@ pub struct WaveProducts<S> {
 /// ln 2 in two parts; the first has trailing zeros, so that its multiples up to 2^20 are exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
+/// `sin z`, `cos z`, `sh z`, `ch z`, all divided by `2^exponent`.
+#[derive(Clone, Copy, Debug)]
+pub struct WaveFunctions<S> {
+    /// sin z
+    pub sin: S,
+    /// cos z
+    pub cos: S,
+    /// sh z
+    pub sh: S,
+    /// ch z
+    pub ch: S,
+    /// The power of two taken out.
+    pub exponent: i32,
+}
+
 /// `sin x`, `cos x`, and `ch x`, `sh x` and 1 divided by `2^exponent`.
 struct Functions<T> {
     sin: T,
@@ -66,15 +81,47 @@ impl<T: Real> WaveProducts<T> {
     }
 }
 
+impl<T: Real> WaveFunctions<T> {
+    /// Of a real argument.
+    pub(super) fn of_real(z: T) -> Self {
+        let Functions { sin, cos, ch, sh, one, exponent } = Functions::of(z);
+        WaveFunctions { sin: sin * one, cos: cos * one, sh, ch, exponent }
+    }
+}
+
+/// The functions of a complex argument from those of its parts, `[ch, sh, cos, sin]`; the former two are divided by the power
+/// of two of the real part, the latter two by that of the imaginary part.
+#[inline(always)]
+fn of_parts<T: Real>(re: &Functions<T>, im: &Functions<T>) -> [Complex<T>; 4] {
+    [
+        Complex::new(re.ch * im.cos, re.sh * im.sin),
+        Complex::new(re.sh * im.cos, re.ch * im.sin),
+        Complex::new(re.cos * im.ch, -(re.sin * im.sh)),
+        Complex::new(re.sin * im.ch, re.cos * im.sh),
+    ]
+}
+
+impl<T: Real> WaveFunctions<Complex<T>> {
+    /// Of a complex argument.
+    pub(super) fn of_complex(z: Complex<T>) -> Self {
+        let (re, im) = (Functions::of(z.re), Functions::of(z.im));
+        let [ch, sh, cos, sin] = of_parts(&re, &im);
+        WaveFunctions {
+            sin: sin * re.one,
+            cos: cos * re.one,
+            sh: sh * im.one,
+            ch: ch * im.one,
+            exponent: re.exponent.saturating_add(im.exponent),
+        }
+    }
+}
+
 impl<T: Real> WaveProducts<Complex<T>> {
     /// Of a complex argument: both parts oscillate and grow.
     #[inline(always)]
     pub(super) fn of_complex(z: Complex<T>) -> Self {
         let (re, im) = (Functions::of(z.re), Functions::of(z.im));
-        let ch = Complex::new(re.ch * im.cos, re.sh * im.sin);
-        let sh = Complex::new(re.sh * im.cos, re.ch * im.sin);
-        let cos = Complex::new(re.cos * im.ch, -(re.sin * im.sh));
-        let sin = Complex::new(re.sin * im.ch, re.cos * im.sh);
+        let [ch, sh, cos, sin] = of_parts(&re, &im);
         WaveProducts {
             ch_cos: ch * cos,
             ch_sin: ch * sin,

@@ -6,6 +6,7 @@ mod layout;
 mod names;
 mod pass;
 mod system;
+mod tree;
 
 use crate::ast::{Element, Model};
 use crate::plan::Plan;
@@ -23,14 +24,18 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
     let layout = layout::layout(plan, &names);
     let evaluate = evaluate::evaluate(plan, &names);
     let characteristic = pass::characteristic(plan, &names);
+    let constants = tree::labels(model, plan, &names);
+    let tree = tree::tree(plan, &names);
     quote_spanned! {names.here=>
         #parameters
         #system
+        #constants
         const _: () = {
             #labels
             #layout
             #evaluate
             #characteristic
+            #tree
         };
     }
 }

@@ -1,0 +1,113 @@
+//! States between the ends of a beam, and integrals over products of them.
+
+use super::BuiltBeam;
+use crate::at::At;
+use crate::beam_functions::bending_matrix;
+use crate::motion::Ends;
+use crate::scalar::{Oscillation, Real, Scalar};
+use crate::state::State;
+use nalgebra::Vector4;
+use num_complex::Complex;
+use num_traits::Zero;
+
+/// Nodes and weights of Gauss and Legendre on `[-1, 1]`, the positive half: exact up to degree 19.
+const GAUSS: [(f64, f64); 5] = [
+    (0.148_874_338_981_631_2, 0.295_524_224_714_752_87),
+    (0.433_395_394_129_247_2, 0.269_266_719_309_996_35),
+    (0.679_409_568_299_024_4, 0.219_086_362_515_982_04),
+    (0.865_063_366_688_984_5, 0.149_451_349_150_580_6),
+    (0.973_906_528_517_171_7, 0.066_671_344_308_688_14),
+];
+
+impl<T: Real> BuiltBeam<T> {
+    /// The wave number times the length, `z = βl`.
+    pub(super) fn z<S: Oscillation<T>>(&self, x: S) -> S {
+        At::new(x, true).powers[0] * self.wave
+    }
+
+    /// The state at a distance from the input end, given those at both ends.
+    ///
+    /// A short beam's follows from that at its input end. In a long one the four waves `e^{sx}`, `s⁴ = β⁴`, are taken from the
+    /// end from which they decay, so that no digits are lost at any frequency.
+    pub(crate) fn state_at<S: Oscillation<T>>(&self, ends: &Ends<S>, distance: T) -> State<S> {
+        let z = self.z(ends.x);
+        if z.size() > 1.0 {
+            return self.state_of_waves(z.to_complex(), ends, distance);
+        }
+        let (ei, m) = (self.parameters.bending_stiffness, self.parameters.mass_per_length);
+        let State { y, theta, m: moment, q } = ends.input;
+        let state = bending_matrix(distance, ei, m, ends.x.lambda_squared()) * Vector4::new(y, theta, moment, q);
+        State { y: state[0], theta: state[1], m: state[2], q: state[3] }
+    }
+
+    /// `Y = Σ_k c_k e^{s_k x}`, `s_k = β i^k`, with `c_k` from the end from which the wave decays.
+    fn state_of_waves<S: Oscillation<T>>(&self, z: Complex<T>, ends: &Ends<S>, distance: T) -> State<S> {
+        let (length, ei) = (self.parameters.length, self.parameters.bending_stiffness);
+        let beta = z * (T::one() / length);
+        let units = [Complex::from_f64(1.0), beta, beta * beta * ei, beta * beta * beta * ei];
+        let at_input = amplitudes(ends.input.map(S::to_complex), units);
+        let at_output = amplitudes(ends.output.map(S::to_complex), units);
+        let mut derivatives: [Complex<T>; 4] = [Complex::zero(); 4];
+        for k in 0..4 {
+            let rate = turned(beta, k);
+            let wave = if rate.re <= T::zero() {
+                at_input[k] * exponential(rate * distance)
+            } else {
+                at_output[k] * exponential(rate * (distance - length))
+            };
+            for (order, derivative) in derivatives.iter_mut().enumerate() {
+                *derivative += turned(wave, k * order);
+            }
+        }
+        let [y, theta, m, q] = core::array::from_fn(|k| S::from_complex(derivatives[k] * units[k]));
+        State { y, theta, m, q }
+    }
+
+    /// `∫ f(state₁, state₂) dx` by Gauss's rule, on as many pieces as the waves need.
+    pub(super) fn integral<S: Oscillation<T>>(
+        &self,
+        first: &Ends<S>,
+        second: &Ends<S>,
+        f: impl Fn(State<S>, State<S>) -> S,
+    ) -> S {
+        let waves = self.z(first.x).size().max(self.z(second.x).size());
+        let pieces = 1 + (waves * 0.5) as u32;
+        let half = self.parameters.length / T::from_f64(2.0 * f64::from(pieces));
+        let mut sum = S::zero();
+        for piece in 0..pieces {
+            let middle = half * T::from_f64(f64::from(2 * piece + 1));
+            for (node, weight) in GAUSS {
+                for node in [node, -node] {
+                    let distance = middle + half * T::from_f64(node);
+                    let value = f(self.state_at(first, distance), self.state_at(second, distance));
+                    sum += value * (half * T::from_f64(weight));
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// `c_k = ¼ Σ_n (Y⁽ⁿ⁾/βⁿ) i^{-kn}`
+fn amplitudes<T: Real>(state: State<Complex<T>>, units: [Complex<T>; 4]) -> [Complex<T>; 4] {
+    let entries = [state.y, state.theta / units[1], state.m / units[2], state.q / units[3]];
+    core::array::from_fn(|k| {
+        let sum = entries.iter().enumerate().fold(Complex::zero(), |sum, (n, entry)| sum + turned(*entry, 3 * k * n));
+        sum * T::from_f64(0.25)
+    })
+}
+
+/// A number times `i^quarters`.
+fn turned<T: Real>(value: Complex<T>, quarters: usize) -> Complex<T> {
+    match quarters % 4 {
+        0 => value,
+        1 => Complex::new(-value.im, value.re),
+        2 => -value,
+        _ => Complex::new(value.im, -value.re),
+    }
+}
+
+fn exponential<T: Real>(z: Complex<T>) -> Complex<T> {
+    let (sin, cos) = z.im.sin_cos();
+    Complex::new(cos, sin) * Real::exp(z.re)
+}

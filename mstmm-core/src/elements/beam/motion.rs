@@ -1,0 +1,141 @@
+//! The motion of a beam: covectors through it, its energies, and how they change with its parameters.
+
+use super::{Beam, BuiltBeam};
+use crate::at::At;
+use crate::beam_functions::krylov;
+use crate::bending_links::BendingLinks;
+use crate::element::PlaneStep;
+use crate::motion::line_motions::half;
+use crate::motion::{Covector, Ends, Inside, Motion};
+use crate::scalar::{Oscillation, Real, WaveFunctions};
+use crate::state::State;
+use crate::subspace::Subspace;
+
+/// Relative distance of two values of `z⁴` from which on the integral of a product is a difference at the ends.
+const APART: f64 = 1e-3;
+
+impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
+    type Links = BendingLinks<S>;
+    type Gradient = Beam<S>;
+    const SYMMETRIC: bool = true;
+
+    fn reversed(built: &BuiltBeam<T>) -> BuiltBeam<T> {
+        *built
+    }
+
+    fn links(built: &BuiltBeam<T>, at: &At<S>) -> BendingLinks<S> {
+        let z = at.powers[0] * built.wave;
+        if z.size() <= 1.0 {
+            return built.short_links(at);
+        }
+        let WaveFunctions { sin, cos, sh, ch, exponent } = z.wave_functions();
+        let krylov = [ch + cos, sh + sin, ch - cos, sh - sin];
+        let [first, second] = [0, 1].map(|k| at.powers[k] * built.wave_units.factors[k]);
+        let [first_inverse, second_inverse] = [0, 1].map(|k| at.inverse_powers[k] * built.wave_units.inverses[k]);
+        BendingLinks {
+            krylov,
+            raised: [krylov[1], krylov[2], krylov[3]],
+            factors: [second * first_inverse, first, second],
+            inverses: [first * second_inverse, first_inverse, second_inverse],
+            // above stands twice of each
+            exponent: exponent - 1,
+        }
+    }
+
+    fn pull_back(links: &BendingLinks<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+        links.pull_back(covector)
+    }
+
+    fn units(built: &BuiltBeam<T>, at: &At<S>) -> [f64; 2] {
+        let inverses = Self::coefficients(built, at).inverses;
+        [1.0 / S::size(inverses[2]), 1.0 / S::size(inverses[0])]
+    }
+
+    /// Where the frequencies differ, `(λ₂² - λ₁²) ∫ m Y₁ Y₂ dx = [Q₁ Y₂ - M₁ Θ₂ + Θ₁ M₂ - Y₁ Q₂]` between the ends.
+    fn mass_form(built: &BuiltBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
+        let (a, b) = (first.x.lambda_squared(), second.x.lambda_squared());
+        let size = S::size(a).max(S::size(b));
+        if S::size(a - b) > APART * size && size * built.wave_fourth.to_f64() > 1.0 {
+            let mixed = |u: &State<S>, v: &State<S>| u.q * v.y - u.m * v.theta + u.theta * v.m - u.y * v.q;
+            let ends = mixed(&first.output, &second.output) - mixed(&first.input, &second.input);
+            return ends / (b - a);
+        }
+        if first == second && size * built.wave_fourth.to_f64() > 1.0 {
+            return built.mass_form_of(first);
+        }
+        built.integral(first, second, |u, v| u.y * v.y) * built.parameters.mass_per_length
+    }
+
+    /// `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`, unless the beam is short.
+    fn stiffness_form(built: &BuiltBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
+        if S::size(built.z(first.x)).max(S::size(built.z(second.x))) > 1.0 {
+            let work = |u: &State<S>, v: &State<S>| u.m * v.theta - u.q * v.y;
+            let work = work(&first.output, &second.output) - work(&first.input, &second.input);
+            return work - first.x.lambda_squared() * Self::mass_form(built, first, second);
+        }
+        built.integral(first, second, |u, v| u.m * v.m) * (T::one() / built.parameters.bending_stiffness)
+    }
+
+    fn inside(built: &BuiltBeam<T>, x: S) -> Option<Inside> {
+        let length = built.parameters.length.to_f64();
+        Some(Inside { length, wave_number: S::size(built.z(x)) / length })
+    }
+
+    fn state_at(built: &BuiltBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
+        built.state_at(ends, T::from_f64(distance))
+    }
+
+    /// Of the length it is the same at every point of the beam, `λ² m Y²/2 - M²/(2 EI) + Θ Q`.
+    fn gradient(built: &BuiltBeam<T>, ends: &Ends<S>) -> Beam<S> {
+        let per = |form: S, parameter: T| half(form) * (T::one() / parameter);
+        Beam {
+            length: built.flow(ends),
+            bending_stiffness: per(Self::stiffness_form(built, ends, ends), built.parameters.bending_stiffness),
+            mass_per_length: per(
+                ends.x.lambda_squared() * Self::mass_form(built, ends, ends),
+                built.parameters.mass_per_length,
+            ),
+        }
+    }
+}
+
+impl<T: Real> BuiltBeam<T> {
+    /// The links for `|z| <= 1`, entire in `z⁴`.
+    fn short_links<S: Oscillation<T>>(&self, at: &At<S>) -> BendingLinks<S> {
+        let x = -at.lambda_squared * self.wave_fourth;
+        let functions = krylov(x);
+        let [first, second] = [0, 1].map(|k| S::from_parameter(self.length_units.factors[k]));
+        let length = S::from_parameter(self.parameters.length);
+        let [first_inverse, second_inverse] = [0, 1].map(|k| S::from_parameter(self.length_units.inverses[k]));
+        BendingLinks {
+            krylov: functions,
+            raised: [functions[1] * x, functions[2] * x, functions[3] * x],
+            factors: [S::one() / length, first, second],
+            inverses: [length, first_inverse, second_inverse],
+            exponent: 0,
+        }
+    }
+
+    /// `λ² m Y²/2 - M²/(2 EI) + Θ Q`: from the end where its parts are smaller, for they cancel where waves decay.
+    fn flow<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
+        let (ei, m) = (self.parameters.bending_stiffness, self.parameters.mass_per_length);
+        let [at_input, at_output] = [ends.input, ends.output].map(|state| {
+            [
+                half(ends.x.lambda_squared() * state.y * state.y) * m,
+                -half(state.m * state.m) * (T::one() / ei),
+                state.theta * state.q,
+            ]
+        });
+        let size = |parts: &[S; 3]| parts.iter().map(|part| part.size()).sum::<f64>();
+        let parts = if size(&at_input) < size(&at_output) { at_input } else { at_output };
+        parts[0] + parts[1] + parts[2]
+    }
+
+    /// `∫ m Y² dx = (l/2) flow/λ² - [3 Y Q - Θ M]/(4 λ²)`, for a beam that is not short.
+    fn mass_form_of<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
+        let at_end = |state: &State<S>| (state.y + state.y + state.y) * state.q - state.theta * state.m;
+        let ends_part = at_end(&ends.output) - at_end(&ends.input);
+        let flow = half(self.flow(ends)) * self.parameters.length;
+        (flow - ends_part * S::from_f64(0.25)) / ends.x.lambda_squared()
+    }
+}

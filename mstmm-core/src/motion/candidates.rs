@@ -1,0 +1,59 @@
+//! Where a motion of the system shows best: the entries of states at all ends of elements, made comparable.
+
+use super::element::Motion;
+use super::passes::Passes;
+use super::tree::{Tree, Visit};
+use crate::at::At;
+use crate::layout::Step;
+use crate::scalar::Scalar;
+use crate::state::{Coordinate, Space};
+
+/// An entry of the state at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Candidate {
+    /// The step behind which the point is.
+    pub(super) step: usize,
+    pub(super) coordinate: Coordinate,
+    /// What makes the square of the entry an energy: a stiffness, or one over a stiffness.
+    pub(super) unit: f64,
+}
+
+impl Candidate {
+    /// Stands where none is asked for.
+    pub(super) const NONE: Candidate = Candidate { step: 0, coordinate: Coordinate::Y, unit: 1.0 };
+}
+
+struct UnitsOf<'a, S>(&'a At<S>);
+
+impl<S: Scalar> Visit<S> for UnitsOf<'_, S> {
+    type Output = [f64; 2];
+
+    fn element<E: Motion<S>>(self, built: &E::Built) -> [f64; 2] {
+        E::units(built, self.0)
+    }
+}
+
+impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
+    /// Calls a function with every candidate.
+    pub(super) fn for_each_candidate(&self, mut f: impl FnMut(Candidate)) {
+        for step in 0..Y::scheme().len() {
+            let Step::Element(input, space) = Y::scheme().steps[step] else { continue };
+            let Some([y, theta]) = self.system.visit(step, UnitsOf(&self.at)) else { continue };
+            let entries: &[(Coordinate, f64)] = match space {
+                Space::Translation => &[(Coordinate::Y, y), (Coordinate::Q, 1.0 / y)],
+                Space::Rotation => &[(Coordinate::Theta, theta), (Coordinate::M, 1.0 / theta)],
+                _ => &[
+                    (Coordinate::Y, y),
+                    (Coordinate::Theta, theta),
+                    (Coordinate::M, 1.0 / theta),
+                    (Coordinate::Q, 1.0 / y),
+                ],
+            };
+            for &(coordinate, unit) in entries.iter().filter(|(_, unit)| *unit > 0.0 && unit.is_finite()) {
+                for step in [step, input] {
+                    f(Candidate { step, coordinate, unit });
+                }
+            }
+        }
+    }
+}

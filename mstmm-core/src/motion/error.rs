@@ -1,0 +1,109 @@
+//! What can be wrong with a question about a motion.
+
+use crate::state::Coordinate;
+use core::fmt;
+
+/// A motion that cannot be given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// The root has several shapes, and none of them is the one.
+    Multiple {
+        /// Size of the root, |ω| or |λ|.
+        root: f64,
+        /// Its multiplicity.
+        multiplicity: u64,
+    },
+    /// The system has no motion of its own at this frequency.
+    NotARoot {
+        /// Size of the frequency, |ω| or |λ|.
+        frequency: f64,
+        /// By how much the states at one point differ, relatively.
+        mismatch: f64,
+    },
+    /// A multiple eigenvalue with fewer shapes than its multiplicity, as at critical damping.
+    Defective {
+        /// Size of the eigenvalue |λ|.
+        root: f64,
+        /// Its multiplicity.
+        multiplicity: u64,
+        /// Number of its shapes.
+        shapes: u64,
+    },
+    /// At frequency zero the derivative of ω is not defined: ω² moves, and ω is its root.
+    ZeroFrequency,
+    /// The system resonates at this frequency: the response to a force is infinite.
+    Resonance {
+        /// Size of the frequency, |ω| or |λ|.
+        frequency: f64,
+    },
+    /// A frequency at which the arithmetic overflows, or which is no number.
+    NotFinite {
+        /// Size of the frequency, |ω| or |λ|.
+        frequency: f64,
+    },
+    /// The states at this point have no such entry: no path there carries it.
+    NoSuchEntry {
+        /// The entry.
+        coordinate: Coordinate,
+    },
+    /// A place outside of an element.
+    Outside {
+        /// Distance from the input end \[m\].
+        distance: f64,
+        /// Length of the element \[m\]; 0 for one without an inside.
+        length: f64,
+    },
+    /// There is no room for all results; none is returned rather than a part of them.
+    Capacity {
+        /// The capacity.
+        capacity: usize,
+    },
+}
+
+impl fmt::Display for MotionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            MotionError::Multiple { root, multiplicity } => {
+                write!(
+                    f,
+                    "the root {root} has multiplicity {multiplicity}: ask for all its shapes with `mode_shapes`, "
+                )?;
+                write!(f, "a derivative of it does not exist")
+            }
+            MotionError::NotARoot { frequency, mismatch } => {
+                write!(f, "the frequency {frequency} is no root of this system: states differ by {mismatch:e}")
+            }
+            MotionError::Defective { root, multiplicity, shapes } => {
+                write!(f, "the eigenvalue {root} of multiplicity {multiplicity} has {shapes} shapes only")
+            }
+            MotionError::ZeroFrequency => {
+                write!(f, "a zero frequency has no derivative: it is the root of ω², and parameters move that")
+            }
+            MotionError::Resonance { frequency } => {
+                write!(f, "the system resonates at the frequency {frequency}: its response is infinite")
+            }
+            MotionError::NotFinite { frequency } => {
+                write!(f, "at the frequency {frequency} the motion is not finite")
+            }
+            MotionError::NoSuchEntry { coordinate } => {
+                let (name, path) = match coordinate {
+                    Coordinate::Y => ("deflection Y", "bending or translation"),
+                    Coordinate::Q => ("shear force Q", "bending or translation"),
+                    Coordinate::Theta => ("rotation Θ", "bending or rotation"),
+                    Coordinate::M => ("moment M", "bending or rotation"),
+                    Coordinate::X | Coordinate::Qx => ("longitudinal entry", "planar"),
+                };
+                write!(f, "no state at this point has a {name}: no {path} path leads there")
+            }
+            MotionError::Outside { distance, length } => {
+                write!(f, "{distance} m from the input end is outside of the element, whose length is {length} m")
+            }
+            MotionError::Capacity { capacity } => {
+                write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")
+            }
+        }
+    }
+}
+
+impl core::error::Error for MotionError {}

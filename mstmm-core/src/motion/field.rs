@@ -1,0 +1,139 @@
+//! The states of a whole system in one motion.
+
+use super::element::{Ends, Inside, Motion};
+use super::error::MotionError;
+use super::label::{Label, Labelled, Point};
+use super::spread::Spread;
+use super::tree::{Tree, Visit};
+use crate::element::Element;
+use crate::layout::Step;
+use crate::scalar::Scalar;
+use crate::state::State;
+
+/// The states of a whole system in one motion; part of every result about motions.
+#[derive(Debug)]
+pub struct Field<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+    pub(super) system: &'a Y,
+    pub(super) x: S,
+    /// Behind each step; at the source on its upstream side.
+    pub(super) states: Y::PerStep<State<S>>,
+    pub(super) source: usize,
+    /// At the source on its downstream side.
+    pub(super) beyond: State<S>,
+}
+
+impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for Field<'_, Y, S> {
+    fn clone(&self) -> Self {
+        Field { ..*self }
+    }
+}
+
+impl<'a, Y, S> Field<'a, Y, S>
+where
+    Y: Tree<S> + ?Sized,
+    S: Scalar,
+{
+    /// The states times `2^shift`.
+    pub(super) fn of(system: &'a Y, x: S, spread: &Spread<Y, S>, shift: i32) -> Self {
+        let mut states = Y::per_step(State::default());
+        for (state, scaled) in states.as_mut().iter_mut().zip(spread.states.as_ref()) {
+            *state = scaled.shifted(shift);
+        }
+        Field { system, x, states, source: spread.source, beyond: spread.beyond.shifted(shift) }
+    }
+
+    /// Each state through one function.
+    pub(super) fn map(&mut self, f: impl Fn(State<S>) -> State<S>) {
+        for state in self.states.as_mut() {
+            *state = f(*state);
+        }
+        self.beyond = f(self.beyond);
+    }
+
+    /// Adds the states of another motion times a factor.
+    pub(super) fn add(&mut self, other: &Self, factor: S) {
+        for (state, other) in self.states.as_mut().iter_mut().zip(other.states.as_ref()) {
+            *state = state.plus(*other, factor);
+        }
+        self.beyond = self.beyond.plus(other.beyond, factor);
+    }
+
+    /// The states at both ends of the element of a step.
+    pub(super) fn ends(&self, step: usize) -> Ends<S> {
+        let input = match Y::scheme().steps[step] {
+            Step::Element(input, _) if input == self.source => self.beyond,
+            Step::Element(input, _) => self.states.as_ref()[input],
+            _ => State::default(),
+        };
+        Ends { x: self.x, input, output: self.states.as_ref()[step] }
+    }
+
+    /// A sum of forms over all elements.
+    pub(super) fn sum<V: Visit<S, Output = S>>(&self, form: impl Fn(usize) -> V) -> S {
+        let forms = (0..Y::scheme().len()).filter_map(|step| self.system.visit(step, form(step)));
+        forms.fold(S::zero(), |sum, form| sum + form)
+    }
+
+    /// The inside of the element of a step.
+    pub(super) fn inside(&self, step: usize) -> Option<Inside> {
+        self.system.visit(step, InsideOf(self.x)).flatten()
+    }
+
+    /// The state inside of the element of a step.
+    pub(super) fn state_at(&self, step: usize, distance: f64) -> State<S> {
+        self.system.visit(step, StateAt { ends: self.ends(step), distance }).unwrap_or_default()
+    }
+
+    /// The state at a point of a step, on the side that the point is about.
+    pub(super) fn at(&self, step: usize, beyond: bool) -> State<S> {
+        if beyond && step == self.source { self.beyond } else { self.states.as_ref()[step] }
+    }
+}
+
+impl<Y, S> Field<'_, Y, S>
+where
+    Y: Tree<S> + Labelled + ?Sized,
+    S: Scalar,
+{
+    /// The state at an end of an element, or at a connection that with which the path goes on. Entries that a path does not
+    /// carry are zero.
+    pub fn state(&self, point: Point<Y::Model>) -> State<S> {
+        self.at(point.step, point.beyond)
+    }
+
+    /// The state inside of an element, at a distance \[m\] from its input end.
+    ///
+    /// # Errors
+    /// [`MotionError::Outside`] for a distance beyond its ends; springs, masses and bodies have no inside.
+    pub fn along<E: Element>(&self, label: Label<Y::Model, E>, distance: f64) -> Result<State<S>, MotionError> {
+        let inside = self.inside(label.step);
+        let length = inside.map_or(0.0, |inside| inside.length);
+        if inside.is_none() || !(0.0..=length).contains(&distance) {
+            return Err(MotionError::Outside { distance, length });
+        }
+        Ok(self.state_at(label.step, distance))
+    }
+}
+
+struct InsideOf<S>(S);
+
+impl<S: Scalar> Visit<S> for InsideOf<S> {
+    type Output = Option<Inside>;
+
+    fn element<E: Motion<S>>(self, built: &E::Built) -> Option<Inside> {
+        E::inside(built, self.0)
+    }
+}
+
+struct StateAt<S> {
+    ends: Ends<S>,
+    distance: f64,
+}
+
+impl<S: Scalar> Visit<S> for StateAt<S> {
+    type Output = State<S>;
+
+    fn element<E: Motion<S>>(self, built: &E::Built) -> State<S> {
+        E::state_at(built, &self.ends, self.distance)
+    }
+}

@@ -1,0 +1,40 @@
+//! Forms of motions: mass, stiffness and damping of elements, and their sums over a system.
+
+use super::element::{Ends, Motion};
+use super::field::Field;
+use super::tree::{Tree, Visit};
+use crate::scalar::Scalar;
+
+/// A form of two motions of an element.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Form {
+    Mass,
+    Stiffness,
+    Damping,
+}
+
+/// Evaluates a form.
+pub(super) struct FormOf<S> {
+    pub(super) form: Form,
+    pub(super) first: Ends<S>,
+    pub(super) second: Ends<S>,
+}
+
+impl<S: Scalar> Visit<S> for FormOf<S> {
+    type Output = S;
+
+    fn element<E: Motion<S>>(self, built: &E::Built) -> S {
+        match self.form {
+            Form::Mass => E::mass_form(built, &self.first, &self.second),
+            Form::Stiffness => E::stiffness_form(built, &self.first, &self.second),
+            Form::Damping => E::damping_form(built, &self.first, &self.second),
+        }
+    }
+}
+
+impl<Y: Tree<S> + ?Sized, S: Scalar> Field<'_, Y, S> {
+    /// A form of this motion and another, summed over the system.
+    pub(super) fn form(&self, form: Form, other: &Self) -> S {
+        self.sum(|step| FormOf { form, first: self.ends(step), second: other.ends(step) })
+    }
+}

@@ -1,0 +1,178 @@
+//! The shapes of a multiple root: the residue of the response at its pole.
+//!
+//! Near a root x0 the motion caused by a jump f is `Σ φ (φᵀ f)/(x - x0)` over its shapes, up to a constant. A sum over points
+//! around x0 takes that residue out, for as many jumps as there are shapes, each where what is left shows best.
+
+use super::candidates::Candidate;
+use super::error::MotionError;
+use super::field::Field;
+use super::passes::Passes;
+use super::shape::ModeShape;
+use super::tree::Tree;
+use crate::scalar::{Oscillation, Scalar};
+use crate::scaled::Scaled;
+use crate::state::Coordinate;
+
+/// Points around a root.
+const POINTS: usize = 4;
+/// Distances that are tried, each a quarter of the one before.
+const DISTANCES: u32 = 24;
+/// What is left of the residue after as many shapes as there are, relatively, with room for close roots.
+const NOTHING: f64 = 1e-5;
+
+/// Passes around a root.
+struct Ring<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+    passes: [Passes<'a, Y, S>; POINTS],
+    /// Their weights times `x - x0`, or `(x - x0)²`.
+    weights: [S; POINTS],
+}
+
+/// Finds the shapes of a root.
+pub(super) fn shapes<'a, Y, S>(
+    system: &'a Y,
+    x: S,
+    multiplicity: u64,
+    found: &mut [Option<ModeShape<'a, Y, S>>],
+) -> Result<(), MotionError>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    let size = x.size();
+    let capacity = found.len();
+    let (ring, first) = Ring::of_best_distance(system, x).ok_or(MotionError::NotFinite { frequency: size })?;
+    let mut count = 0;
+    // at zero λ² is the root, and counts twice as an eigenvalue λ
+    let is_enough = |count: u64| count == multiplicity || (size == 0.0 && 2 * count == multiplicity);
+    let mut next = Some(first);
+    while let Some(candidate) = next.take() {
+        if count as u64 == multiplicity {
+            break;
+        }
+        let mut shape = ring.shape(system, x, &candidate).ok_or(MotionError::NotFinite { frequency: size })?;
+        // twice: the second time takes what the first left to rounding
+        for _ in 0..2 {
+            for other in found[..count].iter().flatten() {
+                let product = shape.product(other);
+                shape.add(other, -product);
+            }
+            shape = ModeShape::normalised((*shape).clone()).ok_or(MotionError::NotFinite { frequency: size })?;
+        }
+        *found.get_mut(count).ok_or(MotionError::Capacity { capacity })? = Some(shape);
+        count += 1;
+        next = ring.most_left(&found[..count], &first);
+    }
+    if is_enough(count as u64) {
+        return Ok(());
+    }
+    Err(MotionError::Defective { root: size, multiplicity, shapes: count as u64 })
+}
+
+impl<'a, Y, S> Ring<'a, Y, S>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    fn new(system: &'a Y, x: S, distance: f64) -> Self {
+        let points = x.around(Scalar::from_f64(distance));
+        let passes = points.map(|(point, _)| {
+            let mut passes = Passes::from_tips(system, point);
+            passes.down_to_all();
+            passes
+        });
+        let weights = points.map(|(point, weight)| {
+            let away = point - x;
+            // at zero the pole is that of λ²
+            if x.is_zero() { weight * away * away } else { weight * away }
+        });
+        Ring { passes, weights }
+    }
+
+    /// The ring on which the residue changes least from one to the next, and where it shows best.
+    fn of_best_distance(system: &'a Y, x: S) -> Option<(Self, Candidate)> {
+        let lowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
+        let scale = if x.is_zero() { lowest } else { x.size() };
+        let mut best: Option<(f64, f64, Candidate)> = None;
+        let mut before: Option<(Candidate, S)> = None;
+        let mut distance = 0.05 * scale;
+        for _ in 0..DISTANCES {
+            let ring = Ring::new(system, x, distance);
+            if let Some((candidate, value)) = before {
+                let now = ring.residue(&candidate);
+                let change = (now - value).size() / now.size();
+                if best.is_none_or(|(least, ..)| change < least) {
+                    best = Some((change, distance, candidate));
+                }
+            }
+            before = ring.largest().map(|candidate| (candidate, ring.residue(&candidate)));
+            distance *= 0.25;
+        }
+        best.map(|(_, distance, candidate)| (Ring::new(system, x, distance), candidate))
+    }
+
+    /// The residue of the response of an entry to a jump in its dual.
+    fn residue(&self, candidate: &Candidate) -> S {
+        let mut sum = S::zero();
+        for (passes, weight) in self.passes.iter().zip(self.weights) {
+            let (square, _) = passes.square(candidate.step, candidate.coordinate);
+            sum += square.over(passes.delta(candidate.step)).times(weight).value();
+        }
+        sum
+    }
+
+    /// The candidate with the largest residue as an energy.
+    fn largest(&self) -> Option<Candidate> {
+        self.most_left(&[], &Candidate::NONE)
+    }
+
+    /// The candidate at which most of the residue is left beside the shapes that are known, if anything is.
+    fn most_left(&self, known: &[Option<ModeShape<'a, Y, S>>], first: &Candidate) -> Option<Candidate> {
+        // the constant between residue and squares of shapes is seen where the first shape was taken
+        let squares = |candidate: &Candidate| {
+            known.iter().flatten().fold(S::zero(), |sum, shape| {
+                let entry = shape.at(candidate.step, false).entry(candidate.coordinate);
+                sum + entry * entry
+            })
+        };
+        let signed = |candidate: &Candidate| {
+            let is_displacement = matches!(candidate.coordinate, Coordinate::Y | Coordinate::Theta);
+            let residue = self.residue(candidate);
+            if is_displacement { residue } else { -residue }
+        };
+        let ratio = if known.is_empty() { S::zero() } else { signed(first) / squares(first) };
+        let mut most: Option<(f64, Candidate)> = None;
+        let mut whole = 0.0_f64;
+        self.passes[0].for_each_candidate(|candidate| {
+            let own = signed(&candidate);
+            let left = (own - squares(&candidate) * ratio).size() * candidate.unit;
+            whole = whole.max(own.size() * candidate.unit);
+            if left.is_finite() && most.is_none_or(|(size, _)| left > size) {
+                most = Some((left, candidate));
+            }
+        });
+        most.filter(|(left, _)| *left > whole * NOTHING).map(|(_, candidate)| candidate)
+    }
+
+    /// The residue of the motion that a jump causes, as a shape.
+    fn shape(&self, system: &'a Y, x: S, candidate: &Candidate) -> Option<ModeShape<'a, Y, S>> {
+        let mut sum: Option<Field<'a, Y, S>> = None;
+        let mut shift = 0;
+        for (passes, weight) in self.passes.iter().zip(self.weights) {
+            let (_, dual) = passes.square(candidate.step, candidate.coordinate);
+            let factor = Scaled::new(weight, 0).over(passes.delta(candidate.step));
+            let exponent = factor.exponent().clamp(-1 << 30, 1 << 30) as i32;
+            let jump = passes.jump(candidate.step, dual);
+            let [upstream, downstream] =
+                [jump.upstream, jump.downstream].map(|covector| covector.times(factor.mantissa(), exponent));
+            let spread = passes.spread(candidate.step, upstream, downstream, |_| true);
+            match &mut sum {
+                None => {
+                    shift = -spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max()?;
+                    sum = Some(Field::of(system, x, &spread, shift));
+                }
+                Some(sum) => sum.add(&Field::of(system, x, &spread, shift), S::one()),
+            }
+        }
+        ModeShape::normalised(sum?)
+    }
+}

@@ -1,0 +1,41 @@
+//! Roots of all kinds, as questions about motions take them.
+
+use crate::scalar::{Oscillation, Real};
+use crate::search::{Eigenvalue, NaturalFrequency};
+use num_complex::Complex;
+
+/// A root of Δ: a natural frequency or an eigenvalue.
+pub trait Root<T: Real> {
+    /// The frequency at which the system is evaluated there: a real ω, or a complex λ.
+    type Frequency: Oscillation<T>;
+
+    /// That frequency.
+    fn frequency(&self) -> Self::Frequency;
+
+    /// Number of coinciding roots.
+    fn multiplicity(&self) -> u64;
+}
+
+impl<T: Real> Root<T> for NaturalFrequency<T> {
+    type Frequency = T;
+
+    fn frequency(&self) -> T {
+        self.omega
+    }
+
+    fn multiplicity(&self) -> u64 {
+        self.multiplicity
+    }
+}
+
+impl<T: Real> Root<T> for Eigenvalue<T> {
+    type Frequency = Complex<T>;
+
+    fn frequency(&self) -> Complex<T> {
+        self.lambda
+    }
+
+    fn multiplicity(&self) -> u64 {
+        self.multiplicity
+    }
+}

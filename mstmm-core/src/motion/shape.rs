@@ -1,0 +1,202 @@
+//! Mode shapes: the motion of a system at a root.
+
+use super::candidates::Candidate;
+use super::error::MotionError;
+use super::field::Field;
+use super::forms::Form;
+use super::multiple;
+use super::passes::Passes;
+use super::root::Root;
+use super::tree::Tree;
+use crate::characteristic::System;
+use crate::scalar::{Oscillation, Real, Scalar};
+use crate::scaled::{Magnitude, Scaled};
+use core::ops::Deref;
+
+/// A motion of a system at a root, normalised to unit modal mass; dereferences to its states.
+///
+/// Real for a natural frequency, complex for an eigenvalue.
+#[derive(Debug)]
+pub struct ModeShape<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+    field: Field<'a, Y, S>,
+}
+
+impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for ModeShape<'_, Y, S> {
+    fn clone(&self) -> Self {
+        ModeShape { field: self.field.clone() }
+    }
+}
+
+impl<'a, Y: Tree<S> + ?Sized, S: Scalar> Deref for ModeShape<'a, Y, S> {
+    type Target = Field<'a, Y, S>;
+
+    fn deref(&self) -> &Field<'a, Y, S> {
+        &self.field
+    }
+}
+
+/// Mode shapes of a built system.
+pub trait ModeShapes: System {
+    /// The shape of a simple root, exact at any mode number: states at all ends of elements and at any point of a beam.
+    ///
+    /// Planes are carried from the tips to the root and from the root to the tips. Where they meet in the state that shows best,
+    /// the shape is taken and spread in all directions against those of the planes, which loses nothing to what grows.
+    ///
+    /// # Errors
+    /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](ModeShapes::mode_shapes);
+    /// [`MotionError::NotARoot`] for a frequency that is none of this system's.
+    fn mode_shape<S>(
+        &self,
+        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
+    ) -> Result<ModeShape<'_, Self, S>, MotionError>
+    where
+        S: Oscillation<<Self as System>::Parameter>,
+        Self: Tree<S>,
+    {
+        if root.multiplicity() > 1 {
+            let multiplicity = root.multiplicity();
+            return Err(MotionError::Multiple { root: root.frequency().size(), multiplicity });
+        }
+        simple(self, root.frequency())
+    }
+
+    /// All shapes of a root, orthogonal with respect to the mass (undamped) or to `(λ₁ + λ₂) M + C` (damped).
+    ///
+    /// Those of a multiple root span the residue of the response at its pole, which is summed up over frequencies around it.
+    ///
+    /// # Errors
+    /// As [`mode_shape`](ModeShapes::mode_shape); [`MotionError::Capacity`] for more than `CAP` shapes, and
+    /// [`MotionError::Defective`] for a multiple eigenvalue with too few of them.
+    fn mode_shapes<const CAP: usize, S>(
+        &self,
+        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
+    ) -> Result<ShapeList<'_, Self, S, CAP>, MotionError>
+    where
+        S: Oscillation<<Self as System>::Parameter>,
+        Self: Tree<S>,
+    {
+        let mut list = ShapeList { shapes: [const { None }; CAP] };
+        if root.multiplicity() > 1 {
+            multiple::shapes(self, root.frequency(), root.multiplicity(), &mut list.shapes)?;
+            return Ok(list);
+        }
+        let place = list.shapes.first_mut().ok_or(MotionError::Capacity { capacity: CAP })?;
+        *place = Some(simple(self, root.frequency())?);
+        Ok(list)
+    }
+}
+
+impl<Y: System + ?Sized> ModeShapes for Y {}
+
+/// The shapes of one root.
+#[derive(Debug)]
+pub struct ShapeList<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> {
+    shapes: [Option<ModeShape<'a, Y, S>>; CAP],
+}
+
+impl<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> ShapeList<'a, Y, S, CAP> {
+    /// The shapes, one after the other.
+    pub fn iter(&self) -> impl Iterator<Item = &ModeShape<'a, Y, S>> {
+        self.shapes.iter().flatten()
+    }
+}
+
+/// The shape of a simple root.
+fn simple<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    let frequency = x.size();
+    let mut passes = Passes::from_tips(system, x);
+    passes.down_to_all();
+    let mut best: Option<(Candidate, Magnitude)> = None;
+    passes.for_each_candidate(|candidate| {
+        let energy = passes.energy(&candidate);
+        if best.is_none_or(|(_, most)| energy > most) {
+            best = Some((candidate, energy));
+        }
+    });
+    let Some((best, _)) = best else { return Err(MotionError::NotFinite { frequency }) };
+    let (square, dual) = passes.square(best.step, best.coordinate);
+    // by so much the states on both sides of the point differ, beside what is usual there
+    let jump = passes.delta(best.step).over(square);
+    let mismatch = jump.magnitude().value() / best.unit;
+    if mismatch.is_nan() {
+        return Err(MotionError::NotFinite { frequency });
+    }
+    // a root known to rounding, in a shape whose energy is spread over a thousand waves, gives less than half of the digits
+    if mismatch > <Y::Parameter as Real>::EPSILON.sqrt() {
+        return Err(MotionError::NotARoot { frequency, mismatch });
+    }
+    let jump = passes.jump(best.step, dual);
+    let spread = passes.spread(best.step, jump.upstream, jump.downstream, |_| true);
+    let largest = spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max();
+    let field = Field::of(system, x, &spread, -largest.unwrap_or(0));
+    ModeShape::normalised(field).ok_or(MotionError::NotFinite { frequency })
+}
+
+impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
+    /// The square of an entry as an energy, times Δ and a constant.
+    pub(super) fn energy(&self, candidate: &Candidate) -> Magnitude {
+        let (square, _) = self.square(candidate.step, candidate.coordinate);
+        Scaled::new(square.mantissa().size() * candidate.unit, square.exponent()).into()
+    }
+}
+
+impl<'a, Y, S> ModeShape<'a, Y, S>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    /// Of unit modal mass; `None` if that of the states is not finite, or zero.
+    pub(super) fn normalised(field: Field<'a, Y, S>) -> Option<Self> {
+        let mut shape = ModeShape { field };
+        let mass = shape.modal_mass();
+        if !(mass.size() > 0.0 && mass.size().is_finite()) {
+            return None;
+        }
+        let factor = S::one() / mass.sqrt();
+        shape.scale(factor);
+        Some(shape)
+    }
+
+    pub(super) fn scale(&mut self, factor: S) {
+        self.field.map(|state| state.map(|entry| entry * factor));
+    }
+
+    /// The shape plus another times a factor.
+    pub(super) fn add(&mut self, other: &Self, factor: S) {
+        self.field.add(&other.field, factor);
+    }
+
+    /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`: 1, unless the shape was scaled.
+    pub fn modal_mass(&self) -> S {
+        self.product(self)
+    }
+
+    /// The modal stiffness `φᵀ K φ`; at a natural frequency ω² times the modal mass.
+    pub fn modal_stiffness(&self) -> S {
+        self.field.form(Form::Stiffness, &self.field)
+    }
+
+    /// `φ₁ᵀ M φ₂ + φ₁ᵀ C φ₂/(λ₁ + λ₂)`: zero for shapes of different roots.
+    ///
+    /// Integrals along beams are exact; rigid bodies, masses and dampers take part.
+    pub fn product(&self, other: &Self) -> S {
+        let mass = self.field.form(Form::Mass, &other.field);
+        let sum = self.field.x.lambda() + other.field.x.lambda();
+        if sum.is_zero() { mass } else { mass + self.field.form(Form::Damping, &other.field) / sum }
+    }
+
+    /// The shape divided by its largest deflection in size; `None` if nothing deflects.
+    #[must_use]
+    pub fn with_unit_deflection(mut self) -> Option<Self> {
+        let largest = self.field.largest_deflection();
+        if largest.is_zero() {
+            return None;
+        }
+        self.scale(S::one() / largest);
+        Some(self)
+    }
+}

@@ -1,0 +1,107 @@
+//! Sources of motions: at one point the state behind it differs from that before it by a jump, in one entry.
+//!
+//! What is upstream of the point leaves a plane P of the state there, what is downstream a plane R. A jump f between a state
+//! of the one and a state of the other is `f = z_R - z_P` with `z_P = P R* f/Δ`, where `R*` has the dual minors of R and
+//! Δ = 0 where P and R meet: at a root. There `P R* f` is the motion of the system itself, whatever f.
+
+use super::covector::Covector;
+use super::passes::Passes;
+use super::tree::Tree;
+use crate::join::connection;
+use crate::scalar::Scalar;
+use crate::scaled::Scaled;
+use crate::state::{Coordinate, Space};
+use crate::subspace::{Plane, Subspace};
+
+/// The subspaces that meet at a point, both as paths that arrive there.
+struct Meeting<S> {
+    upstream: Subspace<S>,
+    downstream: Subspace<S>,
+}
+
+/// The covectors of a jump, times Δ.
+pub(crate) struct Jump<S> {
+    /// For what is upstream.
+    pub(crate) upstream: Covector<S>,
+    /// For what is downstream, in the frame of a path that arrives from there.
+    pub(crate) downstream: Covector<S>,
+}
+
+impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
+    fn meeting(&self, step: usize) -> Meeting<S> {
+        Meeting { upstream: self.upstream.as_ref()[step], downstream: self.downstream.as_ref()[step].mirrored() }
+    }
+
+    /// Δ at a point: up to its sign and a power of two the same at all points.
+    pub(crate) fn delta(&self, step: usize) -> Scaled<S> {
+        let Meeting { upstream, downstream } = self.meeting(step);
+        let space = Y::scheme().behind(step);
+        let sum = connection([upstream, downstream].into_iter(), None, &mut crate::count::Untallied);
+        if space.is(Space::Bending) {
+            let plane = sum.plane();
+            return Scaled::new(plane.m_q, i64::from(plane.exponent));
+        }
+        let line = sum.line();
+        Scaled::new(-line.q, i64::from(line.exponent))
+    }
+
+    /// The covectors of a jump by 1 in one entry.
+    pub(crate) fn jump(&self, step: usize, coordinate: Coordinate) -> Jump<S> {
+        let space = Y::scheme().behind(step);
+        let Meeting { upstream, downstream } = self.meeting(step);
+        let is_force = matches!(coordinate, Coordinate::M | Coordinate::Q);
+        let (upstream, downstream) = if space.is(Space::Bending) {
+            let (p, r) = (upstream.plane(), downstream.plane());
+            let sign = if is_force { S::one() } else { -S::one() };
+            (dual(&r, coordinate), dual(&p, coordinate).times(sign, 0))
+        } else {
+            let (p, r) = (upstream.line(), downstream.line());
+            // the force of a line in rotation is -M
+            let sign = if coordinate == Coordinate::M { -S::one() } else { S::one() };
+            if is_force {
+                (Covector::Line(r.y * sign, r.exponent), Covector::Line(p.y * sign, p.exponent))
+            } else {
+                (Covector::Line(r.q, r.exponent), Covector::Line(-p.q, p.exponent))
+            }
+        };
+        Jump { upstream, downstream: downstream.mirrored(space) }
+    }
+
+    /// The square of an entry of the motion that a jump in the dual entry causes there, times Δ; and that dual entry.
+    pub(crate) fn square(&self, step: usize, coordinate: Coordinate) -> (Scaled<S>, Coordinate) {
+        let Meeting { upstream, downstream } = self.meeting(step);
+        let (value, exponent, dual) = if Y::scheme().behind(step).is(Space::Bending) {
+            let (p, r) = (upstream.plane(), downstream.plane());
+            let (value, dual) = match coordinate {
+                Coordinate::Theta => (p.y_theta * r.theta_q + p.theta_q * r.y_theta, Coordinate::M),
+                Coordinate::M => (p.y_m * r.m_q + p.m_q * r.y_m, Coordinate::Theta),
+                Coordinate::Q => (p.theta_q * r.m_q + p.m_q * r.theta_q, Coordinate::Y),
+                _ => (p.y_theta * r.y_m + p.y_m * r.y_theta, Coordinate::Q),
+            };
+            (value, i64::from(p.exponent) + i64::from(r.exponent), dual)
+        } else {
+            let (p, r) = (upstream.line(), downstream.line());
+            let (value, dual) = match coordinate {
+                Coordinate::Theta => (p.y * r.y, Coordinate::M),
+                Coordinate::M => (p.q * r.q, Coordinate::Theta),
+                Coordinate::Q => (p.q * r.q, Coordinate::Y),
+                _ => (p.y * r.y, Coordinate::Q),
+            };
+            (value, i64::from(p.exponent) + i64::from(r.exponent), dual)
+        };
+        (Scaled::new(value, exponent), dual)
+    }
+}
+
+/// `R* e`: the column of the dual minors for one entry.
+fn dual<S: Scalar>(plane: &Plane<S>, coordinate: Coordinate) -> Covector<S> {
+    let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = *plane;
+    let zero = S::zero();
+    let entries = match coordinate {
+        Coordinate::Theta => [m_q, zero, w, -y_m],
+        Coordinate::M => [theta_q, -w, zero, -y_theta],
+        Coordinate::Q => [-w, y_m, y_theta, zero],
+        _ => [zero, -m_q, -theta_q, w],
+    };
+    Covector::Plane(entries, exponent)
+}

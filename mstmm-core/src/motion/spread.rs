@@ -1,0 +1,200 @@
+//! States everywhere, from a source at one point: against all directions that lead to it.
+
+use super::covector::{Covector, ScaledState};
+use super::element::Motion;
+use super::passes::Passes;
+use super::tree::{Tree, VisitAt};
+use crate::at::At;
+use crate::layout::Step;
+use crate::scalar::Scalar;
+use crate::state::Space;
+use crate::subspace::Subspace;
+
+/// States behind all steps, and at one of them, the source, on both sides.
+#[derive(Debug)]
+pub(crate) struct Spread<Y: Tree<S> + ?Sized, S: Scalar> {
+    /// Behind each step; at the source on the upstream side.
+    pub(crate) states: Y::PerStep<ScaledState<S>>,
+    pub(crate) source: usize,
+    /// At the source on the downstream side.
+    pub(crate) beyond: ScaledState<S>,
+}
+
+/// Takes a covector to the input end of an element, or to its output end.
+struct PullBack<'a, S> {
+    at: &'a At<S>,
+    input: &'a Subspace<S>,
+    covector: Covector<S>,
+    against: bool,
+}
+
+impl<S: Scalar> VisitAt<S> for PullBack<'_, S> {
+    type Output = Covector<S>;
+
+    fn element<E: Motion<S>>(self, built: &E::Built, _: &E::Coefficients, links: &E::Links) -> Covector<S> {
+        if self.against && !E::SYMMETRIC {
+            return E::pull_back(&E::links(&E::reversed(built), self.at), self.input, self.covector);
+        }
+        E::pull_back(links, self.input, self.covector)
+    }
+}
+
+/// Covectors behind the steps that are still to be spread.
+type Pending<Y, S> = <Y as Tree<S>>::PerStep<Option<Covector<S>>>;
+
+impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
+    /// Spreads the states from a source: a covector for what is upstream of it, and one for what is downstream, in the frame
+    /// of a path that arrives from there. Steps of which `needed` says no keep a state of zeros.
+    pub(crate) fn spread(
+        &self,
+        source: usize,
+        upstream: Covector<S>,
+        downstream: Covector<S>,
+        needed: impl Fn(usize) -> bool,
+    ) -> Spread<Y, S> {
+        let mut pending = Y::per_step(None);
+        pending.as_mut()[source] = Some(upstream);
+        let beyond = downstream.pick(&self.downstream.as_ref()[source]).backwards();
+        let mut spread = Spread { states: Y::per_step(ScaledState::zero()), source, beyond };
+        let last = self.spread_downstream(source, downstream, &mut spread, &mut pending, &needed);
+        self.spread_upstream(&mut spread, &mut pending, &needed);
+        let states = spread.states.as_mut();
+        states[Y::scheme().len() - 1] = if last == source { spread.beyond } else { states[last] };
+        spread
+    }
+
+    /// From the source to the root; returns the last step before the root, or the last that is needed.
+    fn spread_downstream(
+        &self,
+        source: usize,
+        mut covector: Covector<S>,
+        spread: &mut Spread<Y, S>,
+        pending: &mut Pending<Y, S>,
+        needed: &impl Fn(usize) -> bool,
+    ) -> usize {
+        let scheme = Y::scheme();
+        let mut step = source;
+        loop {
+            let below = scheme.downstream(step);
+            let beyond = &self.downstream.as_ref()[below];
+            covector = match scheme.steps[below] {
+                Step::Root(..) | Step::Tip(_) => return step,
+                Step::Element(..) => self.pulled_back(below, beyond, covector, true),
+                Step::Connection(inputs) => {
+                    let space = scheme.behind(step);
+                    let sum = self.widened(below, covector.mirrored(space), space);
+                    for &input in inputs.iter().filter(|input| **input != step && needed(**input)) {
+                        pending.as_mut()[input] = Some(self.branch(below, inputs, input, Some(step), sum));
+                    }
+                    if !needed(below) {
+                        return step;
+                    }
+                    self.trunk(below, inputs, step, sum)
+                }
+            };
+            if !needed(below) {
+                return step;
+            }
+            spread.states.as_mut()[below] = covector.pick(beyond).backwards();
+            step = below;
+        }
+    }
+
+    /// From all steps with a covector to the tips.
+    fn spread_upstream(&self, spread: &mut Spread<Y, S>, pending: &mut Pending<Y, S>, needed: &impl Fn(usize) -> bool) {
+        let scheme = Y::scheme();
+        for step in (0..scheme.len()).rev() {
+            let Some(covector) = pending.as_ref()[step] else { continue };
+            spread.states.as_mut()[step] = covector.pick(&self.upstream.as_ref()[step]);
+            match scheme.steps[step] {
+                Step::Tip(_) | Step::Root(..) => {}
+                Step::Element(input, _) => {
+                    if needed(input) {
+                        let subspace = &self.upstream.as_ref()[input];
+                        pending.as_mut()[input] = Some(self.pulled_back(step, subspace, covector, false));
+                    }
+                }
+                Step::Connection(inputs) => {
+                    let sum = self.widened(step, covector, scheme.behind(step));
+                    for &input in inputs.iter().filter(|input| needed(**input)) {
+                        pending.as_mut()[input] = Some(self.branch(step, inputs, input, None, sum));
+                    }
+                }
+            }
+        }
+    }
+
+    /// A covector through the element of a step.
+    fn pulled_back(&self, step: usize, input: &Subspace<S>, covector: Covector<S>, against: bool) -> Covector<S> {
+        let visitor = PullBack { at: &self.at, input, covector, against };
+        self.system.visit_at(&self.evaluated, step, visitor).unwrap_or(covector).moderated()
+    }
+
+    /// The covector of a path that leads to a connection in a narrower state, as that of the state of the connection: what
+    /// does not go on has no force.
+    fn widened(&self, connection: usize, covector: Covector<S>, space: Space) -> Covector<S> {
+        let (zero, wide) = (S::zero(), Y::scheme().space(connection));
+        match covector {
+            Covector::Line(t, exponent) if wide.is(Space::Bending) => {
+                let entries = if space.is(Space::Translation) { [zero, zero, t, zero] } else { [zero, zero, zero, t] };
+                Covector::Plane(entries, exponent)
+            }
+            _ => covector,
+        }
+    }
+
+    /// The covector of an input of a connection; `towards` is the input to which the sum leads, or downstream.
+    fn branch(
+        &self,
+        connection: usize,
+        inputs: &[usize],
+        input: usize,
+        towards: Option<usize>,
+        sum: Covector<S>,
+    ) -> Covector<S> {
+        let scheme = Y::scheme();
+        let beyond = towards.map(|_| self.downstream.as_ref()[connection].mirrored());
+        let others = inputs.iter().filter(|other| Some(**other) != towards && **other != input);
+        let paths = others.map(|&other| self.upstream.as_ref()[other]).chain(beyond);
+        beside(paths, sum, self.space_at(input, connection), scheme.space(connection))
+    }
+
+    /// The covector of the path from downstream at a connection, where the sum leads to an input; in its own frame.
+    fn trunk(&self, connection: usize, inputs: &[usize], towards: usize, sum: Covector<S>) -> Covector<S> {
+        let scheme = Y::scheme();
+        let others = inputs.iter().filter(|other| **other != towards);
+        let paths = others.map(|&other| self.upstream.as_ref()[other]);
+        let space = self.downstream.as_ref()[connection].space();
+        beside(paths, sum, space, scheme.space(connection)).mirrored(space)
+    }
+
+    /// Space of the subspace that an input brings to a connection: a support has that of the connection.
+    fn space_at(&self, input: usize, connection: usize) -> Space {
+        match Y::scheme().steps[input] {
+            Step::Tip(_) => Y::scheme().space(connection),
+            _ => Y::scheme().behind(input),
+        }
+    }
+}
+
+/// The covector of a path of some space at a connection of a wider one, beside the sum of all other paths.
+fn beside<S: Scalar>(
+    others: impl Iterator<Item = Subspace<S>> + Clone,
+    sum: Covector<S>,
+    space: Space,
+    wide: Space,
+) -> Covector<S> {
+    let others = crate::join::connection(others, Some(wide), &mut crate::count::Untallied);
+    match sum {
+        Covector::Line(t, exponent) => {
+            let line = others.line();
+            Covector::Line(line.y * t, exponent.saturating_add(line.exponent)).moderated()
+        }
+        Covector::Plane(..) if space.is(Space::Bending) => sum.beside(&others.plane()),
+        Covector::Plane(..) => {
+            let ScaledState { state, exponent } = sum.pick(&Subspace::Plane(others.plane()));
+            let displacement = if space.is(Space::Translation) { state.y } else { state.theta };
+            Covector::Line(displacement, exponent).moderated()
+        }
+    }
+}

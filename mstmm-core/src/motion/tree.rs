@@ -1,0 +1,57 @@
+//! A built system as a tree whose elements can be visited one by one: what the macro emits for motions.
+
+use super::Motion;
+use crate::at::At;
+use crate::characteristic::System;
+use crate::layout::Scheme;
+use crate::scalar::Scalar;
+use core::fmt::Debug;
+
+/// What is done with an element, of whatever type.
+pub trait Visit<S: Scalar> {
+    /// What comes of it.
+    type Output;
+
+    /// Visits an element.
+    fn element<E: Motion<S>>(self, built: &E::Built) -> Self::Output;
+}
+
+/// What is done with an element at a frequency.
+pub trait VisitAt<S: Scalar> {
+    /// What comes of it.
+    type Output;
+
+    /// Visits an element with what was computed of it at the frequency.
+    fn element<E: Motion<S>>(self, built: &E::Built, coefficients: &E::Coefficients, links: &E::Links) -> Self::Output;
+}
+
+/// A built system whose elements all say how they move.
+#[diagnostic::on_unimplemented(
+    message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
+    note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet"
+)]
+pub trait Tree<S: Scalar>: System {
+    /// Coefficients and links of all elements at a frequency.
+    type Evaluated;
+
+    /// A value per step of the plan.
+    type PerStep<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
+
+    /// One value for all steps.
+    fn per_step<V: Copy + Debug>(value: V) -> Self::PerStep<V>;
+
+    /// The plan.
+    fn scheme() -> Scheme<'static>;
+
+    /// The frequency with what the elements need of it.
+    fn at(x: S) -> At<S>;
+
+    /// Computes what depends on the frequency, once for equal elements.
+    fn evaluate(&self, at: &At<S>) -> Self::Evaluated;
+
+    /// Visits the element of a step; `None` where the step is none.
+    fn visit<V: Visit<S>>(&self, step: usize, visitor: V) -> Option<V::Output>;
+
+    /// Visits the element of a step at the frequency of what was evaluated; `None` where the step is none.
+    fn visit_at<V: VisitAt<S>>(&self, evaluated: &Self::Evaluated, step: usize, visitor: V) -> Option<V::Output>;
+}

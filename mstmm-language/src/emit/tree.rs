@@ -1,0 +1,137 @@
+//! Emits what motions need: the labels of the model as values, and the system as a tree whose elements can be visited.
+
+use super::{Names, element_field, first_of_each_type, implement};
+use crate::ast::{Label, Model};
+use crate::plan::{Plan, Step};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote_spanned};
+
+/// `Model::beam_1`, `Model::conn_2`: a value per label.
+pub(super) fn labels(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
+    let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
+    let labels = plan.steps.iter().enumerate().filter_map(|(index, step)| match step {
+        Step::Element { element, input, .. } => {
+            let (constant, doc) =
+                (constant(&element.kind.name().to_string(), &element.label, names), format!(" `{element}`"));
+            let kind = names.element_over(element, &format_ident!("f64"));
+            Some(quote_spanned! {names.here=>
+                #[doc = #doc]
+                #visibility const #constant: #private::Label<#name, #kind> = #private::Label::new(#index, #input);
+            })
+        }
+        Step::Connection { connection, .. } => {
+            let (constant, doc) = (constant("conn", &connection.label, names), format!(" `{connection}`"));
+            Some(quote_spanned! {names.here=>
+                #[doc = #doc]
+                #visibility const #constant: #private::Point<#name> = #private::Point::connection(#index);
+            })
+        }
+        Step::Tip(_) | Step::Root { .. } => None,
+    });
+    quote_spanned! {names.here=>
+        /// The labels of the sketch: elements and connections, as results about motions take them.
+        #[allow(dead_code, non_upper_case_globals)]
+        impl #name {
+            #(#labels)*
+        }
+
+        #[automatically_derived]
+        impl<#parameter: #private::Real> #private::Labelled for #system<#parameter> {
+            type Model = #name;
+        }
+    }
+}
+
+fn constant(keyword: &str, label: &Label, names: &Names) -> Ident {
+    format_ident!("{keyword}_{}", label.to_string(), span = names.here)
+}
+
+/// `impl Tree<S>`: the plan, and a visit per element.
+pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let Names { private, frequency, .. } = names;
+    let count = plan.steps.len();
+    let elements = || plan.elements.iter().enumerate();
+    let types = first_of_each_type(plan, names);
+    let waves = types.iter().map(|element| names.element_as(element, "PlaneStep"));
+    let evaluated = elements().map(|(_, element)| {
+        let (step, motion) = (names.element_as(element, "PlaneStep"), names.element_as(element, "Motion"));
+        quote_spanned!(names.here=> (#step::Coefficients, #motion::Links))
+    });
+    let values = elements().map(|(_, element)| {
+        let (field, step, motion) = (
+            element_field(element, names),
+            names.element_as(element, "PlaneStep"),
+            names.element_as(element, "Motion"),
+        );
+        quote_spanned!(names.here=> (#step::coefficients(&self.#field, at), #motion::links(&self.#field, at)))
+    });
+    let visits = elements().map(|(index, element)| {
+        let (steps, field, kind) = (steps_of(index, plan), element_field(element, names), names.element(element));
+        quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
+    });
+    let visits_at = elements().map(|(index, element)| {
+        let (steps, field, kind) = (steps_of(index, plan), element_field(element, names), names.element(element));
+        let index = Literal::usize_unsuffixed(index);
+        quote_spanned! {names.here=>
+            #(#steps)|* => visitor.element::<#kind>(&self.#field, &evaluated.#index.0, &evaluated.#index.1),
+        }
+    });
+    let (copy, debug) =
+        (quote_spanned!(names.here=> ::core::marker::Copy), quote_spanned!(names.here=> ::core::fmt::Debug));
+    let some = quote_spanned!(names.here=> ::core::option::Option);
+    let visitor = &names.tally;
+    let body = quote_spanned! {names.here=>
+        type Evaluated = (#(#evaluated,)*);
+        type PerStep<#visitor: #copy + #debug> = [#visitor; #count];
+
+        fn per_step<#visitor: #copy + #debug>(value: #visitor) -> [#visitor; #count] {
+            [value; #count]
+        }
+
+        fn scheme() -> #private::Scheme<'static> {
+            const { &LAYOUT }.scheme()
+        }
+
+        fn at(x: #frequency) -> #private::At<#frequency> {
+            #private::At::new(x, false #(|| #waves::WAVES)*)
+        }
+
+        fn evaluate(&self, at: &#private::At<#frequency>) -> Self::Evaluated {
+            (#(#values,)*)
+        }
+
+        fn visit<#visitor: #private::Visit<#frequency>>(
+            &self,
+            step: usize,
+            visitor: #visitor,
+        ) -> #some<#visitor::Output> {
+            #some::Some(match step {
+                #(#visits)*
+                _ => return #some::None,
+            })
+        }
+
+        fn visit_at<#visitor: #private::VisitAt<#frequency>>(
+            &self,
+            evaluated: &Self::Evaluated,
+            step: usize,
+            visitor: #visitor,
+        ) -> #some<#visitor::Output> {
+            #some::Some(match step {
+                #(#visits_at)*
+                _ => return #some::None,
+            })
+        }
+    };
+    implement("Tree", "Motion", &body, plan, names)
+}
+
+/// The steps at which an element of the plan stands.
+fn steps_of(element: usize, plan: &Plan<'_>) -> Vec<usize> {
+    let steps = plan.steps.iter().enumerate();
+    steps
+        .filter(|(_, step)| matches!(step, Step::Element { evaluated, .. } if *evaluated == element))
+        .map(|(index, _)| index)
+        .collect()
+}
