@@ -5,18 +5,19 @@
 pub use mstmm_core::{
     AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
     ComplexFrequency, Count, Covector, DoubleDouble, Dual, Element, Ends, Entry, Evaluate, Field, Frequency,
-    FrequencyBounds, Inside, InvalidParameter, Label, Labelled, Layout, Line, ListElement, ListError, ListPass,
-    ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, ModeShapes, Motion, MotionError, Oscillation,
-    ParameterError, Planar, Plane, PlaneStep, Point, Real, RealFrequency, Requirement, Root, Rotation, SMatrix, Scalar,
-    Scaled, SearchError, ShapeList, Space, StateSpace, StepList, Subspace, Support, System, Tally, TransferMatrix,
-    Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions, WaveProducts, determinant, elements, search,
+    FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line, ListElement, ListError,
+    ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, Motion, MotionError, Motions, Oscillation,
+    ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root, Rotation,
+    SMatrix, Scalar, Scaled, SearchError, ShapeList, Space, StateSpace, StepList, Subspace, Support, System, Tally,
+    TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions, WaveProducts, determinant, elements,
+    search,
 };
 
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {
     pub use crate::search::{Eigenvalue, Eigenvalues, NaturalFrequencies, NaturalFrequency, Region, Undamped};
     pub use crate::search::{fmin1d, fmin2d};
-    pub use crate::{Characteristic, Complex, Evaluate, ModeShapes, system};
+    pub use crate::{Characteristic, Complex, Evaluate, Motions, system};
 }
 
 /// What emitted code uses; not for use by hand.

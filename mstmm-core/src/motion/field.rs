@@ -2,7 +2,7 @@
 
 use super::element::{Ends, Inside, Motion};
 use super::error::MotionError;
-use super::label::{Label, Labelled, Point};
+use super::label::{Label, Point};
 use super::spread::Spread;
 use super::tree::{Tree, Visit};
 use crate::element::Element;
@@ -88,13 +88,7 @@ where
     pub(super) fn at(&self, step: usize, beyond: bool) -> State<S> {
         if beyond && step == self.source { self.beyond } else { self.states.as_ref()[step] }
     }
-}
 
-impl<Y, S> Field<'_, Y, S>
-where
-    Y: Tree<S> + Labelled + ?Sized,
-    S: Scalar,
-{
     /// The state at an end of an element, or at a connection that with which the path goes on. Entries that a path does not
     /// carry are zero.
     pub fn state(&self, point: Point<Y::Model>) -> State<S> {

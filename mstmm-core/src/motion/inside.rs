@@ -2,7 +2,7 @@
 
 use super::element::Inside;
 use super::field::Field;
-use super::label::{Label, Labelled};
+use super::label::Label;
 use super::tree::Tree;
 use crate::element::Element;
 use crate::scalar::{Oscillation, Real};
@@ -67,7 +67,7 @@ fn square<T: Real, S: Oscillation<T>>(y: S) -> f64 {
 impl<Y, T> Field<'_, Y, T>
 where
     T: Real,
-    Y: Tree<T, Parameter = T> + Labelled + ?Sized,
+    Y: Tree<T, Parameter = T> + ?Sized,
 {
     /// Number of nodes inside of an element: places between its ends where the deflection changes its sign. Of a beam on its own
     /// supports that of mode n is n - 1 (Sturm).

@@ -1,15 +1,9 @@
-//! Labels of a model as values: a wrong one does not compile.
+//! Labels of a model as values: a label of another model does not compile.
 
 use crate::element::Element;
 use crate::state::Coordinate;
 use core::fmt;
 use core::marker::PhantomData;
-
-/// A built system with labels.
-pub trait Labelled {
-    /// The model whose labels they are.
-    type Model;
-}
 
 /// The label of an element of type `E` in a model `M`, such as `TipBody::beam_1`.
 pub struct Label<M, E> {

@@ -92,7 +92,7 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
         self.downstream.as_mut()[step] = match scheme.steps[below] {
             Step::Root(_, support) => Subspace::Tip(support, scheme.behind(step)),
             Step::Connection(inputs) => {
-                self.sum(inputs, Some(step), Some(beyond), Some(scheme.behind(step))).mirrored()
+                self.sum(inputs, Some(step), Some(beyond.mirrored()), Some(scheme.behind(step))).mirrored()
             }
             Step::Element(..) | Step::Tip(_) => self.through(below, beyond, true),
         };

@@ -4,11 +4,8 @@ use super::candidates::Candidate;
 use super::error::MotionError;
 use super::field::Field;
 use super::forms::Form;
-use super::multiple;
 use super::passes::Passes;
-use super::root::Root;
 use super::tree::Tree;
-use crate::characteristic::System;
 use crate::scalar::{Oscillation, Real, Scalar};
 use crate::scaled::{Magnitude, Scaled};
 use core::ops::Deref;
@@ -35,63 +32,10 @@ impl<'a, Y: Tree<S> + ?Sized, S: Scalar> Deref for ModeShape<'a, Y, S> {
     }
 }
 
-/// Mode shapes of a built system.
-pub trait ModeShapes: System {
-    /// The shape of a simple root, exact at any mode number: states at all ends of elements and at any point of a beam.
-    ///
-    /// Planes are carried from the tips to the root and from the root to the tips. Where they meet in the state that shows best,
-    /// the shape is taken and spread in all directions against those of the planes, which loses nothing to what grows.
-    ///
-    /// # Errors
-    /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](ModeShapes::mode_shapes);
-    /// [`MotionError::NotARoot`] for a frequency that is none of this system's.
-    fn mode_shape<S>(
-        &self,
-        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
-    ) -> Result<ModeShape<'_, Self, S>, MotionError>
-    where
-        S: Oscillation<<Self as System>::Parameter>,
-        Self: Tree<S>,
-    {
-        if root.multiplicity() > 1 {
-            let multiplicity = root.multiplicity();
-            return Err(MotionError::Multiple { root: root.frequency().size(), multiplicity });
-        }
-        simple(self, root.frequency())
-    }
-
-    /// All shapes of a root, orthogonal with respect to the mass (undamped) or to `(λ₁ + λ₂) M + C` (damped).
-    ///
-    /// Those of a multiple root span the residue of the response at its pole, which is summed up over frequencies around it.
-    ///
-    /// # Errors
-    /// As [`mode_shape`](ModeShapes::mode_shape); [`MotionError::Capacity`] for more than `CAP` shapes, and
-    /// [`MotionError::Defective`] for a multiple eigenvalue with too few of them.
-    fn mode_shapes<const CAP: usize, S>(
-        &self,
-        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
-    ) -> Result<ShapeList<'_, Self, S, CAP>, MotionError>
-    where
-        S: Oscillation<<Self as System>::Parameter>,
-        Self: Tree<S>,
-    {
-        let mut list = ShapeList { shapes: [const { None }; CAP] };
-        if root.multiplicity() > 1 {
-            multiple::shapes(self, root.frequency(), root.multiplicity(), &mut list.shapes)?;
-            return Ok(list);
-        }
-        let place = list.shapes.first_mut().ok_or(MotionError::Capacity { capacity: CAP })?;
-        *place = Some(simple(self, root.frequency())?);
-        Ok(list)
-    }
-}
-
-impl<Y: System + ?Sized> ModeShapes for Y {}
-
 /// The shapes of one root.
 #[derive(Debug)]
 pub struct ShapeList<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> {
-    shapes: [Option<ModeShape<'a, Y, S>>; CAP],
+    pub(super) shapes: [Option<ModeShape<'a, Y, S>>; CAP],
 }
 
 impl<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> ShapeList<'a, Y, S, CAP> {
@@ -102,7 +46,7 @@ impl<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> ShapeList<'a, Y, S, C
 }
 
 /// The shape of a simple root.
-fn simple<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
+pub(super) fn simple<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
 where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,

@@ -3,7 +3,7 @@
 use super::covector::{Covector, ScaledState};
 use super::element::Motion;
 use super::passes::Passes;
-use super::tree::{Tree, VisitAt};
+use super::tree::{Planned, Tree, VisitAt};
 use crate::at::At;
 use crate::layout::Step;
 use crate::scalar::Scalar;
@@ -40,7 +40,7 @@ impl<S: Scalar> VisitAt<S> for PullBack<'_, S> {
 }
 
 /// Covectors behind the steps that are still to be spread.
-type Pending<Y, S> = <Y as Tree<S>>::PerStep<Option<Covector<S>>>;
+type Pending<Y, S> = <Y as Planned>::PerStep<Option<Covector<S>>>;
 
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// Spreads the states from a source: a covector for what is upstream of it, and one for what is downstream, in the frame

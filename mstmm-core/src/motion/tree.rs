@@ -25,14 +25,10 @@ pub trait VisitAt<S: Scalar> {
     fn element<E: Motion<S>>(self, built: &E::Built, coefficients: &E::Coefficients, links: &E::Links) -> Self::Output;
 }
 
-/// A built system whose elements all say how they move.
-#[diagnostic::on_unimplemented(
-    message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
-    note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet"
-)]
-pub trait Tree<S: Scalar>: System {
-    /// Coefficients and links of all elements at a frequency.
-    type Evaluated;
+/// A built system with its plan.
+pub trait Planned {
+    /// The model whose labels it has.
+    type Model;
 
     /// A value per step of the plan.
     type PerStep<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
@@ -42,6 +38,16 @@ pub trait Tree<S: Scalar>: System {
 
     /// The plan.
     fn scheme() -> Scheme<'static>;
+}
+
+/// A built system whose elements all say how they move.
+#[diagnostic::on_unimplemented(
+    message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
+    note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet"
+)]
+pub trait Tree<S: Scalar>: System + Planned {
+    /// Coefficients and links of all elements at a frequency.
+    type Evaluated;
 
     /// The frequency with what the elements need of it.
     fn at(x: S) -> At<S>;

@@ -25,6 +25,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
     let evaluate = evaluate::evaluate(plan, &names);
     let characteristic = pass::characteristic(plan, &names);
     let constants = tree::labels(model, plan, &names);
+    let planned = tree::planned(model, plan, &names);
     let tree = tree::tree(plan, &names);
     quote_spanned! {names.here=>
         #parameters
@@ -35,6 +36,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
             #layout
             #evaluate
             #characteristic
+            #planned
             #tree
         };
     }

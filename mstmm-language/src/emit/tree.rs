@@ -8,7 +8,7 @@ use quote::{format_ident, quote_spanned};
 
 /// `Model::beam_1`, `Model::conn_2`: a value per label.
 pub(super) fn labels(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
+    let private = &names.private;
     let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
     let labels = plan.steps.iter().enumerate().filter_map(|(index, step)| match step {
         Step::Element { element, input, .. } => {
@@ -35,11 +35,6 @@ pub(super) fn labels(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStre
         impl #name {
             #(#labels)*
         }
-
-        #[automatically_derived]
-        impl<#parameter: #private::Real> #private::Labelled for #system<#parameter> {
-            type Model = #name;
-        }
     }
 }
 
@@ -47,10 +42,31 @@ fn constant(keyword: &str, label: &Label, names: &Names) -> Ident {
     format_ident!("{keyword}_{}", label.to_string(), span = names.here)
 }
 
-/// `impl Tree<S>`: the plan, and a visit per element.
+/// `impl Planned`: the plan.
+pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let (private, system, parameter, value) = (&names.private, &names.system, &names.parameter, &names.tally);
+    let (name, count) = (&model.parameters.ident, plan.steps.len());
+    let bounds = quote_spanned!(names.here=> ::core::marker::Copy + ::core::fmt::Debug);
+    quote_spanned! {names.here=>
+        #[automatically_derived]
+        impl<#parameter: #private::Real> #private::Planned for #system<#parameter> {
+            type Model = #name;
+            type PerStep<#value: #bounds> = [#value; #count];
+
+            fn per_step<#value: #bounds>(value: #value) -> [#value; #count] {
+                [value; #count]
+            }
+
+            fn scheme() -> #private::Scheme<'static> {
+                const { &LAYOUT }.scheme()
+            }
+        }
+    }
+}
+
+/// `impl Tree<S>`: a visit per element.
 pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, frequency, .. } = names;
-    let count = plan.steps.len();
     let elements = || plan.elements.iter().enumerate();
     let types = first_of_each_type(plan, names);
     let waves = types.iter().map(|element| names.element_as(element, "PlaneStep"));
@@ -77,21 +93,10 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
             #(#steps)|* => visitor.element::<#kind>(&self.#field, &evaluated.#index.0, &evaluated.#index.1),
         }
     });
-    let (copy, debug) =
-        (quote_spanned!(names.here=> ::core::marker::Copy), quote_spanned!(names.here=> ::core::fmt::Debug));
     let some = quote_spanned!(names.here=> ::core::option::Option);
     let visitor = &names.tally;
     let body = quote_spanned! {names.here=>
         type Evaluated = (#(#evaluated,)*);
-        type PerStep<#visitor: #copy + #debug> = [#visitor; #count];
-
-        fn per_step<#visitor: #copy + #debug>(value: #visitor) -> [#visitor; #count] {
-            [value; #count]
-        }
-
-        fn scheme() -> #private::Scheme<'static> {
-            const { &LAYOUT }.scheme()
-        }
 
         fn at(x: #frequency) -> #private::At<#frequency> {
             #private::At::new(x, false #(|| #waves::WAVES)*)

@@ -1,0 +1,83 @@
+//! What users ask about motions.
+
+use super::error::MotionError;
+use super::label::{Entry, Load};
+use super::multiple;
+use super::response::FrequencyResponse;
+use super::root::Root;
+use super::shape::{ModeShape, ShapeList, simple};
+use super::tree::{Planned, Tree};
+use crate::characteristic::System;
+use crate::scalar::Oscillation;
+
+/// What can be asked about the motions of a built system.
+pub trait Motions: System {
+    /// The shape of a simple root, exact at any mode number: states at all ends of elements and at any point of a beam.
+    ///
+    /// Planes are carried from the tips to the root and from the root to the tips. Where they meet in the state that shows best,
+    /// the shape is taken and spread in all directions against those of the planes, which loses nothing to what grows.
+    ///
+    /// # Errors
+    /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](Motions::mode_shapes);
+    /// [`MotionError::NotARoot`] for a frequency that is none of this system's.
+    fn mode_shape<S>(
+        &self,
+        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
+    ) -> Result<ModeShape<'_, Self, S>, MotionError>
+    where
+        S: Oscillation<<Self as System>::Parameter>,
+        Self: Tree<S>,
+    {
+        if root.multiplicity() > 1 {
+            let multiplicity = root.multiplicity();
+            return Err(MotionError::Multiple { root: root.frequency().size(), multiplicity });
+        }
+        simple(self, root.frequency())
+    }
+
+    /// All shapes of a root, orthogonal with respect to the mass (undamped) or to `(λ₁ + λ₂) M + C` (damped).
+    ///
+    /// Those of a multiple root span the residue of the response at its pole, which is summed up over frequencies around it.
+    ///
+    /// # Errors
+    /// As [`mode_shape`](Motions::mode_shape); [`MotionError::Capacity`] for more than `CAP` shapes, and
+    /// [`MotionError::Defective`] for a multiple eigenvalue with too few of them.
+    fn mode_shapes<const CAP: usize, S>(
+        &self,
+        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
+    ) -> Result<ShapeList<'_, Self, S, CAP>, MotionError>
+    where
+        S: Oscillation<<Self as System>::Parameter>,
+        Self: Tree<S>,
+    {
+        let mut list = ShapeList { shapes: [const { None }; CAP] };
+        if root.multiplicity() > 1 {
+            multiple::shapes(self, root.frequency(), root.multiplicity(), &mut list.shapes)?;
+            return Ok(list);
+        }
+        let place = list.shapes.first_mut().ok_or(MotionError::Capacity { capacity: CAP })?;
+        *place = Some(simple(self, root.frequency())?);
+        Ok(list)
+    }
+
+    /// The response of an entry of a state to a harmonic load of 1, as a function of the frequency.
+    ///
+    /// Exact at every frequency, damped or not, and in the static limit; where the load acts, the entry is that on the side
+    /// which its point names. Nothing is evaluated yet.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchEntry`] for a load or an entry that no state at its point carries, such as a moment in a
+    /// translation path.
+    fn frequency_response(
+        &self,
+        load: Load<<Self as Planned>::Model>,
+        entry: Entry<<Self as Planned>::Model>,
+    ) -> Result<FrequencyResponse<'_, Self>, MotionError>
+    where
+        Self: Planned,
+    {
+        FrequencyResponse::new(self, load, entry)
+    }
+}
+
+impl<Y: System + ?Sized> Motions for Y {}
