@@ -13,6 +13,8 @@ mod counted;
 mod examples;
 #[path = "../examples/paper/models.rs"]
 pub mod models;
+#[path = "operations/motions.rs"]
+mod motions;
 #[path = "operations/scenes.rs"]
 mod scenes;
 #[path = "operations/small.rs"]

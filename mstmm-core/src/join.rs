@@ -60,9 +60,15 @@ impl<S: Scalar> Plane<S> {
             p.y_m * r.y_theta + p.y_theta * r.y_m,
             p.w * r.y_theta + p.y_theta * r.w,
             p.theta_q * r.y_theta + p.y_theta * r.theta_q,
-            (p.m_q * r.y_theta + p.y_theta * r.m_q) + p.mixed_with(&r),
+            p.m_q_with(&r),
         ];
         Plane::unscaled(minors, p.exponent.saturating_add(r.exponent))
+    }
+
+    /// p_MQ of two joined planes: zero where no forces are needed at the point.
+    #[inline(always)]
+    pub(crate) fn m_q_with(&self, r: &Plane<S>) -> S {
+        (self.m_q * r.y_theta + self.y_theta * r.m_q) + self.mixed_with(r)
     }
 
     /// The mixed part of p_MQ of two joined planes, `p_YM r_ΘQ + r_YM p_ΘQ - 2 w_p w_r`.

@@ -67,11 +67,15 @@ impl<S: Scalar> Scaled<S> {
         self.exponent
     }
 
+    /// The product with another.
+    pub(crate) fn product(self, factor: Scaled<S>) -> Self {
+        Scaled::new(self.mantissa * factor.mantissa, self.exponent.saturating_add(factor.exponent))
+    }
+
     /// The product with a plain number.
     #[must_use]
     pub fn times(self, factor: S) -> Self {
-        let factor = Scaled::new(factor, 0);
-        Scaled::new(self.mantissa * factor.mantissa, self.exponent.saturating_add(factor.exponent))
+        self.product(Scaled::new(factor, 0))
     }
 
     /// The quotient by another.

@@ -129,38 +129,31 @@ impl<S: Scalar> Covector<S> {
 
     /// The state that it picks out of a subspace.
     pub(crate) fn pick(self, subspace: &Subspace<S>) -> ScaledState<S> {
-        let zero = S::zero();
-        match self {
-            Covector::Plane([y, theta, m, q], exponent) => match subspace {
-                Subspace::Tip(support, _) => {
-                    let state = match support {
-                        Support::Fixed => State { y: zero, theta: zero, m: q, q: -m },
-                        Support::Pinned => State { y: zero, theta: q, m: zero, q: -theta },
-                        Support::Guided => State { y: m, theta: zero, m: -y, q: zero },
-                        Support::Free | Support::Roller => State { y: theta, theta: -y, m: zero, q: zero },
-                    };
-                    ScaledState { state, exponent }
-                }
-                _ => {
-                    let p = subspace.plane();
-                    let state = State {
-                        y: p.y_theta * theta + p.y_m * m + p.w * q,
-                        theta: p.w * m + p.theta_q * q - p.y_theta * y,
-                        m: p.m_q * q - p.y_m * y - p.w * theta,
-                        q: -(p.w * y + p.theta_q * theta + p.m_q * m),
-                    };
-                    ScaledState { state, exponent: exponent.saturating_add(p.exponent) }
-                }
-            },
-            Covector::Line(t, exponent) => {
+        let entry = |coordinate| self.pick_entry(subspace, coordinate);
+        let ((y, exponent), (theta, _), (m, _), (q, _)) =
+            (entry(Coordinate::Y), entry(Coordinate::Theta), entry(Coordinate::M), entry(Coordinate::Q));
+        ScaledState { state: State { y, theta, m, q }, exponent }
+    }
+
+    /// One entry of that state, and the power of two that multiplies all.
+    pub(crate) fn pick_entry(self, subspace: &Subspace<S>, coordinate: Coordinate) -> (S, i32) {
+        match (self, subspace) {
+            (Covector::Plane(entries, exponent), Subspace::Tip(support, _)) => {
+                (of_tip(entries, *support, coordinate), exponent)
+            }
+            (Covector::Plane(entries, exponent), _) => {
+                let plane = subspace.plane();
+                (of_plane(entries, &plane, coordinate), exponent.saturating_add(plane.exponent))
+            }
+            (Covector::Line(t, exponent), _) => {
                 let Line { y, q, exponent: own } = subspace.line();
-                let (y, q) = (y * t, q * t);
-                let state = if subspace.space().is(Space::Rotation) {
-                    State { y: zero, theta: y, m: -q, q: zero }
-                } else {
-                    State { y, theta: zero, m: zero, q }
+                let value = match (coordinate, subspace.space().is(Space::Rotation)) {
+                    (Coordinate::Y, false) | (Coordinate::Theta, true) => y * t,
+                    (Coordinate::Q, false) => q * t,
+                    (Coordinate::M, true) => -(q * t),
+                    _ => S::zero(),
                 };
-                ScaledState { state, exponent: exponent.saturating_add(own) }
+                (value, exponent.saturating_add(own))
             }
         }
     }
@@ -177,6 +170,30 @@ impl<S: Scalar> Covector<S> {
             s.y_theta * q,
         ];
         Covector::Plane(entries, exponent.saturating_add(s.exponent)).moderated()
+    }
+}
+
+/// `z_i = Σ_j p_ij η_j`
+fn of_plane<S: Scalar>([y, theta, m, q]: [S; 4], p: &Plane<S>, coordinate: Coordinate) -> S {
+    match coordinate {
+        Coordinate::Y => p.y_theta * theta + p.y_m * m + p.w * q,
+        Coordinate::Theta => p.w * m + p.theta_q * q - p.y_theta * y,
+        Coordinate::M => p.m_q * q - p.y_m * y - p.w * theta,
+        Coordinate::Q => -(p.w * y + p.theta_q * theta + p.m_q * m),
+        Coordinate::X | Coordinate::Qx => S::zero(),
+    }
+}
+
+/// The same for the plane that a support leaves.
+fn of_tip<S: Scalar>([y, theta, m, q]: [S; 4], support: Support, coordinate: Coordinate) -> S {
+    match (support, coordinate) {
+        (Support::Fixed, Coordinate::M) | (Support::Pinned, Coordinate::Theta) => q,
+        (Support::Fixed, Coordinate::Q) => -m,
+        (Support::Pinned, Coordinate::Q) => -theta,
+        (Support::Guided, Coordinate::Y) => m,
+        (Support::Guided, Coordinate::M) | (Support::Free, Coordinate::Theta) => -y,
+        (Support::Free, Coordinate::Y) => theta,
+        _ => S::zero(),
     }
 }
 

@@ -8,6 +8,7 @@ use super::error::MotionError;
 use super::field::Field;
 use super::passes::Passes;
 use super::shape::ModeShape;
+use super::spread::Everything;
 use super::tree::Tree;
 use crate::scalar::{Oscillation, Scalar};
 use crate::scaled::Scaled;
@@ -76,7 +77,7 @@ where
     fn new(system: &'a Y, x: S, distance: f64) -> Self {
         let points = x.around(Scalar::from_f64(distance));
         let passes = points.map(|(point, _)| {
-            let mut passes = Passes::from_tips(system, point);
+            let mut passes = Passes::from_tips(system, point, |_| true);
             passes.down_to_all();
             passes
         });
@@ -164,7 +165,7 @@ where
             let jump = passes.jump(candidate.step, dual);
             let [upstream, downstream] =
                 [jump.upstream, jump.downstream].map(|covector| covector.times(factor.mantissa(), exponent));
-            let spread = passes.spread(candidate.step, upstream, downstream, |_| true);
+            let spread = passes.spread(candidate.step, upstream, downstream, &Everything);
             match &mut sum {
                 None => {
                     shift = -spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max()?;

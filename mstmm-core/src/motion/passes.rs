@@ -33,7 +33,7 @@ struct Through<'a, S> {
 impl<S: Scalar> VisitAt<S> for Through<'_, S> {
     type Output = Subspace<S>;
 
-    fn element<E: Motion<S>>(self, built: &E::Built, coefficients: &E::Coefficients, _: &E::Links) -> Subspace<S> {
+    fn element<E: Motion<S>>(self, built: &E::Built, coefficients: &E::Coefficients) -> Subspace<S> {
         if self.against && !E::SYMMETRIC {
             let coefficients = E::coefficients(&E::reversed(built), self.at);
             return E::step(&coefficients, self.input, &mut Untallied);
@@ -43,8 +43,8 @@ impl<S: Scalar> VisitAt<S> for Through<'_, S> {
 }
 
 impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
-    /// The pass from the tips to the root; what is downstream is not known yet.
-    pub(crate) fn from_tips(system: &'a Y, x: S) -> Self {
+    /// The pass from the tips to the root, without the steps of which `needed` says no; what is downstream is not known yet.
+    pub(crate) fn from_tips(system: &'a Y, x: S, needed: impl Fn(usize) -> bool) -> Self {
         let at = Y::at(x);
         let nothing = Subspace::Tip(Support::Free, Space::Bending);
         let mut passes = Passes {
@@ -55,7 +55,7 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
             downstream: Y::per_step(nothing),
         };
         let scheme = Y::scheme();
-        for step in 0..scheme.len() {
+        for step in (0..scheme.len()).filter(|step| needed(*step)) {
             let subspace = match scheme.steps[step] {
                 Step::Tip(support) => Subspace::Tip(support, scheme.space(step)),
                 Step::Element(input, _) => passes.through(step, passes.upstream.as_ref()[input], false),

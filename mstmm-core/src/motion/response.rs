@@ -1,13 +1,16 @@
 //! Responses to harmonic loads.
 
+use super::covector::{Covector, ScaledState};
 use super::error::MotionError;
 use super::label::{Entry, Load};
 use super::passes::Passes;
+use super::spread::Wanted;
 use super::tree::{Planned, Tree};
 use crate::layout::{Scheme, Step};
-use crate::scalar::Oscillation;
+use crate::scalar::{Oscillation, Scalar};
 use crate::scaled::Scaled;
-use crate::state::{Coordinate, Space};
+use crate::state::{Coordinate, Space, State};
+use crate::subspace::Subspace;
 
 /// A transfer function of a system: an entry of a state per harmonic load of 1.
 #[derive(Debug)]
@@ -15,13 +18,39 @@ pub struct FrequencyResponse<'a, Y: Planned + ?Sized> {
     system: &'a Y,
     load: Place,
     entry: Place,
-    /// Steps between the two, which alone are computed.
+    /// Steps between the two, whose states alone are computed.
     between: Y::PerStep<bool>,
+    /// Steps downstream of the load, of which nothing upstream needs to be known.
+    below: Y::PerStep<bool>,
 }
 
 impl<Y: Planned + ?Sized> Clone for FrequencyResponse<'_, Y> {
     fn clone(&self) -> Self {
         FrequencyResponse { ..*self }
+    }
+}
+
+impl<Y: Planned + ?Sized> Wanted for FrequencyResponse<'_, Y> {
+    fn leads_over(&self, step: usize) -> bool {
+        self.between.as_ref()[step]
+    }
+
+    fn state(&self, step: usize, beyond: bool) -> bool {
+        // the load's own point alone has two sides
+        step == self.entry.step && (step != self.load.step || beyond == self.entry.beyond)
+    }
+
+    fn pick<S: Scalar>(&self, covector: Covector<S>, subspace: &Subspace<S>) -> ScaledState<S> {
+        let coordinate = self.entry.coordinate;
+        let (value, exponent) = covector.pick_entry(subspace, coordinate);
+        let zero = State::default();
+        let state = match coordinate {
+            Coordinate::Y => State { y: value, ..zero },
+            Coordinate::Theta => State { theta: value, ..zero },
+            Coordinate::M => State { m: value, ..zero },
+            _ => State { q: value, ..zero },
+        };
+        ScaledState { state, exponent }
     }
 }
 
@@ -58,16 +87,18 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         let scheme = Y::scheme();
         let load = Place::new(scheme, load.point.step, false, load.coordinate)?;
         let entry = Place::new(scheme, entry.point.step, entry.point.beyond, entry.coordinate)?;
-        let mut between = Y::per_step(false);
+        let (mut between, mut below) = (Y::per_step(false), Y::per_step(false));
         for end in [load.step, entry.step] {
             let mut step = end;
             while !matches!(scheme.steps[step], Step::Root(..)) {
                 between.as_mut()[step] ^= true;
+                below.as_mut()[step] |= end == load.step && step != end;
                 step = scheme.downstream(step);
             }
         }
         between.as_mut()[entry.step] = true;
-        Ok(FrequencyResponse { system, load, entry, between })
+        below.as_mut()[scheme.len() - 1] = true;
+        Ok(FrequencyResponse { system, load, entry, between, below })
     }
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration. 0 is the static
@@ -82,7 +113,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     {
         let frequency = x.size();
         let Place { step, coordinate, .. } = self.load;
-        let mut passes = Passes::from_tips(self.system, x);
+        let mut passes = Passes::from_tips(self.system, x, |step| !self.below.as_ref()[step]);
         passes.down_to(step);
         let delta = passes.delta(step);
         if delta.mantissa().is_zero() {
@@ -91,15 +122,12 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         // a force acts towards Y, a moment towards Θ: Q grows by the one and M falls by the other
         let unit = if coordinate == Coordinate::M { -S::one() } else { S::one() };
         let factor = Scaled::new(unit, 0).over(delta);
-        let exponent = factor.exponent().clamp(-1 << 30, 1 << 30) as i32;
         let jump = passes.jump(step, coordinate);
-        let [upstream, downstream] =
-            [jump.upstream, jump.downstream].map(|covector| covector.times(factor.mantissa(), exponent));
-        let between = self.between.as_ref();
-        let spread = passes.spread(step, upstream, downstream, |step| between[step]);
+        let spread = passes.spread(step, jump.upstream, jump.downstream, self);
         let at_load = self.entry.beyond && self.entry.step == step;
         let state = if at_load { spread.beyond } else { spread.states.as_ref()[self.entry.step] };
-        let value = state.shifted(0).entry(self.entry.coordinate);
+        let entry = Scaled::new(state.state.entry(self.entry.coordinate), i64::from(state.exponent));
+        let value = entry.product(factor).value();
         if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency }) }
     }
 

@@ -5,6 +5,7 @@ use super::error::MotionError;
 use super::field::Field;
 use super::forms::Form;
 use super::passes::Passes;
+use super::spread::Everything;
 use super::tree::Tree;
 use crate::scalar::{Oscillation, Real, Scalar};
 use crate::scaled::{Magnitude, Scaled};
@@ -52,7 +53,7 @@ where
     S: Oscillation<Y::Parameter>,
 {
     let frequency = x.size();
-    let mut passes = Passes::from_tips(system, x);
+    let mut passes = Passes::from_tips(system, x, |_| true);
     passes.down_to_all();
     let mut best: Option<(Candidate, Magnitude)> = None;
     passes.for_each_candidate(|candidate| {
@@ -74,7 +75,7 @@ where
         return Err(MotionError::NotARoot { frequency, mismatch });
     }
     let jump = passes.jump(best.step, dual);
-    let spread = passes.spread(best.step, jump.upstream, jump.downstream, |_| true);
+    let spread = passes.spread(best.step, jump.upstream, jump.downstream, &Everything);
     let largest = spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max();
     let field = Field::of(system, x, &spread, -largest.unwrap_or(0));
     ModeShape::normalised(field).ok_or(MotionError::NotFinite { frequency })

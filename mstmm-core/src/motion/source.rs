@@ -7,7 +7,6 @@
 use super::covector::Covector;
 use super::passes::Passes;
 use super::tree::Tree;
-use crate::join::connection;
 use crate::scalar::Scalar;
 use crate::scaled::Scaled;
 use crate::state::{Coordinate, Space};
@@ -35,14 +34,17 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// Δ at a point: up to its sign and a power of two the same at all points.
     pub(crate) fn delta(&self, step: usize) -> Scaled<S> {
         let Meeting { upstream, downstream } = self.meeting(step);
-        let space = Y::scheme().behind(step);
-        let sum = connection([upstream, downstream].into_iter(), None, &mut crate::count::Untallied);
-        if space.is(Space::Bending) {
-            let plane = sum.plane();
-            return Scaled::new(plane.m_q, i64::from(plane.exponent));
+        if Y::scheme().behind(step).is(Space::Bending) {
+            let (p, r) = (upstream.plane(), downstream.plane());
+            let value = match (upstream, downstream) {
+                (_, Subspace::Tip(support, _)) => p.minor_at(support),
+                (Subspace::Tip(support, _), _) => r.minor_at(support),
+                _ => p.m_q_with(&r),
+            };
+            return Scaled::new(value, i64::from(p.exponent) + i64::from(r.exponent));
         }
-        let line = sum.line();
-        Scaled::new(-line.q, i64::from(line.exponent))
+        let (p, r) = (upstream.line(), downstream.line());
+        Scaled::new(-(p.q * r.y + p.y * r.q), i64::from(p.exponent) + i64::from(r.exponent))
     }
 
     /// The covectors of a jump by 1 in one entry.

@@ -3,14 +3,14 @@
 use super::covector::{Covector, ScaledState};
 use super::element::Motion;
 use super::passes::Passes;
-use super::tree::{Planned, Tree, VisitAt};
+use super::tree::{Planned, Tree, Visit};
 use crate::at::At;
 use crate::layout::Step;
 use crate::scalar::Scalar;
 use crate::state::Space;
 use crate::subspace::Subspace;
 
-/// States behind all steps, and at one of them, the source, on both sides.
+/// States behind steps, and at one of them, the source, on both sides.
 #[derive(Debug)]
 pub(crate) struct Spread<Y: Tree<S> + ?Sized, S: Scalar> {
     /// Behind each step; at the source on the upstream side.
@@ -18,6 +18,31 @@ pub(crate) struct Spread<Y: Tree<S> + ?Sized, S: Scalar> {
     pub(crate) source: usize,
     /// At the source on the downstream side.
     pub(crate) beyond: ScaledState<S>,
+}
+
+/// Which steps are looked at.
+pub(crate) trait Wanted {
+    /// Whether the way of the source's motion to other steps leads over this one.
+    fn leads_over(&self, step: usize) -> bool;
+    /// Whether the state behind a step is asked for; at the source that on its upstream side, or beyond.
+    fn state(&self, step: usize, beyond: bool) -> bool;
+    /// What of such a state is asked for.
+    fn pick<S: Scalar>(&self, covector: Covector<S>, subspace: &Subspace<S>) -> ScaledState<S> {
+        covector.pick(subspace)
+    }
+}
+
+/// All steps.
+pub(crate) struct Everything;
+
+impl Wanted for Everything {
+    fn leads_over(&self, _step: usize) -> bool {
+        true
+    }
+
+    fn state(&self, _step: usize, _beyond: bool) -> bool {
+        true
+    }
 }
 
 /// Takes a covector to the input end of an element, or to its output end.
@@ -28,14 +53,16 @@ struct PullBack<'a, S> {
     against: bool,
 }
 
-impl<S: Scalar> VisitAt<S> for PullBack<'_, S> {
+impl<S: Scalar> Visit<S> for PullBack<'_, S> {
     type Output = Covector<S>;
 
-    fn element<E: Motion<S>>(self, built: &E::Built, _: &E::Coefficients, links: &E::Links) -> Covector<S> {
-        if self.against && !E::SYMMETRIC {
-            return E::pull_back(&E::links(&E::reversed(built), self.at), self.input, self.covector);
-        }
-        E::pull_back(links, self.input, self.covector)
+    fn element<E: Motion<S>>(self, built: &E::Built) -> Covector<S> {
+        let links = if self.against && !E::SYMMETRIC {
+            E::links(&E::reversed(built), self.at)
+        } else {
+            E::links(built, self.at)
+        };
+        E::pull_back(&links, self.input, self.covector)
     }
 }
 
@@ -44,33 +71,35 @@ type Pending<Y, S> = <Y as Planned>::PerStep<Option<Covector<S>>>;
 
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// Spreads the states from a source: a covector for what is upstream of it, and one for what is downstream, in the frame
-    /// of a path that arrives from there. Steps of which `needed` says no keep a state of zeros.
+    /// of a path that arrives from there. Steps that are not wanted keep a state of zeros.
     pub(crate) fn spread(
         &self,
         source: usize,
         upstream: Covector<S>,
         downstream: Covector<S>,
-        needed: impl Fn(usize) -> bool,
+        wanted: &impl Wanted,
     ) -> Spread<Y, S> {
         let mut pending = Y::per_step(None);
         pending.as_mut()[source] = Some(upstream);
-        let beyond = downstream.pick(&self.downstream.as_ref()[source]).backwards();
-        let mut spread = Spread { states: Y::per_step(ScaledState::zero()), source, beyond };
-        let last = self.spread_downstream(source, downstream, &mut spread, &mut pending, &needed);
-        self.spread_upstream(&mut spread, &mut pending, &needed);
+        let mut spread = Spread { states: Y::per_step(ScaledState::zero()), source, beyond: ScaledState::zero() };
+        if wanted.state(source, true) {
+            spread.beyond = wanted.pick(downstream, &self.downstream.as_ref()[source]).backwards();
+        }
+        let last = self.spread_downstream(source, downstream, &mut spread, &mut pending, wanted);
+        self.spread_upstream(&mut spread, &mut pending, wanted);
         let states = spread.states.as_mut();
         states[Y::scheme().len() - 1] = if last == source { spread.beyond } else { states[last] };
         spread
     }
 
-    /// From the source to the root; returns the last step before the root, or the last that is needed.
+    /// From the source to the root; returns the last step before the root, or the last over which the way leads.
     fn spread_downstream(
         &self,
         source: usize,
         mut covector: Covector<S>,
         spread: &mut Spread<Y, S>,
         pending: &mut Pending<Y, S>,
-        needed: &impl Fn(usize) -> bool,
+        wanted: &impl Wanted,
     ) -> usize {
         let scheme = Y::scheme();
         let mut step = source;
@@ -79,44 +108,46 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
             let beyond = &self.downstream.as_ref()[below];
             covector = match scheme.steps[below] {
                 Step::Root(..) | Step::Tip(_) => return step,
+                Step::Element(..) if !wanted.leads_over(below) => return step,
                 Step::Element(..) => self.pulled_back(below, beyond, covector, true),
                 Step::Connection(inputs) => {
                     let space = scheme.behind(step);
                     let sum = self.widened(below, covector.mirrored(space), space);
-                    for &input in inputs.iter().filter(|input| **input != step && needed(**input)) {
+                    for &input in inputs.iter().filter(|input| **input != step && wanted.leads_over(**input)) {
                         pending.as_mut()[input] = Some(self.branch(below, inputs, input, Some(step), sum));
                     }
-                    if !needed(below) {
+                    if !wanted.leads_over(below) {
                         return step;
                     }
                     self.trunk(below, inputs, step, sum)
                 }
             };
-            if !needed(below) {
-                return step;
+            if wanted.state(below, false) {
+                spread.states.as_mut()[below] = wanted.pick(covector, beyond).backwards();
             }
-            spread.states.as_mut()[below] = covector.pick(beyond).backwards();
             step = below;
         }
     }
 
     /// From all steps with a covector to the tips.
-    fn spread_upstream(&self, spread: &mut Spread<Y, S>, pending: &mut Pending<Y, S>, needed: &impl Fn(usize) -> bool) {
+    fn spread_upstream(&self, spread: &mut Spread<Y, S>, pending: &mut Pending<Y, S>, wanted: &impl Wanted) {
         let scheme = Y::scheme();
         for step in (0..scheme.len()).rev() {
             let Some(covector) = pending.as_ref()[step] else { continue };
-            spread.states.as_mut()[step] = covector.pick(&self.upstream.as_ref()[step]);
+            if wanted.state(step, false) {
+                spread.states.as_mut()[step] = wanted.pick(covector, &self.upstream.as_ref()[step]);
+            }
             match scheme.steps[step] {
                 Step::Tip(_) | Step::Root(..) => {}
                 Step::Element(input, _) => {
-                    if needed(input) {
+                    if wanted.leads_over(input) {
                         let subspace = &self.upstream.as_ref()[input];
                         pending.as_mut()[input] = Some(self.pulled_back(step, subspace, covector, false));
                     }
                 }
                 Step::Connection(inputs) => {
                     let sum = self.widened(step, covector, scheme.behind(step));
-                    for &input in inputs.iter().filter(|input| needed(**input)) {
+                    for &input in inputs.iter().filter(|input| wanted.leads_over(**input)) {
                         pending.as_mut()[input] = Some(self.branch(step, inputs, input, None, sum));
                     }
                 }
@@ -127,7 +158,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// A covector through the element of a step.
     fn pulled_back(&self, step: usize, input: &Subspace<S>, covector: Covector<S>, against: bool) -> Covector<S> {
         let visitor = PullBack { at: &self.at, input, covector, against };
-        self.system.visit_at(&self.evaluated, step, visitor).unwrap_or(covector).moderated()
+        self.system.visit(step, visitor).unwrap_or(covector).moderated()
     }
 
     /// The covector of a path that leads to a connection in a narrower state, as that of the state of the connection: what

@@ -22,7 +22,7 @@ pub trait VisitAt<S: Scalar> {
     type Output;
 
     /// Visits an element with what was computed of it at the frequency.
-    fn element<E: Motion<S>>(self, built: &E::Built, coefficients: &E::Coefficients, links: &E::Links) -> Self::Output;
+    fn element<E: Motion<S>>(self, built: &E::Built, coefficients: &E::Coefficients) -> Self::Output;
 }
 
 /// A built system with its plan.
@@ -46,7 +46,7 @@ pub trait Planned {
     note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet"
 )]
 pub trait Tree<S: Scalar>: System + Planned {
-    /// Coefficients and links of all elements at a frequency.
+    /// Coefficients of all elements at a frequency.
     type Evaluated;
 
     /// The frequency with what the elements need of it.

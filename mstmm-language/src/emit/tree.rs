@@ -70,18 +70,10 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let elements = || plan.elements.iter().enumerate();
     let types = first_of_each_type(plan, names);
     let waves = types.iter().map(|element| names.element_as(element, "PlaneStep"));
-    let evaluated = elements().map(|(_, element)| {
-        let (step, motion) = (names.element_as(element, "PlaneStep"), names.element_as(element, "Motion"));
-        quote_spanned!(names.here=> (#step::Coefficients, #motion::Links))
-    });
-    let values = elements().map(|(_, element)| {
-        let (field, step, motion) = (
-            element_field(element, names),
-            names.element_as(element, "PlaneStep"),
-            names.element_as(element, "Motion"),
-        );
-        quote_spanned!(names.here=> (#step::coefficients(&self.#field, at), #motion::links(&self.#field, at)))
-    });
+    let coefficients =
+        || elements().map(|(_, element)| (element_field(element, names), names.element_as(element, "PlaneStep")));
+    let evaluated = coefficients().map(|(_, step)| quote_spanned!(names.here=> #step::Coefficients));
+    let values = coefficients().map(|(field, step)| quote_spanned!(names.here=> #step::coefficients(&self.#field, at)));
     let visits = elements().map(|(index, element)| {
         let (steps, field, kind) = (steps_of(index, plan), element_field(element, names), names.element(element));
         quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
@@ -90,7 +82,7 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
         let (steps, field, kind) = (steps_of(index, plan), element_field(element, names), names.element(element));
         let index = Literal::usize_unsuffixed(index);
         quote_spanned! {names.here=>
-            #(#steps)|* => visitor.element::<#kind>(&self.#field, &evaluated.#index.0, &evaluated.#index.1),
+            #(#steps)|* => visitor.element::<#kind>(&self.#field, &evaluated.#index),
         }
     });
     let some = quote_spanned!(names.here=> ::core::option::Option);

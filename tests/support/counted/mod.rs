@@ -58,11 +58,17 @@ pub(crate) struct Counts {
 
 /// Counts the operations of Δ at a frequency, and returns the mantissa as well.
 pub(crate) fn count<S: Scalar + Parts>(system: &impl Characteristic<S>, x: S) -> (Counts, S) {
+    let (counts, mantissas) = count_of(|| vec![system.characteristic(x).mantissa()]);
+    (counts, mantissas[0])
+}
+
+/// Counts the operations of any numbers, and returns them as well.
+pub(crate) fn count_of<S: Parts>(compute: impl FnOnce() -> Vec<S>) -> (Counts, Vec<S>) {
     tape::start();
-    let mantissa = system.characteristic(x).mantissa();
+    let values = compute();
     let tape = tape::stop();
-    let origins = mantissa.parts().into_iter().map(|part| part.origin);
-    (Counts { needed: tape.needed_for(origins), executed: tape.executed() }, mantissa)
+    let origins = values.iter().flat_map(Parts::parts).map(|part| part.origin);
+    (Counts { needed: tape.needed_for(origins), executed: tape.executed() }, values)
 }
 
 impl From<f64> for Counted {

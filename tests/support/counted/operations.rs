@@ -40,6 +40,11 @@ impl Operations {
         [multiplications, additions, divisions, square_roots, sines, cosines, exponentials]
     }
 
+    /// All together.
+    pub(crate) fn total(&self) -> usize {
+        self.columns().iter().sum()
+    }
+
     /// Square roots, sines, cosines and exponentials alone.
     pub(crate) fn functions(self) -> Self {
         Operations { multiplications: 0, additions: 0, divisions: 0, ..self }
