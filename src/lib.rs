@@ -4,13 +4,13 @@
 
 pub use mstmm_core::{
     AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
-    ComplexFrequency, Count, Covector, DoubleDouble, Dual, Element, Ends, Entry, Evaluate, Field, Frequency,
-    FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line, ListElement, ListError,
-    ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, Motion, MotionError, Motions, Oscillation,
-    ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root, Rotation,
-    SMatrix, Scalar, Scaled, SearchError, ShapeList, Space, StateSpace, StepList, Subspace, Support, System, Tally,
-    TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions, WaveProducts, determinant, elements,
-    search,
+    ComplexFrequency, Count, Covector, DoubleDouble, Dual, Element, Ends, EnergyShares, Entry, Evaluate, Field,
+    Frequency, FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line, ListElement,
+    ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, Motion, MotionError, Motions,
+    Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root,
+    Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space, StateSpace, StepList, Subspace, Support,
+    System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions, WaveProducts,
+    determinant, elements, search,
 };
 
 /// All that a model needs: `use mstmm::prelude::*;`.

@@ -51,8 +51,8 @@ pub use join::{held, moderated, narrowed, widened};
 pub use layout::{Layout, Scheme, Step};
 pub use list::List;
 pub use motion::{
-    Covector, Ends, Entry, Field, FrequencyResponse, Inside, Label, Load, ModeShape, Motion, MotionError, Motions,
-    Planned, Point, Root, ShapeList, Tree, Visit, VisitAt,
+    Covector, Ends, EnergyShares, Entry, Field, FrequencyResponse, Inside, Label, Load, ModeShape, Motion, MotionError,
+    Motions, Planned, Point, Root, Sample, ShapeList, Tree, Visit, VisitAt,
 };
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;

@@ -2,7 +2,9 @@
 
 mod candidates;
 mod covector;
+mod curve;
 mod element;
+mod energy;
 mod error;
 mod field;
 mod forms;
@@ -20,7 +22,9 @@ mod spread;
 mod tree;
 
 pub use covector::Covector;
+pub use curve::Sample;
 pub use element::{Ends, Inside, Motion};
+pub use energy::EnergyShares;
 pub use error::MotionError;
 pub use field::Field;
 pub use label::{Entry, Label, Load, Point};

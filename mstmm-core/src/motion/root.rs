@@ -14,6 +14,9 @@ pub trait Root<T: Real> {
 
     /// Number of coinciding roots.
     fn multiplicity(&self) -> u64;
+
+    /// Where the root shows in a response, ω [rad/s], and half the width of its resonance at half the power.
+    fn peak(&self) -> (T, T);
 }
 
 impl<T: Real> Root<T> for NaturalFrequency<T> {
@@ -21,6 +24,10 @@ impl<T: Real> Root<T> for NaturalFrequency<T> {
 
     fn frequency(&self) -> T {
         self.omega
+    }
+
+    fn peak(&self) -> (T, T) {
+        (self.omega, T::zero())
     }
 
     fn multiplicity(&self) -> u64 {
@@ -33,6 +40,10 @@ impl<T: Real> Root<T> for Eigenvalue<T> {
 
     fn frequency(&self) -> Complex<T> {
         self.lambda
+    }
+
+    fn peak(&self) -> (T, T) {
+        (self.lambda.im.abs(), self.lambda.re.abs())
     }
 
     fn multiplicity(&self) -> u64 {
