@@ -4,8 +4,8 @@
 
 pub use mstmm_core::{
     AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
-    ComplexFrequency, Count, Covector, DoubleDouble, Dual, Element, Ends, EnergyShares, Entry, Evaluate, Field,
-    Frequency, FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line, ListElement,
+    ComplexFrequency, Coordinate, Count, Covector, DoubleDouble, Dual, Element, Ends, EnergyShares, Entry, Evaluate,
+    Field, Frequency, FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line, ListElement,
     ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, Motion, MotionError, Motions,
     Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root,
     Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space, StateSpace, StepList, Subspace, Support,
