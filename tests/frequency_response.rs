@@ -1,5 +1,4 @@
 //! Responses to harmonic loads against closed forms, sums over modes, and reciprocity.
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 #![allow(missing_docs)]
 
 #[path = "../examples/paper/models.rs"]
@@ -12,12 +11,12 @@ use mstmm::{MotionError, Point};
 
 system! {
     /// Beam with supports at its ends as the models below need them.
-    pub struct Cantilever { l: f64, ei: f64, m: f64 }
+    struct Cantilever { l: f64, ei: f64, m: f64 }
     fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m } -> free;
 }
 
 system! {
-    pub struct Simple { a: f64, b: f64, ei: f64, m: f64 }
+    struct Simple { a: f64, b: f64, ei: f64, m: f64 }
     pinned -> beam 1 { length: a, bending_stiffness: ei, mass_per_length: m }
            -> beam 3 { length: b, bending_stiffness: ei, mass_per_length: m } -> pinned;
 }

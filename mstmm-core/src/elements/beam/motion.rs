@@ -53,27 +53,11 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
 
     /// Where the frequencies differ, `(λ₂² - λ₁²) ∫ m Y₁ Y₂ dx = [Q₁ Y₂ - M₁ Θ₂ + Θ₁ M₂ - Y₁ Q₂]` between the ends.
     fn mass_form(built: &BuiltBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        let (a, b) = (first.x.lambda_squared(), second.x.lambda_squared());
-        let size = S::size(a).max(S::size(b));
-        if S::size(a - b) > APART * size && size * built.wave_fourth.to_f64() > 1.0 {
-            let mixed = |u: &State<S>, v: &State<S>| u.q * v.y - u.m * v.theta + u.theta * v.m - u.y * v.q;
-            let ends = mixed(&first.output, &second.output) - mixed(&first.input, &second.input);
-            return ends / (b - a);
-        }
-        if first == second && size * built.wave_fourth.to_f64() > 1.0 {
-            return built.mass_form_of(first);
-        }
-        built.integral(first, second, |u, v| u.y * v.y) * built.parameters.mass_per_length
+        built.forms(first, second)[0]
     }
 
-    /// `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`, unless the beam is short.
     fn stiffness_form(built: &BuiltBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        if S::size(built.z(first.x)).max(S::size(built.z(second.x))) > 1.0 {
-            let work = |u: &State<S>, v: &State<S>| u.m * v.theta - u.q * v.y;
-            let work = work(&first.output, &second.output) - work(&first.input, &second.input);
-            return work - first.x.lambda_squared() * Self::mass_form(built, first, second);
-        }
-        built.integral(first, second, |u, v| u.m * v.m) * (T::one() / built.parameters.bending_stiffness)
+        built.forms(first, second)[1]
     }
 
     fn inside(built: &BuiltBeam<T>, x: S) -> Option<Inside> {
@@ -87,14 +71,12 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
 
     /// Of the length it is the same at every point of the beam, `λ² m Y²/2 - M²/(2 EI) + Θ Q`.
     fn gradient(built: &BuiltBeam<T>, ends: &Ends<S>) -> Beam<S> {
-        let per = |form: S, parameter: T| half(form) * (T::one() / parameter);
+        let [mass, stiffness] = built.forms(ends, ends).map(half);
+        let Beam { bending_stiffness, mass_per_length, .. } = built.parameters;
         Beam {
             length: built.flow(ends),
-            bending_stiffness: per(Self::stiffness_form(built, ends, ends), built.parameters.bending_stiffness),
-            mass_per_length: per(
-                ends.x.lambda_squared() * Self::mass_form(built, ends, ends),
-                built.parameters.mass_per_length,
-            ),
+            bending_stiffness: stiffness * (T::one() / bending_stiffness),
+            mass_per_length: ends.x.lambda_squared() * mass * (T::one() / mass_per_length),
         }
     }
 }
@@ -114,6 +96,29 @@ impl<T: Real> BuiltBeam<T> {
             inverses: [length, first_inverse, second_inverse],
             exponent: 0,
         }
+    }
+
+    /// Mass and stiffness form of two motions: `[∫ m Y₁ Y₂ dx, ∫ M₁ M₂/EI dx]`.
+    ///
+    /// In a long beam the latter is `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`. So is the former by the same token, for frequencies
+    /// apart; that of one motion follows from its flow. What is short or close is integrated.
+    fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
+        let (a, b) = (first.x.lambda_squared(), second.x.lambda_squared());
+        let size = S::size(a).max(S::size(b));
+        let is_long = size * self.wave_fourth.to_f64() > 1.0;
+        let mass = if is_long && S::size(a - b) > APART * size {
+            let mixed = |u: &State<S>, v: &State<S>| u.q * v.y - u.m * v.theta + u.theta * v.m - u.y * v.q;
+            (mixed(&first.output, &second.output) - mixed(&first.input, &second.input)) / (b - a)
+        } else if is_long && first == second {
+            self.mass_form_of(first)
+        } else {
+            let [deflection, moment] = self.integrals(first, second);
+            let Beam { bending_stiffness, mass_per_length, .. } = self.parameters;
+            return [deflection * mass_per_length, moment * (T::one() / bending_stiffness)];
+        };
+        let work = |u: &State<S>, v: &State<S>| u.m * v.theta - u.q * v.y;
+        let work = work(&first.output, &second.output) - work(&first.input, &second.input);
+        [mass, work - a * mass]
     }
 
     /// `λ² m Y²/2 - M²/(2 EI) + Θ Q`: from the end where its parts are smaller, for they cancel where waves decay.
