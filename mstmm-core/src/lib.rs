@@ -23,12 +23,14 @@ mod determinant;
 mod element;
 pub mod elements;
 mod error;
+mod fields;
 mod in_line;
 mod join;
 mod layout;
 mod line_steps;
 mod list;
 mod motion;
+mod partials;
 mod scalar;
 mod scaled;
 pub mod search;
@@ -46,6 +48,7 @@ pub use count::{BeamSigns, Count, Tally, Untallied};
 pub use determinant::determinant;
 pub use element::{Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use error::{InvalidParameter, ParameterError, Requirement, SearchError};
+pub use fields::{Chain, ChainRule, Fields};
 pub use in_line::{coefficients, join, root, step};
 pub use join::{held, moderated, narrowed, widened};
 pub use layout::{Layout, Scheme, Step};
@@ -56,6 +59,7 @@ pub use motion::{
 };
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
+pub use partials::Partials;
 pub use scalar::{
     ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, MayDecay, Oscillation, Real, RealFrequency,
     Scalar, WaveFunctions, WaveProducts,

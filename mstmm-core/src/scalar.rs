@@ -11,7 +11,7 @@ mod waves;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use oscillation::Oscillation;
-pub(crate) use real::argument;
+pub(crate) use real::{argument, elementary};
 pub use waves::{WaveFunctions, WaveProducts};
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};

@@ -74,6 +74,7 @@ macro_rules! elementary {
         value
     }};
 }
+pub(crate) use elementary;
 
 /// Argument of a complex number.
 pub(crate) fn argument(re: f64, im: f64) -> f64 {
