@@ -6,7 +6,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
 use std::fmt;
-use syn::{Expr, Ident, ItemStruct, Lit, Path};
+use syn::{Attribute, Expr, Ident, ItemStruct, Lit, Local, Path};
 
 /// A whole model.
 pub(crate) struct Model {
@@ -15,7 +15,7 @@ pub(crate) struct Model {
     /// The struct of parameters.
     pub(crate) parameters: ItemStruct,
     /// Derived quantities, as statements.
-    pub(crate) lets: Vec<TokenStream>,
+    pub(crate) lets: Vec<Local>,
     /// The sketch.
     pub(crate) paths: Vec<TransferPath>,
     /// Whether every line could be read.
@@ -24,7 +24,29 @@ pub(crate) struct Model {
     pub(crate) names: BTreeSet<String>,
 }
 
+/// The attribute of fields that formulas take as plain numbers.
+pub(crate) const NO_SENSITIVITY: &str = "no_sensitivity";
+
+/// A field of the struct of parameters.
+pub(crate) struct Field<'a> {
+    pub(crate) name: &'a Ident,
+    /// Its `#[cfg(..)]`: a field that is configured away is not there.
+    pub(crate) conditions: Vec<&'a Attribute>,
+    /// Whether it is not marked by `#[no_sensitivity]`.
+    pub(crate) has_derivative: bool,
+}
+
 impl Model {
+    /// The fields of the struct of parameters.
+    pub(crate) fn fields(&self) -> impl Iterator<Item = Field<'_>> {
+        self.parameters.fields.iter().filter_map(|field| {
+            let named =
+                |name: &'static str| field.attrs.iter().filter(move |attribute| attribute.path().is_ident(name));
+            let has_derivative = named(NO_SENSITIVITY).next().is_none();
+            Some(Field { name: field.ident.as_ref()?, conditions: named("cfg").collect(), has_derivative })
+        })
+    }
+
     /// All nodes in the order of the source.
     pub(crate) fn nodes(&self) -> impl Iterator<Item = &Node> {
         self.paths.iter().flat_map(|path| std::iter::once(&path.first).chain(path.rest.iter().map(|(_, node)| node)))

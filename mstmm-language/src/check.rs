@@ -1,10 +1,12 @@
 //! The rules of the language, each with a message at the user's tokens.
 
+mod derivatives;
 mod fields;
 mod parameters;
 mod tree;
 mod words;
 
+pub(crate) use derivatives::{Derivatives, derivatives};
 pub(crate) use tree::{Tree, topology};
 pub(crate) use words::{is_doubtful, words};
 

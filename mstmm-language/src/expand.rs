@@ -19,10 +19,11 @@ pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
     let mut errors = Errors::default();
     let model = parse::model(in_braces(made_visible(input)), &mut errors)?;
     check::words(&model, &mut errors);
+    let derivatives = check::derivatives(&model, &mut errors);
     let graph = Graph::of(&model, &mut errors);
     let tree = check::topology(&model, &graph, errors)?;
     let plan = Plan::of(&tree);
-    Ok(emit::model(&model, &plan))
+    Ok(emit::model(&model, &plan, &derivatives))
 }
 
 /// Puts the input into braces that stand at its last token: there, and not at the whole macro, belongs what is missing at

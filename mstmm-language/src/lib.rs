@@ -14,6 +14,7 @@ mod groups;
 mod keywords;
 mod parse;
 mod plan;
+mod spans;
 #[cfg(test)]
 mod tests;
 mod topology;

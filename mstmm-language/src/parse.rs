@@ -5,11 +5,12 @@ mod node;
 use crate::ast::{Arrow, Model, TransferPath};
 use crate::diagnostics::{Errors, Place};
 use proc_macro2::{Group, Punct, Spacing, Span, TokenStream, TokenTree};
-use quote::quote;
 use std::collections::BTreeSet;
 use std::fmt::Display;
 use syn::parse::{Parse, ParseStream, Parser, Result};
-use syn::{Attribute, Error, Expr, ItemStruct, Pat, Token, Type, Visibility, braced, token};
+use syn::{
+    Attribute, Error, ItemStruct, Local, LocalInit, LocalModifiers, Pat, PatType, Token, Visibility, braced, token,
+};
 
 /// Parses `{ (path to mstmm) model }`, where the braces stand for the end of the input. Lines that cannot be read are left
 /// out, each with an error; without its struct a model is none.
@@ -82,18 +83,19 @@ fn parse_struct(input: ParseStream<'_>) -> Result<ItemStruct> {
 }
 
 /// `let pattern = expression`, with or without a type, as a statement.
-fn parse_let(input: ParseStream<'_>) -> Result<TokenStream> {
-    let keyword: Token![let] = input.parse()?;
+fn parse_let(input: ParseStream<'_>) -> Result<Local> {
+    let let_token: Token![let] = input.parse()?;
     if input.peek(Token![=]) {
         return Err(error_at(input, "expected a name: a `let` line gives a value a name, `let name = expression;`"));
     }
-    let pattern = Pat::parse_single(input)?;
-    let colon: Option<Token![:]> = input.parse()?;
-    let of_type: Option<Type> = if colon.is_some() { Some(input.parse()?) } else { None };
+    let mut pat = Pat::parse_single(input)?;
+    if let Some(colon_token) = input.parse::<Option<Token![:]>>()? {
+        pat = Pat::Type(PatType { attrs: Vec::new(), pat: Box::new(pat), colon_token, ty: input.parse()? });
+    }
     if !input.peek(Token![=]) {
         return Err(error_at(input, "expected `=`: a `let` line gives a value a name, `let name = expression;`"));
     }
-    let (equals, value): (Token![=], Expr) = (input.parse()?, input.parse()?);
+    let init = Some(LocalInit { eq_token: input.parse()?, expr: input.parse()?, diverge: None });
     if input.peek(Token![else]) {
         return Err(error_at(input, "a `let` line takes no `else`: its pattern must always match"));
     }
@@ -101,14 +103,20 @@ fn parse_let(input: ParseStream<'_>) -> Result<TokenStream> {
         return Err(error_at(input, "expected `;` at the end of the `let` line"));
     }
     // the user's own token, at which rustc shows what it would put before
-    let end: Token![;] = input.fork().parse()?;
-    Ok(quote!(#keyword #pattern #colon #of_type #equals #value #end))
+    let semi_token = input.fork().parse()?;
+    Ok(Local { attrs: Vec::new(), let_token, modifiers: LocalModifiers::default(), pat, init, semi_token })
 }
 
 impl Parse for TransferPath {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         if input.peek(Token![let]) {
             return Err(error_at(input, "`let` lines stand between the struct and the first path: move this one up"));
+        }
+        if input.peek(Token![#]) {
+            return Err(error_at(
+                input,
+                "attributes stand in front of the struct and of its fields alone: remove this one",
+            ));
         }
         if input.peek(Token![;]) {
             return Err(error_at(input, "there is no path before this `;`: remove it"));

@@ -8,8 +8,9 @@ mod text;
 use crate::ast::{Connection, Element, Kind, Parameter};
 use crate::check::Tree;
 use crate::diagnostics::Place;
+use crate::spans::origin;
 use crate::topology::Vertex;
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use std::collections::BTreeMap;
 use syn::Ident;
@@ -120,13 +121,4 @@ fn text(tokens: TokenStream) -> String {
         }
     }
     text
-}
-
-/// Where a name comes from: a macro's own `k` and that of its caller are two variables.
-///
-/// rustc shows this, before the place, in the debug form of a span and nowhere else on the stable channel. Should the form
-/// change, the place makes all names differ, and equal elements are merely no longer shared.
-fn origin(span: Span) -> String {
-    let text = format!("{span:?}");
-    text.split_once(" bytes(").map(|(context, _)| context.to_owned()).unwrap_or(text)
 }

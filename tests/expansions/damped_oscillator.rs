@@ -126,6 +126,28 @@ pub struct DampedOscillatorSystem<T: mstmm::__private::Real = f64> {
     element_11: <mstmm::__private::elements::Beam<
         T,
     > as mstmm::__private::Element>::Built,
+    /// The field `length`
+    field_length: ::core::primitive::f64,
+    /// The field `bending_stiffness`
+    field_bending_stiffness: ::core::primitive::f64,
+    /// The field `mass_per_length`
+    field_mass_per_length: ::core::primitive::f64,
+    /// The field `spring_position`
+    field_spring_position: ::core::primitive::f64,
+    /// The field `oscillator_position`
+    field_oscillator_position: ::core::primitive::f64,
+    /// The field `torsion_position`
+    field_torsion_position: ::core::primitive::f64,
+    /// The field `spring_stiffness`
+    field_spring_stiffness: ::core::primitive::f64,
+    /// The field `oscillator_stiffness`
+    field_oscillator_stiffness: ::core::primitive::f64,
+    /// The field `damping`
+    field_damping: ::core::primitive::f64,
+    /// The field `mass`
+    field_mass: ::core::primitive::f64,
+    /// The field `torsion_stiffness`
+    field_torsion_stiffness: ::core::primitive::f64,
     parameter: ::core::marker::PhantomData<T>,
 }
 impl DampedOscillator {
@@ -290,6 +312,17 @@ impl DampedOscillator {
                 },
                 "beam 11",
             )?,
+            field_length: self.length,
+            field_bending_stiffness: self.bending_stiffness,
+            field_mass_per_length: self.mass_per_length,
+            field_spring_position: self.spring_position,
+            field_oscillator_position: self.oscillator_position,
+            field_torsion_position: self.torsion_position,
+            field_spring_stiffness: self.spring_stiffness,
+            field_oscillator_stiffness: self.oscillator_stiffness,
+            field_damping: self.damping,
+            field_mass: self.mass,
+            field_torsion_stiffness: self.torsion_stiffness,
             parameter: ::core::marker::PhantomData,
         })
     }
@@ -324,6 +357,148 @@ impl<T: mstmm::__private::Real> mstmm::__private::System for DampedOscillatorSys
             T,
         > as mstmm::__private::Element>::bound(&self.element_11, &mut bounds);
         bounds
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::Fields for DampedOscillatorSystem<T> {
+    const NAMES: &'static [&'static ::core::primitive::str] = &[
+        "length",
+        "bending_stiffness",
+        "mass_per_length",
+        "spring_position",
+        "oscillator_position",
+        "torsion_position",
+        "spring_stiffness",
+        "oscillator_stiffness",
+        "damping",
+        "mass",
+        "torsion_stiffness",
+    ];
+    type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(
+        &[(), (), (), (), (), (), (), (), (), (), ()],
+    )];
+    fn per_field<V: ::core::marker::Copy + ::core::fmt::Debug>(
+        value: V,
+    ) -> Self::PerField<V> {
+        [value; _]
+    }
+}
+#[automatically_derived]
+impl<T, S> mstmm::__private::Chain<S> for DampedOscillatorSystem<T>
+where
+    T: mstmm::__private::Real,
+    S: mstmm::__private::Frequency<T>,
+    mstmm::__private::elements::Beam<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Beam<S>>,
+    mstmm::__private::elements::Mass<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Mass<S>>,
+    mstmm::__private::elements::Spring<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Spring<S>>,
+    mstmm::__private::elements::SpringDamper<
+        T,
+    >: mstmm::__private::Motion<
+        S,
+        Gradient = mstmm::__private::elements::SpringDamper<S>,
+    >,
+    mstmm::__private::elements::TorsionSpring<
+        T,
+    >: mstmm::__private::Motion<
+        S,
+        Gradient = mstmm::__private::elements::TorsionSpring<S>,
+    >,
+{
+    fn chain(
+        &self,
+        ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
+    ) -> Self::PerField<S> {
+        let mut chain = mstmm::__private::ChainRule::new(
+            <Self as mstmm::__private::Fields>::per_field(
+                mstmm::__private::Scalar::from_f64(0.0),
+            ),
+        );
+        let length = chain.variable(self.field_length);
+        let bending_stiffness = chain.variable(self.field_bending_stiffness);
+        let mass_per_length = chain.variable(self.field_mass_per_length);
+        let spring_position = chain.variable(self.field_spring_position);
+        let oscillator_position = chain.variable(self.field_oscillator_position);
+        let torsion_position = chain.variable(self.field_torsion_position);
+        let spring_stiffness = chain.variable(self.field_spring_stiffness);
+        let oscillator_stiffness = chain.variable(self.field_oscillator_stiffness);
+        let damping = chain.variable(self.field_damping);
+        let mass = chain.variable(self.field_mass);
+        let torsion_stiffness = chain.variable(self.field_torsion_stiffness);
+        let second_span = oscillator_position - spring_position;
+        let third_span = torsion_position - oscillator_position;
+        let last_span = length - torsion_position;
+        let values = (spring_position, bending_stiffness, mass_per_length);
+        for step in [1usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        let values = (spring_stiffness,);
+        for step in [3usize] {
+            let gradient = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_3, &ends(step));
+            chain.add(gradient.stiffness, values.0);
+        }
+        let values = (second_span, bending_stiffness, mass_per_length);
+        for step in [5usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_4, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        let values = (mass,);
+        for step in [7usize] {
+            let gradient = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_7, &ends(step));
+            chain.add(gradient.mass, values.0);
+        }
+        let values = (oscillator_stiffness, damping);
+        for step in [8usize] {
+            let gradient = <mstmm::__private::elements::SpringDamper<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_6, &ends(step));
+            chain.add(gradient.stiffness, values.0);
+            chain.add(gradient.damping, values.1);
+        }
+        let values = (third_span, bending_stiffness, mass_per_length);
+        for step in [10usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_8, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        let values = (torsion_stiffness,);
+        for step in [12usize] {
+            let gradient = <mstmm::__private::elements::TorsionSpring<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_10, &ends(step));
+            chain.add(gradient.stiffness, values.0);
+        }
+        let values = (last_span, bending_stiffness, mass_per_length);
+        for step in [14usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_11, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        chain.finish()
     }
 }
 const _: () = {

@@ -83,6 +83,20 @@ pub struct RestrainedBeamSystem<T: mstmm::__private::Real = f64> {
     element_5: <mstmm::__private::elements::ElasticHinge<
         T,
     > as mstmm::__private::Element>::Built,
+    /// The field `length`
+    field_length: ::core::primitive::f64,
+    /// The field `bending_stiffness`
+    field_bending_stiffness: ::core::primitive::f64,
+    /// The field `mass_per_length`
+    field_mass_per_length: ::core::primitive::f64,
+    /// The field `left_stiffness`
+    field_left_stiffness: ::core::primitive::f64,
+    /// The field `left_torsion`
+    field_left_torsion: ::core::primitive::f64,
+    /// The field `right_stiffness`
+    field_right_stiffness: ::core::primitive::f64,
+    /// The field `right_torsion`
+    field_right_torsion: ::core::primitive::f64,
     parameter: ::core::marker::PhantomData<T>,
 }
 impl RestrainedBeam {
@@ -162,6 +176,13 @@ impl RestrainedBeam {
                 },
                 "elastic_hinge 5",
             )?,
+            field_length: self.length,
+            field_bending_stiffness: self.bending_stiffness,
+            field_mass_per_length: self.mass_per_length,
+            field_left_stiffness: self.left_stiffness,
+            field_left_torsion: self.left_torsion,
+            field_right_stiffness: self.right_stiffness,
+            field_right_torsion: self.right_torsion,
             parameter: ::core::marker::PhantomData,
         })
     }
@@ -181,6 +202,85 @@ impl<T: mstmm::__private::Real> mstmm::__private::System for RestrainedBeamSyste
             T,
         > as mstmm::__private::Element>::bound(&self.element_5, &mut bounds);
         bounds
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::Fields for RestrainedBeamSystem<T> {
+    const NAMES: &'static [&'static ::core::primitive::str] = &[
+        "length",
+        "bending_stiffness",
+        "mass_per_length",
+        "left_stiffness",
+        "left_torsion",
+        "right_stiffness",
+        "right_torsion",
+    ];
+    type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(
+        &[(), (), (), (), (), (), ()],
+    )];
+    fn per_field<V: ::core::marker::Copy + ::core::fmt::Debug>(
+        value: V,
+    ) -> Self::PerField<V> {
+        [value; _]
+    }
+}
+#[automatically_derived]
+impl<T, S> mstmm::__private::Chain<S> for RestrainedBeamSystem<T>
+where
+    T: mstmm::__private::Real,
+    S: mstmm::__private::Frequency<T>,
+    mstmm::__private::elements::Beam<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Beam<S>>,
+    mstmm::__private::elements::ElasticHinge<
+        T,
+    >: mstmm::__private::Motion<
+        S,
+        Gradient = mstmm::__private::elements::ElasticHinge<S>,
+    >,
+{
+    fn chain(
+        &self,
+        ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
+    ) -> Self::PerField<S> {
+        let mut chain = mstmm::__private::ChainRule::new(
+            <Self as mstmm::__private::Fields>::per_field(
+                mstmm::__private::Scalar::from_f64(0.0),
+            ),
+        );
+        let length = chain.variable(self.field_length);
+        let bending_stiffness = chain.variable(self.field_bending_stiffness);
+        let mass_per_length = chain.variable(self.field_mass_per_length);
+        let left_stiffness = chain.variable(self.field_left_stiffness);
+        let left_torsion = chain.variable(self.field_left_torsion);
+        let right_stiffness = chain.variable(self.field_right_stiffness);
+        let right_torsion = chain.variable(self.field_right_torsion);
+        let values = (left_stiffness, left_torsion);
+        for step in [2usize] {
+            let gradient = <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            chain.add(gradient.stiffness_y, values.0);
+            chain.add(gradient.stiffness_theta, values.1);
+        }
+        let values = (length, bending_stiffness, mass_per_length);
+        for step in [4usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_3, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        let values = (right_stiffness, right_torsion);
+        for step in [6usize] {
+            let gradient = <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_5, &ends(step));
+            chain.add(gradient.stiffness_y, values.0);
+            chain.add(gradient.stiffness_theta, values.1);
+        }
+        chain.finish()
     }
 }
 const _: () = {

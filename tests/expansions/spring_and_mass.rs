@@ -89,6 +89,20 @@ pub struct SpringAndMassSystem<T: mstmm::__private::Real = f64> {
     element_6: <mstmm::__private::elements::Mass<T> as mstmm::__private::Element>::Built,
     /// `beam 7`
     element_7: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    /// The field `length`
+    field_length: ::core::primitive::f64,
+    /// The field `bending_stiffness`
+    field_bending_stiffness: ::core::primitive::f64,
+    /// The field `mass_per_length`
+    field_mass_per_length: ::core::primitive::f64,
+    /// The field `spring_position`
+    field_spring_position: ::core::primitive::f64,
+    /// The field `mass_position`
+    field_mass_position: ::core::primitive::f64,
+    /// The field `stiffness`
+    field_stiffness: ::core::primitive::f64,
+    /// The field `mass`
+    field_mass: ::core::primitive::f64,
     parameter: ::core::marker::PhantomData<T>,
 }
 impl SpringAndMass {
@@ -199,6 +213,13 @@ impl SpringAndMass {
                 },
                 "beam 7",
             )?,
+            field_length: self.length,
+            field_bending_stiffness: self.bending_stiffness,
+            field_mass_per_length: self.mass_per_length,
+            field_spring_position: self.spring_position,
+            field_mass_position: self.mass_position,
+            field_stiffness: self.stiffness,
+            field_mass: self.mass,
             parameter: ::core::marker::PhantomData,
         })
     }
@@ -224,6 +245,105 @@ impl<T: mstmm::__private::Real> mstmm::__private::System for SpringAndMassSystem
             T,
         > as mstmm::__private::Element>::bound(&self.element_7, &mut bounds);
         bounds
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::Fields for SpringAndMassSystem<T> {
+    const NAMES: &'static [&'static ::core::primitive::str] = &[
+        "length",
+        "bending_stiffness",
+        "mass_per_length",
+        "spring_position",
+        "mass_position",
+        "stiffness",
+        "mass",
+    ];
+    type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(
+        &[(), (), (), (), (), (), ()],
+    )];
+    fn per_field<V: ::core::marker::Copy + ::core::fmt::Debug>(
+        value: V,
+    ) -> Self::PerField<V> {
+        [value; _]
+    }
+}
+#[automatically_derived]
+impl<T, S> mstmm::__private::Chain<S> for SpringAndMassSystem<T>
+where
+    T: mstmm::__private::Real,
+    S: mstmm::__private::Frequency<T>,
+    mstmm::__private::elements::Beam<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Beam<S>>,
+    mstmm::__private::elements::Mass<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Mass<S>>,
+    mstmm::__private::elements::Spring<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Spring<S>>,
+{
+    fn chain(
+        &self,
+        ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
+    ) -> Self::PerField<S> {
+        let mut chain = mstmm::__private::ChainRule::new(
+            <Self as mstmm::__private::Fields>::per_field(
+                mstmm::__private::Scalar::from_f64(0.0),
+            ),
+        );
+        let length = chain.variable(self.field_length);
+        let bending_stiffness = chain.variable(self.field_bending_stiffness);
+        let mass_per_length = chain.variable(self.field_mass_per_length);
+        let spring_position = chain.variable(self.field_spring_position);
+        let mass_position = chain.variable(self.field_mass_position);
+        let stiffness = chain.variable(self.field_stiffness);
+        let mass = chain.variable(self.field_mass);
+        let values = (spring_position, bending_stiffness, mass_per_length);
+        for step in [1usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        let values = (stiffness,);
+        for step in [3usize] {
+            let gradient = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_3, &ends(step));
+            chain.add(gradient.stiffness, values.0);
+        }
+        let values = (
+            mass_position - spring_position,
+            bending_stiffness,
+            mass_per_length,
+        );
+        for step in [5usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_4, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        let values = (mass,);
+        for step in [7usize] {
+            let gradient = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_6, &ends(step));
+            chain.add(gradient.mass, values.0);
+        }
+        let values = (length - mass_position, bending_stiffness, mass_per_length);
+        for step in [9usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_7, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        chain.finish()
     }
 }
 const _: () = {

@@ -56,6 +56,20 @@ pub struct TipBodySystem<T: mstmm::__private::Real = f64> {
     element_1: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
     /// `body 2`
     element_2: <mstmm::__private::elements::Body<T> as mstmm::__private::Element>::Built,
+    /// The field `length`
+    field_length: ::core::primitive::f64,
+    /// The field `bending_stiffness`
+    field_bending_stiffness: ::core::primitive::f64,
+    /// The field `mass_per_length`
+    field_mass_per_length: ::core::primitive::f64,
+    /// The field `mass`
+    field_mass: ::core::primitive::f64,
+    /// The field `inertia`
+    field_inertia: ::core::primitive::f64,
+    /// The field `eccentricity`
+    field_eccentricity: ::core::primitive::f64,
+    /// The field `depth`
+    field_depth: ::core::primitive::f64,
     parameter: ::core::marker::PhantomData<T>,
 }
 impl TipBody {
@@ -126,6 +140,13 @@ impl TipBody {
                 },
                 "body 2",
             )?,
+            field_length: self.length,
+            field_bending_stiffness: self.bending_stiffness,
+            field_mass_per_length: self.mass_per_length,
+            field_mass: self.mass,
+            field_inertia: self.inertia,
+            field_eccentricity: self.eccentricity,
+            field_depth: self.depth,
             parameter: ::core::marker::PhantomData,
         })
     }
@@ -142,6 +163,77 @@ impl<T: mstmm::__private::Real> mstmm::__private::System for TipBodySystem<T> {
             T,
         > as mstmm::__private::Element>::bound(&self.element_2, &mut bounds);
         bounds
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::Fields for TipBodySystem<T> {
+    const NAMES: &'static [&'static ::core::primitive::str] = &[
+        "length",
+        "bending_stiffness",
+        "mass_per_length",
+        "mass",
+        "inertia",
+        "eccentricity",
+        "depth",
+    ];
+    type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(
+        &[(), (), (), (), (), (), ()],
+    )];
+    fn per_field<V: ::core::marker::Copy + ::core::fmt::Debug>(
+        value: V,
+    ) -> Self::PerField<V> {
+        [value; _]
+    }
+}
+#[automatically_derived]
+impl<T, S> mstmm::__private::Chain<S> for TipBodySystem<T>
+where
+    T: mstmm::__private::Real,
+    S: mstmm::__private::Frequency<T>,
+    mstmm::__private::elements::Beam<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Beam<S>>,
+    mstmm::__private::elements::Body<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Body<S>>,
+{
+    fn chain(
+        &self,
+        ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
+    ) -> Self::PerField<S> {
+        let mut chain = mstmm::__private::ChainRule::new(
+            <Self as mstmm::__private::Fields>::per_field(
+                mstmm::__private::Scalar::from_f64(0.0),
+            ),
+        );
+        let length = chain.variable(self.field_length);
+        let bending_stiffness = chain.variable(self.field_bending_stiffness);
+        let mass_per_length = chain.variable(self.field_mass_per_length);
+        let mass = chain.variable(self.field_mass);
+        let inertia = chain.variable(self.field_inertia);
+        let eccentricity = chain.variable(self.field_eccentricity);
+        let depth = chain.variable(self.field_depth);
+        let inertia_about_input = inertia + mass * eccentricity * eccentricity;
+        let values = (length, bending_stiffness, mass_per_length);
+        for step in [1usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        let values = (mass, inertia_about_input, depth, eccentricity);
+        for step in [2usize] {
+            let gradient = <mstmm::__private::elements::Body<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_2, &ends(step));
+            chain.add(gradient.mass, values.0);
+            chain.add(gradient.inertia, values.1);
+            chain.add(gradient.output_x, values.2);
+            chain.add(gradient.centre_x, values.3);
+        }
+        chain.finish()
     }
 }
 const _: () = {

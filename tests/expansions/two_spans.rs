@@ -90,6 +90,20 @@ pub struct TwoSpansSystem<T: mstmm::__private::Real = f64> {
     > as mstmm::__private::Element>::Built,
     /// `beam 7`
     element_7: <mstmm::__private::elements::Beam<T> as mstmm::__private::Element>::Built,
+    /// The field `length`
+    field_length: ::core::primitive::f64,
+    /// The field `bending_stiffness`
+    field_bending_stiffness: ::core::primitive::f64,
+    /// The field `mass_per_length`
+    field_mass_per_length: ::core::primitive::f64,
+    /// The field `support_position`
+    field_support_position: ::core::primitive::f64,
+    /// The field `spring_position`
+    field_spring_position: ::core::primitive::f64,
+    /// The field `stiffness`
+    field_stiffness: ::core::primitive::f64,
+    /// The field `mass`
+    field_mass: ::core::primitive::f64,
     parameter: ::core::marker::PhantomData<T>,
 }
 impl TwoSpans {
@@ -197,6 +211,13 @@ impl TwoSpans {
                 },
                 "beam 7",
             )?,
+            field_length: self.length,
+            field_bending_stiffness: self.bending_stiffness,
+            field_mass_per_length: self.mass_per_length,
+            field_support_position: self.support_position,
+            field_spring_position: self.spring_position,
+            field_stiffness: self.stiffness,
+            field_mass: self.mass,
             parameter: ::core::marker::PhantomData,
         })
     }
@@ -222,6 +243,105 @@ impl<T: mstmm::__private::Real> mstmm::__private::System for TwoSpansSystem<T> {
             T,
         > as mstmm::__private::Element>::bound(&self.element_7, &mut bounds);
         bounds
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::Fields for TwoSpansSystem<T> {
+    const NAMES: &'static [&'static ::core::primitive::str] = &[
+        "length",
+        "bending_stiffness",
+        "mass_per_length",
+        "support_position",
+        "spring_position",
+        "stiffness",
+        "mass",
+    ];
+    type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(
+        &[(), (), (), (), (), (), ()],
+    )];
+    fn per_field<V: ::core::marker::Copy + ::core::fmt::Debug>(
+        value: V,
+    ) -> Self::PerField<V> {
+        [value; _]
+    }
+}
+#[automatically_derived]
+impl<T, S> mstmm::__private::Chain<S> for TwoSpansSystem<T>
+where
+    T: mstmm::__private::Real,
+    S: mstmm::__private::Frequency<T>,
+    mstmm::__private::elements::Beam<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Beam<S>>,
+    mstmm::__private::elements::Mass<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Mass<S>>,
+    mstmm::__private::elements::Spring<
+        T,
+    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Spring<S>>,
+{
+    fn chain(
+        &self,
+        ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
+    ) -> Self::PerField<S> {
+        let mut chain = mstmm::__private::ChainRule::new(
+            <Self as mstmm::__private::Fields>::per_field(
+                mstmm::__private::Scalar::from_f64(0.0),
+            ),
+        );
+        let length = chain.variable(self.field_length);
+        let bending_stiffness = chain.variable(self.field_bending_stiffness);
+        let mass_per_length = chain.variable(self.field_mass_per_length);
+        let support_position = chain.variable(self.field_support_position);
+        let spring_position = chain.variable(self.field_spring_position);
+        let stiffness = chain.variable(self.field_stiffness);
+        let mass = chain.variable(self.field_mass);
+        let values = (support_position, bending_stiffness, mass_per_length);
+        for step in [1usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        let values = (
+            spring_position - support_position,
+            bending_stiffness,
+            mass_per_length,
+        );
+        for step in [4usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_3, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        let values = (mass,);
+        for step in [6usize] {
+            let gradient = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_6, &ends(step));
+            chain.add(gradient.mass, values.0);
+        }
+        let values = (stiffness,);
+        for step in [7usize] {
+            let gradient = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_5, &ends(step));
+            chain.add(gradient.stiffness, values.0);
+        }
+        let values = (length - spring_position, bending_stiffness, mass_per_length);
+        for step in [9usize] {
+            let gradient = <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::Motion<S>>::gradient(&self.element_7, &ends(step));
+            chain.add(gradient.length, values.0);
+            chain.add(gradient.bending_stiffness, values.1);
+            chain.add(gradient.mass_per_length, values.2);
+        }
+        chain.finish()
     }
 }
 const _: () = {

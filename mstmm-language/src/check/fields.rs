@@ -1,12 +1,17 @@
 //! The struct of parameters has named fields of type `f64` and no generics.
 
+use crate::ast::NO_SENSITIVITY;
 use crate::diagnostics::Errors;
 use syn::spanned::Spanned;
-use syn::{Fields, ItemStruct, Type};
+use syn::{Attribute, Fields, ItemStruct, Meta, Type};
 
 pub(super) fn fields(item: &ItemStruct, errors: &mut Errors) {
     for attribute in item.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg")) {
         let message = "write `#[cfg(..)]` before `system!`: it is about the whole model";
+        errors.add(syn::Error::new_spanned(attribute, message));
+    }
+    for attribute in marks(&item.attrs) {
+        let message = "`#[no_sensitivity]` is about a field: write it in front of each field that it is about";
         errors.add(syn::Error::new_spanned(attribute, message));
     }
     if !item.generics.params.is_empty() {
@@ -18,6 +23,10 @@ pub(super) fn fields(item: &ItemStruct, errors: &mut Errors) {
             for field in &fields.named {
                 if let Some(name) = field.ident.as_ref().filter(|name| *name == "_") {
                     errors.push(name.span(), "a field of a model has a name: parameters are written by it");
+                }
+                for attribute in marks(&field.attrs).filter(|mark| !matches!(mark.meta, Meta::Path(_))) {
+                    let message = "`#[no_sensitivity]` takes no arguments: a formula takes its field as a plain number";
+                    errors.add(syn::Error::new_spanned(attribute, message));
                 }
                 if !matches!(&field.ty, Type::Path(path) if path.path.is_ident("f64")) {
                     let message = "a field of a model is an `f64`: compute anything else in a `let` line";
@@ -31,4 +40,9 @@ pub(super) fn fields(item: &ItemStruct, errors: &mut Errors) {
             errors.push(fields.span(), message);
         }
     }
+}
+
+/// The attributes that take a field out of sensitivities.
+fn marks(attributes: &[Attribute]) -> impl Iterator<Item = &Attribute> {
+    attributes.iter().filter(|attribute| attribute.path().is_ident(NO_SENSITIVITY))
 }

@@ -1,6 +1,6 @@
 //! Emits the evaluation of the overall matrix and its determinant.
 
-use super::{Names, element_field, implement, local};
+use super::{Names, bounds, element_field, implement, local};
 use crate::plan::{Plan, Step};
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
@@ -47,5 +47,5 @@ pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
             determinant
         }
     };
-    implement("Evaluate", "TransferMatrix", &body, plan, names)
+    implement("Evaluate", bounds("TransferMatrix", plan, names), &body, names)
 }

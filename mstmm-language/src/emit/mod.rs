@@ -5,21 +5,26 @@ mod labels;
 mod layout;
 mod names;
 mod pass;
+mod sensitivity;
 mod system;
 mod tree;
 
-use crate::ast::{Element, Model};
+use crate::ast::{Element, Model, NO_SENSITIVITY};
+use crate::check::Derivatives;
 use crate::plan::Plan;
 use names::Names;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote_spanned};
 use std::collections::BTreeMap;
+use syn::ItemStruct;
 
 /// All items of a model.
-pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
+pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -> TokenStream {
     let names = Names::of(model);
-    let parameters = &model.parameters;
-    let system = system::system(model, plan, &names);
+    let parameters = parameters(model);
+    let keeps_fields = sensitivity::keeps_fields(plan, derivatives);
+    let system = system::system(model, plan, keeps_fields, &names);
+    let sensitivity = sensitivity::sensitivity(model, plan, derivatives, &names);
     let labels = labels::labels(model, &names);
     let layout = layout::layout(plan, &names);
     let evaluate = evaluate::evaluate(plan, &names);
@@ -31,6 +36,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
         #parameters
         #system
         #constants
+        #sensitivity
         const _: () = {
             #labels
             #layout
@@ -40,6 +46,15 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>) -> TokenStream {
             #tree
         };
     }
+}
+
+/// The struct of parameters, without the marks that are the macro's own.
+fn parameters(model: &Model) -> ItemStruct {
+    let mut parameters = model.parameters.clone();
+    for field in &mut parameters.fields {
+        field.attrs.retain(|attribute| !attribute.path().is_ident(NO_SENSITIVITY));
+    }
+    parameters
 }
 
 /// Field of the built system that holds an element; labels are unique, so these are.
@@ -59,17 +74,22 @@ fn first_of_each_type<'a>(plan: &Plan<'a>, names: &Names) -> Vec<&'a Element> {
     first.into_values().collect()
 }
 
-/// Implements a trait for the built system, where each type of element has a trait of its own.
+/// What a trait for the built system asks of its elements: a trait for each type of element.
 ///
 /// If one has not, rustc says so at its keyword, and "required for the system" at the name of the model.
-fn implement(of: &str, of_elements: &str, body: &TokenStream, plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let Names { private, system, parameter, frequency, .. } = names;
-    let header = names.trait_at(of, names.here);
-    let bounds = first_of_each_type(plan, names).into_iter().map(|element| {
+fn bounds(of_elements: &str, plan: &Plan<'_>, names: &Names) -> Vec<TokenStream> {
+    let bound = |element: &Element| {
         let span = names.at_element(element);
         let (kind, bound) = (names.element(element), names.trait_at(of_elements, span));
         quote_spanned!(span=> #kind: #bound)
-    });
+    };
+    first_of_each_type(plan, names).into_iter().map(bound).collect()
+}
+
+/// Implements a trait for the built system, with bounds of its elements.
+fn implement(of: &str, bounds: Vec<TokenStream>, body: &TokenStream, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, frequency, .. } = names;
+    let header = names.trait_at(of, names.here);
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter, #frequency> #header for #system<#parameter>

@@ -2,6 +2,7 @@
 
 use crate::ast::{Element, Kind, Model};
 use crate::keywords::{element_of, support_of};
+use crate::spans::emitted_at;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote_spanned};
 use std::collections::BTreeSet;
@@ -27,7 +28,7 @@ pub(super) struct Names {
 impl Names {
     pub(super) fn of(model: &Model) -> Self {
         let facade = &model.facade;
-        let here = at(facade, model.parameters.ident.span());
+        let here = emitted_at(facade, model.parameters.ident.span());
         Names {
             facade: facade.clone(),
             here,
@@ -41,7 +42,7 @@ impl Names {
 
     /// The span for code that is about a token of the user's: errors in it are shown there.
     pub(super) fn at(&self, token: Span) -> Span {
-        at(&self.facade, token)
+        emitted_at(&self.facade, token)
     }
 
     /// The span for code that is about an element.
@@ -96,6 +97,13 @@ impl Names {
         quote_spanned!(span=> #private::#name<#frequency>)
     }
 
+    /// A trait of evaluation, with an associated type.
+    pub(super) fn trait_with(&self, name: &str, span: Span, associated: &TokenStream) -> TokenStream {
+        let (private, name, frequency) =
+            (private_at(&self.facade, span), Ident::new(name, span), located(&self.frequency, span));
+        quote_spanned!(span=> #private::#name<#frequency, #associated>)
+    }
+
     /// A function of the core.
     pub(super) fn function_at(&self, name: &str, span: Span) -> TokenStream {
         let (private, name) = (private_at(&self.facade, span), Ident::new(name, span));
@@ -110,15 +118,6 @@ impl Names {
         let variant = Ident::new(support_of(&keyword.to_string()).unwrap_or("Fixed"), span);
         quote_spanned!(span=> #private::Support::#variant)
     }
-}
-
-/// The span of emitted code.
-///
-/// Its place is the user's token, its meaning that of `$crate`, with which most paths begin: where rustc has to join spans
-/// of different meaning, it underlines something else, often the whole macro.
-fn at(facade: &TokenStream, token: Span) -> Span {
-    let facade = facade.clone().into_iter().next();
-    facade.map_or_else(Span::call_site, |facade| facade.span()).located_at(token)
 }
 
 /// Path to everything that emitted code uses. The facade keeps its meaning and changes its place only.

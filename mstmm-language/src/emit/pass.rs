@@ -1,6 +1,6 @@
 //! Emits a pass of the plane method.
 
-use super::{Names, element_field, first_of_each_type, implement, local};
+use super::{Names, bounds, element_field, first_of_each_type, implement, local};
 use crate::plan::{Plan, Step};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote_spanned};
@@ -32,7 +32,7 @@ pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
             #(#steps)*
         }
     };
-    implement("Characteristic", "PlaneStep", &body, plan, names)
+    implement("Characteristic", bounds("PlaneStep", plan, names), &body, names)
 }
 
 /// One step of the pass: `let s3 = ..`, or at the end Δ.

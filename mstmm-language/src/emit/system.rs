@@ -1,15 +1,16 @@
 //! Emits the built system and `build()`.
 
+use super::sensitivity::member;
 use super::{Names, element_field};
-use crate::ast::{Element, Model, Parameter};
+use crate::ast::{Element, Field, Model, Parameter};
 use crate::plan::Plan;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 /// The struct of elements, the function that makes it from the parameters, and what all systems have.
-pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let definition = definition(model, plan, names);
-    let build = build(model, plan, names);
+pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
+    let definition = definition(model, plan, keeps_fields, names);
+    let build = build(model, plan, keeps_fields, names);
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
     let bounds = plan.elements.iter().map(|element| {
         let (span, element_field, kind) =
@@ -34,8 +35,13 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStre
 }
 
 /// The struct of elements.
-fn definition(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
+fn definition(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
+    let kept = model.fields().filter(|_| keeps_fields).map(|field| {
+        let (member, conditions) = (member(&field, names), field.conditions);
+        let doc = format!(" The field `{}`", field.name);
+        quote_spanned!(names.here=> #(#conditions)* #[doc = #doc] #member: ::core::primitive::f64)
+    });
     let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
     let fields = plan.elements.iter().map(|element| {
         let (field, kind) = (element_field(element, names), names.element_as(element, "Element"));
@@ -52,20 +58,22 @@ fn definition(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
         #[derive(::core::clone::Clone, ::core::fmt::Debug)]
         #visibility struct #system<#parameter: #private::Real = f64> {
             #(#fields,)*
+            #(#kept,)*
             parameter: ::core::marker::PhantomData<#parameter>,
         }
     }
 }
 
 /// `build()`: from the parameters to the struct of elements.
-fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
+fn build(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let (visibility, name, lets) = (&model.parameters.vis, &model.parameters.ident, &model.lets);
-    // a field that is configured away is not there to be bound
-    let bindings = model.parameters.fields.iter().map(|field| {
-        let conditions = field.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg"));
-        let name = &field.ident;
-        quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;)
+    let bindings = model
+        .fields()
+        .map(|Field { name, conditions, .. }| quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;));
+    let kept = model.fields().filter(|_| keeps_fields).map(|field| {
+        let (member, Field { name, conditions, .. }) = (member(&field, names), field);
+        quote_spanned!(names.here=> #(#conditions)* #member: self.#name)
     });
     let values = plan.elements.iter().map(|element| value(element, names));
     quote_spanned! {names.here=>
@@ -89,6 +97,7 @@ fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
                 #(#lets)*
                 ::core::result::Result::Ok(#system {
                     #(#values,)*
+                    #(#kept,)*
                     parameter: ::core::marker::PhantomData,
                 })
             }

@@ -100,7 +100,7 @@ fn a_let_line_stands_before_the_first_path() {
 fn a_let_line_takes_patterns_and_types() {
     let code = expanded(
         "
-        struct M { k: f64 }
+        struct M { #[no_sensitivity] k: f64 }
         let (stiffness, mut mass): (f64, f64) = (k, 2.0 * k);
         let Pair { a, b: [c, _] } = pair(k);
         fixed -> spring 1 { stiffness } -> mass 2 { mass: mass + a + c } -> free
