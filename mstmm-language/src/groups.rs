@@ -36,10 +36,10 @@ fn visible_tree(tree: TokenTree, in_attribute: bool) -> TokenStream {
     TokenTree::Group(visible).into()
 }
 
-/// Whether the tokens are an expression of several parts; a name, a path, a number or a label is not.
+/// Whether the tokens are an expression of several parts; a name, a path, a number, a label or a tuple is not.
 fn is_compound(content: &TokenStream) -> bool {
     match syn::parse2::<Expr>(content.clone()) {
-        Ok(expression) => !matches!(expression, Expr::Path(_) | Expr::Lit(_) | Expr::Paren(_)),
+        Ok(expression) => !matches!(expression, Expr::Path(_) | Expr::Lit(_) | Expr::Paren(_) | Expr::Tuple(_)),
         Err(_) => false,
     }
 }

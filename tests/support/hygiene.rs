@@ -60,7 +60,7 @@ fn a_model_may_stand_in_a_function() {
         2.0 * x
     }
     system! {
-        struct Local { m: f64 }
+        struct Local { #[no_sensitivity] m: f64 }
         fixed -> spring 1 { stiffness: twice(SQUARE) } -> mass 2 { mass: twice(m) } -> free
     }
     let system = Local { m: 1.0 }.build().unwrap();
