@@ -7,6 +7,7 @@
 mod bindings;
 mod branches;
 mod dependence;
+mod exits;
 mod expressions;
 mod functions;
 mod scope;
@@ -46,6 +47,9 @@ pub(crate) fn derivatives(model: &Model, errors: &mut Errors) -> Derivatives {
     for element in model.elements() {
         let dependent = element.parameters().filter_map(|parameter| formulas.parameter(parameter));
         parameters.entry(element.label.to_string()).or_default().extend(dependent);
+    }
+    if parameters.values().any(|parameters| !parameters.is_empty()) {
+        exits::exits(model, errors);
     }
     Derivatives { lets, parameters }
 }

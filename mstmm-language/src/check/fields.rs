@@ -11,7 +11,7 @@ pub(super) fn fields(item: &ItemStruct, errors: &mut Errors) {
         errors.add(syn::Error::new_spanned(attribute, message));
     }
     for attribute in marks(&item.attrs) {
-        let message = "`#[no_sensitivity]` is about a field: write it in front of each field that it is about";
+        let message = "`#[no_sensitivity]` marks a field: write it in front of the field that is meant";
         errors.add(syn::Error::new_spanned(attribute, message));
     }
     if !item.generics.params.is_empty() {

@@ -3,6 +3,7 @@
 //! A test shows a wrong model with its messages under the tokens they are about, as the compiler does.
 
 mod depth;
+mod derivatives;
 mod editors;
 mod grammar;
 mod graph;

@@ -54,7 +54,7 @@ impl Formulas<'_> {
             }
             (Pat::Tuple(pattern), Dependence::Tuple(parts)) => self.bind_tuple(pattern, parts),
             _ => {
-                self.refuse(dependence, pattern, "what this pattern takes apart", "bind it to a name");
+                self.refuse(dependence, pattern, "this pattern", "bind names and compare in an `if`");
                 let mut names = Names(Vec::new());
                 names.visit_pat(pattern);
                 names.0.into_iter().for_each(|name| self.scope.bind(name, Dependence::None));

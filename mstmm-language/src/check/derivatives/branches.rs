@@ -1,5 +1,6 @@
 //! `if` and `match`: where any branch gives a number with derivatives, all do.
 
+use super::expressions::make_float;
 use super::{Dependence, Formulas};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote_spanned};
@@ -49,6 +50,7 @@ impl Formulas<'_> {
     /// Makes a value that depends on no field a constant, where one that does may stand too.
     pub(super) fn lift(&self, expression: &mut Expr, from: &Dependence, to: &Dependence) {
         if needs_lift(from, to) {
+            make_float(expression);
             *expression = Expr::Verbatim(self.lifted(expression, from, to));
         }
     }

@@ -5,7 +5,9 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use std::collections::BTreeSet;
 use syn::visit::{self, Visit};
-use syn::{BinOp, Expr, ExprBinary, ExprBlock, ExprField, ExprPath, ExprUnary, Macro, Member, UnOp};
+use syn::{
+    BinOp, Expr, ExprBinary, ExprBlock, ExprField, ExprLit, ExprPath, ExprUnary, Lit, LitFloat, Macro, Member, UnOp,
+};
 
 const ADVICE: &str = "write the formula without it";
 
@@ -39,6 +41,10 @@ impl Formulas<'_> {
             Expr::Reference(reference) => {
                 let dependence = self.expression(&mut reference.expr);
                 self.refuse(&dependence, reference.and_token, "a reference", ADVICE)
+            }
+            Expr::Index(index) => {
+                let (list, position) = (self.expression(&mut index.expr), self.expression(&mut index.index));
+                self.refuse(&Dependence::all([&list, &position]), &index, "an index", ADVICE)
             }
             Expr::Macro(call) => self.macro_call(&call.mac),
             Expr::Closure(closure) => {
@@ -81,6 +87,10 @@ impl Formulas<'_> {
         let (left, right) = (self.expression(&mut binary.left), self.expression(&mut binary.right));
         let all = Dependence::all([&left, &right]);
         let is_of_numbers = !left.is_tuple() && !right.is_tuple();
+        if !all.is_none() {
+            make_float(&mut binary.left);
+            make_float(&mut binary.right);
+        }
         match binary.op {
             BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) if is_of_numbers => all,
             BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_)
@@ -97,6 +107,14 @@ impl Formulas<'_> {
         let mut mentions = Mentions { formulas: self, fields: BTreeSet::new() };
         visit(&mut mentions);
         if mentions.fields.is_empty() { Dependence::None } else { Dependence::Number(mentions.fields) }
+    }
+}
+
+/// Makes an integer a number of a formula: rustc refuses it in `build`, which is enough.
+pub(super) fn make_float(expression: &mut Expr) {
+    let Expr::Lit(ExprLit { lit, .. }) = expression else { return };
+    if let Lit::Int(integer) = lit {
+        *lit = Lit::Float(LitFloat::new(&format!("{}.0", integer.base10_digits()), integer.span()));
     }
 }
 

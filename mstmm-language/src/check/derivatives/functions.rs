@@ -57,14 +57,14 @@ impl Formulas<'_> {
     /// `number.function(..)`
     pub(super) fn method(&mut self, call: &mut ExprMethodCall) -> Dependence {
         let arguments = std::iter::once(&mut *call.receiver).chain(&mut call.args).collect();
-        self.function(arguments, Some(&call.method), &call.method, &call.method.to_string())
+        self.function(arguments, Some(&call.method), &call.method, &format!("`{}`", call.method))
     }
 
     /// `function(..)`; `f64::function(number, ..)` becomes `(number).function(..)`.
     pub(super) fn call(&mut self, expression: &mut Expr) -> Dependence {
         let Expr::Call(call) = expression else { return Dependence::None };
         self.expression(&mut call.func);
-        let (known_as, name) = (of_f64(&call.func).cloned(), text(&call.func));
+        let (known_as, name) = (of_f64(&call.func).cloned(), called(&call.func));
         let dependence = self.function(call.args.iter_mut().collect(), known_as.as_ref(), &call.func, &name);
         if let (Some(method), false) = (known_as, dependence.is_none()) {
             let mut arguments = call.args.iter();
@@ -88,7 +88,7 @@ impl Formulas<'_> {
             return all;
         }
         let Some(numbers) = known_as.and_then(|function| numbers_of(function, &dependences)) else {
-            return self.refuse(&all, place, &format!("`{name}`"), "write the formula here");
+            return self.refuse(&all, place, name, "write the formula here");
         };
         for (argument, dependence) in arguments.into_iter().zip(&dependences).take(numbers) {
             self.lift(argument, dependence, &all);
@@ -97,10 +97,10 @@ impl Formulas<'_> {
     }
 }
 
-/// A path as it is written; of anything else that is called, what it is.
-fn text(function: &Expr) -> String {
+/// What is called, for a message.
+fn called(function: &Expr) -> String {
     match function {
-        Expr::Path(path) => path.to_token_stream().to_string().replace(' ', ""),
-        _ => "(..)".to_owned(),
+        Expr::Path(path) => format!("`{}`", path.to_token_stream().to_string().replace(' ', "")),
+        _ => "this function".to_owned(),
     }
 }
