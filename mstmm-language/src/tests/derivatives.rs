@@ -109,6 +109,19 @@ fn anything_goes_for_other_values() {
     assert!(code.contains("let values = (a * width ,)"), "{code}");
 }
 
+/// Integers among numbers are slips, and refused in `build`; once is enough.
+#[test]
+fn an_integer_is_not_refused_twice() {
+    let code = chain(
+        "
+        struct M { width: f64 }
+        let a = 2 * width.max(1);
+        fixed -> spring 1 { stiffness: a } -> free;
+        ",
+    );
+    assert!(code.contains("let a = 2.0 * width . max (chain . constant (1.0)) ;"), "{code}");
+}
+
 /// Plain numbers become constants where a number with derivatives may stand too, and nowhere else.
 #[test]
 fn formulas_change_only_where_they_must() {

@@ -53,7 +53,8 @@ fn supports(space: Space) -> &'static [&'static str] {
 /// Every parameter is a field, so that each can be written in short.
 const FIELDS: &str = "length: f64, pub bending_stiffness: f64, axial_stiffness: f64, mass_per_length: f64, mass: f64, \
      /// Moment of inertia\n inertia: f64, output_x: f64, output_y: f64, centre_x: f64, centre_y: f64, \
-     stiffness: f64, stiffness_x: f64, stiffness_y: f64, stiffness_theta: f64, damping: f64, r#type: f64, tension: f64";
+     stiffness: f64, stiffness_x: f64, stiffness_y: f64, stiffness_theta: f64, damping: f64, r#type: f64, tension: f64, \
+     #[no_sensitivity] width: f64";
 
 const HEADERS: [&str; 4] = [
     "struct Model",
@@ -70,7 +71,8 @@ const VALUES: [&str; 8] = [
     "f64::sqrt(length)",
     "{ let k = mass; k * k }",
     "if half > 1.0 { half } else { mass }",
-    "maximum!(mass, 1.0)",
+    "maximum!(width, 1.0)",
+    "match half { k if k < 2.0 => k, k => f64::max(k, 3.0) }",
 ];
 
 /// A valid model as text; it grows with the number of choices.
