@@ -63,7 +63,7 @@ const HEADERS: [&str; 4] = [
     "struct r#Système",
 ];
 
-const VALUES: [&str; 8] = [
+const VALUES: [&str; 9] = [
     "1.0",
     "2.0 * length",
     "-(mass + r#type) / 3e-2",
