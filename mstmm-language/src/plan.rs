@@ -74,6 +74,12 @@ impl<'a> Plan<'a> {
         plan
     }
 
+    /// The steps at which one of the [`elements`](Self::elements) stands.
+    pub(crate) fn steps_of(&self, element: usize) -> Vec<usize> {
+        let stands = |step: &Step<'_>| matches!(step, Step::Element { evaluated, .. } if *evaluated == element);
+        (0..self.steps.len()).filter(|&index| stands(&self.steps[index])).collect()
+    }
+
     /// Whether a step is a support that holds a connection.
     pub(crate) fn holds_connection(&self, step: usize) -> bool {
         self.downstream(step).is_some_and(|next| matches!(self.steps[next], Step::Connection { .. }))

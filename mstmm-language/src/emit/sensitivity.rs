@@ -3,7 +3,7 @@
 use super::{Names, element_field, first_of_each_type, implement};
 use crate::ast::{Element, Field, Model};
 use crate::check::Derivatives;
-use crate::plan::{Plan, Step};
+use crate::plan::Plan;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote_spanned};
 use syn::Index;
@@ -92,10 +92,7 @@ fn summand(index: usize, plan: &Plan<'_>, derivatives: &Derivatives, names: &Nam
     if parameters.is_empty() {
         return TokenStream::new();
     }
-    let steps = plan.steps.iter().enumerate().filter_map(|(step, kind)| match kind {
-        Step::Element { evaluated, .. } => (*evaluated == index).then_some(step),
-        Step::Tip(_) | Step::Connection { .. } | Step::Root { .. } => None,
-    });
+    let steps = plan.steps_of(index);
     let (field, motion) = (element_field(element, names), names.element_as(element, "Motion"));
     let (parameters, values): (Vec<_>, Vec<_>) = parameters.iter().cloned().unzip();
     let order = (0..values.len()).map(Index::from);

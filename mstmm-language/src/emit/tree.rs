@@ -1,6 +1,6 @@
 //! Emits what motions need: the labels of the model as values, and the system as a tree whose elements can be visited.
 
-use super::{Names, element_field, first_of_each_type, implement};
+use super::{Names, bounds, element_field, first_of_each_type, implement};
 use crate::ast::{Label, Model};
 use crate::plan::{Plan, Step};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -75,11 +75,11 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let evaluated = coefficients().map(|(_, step)| quote_spanned!(names.here=> #step::Coefficients));
     let values = coefficients().map(|(field, step)| quote_spanned!(names.here=> #step::coefficients(&self.#field, at)));
     let visits = elements().map(|(index, element)| {
-        let (steps, field, kind) = (steps_of(index, plan), element_field(element, names), names.element(element));
+        let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
         quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
     });
     let visits_at = elements().map(|(index, element)| {
-        let (steps, field, kind) = (steps_of(index, plan), element_field(element, names), names.element(element));
+        let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
         let index = Literal::usize_unsuffixed(index);
         quote_spanned! {names.here=>
             #(#steps)|* => visitor.element::<#kind>(&self.#field, &evaluated.#index),
@@ -121,14 +121,5 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
             })
         }
     };
-    implement("Tree", "Motion", &body, plan, names)
-}
-
-/// The steps at which an element of the plan stands.
-fn steps_of(element: usize, plan: &Plan<'_>) -> Vec<usize> {
-    let steps = plan.steps.iter().enumerate();
-    steps
-        .filter(|(_, step)| matches!(step, Step::Element { evaluated, .. } if *evaluated == element))
-        .map(|(index, _)| index)
-        .collect()
+    implement("Tree", bounds("Motion", plan, names), &body, names)
 }
