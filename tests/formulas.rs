@@ -60,6 +60,10 @@ impl<T: Real, S: Frequency<T>> Motion<S> for Probe<T> {
         S::zero()
     }
 
+    fn stiffness_form(_built: &Self, _first: &Ends<S>, _second: &Ends<S>) -> S {
+        S::zero()
+    }
+
     fn gradient(_built: &Self, ends: &Ends<S>) -> Probe<S> {
         Probe { first: ends.input.y, second: ends.output.y }
     }

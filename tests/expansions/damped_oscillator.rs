@@ -359,6 +359,62 @@ impl<T: mstmm::__private::Real> mstmm::__private::System for DampedOscillatorSys
         bounds
     }
 }
+/// The labels of the sketch: elements and connections, as results about motions take them.
+#[allow(dead_code, non_upper_case_globals)]
+impl DampedOscillator {
+    /// `beam 1`
+    pub const beam_1: mstmm::__private::Label<
+        DampedOscillator,
+        mstmm::__private::elements::Beam<f64>,
+    > = mstmm::__private::Label::new(1usize, 0usize);
+    /// `spring 3`
+    pub const spring_3: mstmm::__private::Label<
+        DampedOscillator,
+        mstmm::__private::elements::Spring<f64>,
+    > = mstmm::__private::Label::new(3usize, 2usize);
+    /// `conn 2`
+    pub const conn_2: mstmm::__private::Point<DampedOscillator> = mstmm::__private::Point::connection(
+        4usize,
+    );
+    /// `beam 4`
+    pub const beam_4: mstmm::__private::Label<
+        DampedOscillator,
+        mstmm::__private::elements::Beam<f64>,
+    > = mstmm::__private::Label::new(5usize, 4usize);
+    /// `mass 7`
+    pub const mass_7: mstmm::__private::Label<
+        DampedOscillator,
+        mstmm::__private::elements::Mass<f64>,
+    > = mstmm::__private::Label::new(7usize, 6usize);
+    /// `spring_damper 6`
+    pub const spring_damper_6: mstmm::__private::Label<
+        DampedOscillator,
+        mstmm::__private::elements::SpringDamper<f64>,
+    > = mstmm::__private::Label::new(8usize, 7usize);
+    /// `conn 5`
+    pub const conn_5: mstmm::__private::Point<DampedOscillator> = mstmm::__private::Point::connection(
+        9usize,
+    );
+    /// `beam 8`
+    pub const beam_8: mstmm::__private::Label<
+        DampedOscillator,
+        mstmm::__private::elements::Beam<f64>,
+    > = mstmm::__private::Label::new(10usize, 9usize);
+    /// `torsion_spring 10`
+    pub const torsion_spring_10: mstmm::__private::Label<
+        DampedOscillator,
+        mstmm::__private::elements::TorsionSpring<f64>,
+    > = mstmm::__private::Label::new(12usize, 11usize);
+    /// `conn 9`
+    pub const conn_9: mstmm::__private::Point<DampedOscillator> = mstmm::__private::Point::connection(
+        13usize,
+    );
+    /// `beam 11`
+    pub const beam_11: mstmm::__private::Label<
+        DampedOscillator,
+        mstmm::__private::elements::Beam<f64>,
+    > = mstmm::__private::Label::new(14usize, 13usize);
+}
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::Fields for DampedOscillatorSystem<T> {
     const NAMES: &'static [&'static ::core::primitive::str] = &[
@@ -842,6 +898,322 @@ const _: () = {
                 C,
                 STEPS,
             >(&k_11, s13, mstmm::__private::Support::Pinned, tally)
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::Planned
+    for DampedOscillatorSystem<T> {
+        type Model = DampedOscillator;
+        type PerStep<C: ::core::marker::Copy + ::core::fmt::Debug> = [C; 16usize];
+        fn per_step<C: ::core::marker::Copy + ::core::fmt::Debug>(
+            value: C,
+        ) -> [C; 16usize] {
+            [value; 16usize]
+        }
+        fn scheme() -> mstmm::__private::Scheme<'static> {
+            const { &LAYOUT }.scheme()
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Tree<S> for DampedOscillatorSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::SpringDamper<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::Motion<S>,
+    {
+        type Evaluated = (
+            (
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Spring<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Spring<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Mass<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Mass<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::SpringDamper<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::SpringDamper<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::TorsionSpring<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::TorsionSpring<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+        );
+        fn at(x: S) -> mstmm::__private::At<S> {
+            mstmm::__private::At::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::SpringDamper<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::TorsionSpring<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            )
+        }
+        fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
+            (
+                (
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_1, at),
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_1, at),
+                ),
+                (
+                    <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_3, at),
+                    <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_3, at),
+                ),
+                (
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_4, at),
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_4, at),
+                ),
+                (
+                    <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_7, at),
+                    <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_7, at),
+                ),
+                (
+                    <mstmm::__private::elements::SpringDamper<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_6, at),
+                    <mstmm::__private::elements::SpringDamper<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_6, at),
+                ),
+                (
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_8, at),
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_8, at),
+                ),
+                (
+                    <mstmm::__private::elements::TorsionSpring<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_10, at),
+                    <mstmm::__private::elements::TorsionSpring<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_10, at),
+                ),
+                (
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_11, at),
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_11, at),
+                ),
+            )
+        }
+        fn visit<C: mstmm::__private::Visit<S>>(
+            &self,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_1)
+                    }
+                    3usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Spring<T>,
+                            >(&self.element_3)
+                    }
+                    5usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_4)
+                    }
+                    7usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Mass<T>,
+                            >(&self.element_7)
+                    }
+                    8usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::SpringDamper<T>,
+                            >(&self.element_6)
+                    }
+                    10usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_8)
+                    }
+                    12usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::TorsionSpring<T>,
+                            >(&self.element_10)
+                    }
+                    14usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_11)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+        fn visit_at<C: mstmm::__private::VisitAt<S>>(
+            &self,
+            evaluated: &Self::Evaluated,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_1, &evaluated.0.0, &evaluated.0.1)
+                    }
+                    3usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Spring<T>,
+                            >(&self.element_3, &evaluated.1.0, &evaluated.1.1)
+                    }
+                    5usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_4, &evaluated.2.0, &evaluated.2.1)
+                    }
+                    7usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Mass<T>,
+                            >(&self.element_7, &evaluated.3.0, &evaluated.3.1)
+                    }
+                    8usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::SpringDamper<T>,
+                            >(&self.element_6, &evaluated.4.0, &evaluated.4.1)
+                    }
+                    10usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_8, &evaluated.5.0, &evaluated.5.1)
+                    }
+                    12usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::TorsionSpring<T>,
+                            >(&self.element_10, &evaluated.6.0, &evaluated.6.1)
+                    }
+                    14usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_11, &evaluated.7.0, &evaluated.7.1)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
         }
     }
 };

@@ -204,6 +204,33 @@ impl<T: mstmm::__private::Real> mstmm::__private::System for RestrainedBeamSyste
         bounds
     }
 }
+/// The labels of the sketch: elements and connections, as results about motions take them.
+#[allow(dead_code, non_upper_case_globals)]
+impl RestrainedBeam {
+    /// `elastic_hinge 1`
+    pub const elastic_hinge_1: mstmm::__private::Label<
+        RestrainedBeam,
+        mstmm::__private::elements::ElasticHinge<f64>,
+    > = mstmm::__private::Label::new(2usize, 1usize);
+    /// `conn 2`
+    pub const conn_2: mstmm::__private::Point<RestrainedBeam> = mstmm::__private::Point::connection(
+        3usize,
+    );
+    /// `beam 3`
+    pub const beam_3: mstmm::__private::Label<
+        RestrainedBeam,
+        mstmm::__private::elements::Beam<f64>,
+    > = mstmm::__private::Label::new(4usize, 3usize);
+    /// `elastic_hinge 5`
+    pub const elastic_hinge_5: mstmm::__private::Label<
+        RestrainedBeam,
+        mstmm::__private::elements::ElasticHinge<f64>,
+    > = mstmm::__private::Label::new(6usize, 5usize);
+    /// `conn 4`
+    pub const conn_4: mstmm::__private::Point<RestrainedBeam> = mstmm::__private::Point::connection(
+        7usize,
+    );
+}
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::Fields for RestrainedBeamSystem<T> {
     const NAMES: &'static [&'static ::core::primitive::str] = &[
@@ -455,6 +482,160 @@ const _: () = {
                 tally,
             );
             s7.at_root(mstmm::__private::Support::Free, tally)
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::Planned
+    for RestrainedBeamSystem<T> {
+        type Model = RestrainedBeam;
+        type PerStep<C: ::core::marker::Copy + ::core::fmt::Debug> = [C; 9usize];
+        fn per_step<C: ::core::marker::Copy + ::core::fmt::Debug>(
+            value: C,
+        ) -> [C; 9usize] {
+            [value; 9usize]
+        }
+        fn scheme() -> mstmm::__private::Scheme<'static> {
+            const { &LAYOUT }.scheme()
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Tree<S> for RestrainedBeamSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::Motion<S>,
+    {
+        type Evaluated = (
+            (
+                <mstmm::__private::elements::ElasticHinge<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::ElasticHinge<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::ElasticHinge<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::ElasticHinge<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+        );
+        fn at(x: S) -> mstmm::__private::At<S> {
+            mstmm::__private::At::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::ElasticHinge<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            )
+        }
+        fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
+            (
+                (
+                    <mstmm::__private::elements::ElasticHinge<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_1, at),
+                    <mstmm::__private::elements::ElasticHinge<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_1, at),
+                ),
+                (
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_3, at),
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_3, at),
+                ),
+                (
+                    <mstmm::__private::elements::ElasticHinge<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_5, at),
+                    <mstmm::__private::elements::ElasticHinge<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_5, at),
+                ),
+            )
+        }
+        fn visit<C: mstmm::__private::Visit<S>>(
+            &self,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    2usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::ElasticHinge<T>,
+                            >(&self.element_1)
+                    }
+                    4usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_3)
+                    }
+                    6usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::ElasticHinge<T>,
+                            >(&self.element_5)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+        fn visit_at<C: mstmm::__private::VisitAt<S>>(
+            &self,
+            evaluated: &Self::Evaluated,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    2usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::ElasticHinge<T>,
+                            >(&self.element_1, &evaluated.0.0, &evaluated.0.1)
+                    }
+                    4usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_3, &evaluated.1.0, &evaluated.1.1)
+                    }
+                    6usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::ElasticHinge<T>,
+                            >(&self.element_5, &evaluated.2.0, &evaluated.2.1)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
         }
     }
 };

@@ -247,6 +247,43 @@ impl<T: mstmm::__private::Real> mstmm::__private::System for SpringAndMassSystem
         bounds
     }
 }
+/// The labels of the sketch: elements and connections, as results about motions take them.
+#[allow(dead_code, non_upper_case_globals)]
+impl SpringAndMass {
+    /// `beam 1`
+    pub const beam_1: mstmm::__private::Label<
+        SpringAndMass,
+        mstmm::__private::elements::Beam<f64>,
+    > = mstmm::__private::Label::new(1usize, 0usize);
+    /// `spring 3`
+    pub const spring_3: mstmm::__private::Label<
+        SpringAndMass,
+        mstmm::__private::elements::Spring<f64>,
+    > = mstmm::__private::Label::new(3usize, 2usize);
+    /// `conn 2`
+    pub const conn_2: mstmm::__private::Point<SpringAndMass> = mstmm::__private::Point::connection(
+        4usize,
+    );
+    /// `beam 4`
+    pub const beam_4: mstmm::__private::Label<
+        SpringAndMass,
+        mstmm::__private::elements::Beam<f64>,
+    > = mstmm::__private::Label::new(5usize, 4usize);
+    /// `mass 6`
+    pub const mass_6: mstmm::__private::Label<
+        SpringAndMass,
+        mstmm::__private::elements::Mass<f64>,
+    > = mstmm::__private::Label::new(7usize, 6usize);
+    /// `conn 5`
+    pub const conn_5: mstmm::__private::Point<SpringAndMass> = mstmm::__private::Point::connection(
+        8usize,
+    );
+    /// `beam 7`
+    pub const beam_7: mstmm::__private::Label<
+        SpringAndMass,
+        mstmm::__private::elements::Beam<f64>,
+    > = mstmm::__private::Label::new(9usize, 8usize);
+}
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::Fields for SpringAndMassSystem<T> {
     const NAMES: &'static [&'static ::core::primitive::str] = &[
@@ -576,6 +613,224 @@ const _: () = {
                 C,
                 STEPS,
             >(&k_7, s8, mstmm::__private::Support::Pinned, tally)
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::Planned
+    for SpringAndMassSystem<T> {
+        type Model = SpringAndMass;
+        type PerStep<C: ::core::marker::Copy + ::core::fmt::Debug> = [C; 11usize];
+        fn per_step<C: ::core::marker::Copy + ::core::fmt::Debug>(
+            value: C,
+        ) -> [C; 11usize] {
+            [value; 11usize]
+        }
+        fn scheme() -> mstmm::__private::Scheme<'static> {
+            const { &LAYOUT }.scheme()
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Tree<S> for SpringAndMassSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
+    {
+        type Evaluated = (
+            (
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Spring<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Spring<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Mass<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Mass<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+        );
+        fn at(x: S) -> mstmm::__private::At<S> {
+            mstmm::__private::At::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            )
+        }
+        fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
+            (
+                (
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_1, at),
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_1, at),
+                ),
+                (
+                    <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_3, at),
+                    <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_3, at),
+                ),
+                (
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_4, at),
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_4, at),
+                ),
+                (
+                    <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_6, at),
+                    <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_6, at),
+                ),
+                (
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_7, at),
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_7, at),
+                ),
+            )
+        }
+        fn visit<C: mstmm::__private::Visit<S>>(
+            &self,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_1)
+                    }
+                    3usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Spring<T>,
+                            >(&self.element_3)
+                    }
+                    5usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_4)
+                    }
+                    7usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Mass<T>,
+                            >(&self.element_6)
+                    }
+                    9usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_7)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+        fn visit_at<C: mstmm::__private::VisitAt<S>>(
+            &self,
+            evaluated: &Self::Evaluated,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_1, &evaluated.0.0, &evaluated.0.1)
+                    }
+                    3usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Spring<T>,
+                            >(&self.element_3, &evaluated.1.0, &evaluated.1.1)
+                    }
+                    5usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_4, &evaluated.2.0, &evaluated.2.1)
+                    }
+                    7usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Mass<T>,
+                            >(&self.element_6, &evaluated.3.0, &evaluated.3.1)
+                    }
+                    9usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_7, &evaluated.4.0, &evaluated.4.1)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
         }
     }
 };

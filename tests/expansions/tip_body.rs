@@ -165,6 +165,20 @@ impl<T: mstmm::__private::Real> mstmm::__private::System for TipBodySystem<T> {
         bounds
     }
 }
+/// The labels of the sketch: elements and connections, as results about motions take them.
+#[allow(dead_code, non_upper_case_globals)]
+impl TipBody {
+    /// `beam 1`
+    pub const beam_1: mstmm::__private::Label<
+        TipBody,
+        mstmm::__private::elements::Beam<f64>,
+    > = mstmm::__private::Label::new(1usize, 0usize);
+    /// `body 2`
+    pub const body_2: mstmm::__private::Label<
+        TipBody,
+        mstmm::__private::elements::Body<f64>,
+    > = mstmm::__private::Label::new(2usize, 1usize);
+}
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::Fields for TipBodySystem<T> {
     const NAMES: &'static [&'static ::core::primitive::str] = &[
@@ -349,6 +363,129 @@ const _: () = {
                 C,
                 STEPS,
             >(&k_2, s1, mstmm::__private::Support::Free, tally)
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::Planned for TipBodySystem<T> {
+        type Model = TipBody;
+        type PerStep<C: ::core::marker::Copy + ::core::fmt::Debug> = [C; 4usize];
+        fn per_step<C: ::core::marker::Copy + ::core::fmt::Debug>(
+            value: C,
+        ) -> [C; 4usize] {
+            [value; 4usize]
+        }
+        fn scheme() -> mstmm::__private::Scheme<'static> {
+            const { &LAYOUT }.scheme()
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Tree<S> for TipBodySystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Body<T>: mstmm::__private::Motion<S>,
+    {
+        type Evaluated = (
+            (
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+            (
+                <mstmm::__private::elements::Body<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::Coefficients,
+                <mstmm::__private::elements::Body<
+                    T,
+                > as mstmm::__private::Motion<S>>::Links,
+            ),
+        );
+        fn at(x: S) -> mstmm::__private::At<S> {
+            mstmm::__private::At::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Body<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            )
+        }
+        fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
+            (
+                (
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_1, at),
+                    <mstmm::__private::elements::Beam<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_1, at),
+                ),
+                (
+                    <mstmm::__private::elements::Body<
+                        T,
+                    > as mstmm::__private::PlaneStep<
+                        S,
+                    >>::coefficients(&self.element_2, at),
+                    <mstmm::__private::elements::Body<
+                        T,
+                    > as mstmm::__private::Motion<S>>::links(&self.element_2, at),
+                ),
+            )
+        }
+        fn visit<C: mstmm::__private::Visit<S>>(
+            &self,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_1)
+                    }
+                    2usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Body<T>,
+                            >(&self.element_2)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+        fn visit_at<C: mstmm::__private::VisitAt<S>>(
+            &self,
+            evaluated: &Self::Evaluated,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Beam<T>,
+                            >(&self.element_1, &evaluated.0.0, &evaluated.0.1)
+                    }
+                    2usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Body<T>,
+                            >(&self.element_2, &evaluated.1.0, &evaluated.1.1)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
         }
     }
 };
