@@ -160,11 +160,11 @@ fn branches() {
     formulas!(Plus { a: 0.3, b: 1.7 } => if a < b { 1.0 } else { b * a }, if a < b { b * a } else { 1.0 });
     formulas!(Minus { a: 1.3, b: 0.7 } => if a < b { 1.0 } else { b * a }, if a < b { b * a } else { 1.0 });
     formulas!(Chained { a: 0.3, b: 1.7 } =>
-        if a > b { a } else if a > 1.0 || b > 2.0 { DENSITY } else if !(b < 0.0) { a * b } else { 0.0 },
+        if a > b { a } else if a > 1.0 || b > 2.0 { DENSITY } else if !(b == 0.0) { a * b } else { 0.0 },
         if 1.0 <= a { 2.0 } else if !(a == 0.5) && b != 1.0 { b } else { a }
     );
     formulas!(Matched { a: 0.3, b: 1.7 } => match a < b { true => { 3.0 } false => a }, match a > b { true => 3.0, _ => a * b });
-    formulas!(Guarded { a: 0.3, b: 1.7 } => match a * b { c if c > 1.0 => c, c => 2.0 * c }, match (a, 2) { (c, n) => c.powi(n) });
+    formulas!(Guarded { a: 0.3, b: 1.7 } => match a * b { c if c > 1.0 => c, c => 2.0 * c }, match (a, 2) { (c, n) if n == 2 => c.powi(n), _ => b });
     formulas!(Optional { a: 0.3 } => if let Some(a) = Some(2.0) { a } else { a }, if let Some(b) = None::<f64> { b } else { a });
     formulas!(Pairs { a: 0.3, b: 1.7 } let (c, d) = if a < b { (a, 1.0) } else { (2.0, b) }; => c * d, d * b);
     formulas!(PlainPairs { a: 1.3, b: 0.7 } let pair = (5.0, 2); let (c, n) = if a < b { (a, 1) } else { pair }; => c * a, a.powi(n));
