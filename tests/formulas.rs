@@ -1,7 +1,7 @@
 //! The derivatives of parameters with respect to fields, through every kind of formula.
 //!
-//! A model has a probe for an element, whose dynamic work is made up, so that the chain rule alone is tested: the oracle is a
-//! central difference of the same formulas over plain numbers.
+//! A model has a probe for an element, whose dynamic work is made up, so that the chain rule alone is tested: the oracle is
+//! a central difference of the same formulas over plain numbers.
 
 use mstmm::__private::{Chain, Covector, Ends, Fields, Motion};
 use mstmm::{At, Element, Frequency, InvalidParameter, PlaneStep, Real, Subspace, System, Tally, Translation};
@@ -76,7 +76,7 @@ fn ends(step: usize) -> Ends<f64> {
     ends
 }
 
-/// The function `formulas` of the fields, by central differences: `∂/∂field` of `Σ Y_input first + Y_output second`.
+/// `∂/∂field` of `Σ Y_input first + Y_output second` by central differences; `formulas` gives the parameters by step.
 fn differences<const K: usize>(values: [f64; K], formulas: impl Fn([f64; K]) -> Vec<(usize, f64, f64)>) -> [f64; K] {
     let step = f64::EPSILON.cbrt();
     let sum = |values: [f64; K]| -> f64 {
@@ -115,7 +115,11 @@ fn area(width: f64, height: f64) -> f64 {
 
 /// The fields, and the same formulas twice: as a model of two probes in a row, steps 1 and 2, and as a function.
 macro_rules! formulas {
-    ($model:ident { $($field:ident: $value:literal),* } $(let $pattern:tt $(: $type:ty)? = $let:expr;)* => $first:expr, $second:expr) => {{
+    (
+        $model:ident { $($field:ident: $value:literal),* }
+        $(let $pattern:tt $(: $type:ty)? = $let:expr;)*
+        => $first:expr, $second:expr
+    ) => {{
         mstmm::system! {
             struct $model { $($field: f64),* }
             $(let $pattern $(: $type)? = $let;)*
@@ -146,12 +150,16 @@ fn lines() {
     formulas!(Tuples { a: 0.3, b: 1.7 } let (c, d): (f64, f64) = (a * b, 3.0); let e: f64 = c * d; => e, d.powf(e));
     formulas!(Nested { a: 0.3, b: 1.7 } let ((c, n), .., d) = ((a * b, 3), b, a); => c.powi(n), c * d);
     formulas!(Parts { a: 0.3, b: 1.7 } let pair = (a, (2.0, b)); let (c, _) = pair; => pair.1.1 * c, pair.1.0 * pair.0);
-    formulas!(Plain { a: 0.3 } let table: Vec<f64> = [1, 2].map(f64::from).to_vec(); => a * table[1], table.iter().sum::<f64>() * a);
+    formulas!(Plain { a: 0.3 } let table: Vec<f64> = [1, 2].map(f64::from).to_vec();
+        => a * table[1], table.iter().sum::<f64>() * a
+    );
 }
 
 #[test]
 fn blocks() {
-    formulas!(Blocks { a: 0.3, b: 1.7 } let c = { let a = a * b; let b: f64 = 2.0; a * b }; => { c * a }, { let a = 3.0; b * a } * a);
+    formulas!(Blocks { a: 0.3, b: 1.7 } let c = { let a = a * b; let b: f64 = 2.0; a * b };
+        => { c * a }, { let a = 3.0; b * a } * a
+    );
 }
 
 /// Either branch of each, and plain numbers beside numbers with derivatives.
@@ -163,23 +171,39 @@ fn branches() {
         if a > b { a } else if a > 1.0 || b > 2.0 { DENSITY } else if !(b == 0.0) { a * b } else { 0.0 },
         if 1.0 <= a { 2.0 } else if !(a == 0.5) && b != 1.0 { b } else { a }
     );
-    formulas!(Matched { a: 0.3, b: 1.7 } => match a < b { true => { 3.0 } false => a }, match a > b { true => 3.0, _ => a * b });
-    formulas!(Guarded { a: 0.3, b: 1.7 } => match a * b { c if c > 1.0 => c, c => 2.0 * c }, match (a, 2) { (c, n) if n == 2 => c.powi(n), _ => b });
-    formulas!(Optional { a: 0.3 } => if let Some(a) = Some(2.0) { a } else { a }, if let Some(b) = None::<f64> { b } else { a });
+    formulas!(Matched { a: 0.3, b: 1.7 }
+        => match a < b { true => { 3.0 } false => a }, match a > b { true => 3.0, _ => a * b }
+    );
+    formulas!(Guarded { a: 0.3, b: 1.7 }
+        => match a * b { c if c > 1.0 => c, c => 2.0 * c }, match (a, 2) { (c, n) if n == 2 => c.powi(n), _ => b }
+    );
+    formulas!(Optional { a: 0.3 }
+        => if let Some(a) = Some(2.0) { a } else { a }, if let Some(b) = None::<f64> { b } else { a }
+    );
     formulas!(Pairs { a: 0.3, b: 1.7 } let (c, d) = if a < b { (a, 1.0) } else { (2.0, b) }; => c * d, d * b);
-    formulas!(PlainPairs { a: 1.3, b: 0.7 } let pair = (5.0, 2); let (c, n) = if a < b { (a, 1) } else { pair }; => c * a, a.powi(n));
+    formulas!(PlainPairs { a: 1.3, b: 0.7 } let pair = (5.0, 2); let (c, n) = if a < b { (a, 1) } else { pair };
+        => c * a, a.powi(n)
+    );
 }
 
-/// A caller of every function that is known, as a method and as a function.
+/// Every function that is known, as a method, and some as functions.
 #[test]
 fn functions() {
-    formulas!(Powers { a: 0.3, b: 1.7 } => a.sqrt() + b.cbrt() + a.recip(), a.powi(2) + a.powf(b) + 2_f64.powf(a) + a.powf(2.0));
+    formulas!(Powers { a: 0.3, b: 1.7 }
+        => a.sqrt() + b.cbrt() + a.recip(), a.powi(2) + a.powf(b) + 2_f64.powf(a) + a.powf(2.0)
+    );
     formulas!(Exponentials { a: 0.3, b: 1.7 } => a.exp() + a.exp_m1() + b.ln(), a.ln_1p() + b.log10() + b.log2());
-    formulas!(Angles { a: 0.3, b: 1.7 } => a.sin() + a.cos() + a.tan() + a.asin(), a.acos() + a.atan() + a.atan2(b) + b.atan2(2.0));
+    formulas!(Angles { a: 0.3, b: 1.7 }
+        => a.sin() + a.cos() + a.tan() + a.asin(), a.acos() + a.atan() + a.atan2(b) + b.atan2(2.0)
+    );
     formulas!(Hyperbolic { a: 0.3, b: 1.7 } => a.sinh() + b.cosh() + a.tanh(), a.to_radians() + b.to_degrees());
-    formulas!(Limits { a: 0.3, b: 1.7 } => a.min(b) * a + a.max(2.0) * b, (-a).abs() + b.signum() * a + 2_f64.max(a) * a);
+    formulas!(Limits { a: 0.3, b: 1.7 }
+        => a.min(b) * a + a.max(2.0) * b, (-a).abs() + b.signum() * a + 2_f64.max(a) * a
+    );
     formulas!(More { a: 0.3, b: 1.7 } => a.hypot(b) + a.clamp(0.5, b) * a, a.mul_add(b, 2.0) + 2_f64.mul_add(a, b));
-    formulas!(AsFunctions { a: 0.3, b: 1.7 } => f64::sqrt(a * b) + f64::max(2.0, a) * a, f64::powi(-a, 3) + f64::hypot(3.0, b));
+    formulas!(AsFunctions { a: 0.3, b: 1.7 }
+        => f64::sqrt(a * b) + f64::max(2.0, a) * a, f64::powi(-a, 3) + f64::hypot(3.0, b)
+    );
 }
 
 /// Names of emitted variables, and a name that hides a field in a block or an arm alone.

@@ -470,11 +470,10 @@ where
         &self,
         ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
     ) -> Self::PerField<S> {
-        let mut chain = mstmm::__private::ChainRule::new(
-            <Self as mstmm::__private::Fields>::per_field(
-                mstmm::__private::Scalar::from_f64(0.0),
-            ),
+        let zeros = <Self as mstmm::__private::Fields>::per_field(
+            mstmm::__private::Scalar::from_f64(0.0),
         );
+        let mut chain = mstmm::__private::ChainRule::new(zeros);
         let length = chain.variable(self.field_length);
         let bending_stiffness = chain.variable(self.field_bending_stiffness);
         let mass_per_length = chain.variable(self.field_mass_per_length);
@@ -926,70 +925,30 @@ const _: () = {
         mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::Motion<S>,
     {
         type Evaluated = (
-            (
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Spring<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Spring<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Mass<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Mass<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::SpringDamper<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::SpringDamper<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::TorsionSpring<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::TorsionSpring<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::SpringDamper<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::TorsionSpring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
         );
         fn at(x: S) -> mstmm::__private::At<S> {
             mstmm::__private::At::new(
@@ -1014,86 +973,30 @@ const _: () = {
         }
         fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
             (
-                (
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_1, at),
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_1, at),
-                ),
-                (
-                    <mstmm::__private::elements::Spring<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_3, at),
-                    <mstmm::__private::elements::Spring<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_3, at),
-                ),
-                (
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_4, at),
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_4, at),
-                ),
-                (
-                    <mstmm::__private::elements::Mass<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_7, at),
-                    <mstmm::__private::elements::Mass<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_7, at),
-                ),
-                (
-                    <mstmm::__private::elements::SpringDamper<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_6, at),
-                    <mstmm::__private::elements::SpringDamper<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_6, at),
-                ),
-                (
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_8, at),
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_8, at),
-                ),
-                (
-                    <mstmm::__private::elements::TorsionSpring<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_10, at),
-                    <mstmm::__private::elements::TorsionSpring<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_10, at),
-                ),
-                (
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_11, at),
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_11, at),
-                ),
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, at),
+                <mstmm::__private::elements::Spring<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, at),
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_4, at),
+                <mstmm::__private::elements::Mass<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_7, at),
+                <mstmm::__private::elements::SpringDamper<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_6, at),
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_8, at),
+                <mstmm::__private::elements::TorsionSpring<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_10, at),
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_11, at),
             )
         }
         fn visit<C: mstmm::__private::Visit<S>>(
@@ -1167,49 +1070,49 @@ const _: () = {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Beam<T>,
-                            >(&self.element_1, &evaluated.0.0, &evaluated.0.1)
+                            >(&self.element_1, &evaluated.0)
                     }
                     3usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Spring<T>,
-                            >(&self.element_3, &evaluated.1.0, &evaluated.1.1)
+                            >(&self.element_3, &evaluated.1)
                     }
                     5usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Beam<T>,
-                            >(&self.element_4, &evaluated.2.0, &evaluated.2.1)
+                            >(&self.element_4, &evaluated.2)
                     }
                     7usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Mass<T>,
-                            >(&self.element_7, &evaluated.3.0, &evaluated.3.1)
+                            >(&self.element_7, &evaluated.3)
                     }
                     8usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::SpringDamper<T>,
-                            >(&self.element_6, &evaluated.4.0, &evaluated.4.1)
+                            >(&self.element_6, &evaluated.4)
                     }
                     10usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Beam<T>,
-                            >(&self.element_8, &evaluated.5.0, &evaluated.5.1)
+                            >(&self.element_8, &evaluated.5)
                     }
                     12usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::TorsionSpring<T>,
-                            >(&self.element_10, &evaluated.6.0, &evaluated.6.1)
+                            >(&self.element_10, &evaluated.6)
                     }
                     14usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Beam<T>,
-                            >(&self.element_11, &evaluated.7.0, &evaluated.7.1)
+                            >(&self.element_11, &evaluated.7)
                     }
                     _ => return ::core::option::Option::None,
                 },

@@ -270,11 +270,10 @@ where
         &self,
         ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
     ) -> Self::PerField<S> {
-        let mut chain = mstmm::__private::ChainRule::new(
-            <Self as mstmm::__private::Fields>::per_field(
-                mstmm::__private::Scalar::from_f64(0.0),
-            ),
+        let zeros = <Self as mstmm::__private::Fields>::per_field(
+            mstmm::__private::Scalar::from_f64(0.0),
         );
+        let mut chain = mstmm::__private::ChainRule::new(zeros);
         let length = chain.variable(self.field_length);
         let bending_stiffness = chain.variable(self.field_bending_stiffness);
         let mass_per_length = chain.variable(self.field_mass_per_length);
@@ -507,30 +506,15 @@ const _: () = {
         mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::Motion<S>,
     {
         type Evaluated = (
-            (
-                <mstmm::__private::elements::ElasticHinge<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::ElasticHinge<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::ElasticHinge<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::ElasticHinge<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
+            <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::ElasticHinge<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
         );
         fn at(x: S) -> mstmm::__private::At<S> {
             mstmm::__private::At::new(
@@ -546,36 +530,15 @@ const _: () = {
         }
         fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
             (
-                (
-                    <mstmm::__private::elements::ElasticHinge<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_1, at),
-                    <mstmm::__private::elements::ElasticHinge<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_1, at),
-                ),
-                (
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_3, at),
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_3, at),
-                ),
-                (
-                    <mstmm::__private::elements::ElasticHinge<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_5, at),
-                    <mstmm::__private::elements::ElasticHinge<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_5, at),
-                ),
+                <mstmm::__private::elements::ElasticHinge<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, at),
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, at),
+                <mstmm::__private::elements::ElasticHinge<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_5, at),
             )
         }
         fn visit<C: mstmm::__private::Visit<S>>(
@@ -619,19 +582,19 @@ const _: () = {
                         visitor
                             .element::<
                                 mstmm::__private::elements::ElasticHinge<T>,
-                            >(&self.element_1, &evaluated.0.0, &evaluated.0.1)
+                            >(&self.element_1, &evaluated.0)
                     }
                     4usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Beam<T>,
-                            >(&self.element_3, &evaluated.1.0, &evaluated.1.1)
+                            >(&self.element_3, &evaluated.1)
                     }
                     6usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::ElasticHinge<T>,
-                            >(&self.element_5, &evaluated.2.0, &evaluated.2.1)
+                            >(&self.element_5, &evaluated.2)
                     }
                     _ => return ::core::option::Option::None,
                 },

@@ -323,11 +323,10 @@ where
         &self,
         ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
     ) -> Self::PerField<S> {
-        let mut chain = mstmm::__private::ChainRule::new(
-            <Self as mstmm::__private::Fields>::per_field(
-                mstmm::__private::Scalar::from_f64(0.0),
-            ),
+        let zeros = <Self as mstmm::__private::Fields>::per_field(
+            mstmm::__private::Scalar::from_f64(0.0),
         );
+        let mut chain = mstmm::__private::ChainRule::new(zeros);
         let length = chain.variable(self.field_length);
         let bending_stiffness = chain.variable(self.field_bending_stiffness);
         let mass_per_length = chain.variable(self.field_mass_per_length);
@@ -639,46 +638,21 @@ const _: () = {
         mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
     {
         type Evaluated = (
-            (
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Spring<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Spring<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Mass<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Mass<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
         );
         fn at(x: S) -> mstmm::__private::At<S> {
             mstmm::__private::At::new(
@@ -697,56 +671,21 @@ const _: () = {
         }
         fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
             (
-                (
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_1, at),
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_1, at),
-                ),
-                (
-                    <mstmm::__private::elements::Spring<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_3, at),
-                    <mstmm::__private::elements::Spring<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_3, at),
-                ),
-                (
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_4, at),
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_4, at),
-                ),
-                (
-                    <mstmm::__private::elements::Mass<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_6, at),
-                    <mstmm::__private::elements::Mass<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_6, at),
-                ),
-                (
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_7, at),
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_7, at),
-                ),
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, at),
+                <mstmm::__private::elements::Spring<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, at),
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_4, at),
+                <mstmm::__private::elements::Mass<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_6, at),
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_7, at),
             )
         }
         fn visit<C: mstmm::__private::Visit<S>>(
@@ -802,31 +741,31 @@ const _: () = {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Beam<T>,
-                            >(&self.element_1, &evaluated.0.0, &evaluated.0.1)
+                            >(&self.element_1, &evaluated.0)
                     }
                     3usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Spring<T>,
-                            >(&self.element_3, &evaluated.1.0, &evaluated.1.1)
+                            >(&self.element_3, &evaluated.1)
                     }
                     5usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Beam<T>,
-                            >(&self.element_4, &evaluated.2.0, &evaluated.2.1)
+                            >(&self.element_4, &evaluated.2)
                     }
                     7usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Mass<T>,
-                            >(&self.element_6, &evaluated.3.0, &evaluated.3.1)
+                            >(&self.element_6, &evaluated.3)
                     }
                     9usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Beam<T>,
-                            >(&self.element_7, &evaluated.4.0, &evaluated.4.1)
+                            >(&self.element_7, &evaluated.4)
                     }
                     _ => return ::core::option::Option::None,
                 },

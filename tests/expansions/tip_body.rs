@@ -215,11 +215,10 @@ where
         &self,
         ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
     ) -> Self::PerField<S> {
-        let mut chain = mstmm::__private::ChainRule::new(
-            <Self as mstmm::__private::Fields>::per_field(
-                mstmm::__private::Scalar::from_f64(0.0),
-            ),
+        let zeros = <Self as mstmm::__private::Fields>::per_field(
+            mstmm::__private::Scalar::from_f64(0.0),
         );
+        let mut chain = mstmm::__private::ChainRule::new(zeros);
         let length = chain.variable(self.field_length);
         let bending_stiffness = chain.variable(self.field_bending_stiffness);
         let mass_per_length = chain.variable(self.field_mass_per_length);
@@ -387,22 +386,12 @@ const _: () = {
         mstmm::__private::elements::Body<T>: mstmm::__private::Motion<S>,
     {
         type Evaluated = (
-            (
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Beam<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
-            (
-                <mstmm::__private::elements::Body<
-                    T,
-                > as mstmm::__private::PlaneStep<S>>::Coefficients,
-                <mstmm::__private::elements::Body<
-                    T,
-                > as mstmm::__private::Motion<S>>::Links,
-            ),
+            <mstmm::__private::elements::Beam<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Body<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
         );
         fn at(x: S) -> mstmm::__private::At<S> {
             mstmm::__private::At::new(
@@ -418,26 +407,12 @@ const _: () = {
         }
         fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
             (
-                (
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_1, at),
-                    <mstmm::__private::elements::Beam<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_1, at),
-                ),
-                (
-                    <mstmm::__private::elements::Body<
-                        T,
-                    > as mstmm::__private::PlaneStep<
-                        S,
-                    >>::coefficients(&self.element_2, at),
-                    <mstmm::__private::elements::Body<
-                        T,
-                    > as mstmm::__private::Motion<S>>::links(&self.element_2, at),
-                ),
+                <mstmm::__private::elements::Beam<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, at),
+                <mstmm::__private::elements::Body<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_2, at),
             )
         }
         fn visit<C: mstmm::__private::Visit<S>>(
@@ -475,13 +450,13 @@ const _: () = {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Beam<T>,
-                            >(&self.element_1, &evaluated.0.0, &evaluated.0.1)
+                            >(&self.element_1, &evaluated.0)
                     }
                     2usize => {
                         visitor
                             .element::<
                                 mstmm::__private::elements::Body<T>,
-                            >(&self.element_2, &evaluated.1.0, &evaluated.1.1)
+                            >(&self.element_2, &evaluated.1)
                     }
                     _ => return ::core::option::Option::None,
                 },

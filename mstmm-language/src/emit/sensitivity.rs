@@ -67,8 +67,12 @@ fn chain(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives, names: &Name
         body = quote_spanned!(names.here=> #(#variables)* #(#lets)* #(#elements)*);
     }
     let body = quote_spanned! {names.here=>
-        fn chain(&self, ends: impl ::core::ops::Fn(::core::primitive::usize) -> #private::Ends<#frequency>) -> Self::PerField<#frequency> {
-            let mut chain = #private::ChainRule::new(<Self as #private::Fields>::per_field(#private::Scalar::from_f64(0.0)));
+        fn chain(
+            &self,
+            ends: impl ::core::ops::Fn(::core::primitive::usize) -> #private::Ends<#frequency>,
+        ) -> Self::PerField<#frequency> {
+            let zeros = <Self as #private::Fields>::per_field(#private::Scalar::from_f64(0.0));
+            let mut chain = #private::ChainRule::new(zeros);
             #body
             chain.finish()
         }
