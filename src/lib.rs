@@ -8,9 +8,9 @@ pub use mstmm_core::{
     Field, Frequency, FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line, ListElement,
     ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, Motion, MotionError, Motions,
     Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root,
-    Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space, StateSpace, StepList, Subspace, Support,
-    System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions, WaveProducts,
-    determinant, elements, search,
+    Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, Sensitivities, ShapeList, Space, StateSpace, StepList,
+    Subspace, Support, System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions,
+    WaveProducts, determinant, elements, search,
 };
 
 /// All that a model needs: `use mstmm::prelude::*;`.

@@ -55,7 +55,7 @@ pub use layout::{Layout, Scheme, Step};
 pub use list::List;
 pub use motion::{
     Covector, Ends, EnergyShares, Entry, Field, FrequencyResponse, Inside, Label, Load, ModeShape, Motion, MotionError,
-    Motions, Planned, Point, Root, Sample, ShapeList, Tree, Visit, VisitAt,
+    Motions, Planned, Point, Root, Sample, Sensitivities, ShapeList, Tree, Visit, VisitAt,
 };
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;

@@ -5,7 +5,7 @@ use super::field::Field;
 use super::label::Label;
 use super::tree::Tree;
 use crate::element::Element;
-use crate::scalar::{Oscillation, Real};
+use crate::scalar::{Oscillation, Real, Scalar};
 use crate::state::State;
 
 /// Samples per half wave; a deflection between two of them is monotonic or has one extremum.
@@ -78,7 +78,7 @@ where
             |sample: u32| self.state_at(label.step, inside.length * f64::from(sample) / f64::from(samples)).y;
         let largest = (0..=samples).map(|sample| deflection(sample).size()).fold(0.0, f64::max);
         // what a support holds is zero to rounding, and no node
-        let shown = |y: &T| y.size() > largest * (f64::from(samples) * T::EPSILON).sqrt();
+        let shown = |y: &T| y.size() > largest * Scalar::sqrt(f64::from(samples) * T::EPSILON);
         let ends = [0, samples].map(deflection);
         let first = Some(ends[0]).filter(shown);
         let last = Some(ends[1]).filter(shown);

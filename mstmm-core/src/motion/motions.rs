@@ -4,10 +4,12 @@ use super::error::MotionError;
 use super::label::{Entry, Load};
 use super::multiple;
 use super::response::FrequencyResponse;
-use super::root::Root;
+use super::root::{Root, simple_root};
+use super::sensitivity::{Sensitivities, sensitivities};
 use super::shape::{ModeShape, ShapeList, simple};
 use super::tree::{Planned, Tree};
 use crate::characteristic::System;
+use crate::fields::Chain;
 use crate::scalar::Oscillation;
 
 /// What can be asked about the motions of a built system.
@@ -28,11 +30,7 @@ pub trait Motions: System {
         S: Oscillation<<Self as System>::Parameter>,
         Self: Tree<S>,
     {
-        if root.multiplicity() > 1 {
-            let multiplicity = root.multiplicity();
-            return Err(MotionError::Multiple { root: root.frequency().size(), multiplicity });
-        }
-        simple(self, root.frequency())
+        simple(self, simple_root(root)?)
     }
 
     /// All shapes of a root, orthogonal with respect to the mass (undamped) or to `(λ₁ + λ₂) M + C` (damped).
@@ -58,6 +56,25 @@ pub trait Motions: System {
         let place = list.shapes.first_mut().ok_or(MotionError::Capacity { capacity: CAP })?;
         *place = Some(simple(self, root.frequency())?);
         Ok(list)
+    }
+
+    /// How a simple root moves with each field of the model: dω/dp, or dλ/dp for an eigenvalue, exact, all in one call.
+    ///
+    /// One pass from the tips, one from the root, and the derivatives of the dynamic work of each element at its states.
+    ///
+    /// # Errors
+    /// [`MotionError::Multiple`] for a multiple root, whose parts move each in their own way; [`MotionError::ZeroFrequency`] for
+    /// ω = 0, which is the root of ω² that parameters move; [`MotionError::NotARoot`] for a frequency that is none of this
+    /// system's.
+    fn sensitivity<S>(
+        &self,
+        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
+    ) -> Result<Sensitivities<Self, S>, MotionError>
+    where
+        S: Oscillation<<Self as System>::Parameter>,
+        Self: Tree<S> + Chain<S>,
+    {
+        sensitivities(self, simple_root(root)?)
     }
 
     /// The response of an entry of a state to a harmonic load of 1, as a function of the frequency.

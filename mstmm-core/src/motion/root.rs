@@ -1,6 +1,7 @@
 //! Roots of all kinds, as questions about motions take them.
 
-use crate::scalar::{Oscillation, Real};
+use super::error::MotionError;
+use crate::scalar::{Oscillation, Real, Scalar};
 use crate::search::{Eigenvalue, NaturalFrequency};
 use num_complex::Complex;
 
@@ -49,4 +50,13 @@ impl<T: Real> Root<T> for Eigenvalue<T> {
     fn multiplicity(&self) -> u64 {
         self.multiplicity
     }
+}
+
+/// The frequency of a simple root.
+pub(super) fn simple_root<T: Real, R: Root<T>>(root: &R) -> Result<R::Frequency, MotionError> {
+    let (frequency, multiplicity) = (root.frequency(), root.multiplicity());
+    if multiplicity > 1 {
+        return Err(MotionError::Multiple { root: frequency.size(), multiplicity });
+    }
+    Ok(frequency)
 }
