@@ -13,6 +13,8 @@ use crate::subspace::Subspace;
 
 /// Relative distance of two values of `z⁴` from which on the integral of a product is a difference at the ends.
 const APART: f64 = 1e-3;
+/// Value of `z⁴` above which states at the ends tell the forms of a beam: they cancel to this part.
+const LONG: f64 = 1e-2;
 
 impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
     type Links = BendingLinks<S>;
@@ -47,8 +49,10 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
     }
 
     fn units(built: &BuiltBeam<T>, at: &At<S>) -> [f64; 2] {
-        let inverses = Self::coefficients(built, at).inverses;
-        [1.0 / S::size(inverses[2]), 1.0 / S::size(inverses[0])]
+        if S::size(at.powers[0] * built.wave) <= 1.0 {
+            return [2, 0].map(|k| built.length_units.factors[k].size());
+        }
+        [2, 0].map(|k| S::size(at.powers[k] * built.wave_units.factors[k]))
     }
 
     /// Where the frequencies differ, `(λ₂² - λ₁²) ∫ m Y₁ Y₂ dx = [Q₁ Y₂ - M₁ Θ₂ + Θ₁ M₂ - Y₁ Q₂]` between the ends.
@@ -105,7 +109,7 @@ impl<T: Real> BuiltBeam<T> {
     fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
         let (a, b) = (first.x.lambda_squared(), second.x.lambda_squared());
         let size = S::size(a).max(S::size(b));
-        let is_long = size * self.wave_fourth.to_f64() > 1.0;
+        let is_long = size * self.wave_fourth.to_f64() > LONG;
         let mass = if is_long && S::size(a - b) > APART * size {
             let mixed = |u: &State<S>, v: &State<S>| u.q * v.y - u.m * v.theta + u.theta * v.m - u.y * v.q;
             (mixed(&first.output, &second.output) - mixed(&first.input, &second.input)) / (b - a)
