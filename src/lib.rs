@@ -5,13 +5,38 @@
 pub use mstmm_core::{
     AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
     ComplexFrequency, Coordinate, Count, Covector, DoubleDouble, Dual, Element, Ends, EnergyShares, Entry, Evaluate,
-    Field, Frequency, FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line, ListElement,
-    ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, Motion, MotionError, Motions,
-    Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root,
-    Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, Sensitivities, ShapeList, Space, StateSpace, StepList,
-    Subspace, Support, System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions,
-    WaveProducts, determinant, elements, search,
+    Field, ForceHistory, Frequency, FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line,
+    ListElement, ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, Motion, MotionError,
+    Motions, Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement,
+    Root, Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, Sensitivities, ShapeList, Space, StateSpace,
+    StepList, Subspace, Support, System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt,
+    WaveFunctions, WaveProducts, determinant, elements, search,
 };
+
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
+///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
+/// }
+///
+/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
+/// let tip = Cantilever::beam_1.output();
+/// let roots = beam.first_frequencies::<6>()?;
+/// let response = beam.modal_response::<6, _>(&roots, tip.force(), tip.deflection())?;
+///
+/// // all but 3e-4 of l³/(3 EI), the deflection under a resting load; a sudden one reaches up to twice as far
+/// assert!((response.static_value()? * 6.0 - 1.0).abs() < 3e-4);
+/// assert!(response.to_step(0.45) > 1.9 / 6.0);
+///
+/// // half a sine, as samples of a measurement would come, with 1 % of the critical damping in every mode
+/// let mut history = response.with_damping_ratio(0.01)?.history(1e-3)?;
+/// let deflections: Vec<f64> = (0..=200).map(|n| history.next((f64::from(n) * 1e-3 * 5.0).sin())).collect();
+/// assert_eq!(deflections[0], 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::ModalResponse;
 
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {

@@ -10,8 +10,15 @@ use core::cell::Cell;
 use core::hint::black_box;
 use models::{DampedOscillator, RestrainedBeam, SpringAndMass, TipBody, TwoSpans};
 use mstmm::prelude::*;
-use mstmm::{Dual, Magnitude, ParameterError, SMatrix, Scaled};
+use mstmm::{Dual, Magnitude, ModalResponse, ParameterError, SMatrix, Scaled};
 use std::alloc::System;
+
+system! {
+    /// Two modes of a rigid body.
+    #[derive(Clone, Copy, Debug)]
+    pub struct FreeBeam { m: f64 }
+    free -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: m } -> free;
+}
 
 /// The system's allocator, counting what the current thread asks of it: other threads belong to the test harness.
 struct Counting;
@@ -109,6 +116,37 @@ where
     assert_eq!(allocations(|| assert!(system.first_frequencies::<5>().is_ok())), 0, "first_frequencies");
     assert_eq!(allocations(|| assert!(system.natural_frequencies::<32>(0.0..=100.0).is_ok())), 0, "in a range");
     assert_none(build);
+}
+
+/// Samples of a response in time.
+fn follow<const N: usize, M>(response: &ModalResponse<f64, N, M>) {
+    let mut history = response.history(0.1).unwrap();
+    let last = (0..10).map(|n| history.next(f64::from(n))).last();
+    assert!(last.unwrap().is_finite() && response.to_step(0.3).is_finite() && response.to_impulse(0.3).is_finite());
+}
+
+/// Responses in time, undamped with a multiple root and damped, by the counter.
+#[test]
+fn modal_responses_allocate_nothing() {
+    let system = models::light_tip_body().build().unwrap();
+    let tip = TipBody::beam_1.output();
+    let roots = system.first_frequencies::<4>().unwrap();
+    let work = || {
+        let response = system.modal_response::<4, _>(&roots, tip.force(), tip.deflection()).unwrap();
+        follow(&response);
+        follow(&response.with_damping_ratio(0.02).unwrap());
+    };
+    assert_eq!(allocations(work), 0, "undamped");
+    let system = models::damped_oscillator().build().unwrap();
+    let point = DampedOscillator::conn_5;
+    let roots = system.first_eigenvalues::<4>().unwrap();
+    let work = || follow(&system.modal_response::<4, _>(&roots, point.force(), point.deflection()).unwrap());
+    assert_eq!(allocations(work), 0, "damped");
+    let system = FreeBeam { m: 0.5 }.build().unwrap();
+    let roots = system.first_frequencies::<4>().unwrap();
+    let end = FreeBeam::beam_1.output();
+    let work = || follow(&system.modal_response::<2, _>(&roots, end.force(), end.rotation()).unwrap());
+    assert_eq!(allocations(work), 0, "with rigid-body modes");
 }
 
 /// Oracle: three allocations made on purpose, one of each kind.

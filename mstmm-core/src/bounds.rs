@@ -134,6 +134,11 @@ impl FrequencyBounds {
         exponent(self.estimates().least) / 2 - 1
     }
 
+    /// Logarithm to base 2 of what is as good as zero beside any frequency.
+    pub(crate) fn negligible_exponent(&self) -> i32 {
+        self.lowest_exponent() - 20
+    }
+
     /// Logarithm to base 2 of a high estimate of the frequencies of discrete elements.
     pub(crate) fn highest_exponent(&self) -> i32 {
         exponent(self.estimates().greatest) / 2 + 1

@@ -54,8 +54,9 @@ pub use join::{held, moderated, narrowed, widened};
 pub use layout::{Layout, Scheme, Step};
 pub use list::List;
 pub use motion::{
-    Covector, Ends, EnergyShares, Entry, Field, FrequencyResponse, Inside, Label, Load, ModeShape, Motion, MotionError,
-    Motions, Planned, Point, Root, Sample, Sensitivities, ShapeList, Tree, Visit, VisitAt,
+    Covector, Ends, EnergyShares, Entry, Field, ForceHistory, FrequencyResponse, Inside, Label, Load, ModalResponse,
+    ModeShape, Motion, MotionError, Motions, Planned, Point, Root, Sample, Sensitivities, ShapeList, Tree, Visit,
+    VisitAt,
 };
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;

@@ -54,6 +54,16 @@ pub enum MotionError {
         /// Length of the element \[m\]; 0 for one without an inside.
         length: f64,
     },
+    /// A step of time that is not positive or not finite.
+    TimeStep {
+        /// The step \[s\].
+        step: f64,
+    },
+    /// A damping ratio with which modes do not vibrate: not between 0 and 1.
+    DampingRatio {
+        /// The ratio.
+        ratio: f64,
+    },
     /// There is no room for all results; none is returned rather than a part of them.
     Capacity {
         /// The capacity.
@@ -98,6 +108,10 @@ impl fmt::Display for MotionError {
             }
             MotionError::Outside { distance, length } => {
                 write!(f, "{distance} m from the input end is outside of the element, whose length is {length} m")
+            }
+            MotionError::TimeStep { step } => write!(f, "a step of {step} s is none: it has to be positive and finite"),
+            MotionError::DampingRatio { ratio } => {
+                write!(f, "with a damping ratio of {ratio} no mode vibrates: it has to be at least 0 and below 1")
             }
             MotionError::Capacity { capacity } => {
                 write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")

@@ -2,6 +2,7 @@
 
 use super::error::MotionError;
 use super::label::{Entry, Load};
+use super::modal_response::ModalResponse;
 use super::multiple;
 use super::response::FrequencyResponse;
 use super::root::{Root, simple_root};
@@ -10,7 +11,12 @@ use super::shape::{ModeShape, ShapeList, simple};
 use super::tree::{Planned, Tree};
 use crate::characteristic::System;
 use crate::fields::Chain;
-use crate::scalar::Oscillation;
+use crate::scalar::{Frequency, Oscillation};
+
+/// What the frequencies of a kind of roots mean: [`RealFrequency`](crate::RealFrequency) or
+/// [`ComplexEigenvalue`](crate::ComplexEigenvalue).
+type MeaningOf<Y, R> =
+    <<R as Root<<Y as System>::Parameter>>::Frequency as Frequency<<Y as System>::Parameter>>::Meaning;
 
 /// What can be asked about the motions of a built system.
 pub trait Motions: System {
@@ -94,6 +100,31 @@ pub trait Motions: System {
         Self: Planned,
     {
         FrequencyResponse::new(self, load, entry)
+    }
+
+    /// The response of an entry of a state in time to an impulse, a step or a force history, by superposition of the modes of
+    /// some roots: up to `N` of them, besides those of rigid bodies.
+    ///
+    /// The roots are natural frequencies, or the eigenvalues of the closed upper half plane, each once. Those of the lower half
+    /// plane are passed over: each is the conjugate of one above.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchEntry`] for a load or an entry that no state at its point carries;
+    /// [`MotionError::Capacity`] for more than `N` modes, or more than both 4 and `N` of one root; else as
+    /// [`mode_shape`](Motions::mode_shape) and [`mode_shapes`](Motions::mode_shapes).
+    ///
+    /// [`ModalResponse`] has an example.
+    fn modal_response<'r, const N: usize, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R>,
+        load: Load<<Self as Planned>::Model>,
+        entry: Entry<<Self as Planned>::Model>,
+    ) -> Result<ModalResponse<Self::Parameter, N, MeaningOf<Self, R>>, MotionError>
+    where
+        R: Root<<Self as System>::Parameter> + 'r,
+        Self: Tree<R::Frequency> + Sized,
+    {
+        ModalResponse::new(self, roots, load, entry)
     }
 }
 

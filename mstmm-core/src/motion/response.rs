@@ -56,14 +56,24 @@ impl<Y: Planned + ?Sized> Wanted for FrequencyResponse<'_, Y> {
 
 /// An entry of the state behind a step.
 #[derive(Clone, Copy, Debug)]
-struct Place {
-    step: usize,
+pub(super) struct Place {
+    pub(super) step: usize,
     /// On the side of the step downstream of it.
-    beyond: bool,
-    coordinate: Coordinate,
+    pub(super) beyond: bool,
+    pub(super) coordinate: Coordinate,
 }
 
 impl Place {
+    /// Where a load acts, and what it makes jump: Q or M.
+    pub(super) fn of_load<Y: Planned + ?Sized>(load: Load<Y::Model>) -> Result<Self, MotionError> {
+        Place::new(Y::scheme(), load.point.step, false, load.coordinate)
+    }
+
+    /// Where an entry is.
+    pub(super) fn of_entry<Y: Planned + ?Sized>(entry: Entry<Y::Model>) -> Result<Self, MotionError> {
+        Place::new(Y::scheme(), entry.point.step, entry.point.beyond, entry.coordinate)
+    }
+
     /// The entry at a point; at a connection that goes on to fewer states one of its inputs may have what it leaves behind.
     fn new(scheme: Scheme<'_>, step: usize, beyond: bool, coordinate: Coordinate) -> Result<Self, MotionError> {
         let has = |step: usize| {
@@ -85,8 +95,8 @@ impl Place {
 impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     pub(super) fn new(system: &'a Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
         let scheme = Y::scheme();
-        let load = Place::new(scheme, load.point.step, false, load.coordinate)?;
-        let entry = Place::new(scheme, entry.point.step, entry.point.beyond, entry.coordinate)?;
+        let load = Place::of_load::<Y>(load)?;
+        let entry = Place::of_entry::<Y>(entry)?;
         let (mut between, mut below) = (Y::per_step(false), Y::per_step(false));
         for end in [load.step, entry.step] {
             let mut step = end;

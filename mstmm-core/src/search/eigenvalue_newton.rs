@@ -118,9 +118,10 @@ where
         let scale = larger(modulus(estimate), self.smallest());
         let mut radius = scale * T::from_f64(RADIUS * T::EPSILON);
         while radius < scale * T::from_f64(LARGEST_RADIUS) {
-            // what cannot be told from a real root is one: complex ones come in pairs
+            // what cannot be told from a real root is one: complex ones come in pairs; what cannot be told from zero is zero
             let is_real = symmetric && estimate.im.abs() <= radius;
-            let lambda = if is_real { Complex::from(estimate.re) } else { estimate };
+            let re = if estimate.re.abs() <= radius { T::zero() } else { estimate.re };
+            let lambda = if is_real { Complex::from(re) } else { estimate };
             let corner = |(re, im): (f64, f64)| lambda + Complex::new(T::from_f64(re), T::from_f64(im)) * radius;
             if let Walk::Argument(argument) = self.evaluation.walk(&OCTAGON.map(corner), STEPS_AROUND, |_| ())?
                 && let Some(multiplicity @ 1..) = whole(argument / core::f64::consts::TAU)

@@ -90,7 +90,7 @@ where
 
     /// Frequencies of this size are as good as zero.
     pub(super) fn smallest(&self) -> T {
-        T::one().times_power_of_two(self.bounds.lowest_exponent() - 20)
+        T::one().times_power_of_two(self.bounds.negligible_exponent())
     }
 
     /// Number of eigenvalues in a closed region.
