@@ -1,6 +1,7 @@
 //! Laws that every element obeys, run over the list of all elements.
 
 mod count_steps;
+mod motions;
 mod plane_steps;
 mod subspaces;
 

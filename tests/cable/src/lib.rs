@@ -1,6 +1,8 @@
 //! An element of one's own, in a crate of its own: a string in tension.
 #![no_std]
 
+mod motion;
+
 use mstmm::{
     At, Element, Frequency, FrequencyBounds, InvalidParameter, Line, PlaneStep, Real, Requirement, SMatrix, Subspace,
     Tally, TransferMatrix, Translation,
