@@ -8,7 +8,7 @@ pub use mstmm_core::{
     Field, ForceHistory, Frequency, FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line,
     ListElement, ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, Motion, MotionError,
     Motions, Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement,
-    Root, Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, Sensitivities, ShapeList, Space, StateSpace,
+    Root, Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, Sensitivities, ShapeList, Space, State, StateSpace,
     StepList, Subspace, Support, System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt,
     WaveFunctions, WaveProducts, determinant, elements, search,
 };

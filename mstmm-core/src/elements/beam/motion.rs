@@ -4,7 +4,6 @@ use super::{Beam, BuiltBeam};
 use crate::at::At;
 use crate::beam_functions::krylov;
 use crate::bending_links::BendingLinks;
-use crate::element::PlaneStep;
 use crate::motion::line_motions::half;
 use crate::motion::{Covector, Ends, Inside, Motion};
 use crate::scalar::{Oscillation, Real, WaveFunctions};
