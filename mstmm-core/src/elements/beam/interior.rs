@@ -2,11 +2,10 @@
 
 use super::BuiltBeam;
 use crate::at::At;
-use crate::beam_functions::bending_matrix;
+use crate::beam_functions::krylov;
 use crate::motion::Ends;
 use crate::scalar::{Oscillation, Real, Scalar};
 use crate::state::State;
-use nalgebra::Vector4;
 use num_complex::Complex;
 use num_traits::Zero;
 
@@ -37,10 +36,25 @@ impl<T: Real> BuiltBeam<T> {
         if z.size() > 1.0 {
             return self.state_of_waves(z.to_complex(), ends, distance);
         }
-        let (ei, m) = (self.parameters.bending_stiffness, self.parameters.mass_per_length);
-        let State { y, theta, m: moment, q } = ends.input;
-        let state = bending_matrix(distance, ei, m, ends.x.lambda_squared()) * Vector4::new(y, theta, moment, q);
-        State { y: state[0], theta: state[1], m: state[2], q: state[3] }
+        self.state_of_series(ends, distance)
+    }
+
+    /// The transfer matrix of a part of the beam, written so that a part of no length is one.
+    fn state_of_series<S: Oscillation<T>>(&self, ends: &Ends<S>, distance: T) -> State<S> {
+        let flexibility = T::one() / self.parameters.bending_stiffness;
+        let square = distance * distance;
+        let [linear, squared, cubed] = [distance, square, square * distance].map(S::from_parameter);
+        let inertia = -ends.x.lambda_squared() * self.parameters.mass_per_length;
+        let [s, t, u, v] = krylov(inertia * (square * square * flexibility));
+        let [t, u, v] = [t * linear, u * squared, v * cubed];
+        let State { y, theta, m, q } = ends.input;
+        let (curvature, slope) = (m * flexibility, q * flexibility);
+        State {
+            y: s * y + t * theta + u * curvature + v * slope,
+            theta: v * inertia * flexibility * y + s * theta + t * curvature + u * slope,
+            m: u * inertia * y + v * inertia * theta + s * m + t * q,
+            q: t * inertia * y + u * inertia * theta + v * inertia * curvature + s * q,
+        }
     }
 
     /// `Y = Σ_k c_k e^{s_k x}`, `s_k = β i^k`, with `c_k` from the end from which the wave decays.
