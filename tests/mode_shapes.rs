@@ -1,0 +1,26 @@
+//! Mode shapes, judged by laws, quadratures and closed forms of their own.
+#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
+#![expect(clippy::panic, reason = "the same")]
+
+#[path = "mode_shapes/checks.rs"]
+mod checks;
+#[path = "mode_shapes/energy.rs"]
+mod energy;
+#[path = "mode_shapes/long.rs"]
+mod long;
+#[path = "mode_shapes/models.rs"]
+mod models;
+#[path = "mode_shapes/paper.rs"]
+mod paper;
+#[path = "../examples/paper/models.rs"]
+pub mod paper_models;
+#[path = "mode_shapes/recorded.rs"]
+mod recorded;
+#[path = "mode_shapes/residuals.rs"]
+mod residuals;
+#[path = "mode_shapes/sketch.rs"]
+mod sketch;
+#[path = "mode_shapes/varied.rs"]
+mod varied;
+#[path = "mode_shapes/waves.rs"]
+mod waves;
