@@ -4,12 +4,20 @@
 
 #[path = "mode_shapes/checks.rs"]
 mod checks;
+#[path = "mode_shapes/closed_forms.rs"]
+mod closed_forms;
 #[path = "mode_shapes/energy.rs"]
 mod energy;
+#[path = "mode_shapes/errors.rs"]
+mod errors;
 #[path = "mode_shapes/long.rs"]
 mod long;
 #[path = "mode_shapes/models.rs"]
 mod models;
+#[path = "mode_shapes/multiple.rs"]
+mod multiple;
+#[path = "mode_shapes/nodes.rs"]
+mod nodes;
 #[path = "mode_shapes/paper.rs"]
 mod paper;
 #[path = "../examples/paper/models.rs"]
@@ -18,6 +26,8 @@ pub mod paper_models;
 mod recorded;
 #[path = "mode_shapes/residuals.rs"]
 mod residuals;
+#[path = "mode_shapes/single_beams.rs"]
+mod single_beams;
 #[path = "mode_shapes/sketch.rs"]
 mod sketch;
 #[path = "mode_shapes/varied.rs"]

@@ -78,7 +78,8 @@ where
         let mass = forms.product(&recorded, &recorded);
         assert!((mass - 1.0).norm() <= LIMIT, "{root:?}: {mass}");
         let own = shape.modal_stiffness().to_complex() - forms.stiffness;
-        let size = forms.stiffness.norm().max((recorded.lambda_squared * forms.mass).norm()).max(usual * forms.mass.norm());
+        let size =
+            forms.stiffness.norm().max((recorded.lambda_squared * forms.mass).norm()).max(usual * forms.mass.norm());
         assert!(own.norm() <= RAYLEIGH * size, "{root:?}: {own}");
         worst = worst.max(imbalance);
     }

@@ -2,7 +2,6 @@
 
 use crate::checks::{check_energies, check_laws, check_orthogonality, first};
 use crate::models::Spans;
-use mstmm::prelude::*;
 
 /// Two spans with irrational ratio, so that no mode has its node at the pin by accident.
 fn spans() -> Spans {

@@ -270,11 +270,18 @@ impl Audit<'_> {
         let kappa = stiffness(parameters, self.recorded.lambda);
         let of = |name: &str| parameters.get(name).copied().unwrap_or(0.0);
         let [y, theta, m, q] = [output.y - input.y, output.theta - input.theta, output.m - input.m, output.q - input.q];
+        // of what is stiffer than all around it the elongation is known to rounding, not the force
+        let [_, turn, moment, force] = units;
+        let soft = |residual: C, kappa: C, unit: f64| residual / (kappa.norm() / unit).max(1.0);
         match kind {
-            "spring" | "damper" | "spring_damper" => vec![(3, q), (3, input.q + kappa * y)],
-            "torsion_spring" | "torsion_damper" | "torsion_spring_damper" => vec![(2, m), (2, input.m - kappa * theta)],
+            "spring" | "damper" | "spring_damper" => vec![(3, q), (3, soft(input.q + kappa * y, kappa, force))],
+            "torsion_spring" | "torsion_damper" | "torsion_spring_damper" => {
+                vec![(2, m), (2, soft(input.m - kappa * theta, kappa, moment / turn))]
+            }
             "elastic_hinge" => {
-                vec![(2, m), (2, input.m - theta * of("stiffness_theta")), (3, q), (3, input.q + y * of("stiffness_y"))]
+                let [ky, kt] = ["stiffness_y", "stiffness_theta"].map(|name| C::new(of(name), 0.0));
+                let twist = soft(input.m - kt * theta, kt, moment / turn);
+                vec![(2, m), (2, twist), (3, q), (3, soft(input.q + ky * y, ky, force))]
             }
             "mass" | "inertia" | "point_mass" => {
                 let (moment, force) = (squared * of("inertia") * input.theta, squared * of("mass") * input.y);
