@@ -50,12 +50,13 @@ where
         self.beyond = f(self.beyond);
     }
 
-    /// Adds the states of another motion times a factor.
+    /// Adds the states of another motion times a factor; its source may be elsewhere.
     pub(super) fn add(&mut self, other: &Self, factor: S) {
+        let beyond = other.at(self.source, true);
         for (state, other) in self.states.as_mut().iter_mut().zip(other.states.as_ref()) {
             *state = state.plus(*other, factor);
         }
-        self.beyond = self.beyond.plus(other.beyond, factor);
+        self.beyond = self.beyond.plus(beyond, factor);
     }
 
     /// The states at both ends of the element of a step.
