@@ -15,7 +15,7 @@ use crate::scaled::Scaled;
 use crate::state::Coordinate;
 
 /// Points around a root.
-const POINTS: usize = 4;
+const POINTS: usize = 8;
 /// Distances that are tried, each a quarter of the one before.
 const DISTANCES: u32 = 24;
 /// What is left of the residue after as many shapes as there are, relatively, with room for close roots.
@@ -89,26 +89,37 @@ where
         Ring { passes, weights }
     }
 
-    /// The ring on which the residue changes least from one to the next, and where it shows best.
+    /// The ring on which residues change least from one to the next, and where they show best.
     fn of_best_distance(system: &'a Y, x: S) -> Option<(Self, Candidate)> {
         let lowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
         let scale = if x.is_zero() { lowest } else { x.size() };
-        let mut best: Option<(f64, f64, Candidate)> = None;
-        let mut before: Option<(Candidate, S)> = None;
+        let mut best: Option<(f64, f64)> = None;
         let mut distance = 0.05 * scale;
+        let mut before = Ring::new(system, x, distance);
         for _ in 0..DISTANCES {
-            let ring = Ring::new(system, x, distance);
-            if let Some((candidate, value)) = before {
-                let now = ring.residue(&candidate);
-                let change = (now - value).size() / now.size();
-                if best.is_none_or(|(least, ..)| change < least) {
-                    best = Some((change, distance, candidate));
-                }
-            }
-            before = ring.largest().map(|candidate| (candidate, ring.residue(&candidate)));
             distance *= 0.25;
+            let ring = Ring::new(system, x, distance);
+            let change = ring.change(&before);
+            if change.is_finite() && best.is_none_or(|(least, _)| change < least) {
+                best = Some((change, distance));
+            }
+            before = ring;
         }
-        best.map(|(_, distance, candidate)| (Ring::new(system, x, distance), candidate))
+        let ring = Ring::new(system, x, best?.1);
+        let candidate = ring.largest()?;
+        Some((ring, candidate))
+    }
+
+    /// The change of all residues as energies from another ring to this one, relatively: that of one entry alone is small by
+    /// chance now and then.
+    fn change(&self, before: &Self) -> f64 {
+        let (mut change, mut whole) = (0.0, 0.0);
+        self.passes[0].for_each_candidate(|candidate| {
+            let now = self.residue(&candidate);
+            change += (now - before.residue(&candidate)).size() * candidate.unit;
+            whole += now.size() * candidate.unit;
+        });
+        change / whole
     }
 
     /// The residue of the response of an entry to a jump in its dual.

@@ -27,8 +27,8 @@ pub trait Oscillation<T: Real>: Frequency<T> {
     fn lambda(self) -> Self;
 
     /// Points about a frequency at a distance, each with the weight of `(x - x0) f(x)` in the residue of f at its simple pole
-    /// x0: the rest of f enters with the fourth power of the distance.
-    fn around(self, distance: T) -> [(Self, Self); 4];
+    /// x0: the rest of f enters with the eighth power of the distance.
+    fn around(self, distance: T) -> [(Self, Self); 8];
 }
 
 impl<T: Real> Oscillation<T> for T {
@@ -60,10 +60,13 @@ impl<T: Real> Oscillation<T> for T {
         T::zero()
     }
 
-    fn around(self, distance: T) -> [(T, T); 4] {
-        let (near, far) = (T::from_f64(2.0) / T::from_f64(3.0), -T::one() / T::from_f64(6.0));
-        let twice = distance + distance;
-        [(self + distance, near), (self - distance, near), (self + twice, far), (self - twice, far)]
+    /// The polynomial of degree 7 through what is at `±1, ±2, ±3, ±4` distances.
+    fn around(self, distance: T) -> [(T, T); 8] {
+        let weights = [28.0, -14.0, 4.0, -0.5].map(|weight| T::from_f64(weight) / T::from_f64(35.0));
+        core::array::from_fn(|k| {
+            let away = distance * T::from_f64((k / 2 + 1) as f64);
+            (if k % 2 == 0 { self + away } else { self - away }, weights[k / 2])
+        })
     }
 }
 
@@ -96,9 +99,20 @@ impl<T: Real> Oscillation<T> for Complex<T> {
         self
     }
 
-    fn around(self, distance: T) -> [(Complex<T>, Complex<T>); 4] {
-        let (zero, quarter) = (T::zero(), Complex::from_f64(0.25));
-        let points = [(distance, zero), (zero, distance), (-distance, zero), (zero, -distance)];
-        points.map(|(re, im)| (self + Complex::new(re, im), quarter))
+    /// The mean over a circle.
+    fn around(self, distance: T) -> [(Complex<T>, Complex<T>); 8] {
+        let (zero, eighth) = (T::zero(), Complex::from_f64(0.125));
+        let diagonal = distance * T::from_f64(core::f64::consts::FRAC_1_SQRT_2);
+        let points = [
+            (distance, zero),
+            (diagonal, diagonal),
+            (zero, distance),
+            (-diagonal, diagonal),
+            (-distance, zero),
+            (-diagonal, -diagonal),
+            (zero, -distance),
+            (diagonal, -diagonal),
+        ];
+        points.map(|(re, im)| (self + Complex::new(re, im), eighth))
     }
 }
