@@ -18,14 +18,28 @@ use crate::state::Coordinate;
 const POINTS: usize = 8;
 /// Distances that are tried, each a quarter of the one before.
 const DISTANCES: u32 = 24;
+/// Change of residues from one ring to the next from which on there is no pole.
+const UNSETTLED: f64 = 1e-3;
+/// Part of the largest response on a ring that its mean has where the pole is of that order.
+const PART: f64 = 0.5;
 /// What is left of the residue after as many shapes as there are, relatively, with room for close roots.
 const NOTHING: f64 = 1e-5;
 
 /// Passes around a root.
 struct Ring<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     passes: [Passes<'a, Y, S>; POINTS],
-    /// Their weights times `x - x0`, or `(x - x0)²`.
-    weights: [S; POINTS],
+    /// Their weights, and `x - x0`.
+    weights: [(S, S); POINTS],
+    /// At zero the pole is that of λ².
+    at_zero: bool,
+}
+
+/// The order of a pole, and so the power of `x - x0` that takes it out.
+#[derive(Clone, Copy, Debug)]
+enum Order {
+    Simple,
+    /// As where two eigenvalues have one shape between them.
+    Double,
 }
 
 /// Finds the shapes of a root.
@@ -41,7 +55,7 @@ where
 {
     let size = x.size();
     let capacity = found.len();
-    let (ring, first) = Ring::of_best_distance(system, x).ok_or(MotionError::NotFinite { frequency: size })?;
+    let (ring, first) = Ring::of_best_distance(system, x, multiplicity)?;
     let mut count = 0;
     // at zero λ² is the root, and counts twice as an eigenvalue λ
     let is_enough = |count: u64| count == multiplicity || (size == 0.0 && 2 * count == multiplicity);
@@ -81,55 +95,91 @@ where
             passes.down_to_all();
             passes
         });
-        let weights = points.map(|(point, weight)| {
-            let away = point - x;
-            // at zero the pole is that of λ²
-            if x.is_zero() { weight * away * away } else { weight * away }
-        });
-        Ring { passes, weights }
+        Ring { passes, weights: points.map(|(point, weight)| (weight, point - x)), at_zero: x.is_zero() }
     }
 
     /// The ring on which residues change least from one to the next, and where they show best.
-    fn of_best_distance(system: &'a Y, x: S) -> Option<(Self, Candidate)> {
+    fn of_best_distance(system: &'a Y, x: S, multiplicity: u64) -> Result<(Self, Candidate), MotionError> {
         let lowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
-        let scale = if x.is_zero() { lowest } else { x.size() };
-        let mut best: Option<(f64, f64)> = None;
-        let mut distance = 0.05 * scale;
+        let size = x.size();
+        let mut best: [Option<(f64, f64)>; 2] = [None; 2];
+        let mut distance = 0.05 * if x.is_zero() { lowest } else { size };
         let mut before = Ring::new(system, x, distance);
         for _ in 0..DISTANCES {
             distance *= 0.25;
             let ring = Ring::new(system, x, distance);
-            let change = ring.change(&before);
-            if change.is_finite() && best.is_none_or(|(least, _)| change < least) {
-                best = Some((change, distance));
+            for (order, best) in [Order::Simple, Order::Double].into_iter().zip(&mut best) {
+                let change = ring.change(&before, order);
+                if change.is_finite() && best.is_none_or(|(least, _)| change < least) {
+                    *best = Some((change, distance));
+                }
             }
             before = ring;
         }
-        let ring = Ring::new(system, x, best?.1);
-        let candidate = ring.largest()?;
-        Some((ring, candidate))
+        let [Some((change, distance)), double] = best else { return Err(MotionError::NotFinite { frequency: size }) };
+        let ring = Ring::new(system, x, distance);
+        let has_settled = change < UNSETTLED;
+        let is_double = |ring: &Self| ring.part(Order::Double) > PART;
+        let settles_as_double = || {
+            double.is_some_and(|(change, distance)| change < UNSETTLED && is_double(&Ring::new(system, x, distance)))
+        };
+        if is_double(&ring) || (!has_settled && settles_as_double()) {
+            return Err(MotionError::Defective { root: size, multiplicity, shapes: multiplicity.saturating_sub(1) });
+        }
+        if !has_settled {
+            return Err(MotionError::NotARoot { frequency: size, mismatch: change });
+        }
+        let candidate = ring.largest().ok_or(MotionError::NotFinite { frequency: size })?;
+        Ok((ring, candidate))
     }
 
     /// The change of all residues as energies from another ring to this one, relatively: that of one entry alone is small by
     /// chance now and then.
-    fn change(&self, before: &Self) -> f64 {
+    fn change(&self, before: &Self, order: Order) -> f64 {
         let (mut change, mut whole) = (0.0, 0.0);
         self.passes[0].for_each_candidate(|candidate| {
-            let now = self.residue(&candidate);
-            change += (now - before.residue(&candidate)).size() * candidate.unit;
+            let now = self.coefficient(&candidate, order);
+            change += (now - before.coefficient(&candidate, order)).size() * candidate.unit;
             whole += now.size() * candidate.unit;
         });
         change / whole
     }
 
-    /// The residue of the response of an entry to a jump in its dual.
-    fn residue(&self, candidate: &Candidate) -> S {
-        let mut sum = S::zero();
-        for (passes, weight) in self.passes.iter().zip(self.weights) {
+    /// The coefficient of a pole of some order, relative to the largest response on the ring: 1 near such a pole, and nothing
+    /// where the pole is of lower order.
+    fn part(&self, order: Order) -> f64 {
+        let (mut mean, mut largest) = (0.0, 0.0);
+        self.passes[0].for_each_candidate(|candidate| {
+            mean += self.coefficient(&candidate, order).size() * candidate.unit;
+            let sizes = self.responses(&candidate, order).map(|(response, _)| response.size());
+            largest += sizes.fold(0.0, f64::max) * candidate.unit;
+        });
+        mean / largest
+    }
+
+    /// The response of an entry to a jump in its dual, times the power of `x - x0` for a pole of some order; and the weights.
+    fn responses(&self, candidate: &Candidate, order: Order) -> impl Iterator<Item = (S, S)> {
+        self.passes.iter().zip(self.weights).map(move |(passes, (weight, away))| {
             let (square, _) = passes.square(candidate.step, candidate.coordinate);
-            sum += square.over(passes.delta(candidate.step)).times(weight).value();
+            (square.over(passes.delta(candidate.step)).times(self.power(away, order)).value(), weight)
+        })
+    }
+
+    fn power(&self, away: S, order: Order) -> S {
+        let simple = if self.at_zero { away * away } else { away };
+        match order {
+            Order::Simple => simple,
+            Order::Double => simple * away,
         }
-        sum
+    }
+
+    /// The coefficient of a pole of some order in the response of an entry to a jump in its dual.
+    fn coefficient(&self, candidate: &Candidate, order: Order) -> S {
+        self.responses(candidate, order).fold(S::zero(), |sum, (response, weight)| sum + response * weight)
+    }
+
+    fn residue(&self, candidate: &Candidate) -> S {
+        self.coefficient(candidate, Order::Simple)
     }
 
     /// The candidate with the largest residue as an energy.
@@ -169,9 +219,9 @@ where
     fn shape(&self, system: &'a Y, x: S, candidate: &Candidate) -> Option<ModeShape<'a, Y, S>> {
         let mut sum: Option<Field<'a, Y, S>> = None;
         let mut shift = 0;
-        for (passes, weight) in self.passes.iter().zip(self.weights) {
+        for (passes, (weight, away)) in self.passes.iter().zip(self.weights) {
             let (_, dual) = passes.square(candidate.step, candidate.coordinate);
-            let factor = Scaled::new(weight, 0).over(passes.delta(candidate.step));
+            let factor = Scaled::new(weight * self.power(away, Order::Simple), 0).over(passes.delta(candidate.step));
             let exponent = factor.exponent().clamp(-1 << 30, 1 << 30) as i32;
             let jump = passes.jump(candidate.step, dual);
             let [upstream, downstream] =
