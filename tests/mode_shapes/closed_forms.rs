@@ -4,7 +4,7 @@ use crate::checks::first;
 use crate::single_beams::*;
 use core::f64::consts::PI;
 use mstmm::prelude::*;
-use mstmm::{Label, Labelled, ModeShape, State, Tree};
+use mstmm::{Label, ModeShape, Planned, State, Tree};
 
 /// Asserts that deflections at 101 places are those of a function up to a common sign, to a tolerance relative to a size.
 fn assert_shape<Y, E>(
@@ -14,7 +14,7 @@ fn assert_shape<Y, E>(
     exact: impl Fn(f64) -> f64,
     tolerance: f64,
 ) where
-    Y: Tree<f64> + Labelled,
+    Y: Tree<f64> + Planned,
     E: mstmm::Element,
 {
     let places = (0..=100).map(|k| length * f64::from(k) / 100.0);

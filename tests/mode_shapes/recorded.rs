@@ -87,7 +87,7 @@ macro_rules! recordable {
 
         impl<T: mstmm::Real, S: mstmm::Oscillation<T>> crate::recorded::Recordable<S> for $system<T>
         where
-            $system<T>: mstmm::Tree<S> + mstmm::System<Parameter = T>,
+            $system<T>: mstmm::Tree<S> + mstmm::Planned<Model = $model> + mstmm::System<Parameter = T>,
         {
             fn record<'a>(shape: &'a mstmm::ModeShape<'_, Self, S>, x: S) -> crate::recorded::Recorded<'a> {
                 let mut recorded = crate::recorded::Recorded::at(x);

@@ -126,6 +126,10 @@ where
         if is_double(&ring) || (!has_settled && settles_as_double()) {
             return Err(MotionError::Defective { root: size, multiplicity, shapes: multiplicity.saturating_sub(1) });
         }
+        if !has_settled && x.is_zero() {
+            // dampers alone hold the system there: its motions drift, and none is a pole of λ²
+            return Err(MotionError::Defective { root: size, multiplicity, shapes: 0 });
+        }
         if !has_settled {
             return Err(MotionError::NotARoot { frequency: size, mismatch: change });
         }
