@@ -35,7 +35,8 @@ pub struct Inside {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say how it moves",
     label = "no `Motion<{S}>` for this element",
-    note = "mode shapes, responses and sensitivities need it; an element of your own implements `mstmm::Motion<S>`"
+    note = "mode shapes, responses and sensitivities need it; planar elements have none yet, an element of your own \
+            implements `mstmm::Motion<S>`"
 )]
 pub trait Motion<S: Scalar>: PlaneStep<S> {
     /// What [`pull_back`](Motion::pull_back) needs of a frequency.

@@ -1,6 +1,5 @@
 //! Labels of a model as values: a label of another model does not compile.
 
-use crate::element::Element;
 use crate::state::Coordinate;
 use core::fmt;
 use core::marker::PhantomData;
@@ -33,7 +32,7 @@ pub struct Entry<M> {
     pub(crate) coordinate: Coordinate,
 }
 
-impl<M, E: Element> Label<M, E> {
+impl<M, E> Label<M, E> {
     /// For emitted code.
     #[doc(hidden)]
     pub const fn new(step: usize, input: usize) -> Self {
