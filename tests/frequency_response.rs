@@ -284,7 +284,7 @@ fn curves_show_every_resonance() {
     let response =
         system.frequency_response(DampedOscillator::conn_2.force(), DampedOscillator::conn_2.deflection()).unwrap();
     let roots = system.eigenvalues::<16>(Region { re: -500.0..=1.0, im: 1.0..=20_000.0 }).unwrap();
-    let curve = response.curve::<Complex<f64>, _, 2000>(10.0..=20_000.0, &roots, 1e-2).unwrap();
+    let curve = response.curve::<2000, _>(10.0..=20_000.0, &roots, 1e-2).unwrap();
     for root in &roots {
         let near = |omega: f64| (omega - root.lambda.im).abs() <= root.lambda.re.abs();
         assert!(curve.iter().filter(|sample| near(sample.omega)).count() >= 3, "{root:?}");
@@ -297,6 +297,6 @@ fn curves_show_every_resonance() {
         let largest = [pair[0].value, pair[1].value, value].map(|value| value.norm()).into_iter().fold(0.0, f64::max);
         assert!((value - straight).norm() <= 2e-2 * largest, "{omega}");
     }
-    let few = response.curve::<Complex<f64>, _, 20>(10.0..=20_000.0, &roots, 1e-2);
+    let few = response.curve::<20, _>(10.0..=20_000.0, &roots, 1e-2);
     assert_eq!(few.unwrap_err(), MotionError::Capacity { capacity: 20 });
 }

@@ -149,6 +149,51 @@ fn modal_responses_allocate_nothing() {
     assert_eq!(allocations(work), 0, "with rigid-body modes");
 }
 
+/// Shapes, responses and sensitivities of a system at roots, and all that can be asked of them.
+macro_rules! assert_motions_allocate_nothing {
+    ($system:expr, $roots:expr, $x:expr, $points:expr, $labels:expr) => {{
+        let (system, roots, points) = ($system, $roots, $points);
+        let work = || {
+            for root in roots.iter() {
+                let shape = system.mode_shape(root).unwrap();
+                let _ = black_box((shape.modal_mass(), shape.modal_stiffness(), shape.product(&shape)));
+                let _ = black_box((shape.energy_shares($labels), shape.along($labels, 0.01)));
+                let _ = black_box(shape.clone().with_unit_deflection());
+                let _ = black_box(system.mode_shapes::<2, _>(root).unwrap());
+                let sensitivities = system.sensitivity(root).unwrap();
+                let _ = black_box((sensitivities.get("length"), sensitivities.iter().count()));
+            }
+            let response = system.frequency_response(points[0].force(), points[1].deflection()).unwrap();
+            let _ = black_box(response.at($x).unwrap());
+            let mut values = [$x; 2];
+            response.on(&[$x, $x + 1.0], &mut values).unwrap();
+            let curve = response.curve::<4000, _>(1.0..=3e4, &roots, 1e-2);
+            let _ = black_box((values, curve.map(|curve| curve.first().map(|sample| sample.value * $x))));
+        };
+        assert_eq!(allocations(work), 0);
+    }};
+}
+
+#[test]
+fn motions_allocate_nothing() {
+    let system = models::two_spans().build().unwrap();
+    let roots = system.first_frequencies::<4>().unwrap();
+    let points = [TwoSpans::conn_4, TwoSpans::mass_6.output()];
+    assert_motions_allocate_nothing!(&system, &roots, 300.0, points, TwoSpans::beam_1);
+    let system = models::damped_oscillator().build().unwrap();
+    let roots = system.first_eigenvalues::<4>().unwrap();
+    let points = [DampedOscillator::conn_5, DampedOscillator::mass_7.output()];
+    assert_motions_allocate_nothing!(&system, &roots, Complex::new(0.0, 300.0), points, DampedOscillator::beam_1);
+}
+
+/// The shapes of a double root come from a ring of frequencies around it.
+#[test]
+fn shapes_of_a_double_root_allocate_nothing() {
+    let beam = FreeBeam { m: 0.5 }.build().unwrap();
+    let roots = beam.first_frequencies::<2>().unwrap();
+    assert_eq!(allocations(|| black_box(beam.mode_shapes::<2, _>(&roots[0]).unwrap()).iter().count()), 0);
+}
+
 /// Oracle: three allocations made on purpose, one of each kind.
 #[test]
 fn the_counter_sees_allocations() {

@@ -34,16 +34,15 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
     /// # Errors
     /// [`MotionError::Capacity`] for more than `CAP` samples; [`MotionError::NotFinite`] for a range or a tolerance that is not
     /// finite; else as [`at`](FrequencyResponse::at).
-    pub fn curve<S, R, const CAP: usize>(
+    pub fn curve<const CAP: usize, S>(
         &self,
         range: RangeInclusive<Y::Parameter>,
-        roots: &[R],
+        roots: &[impl Root<Y::Parameter, Frequency = S>],
         tolerance: f64,
     ) -> Result<List<Sample<Y::Parameter, S>, CAP>, MotionError>
     where
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
-        R: Root<Y::Parameter>,
     {
         let (start, end) = (range.start().to_f64(), range.end().to_f64());
         if !(start < end && (end - start).is_finite() && tolerance > 0.0) {
