@@ -5,13 +5,80 @@
 pub use mstmm_core::{
     AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
     ComplexFrequency, Coordinate, Count, Covector, DoubleDouble, Dual, Element, Ends, EnergyShares, Entry, Evaluate,
-    Field, ForceHistory, Frequency, FrequencyBounds, FrequencyResponse, Inside, InvalidParameter, Label, Layout, Line,
-    ListElement, ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, ModeShape, Motion, MotionError,
-    Motions, Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement,
-    Root, Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, Sensitivities, ShapeList, Space, State, StateSpace,
-    StepList, Subspace, Support, System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt,
-    WaveFunctions, WaveProducts, determinant, elements, search,
+    Field, ForceHistory, Frequency, FrequencyBounds, Inside, InvalidParameter, Label, Layout, Line, ListElement,
+    ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, Motion, MotionError, Motions, Oscillation,
+    ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root, Rotation,
+    SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space, State, StateSpace, StepList, Subspace, Support,
+    System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions, WaveProducts,
+    determinant, elements, search,
 };
+
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
+///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
+/// }
+///
+/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
+/// let roots = beam.first_frequencies::<3>()?;
+/// let third = beam.mode_shape(&roots[2])?;
+/// assert_eq!(third.nodes(Cantilever::beam_1), 2);
+/// assert_eq!(third.state(Cantilever::beam_1.input()).y, 0.0);
+/// let middle = third.along(Cantilever::beam_1, 0.5)?;
+/// assert!(middle.y.abs() < third.state(Cantilever::beam_1.output()).y.abs());
+///
+/// // of modal mass 1, orthogonal to other modes
+/// assert!((third.modal_mass() - 1.0).abs() < 1e-14);
+/// assert!(third.product(&beam.mode_shape(&roots[0])?).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::ModeShape;
+
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
+///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
+/// }
+///
+/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
+/// let (clamp, tip) = (Cantilever::beam_1.input(), Cantilever::beam_1.output());
+/// let deflection = beam.frequency_response(tip.force(), tip.deflection())?;
+///
+/// // l³/(3 EI) at rest, at ω = 5 rad/s nearer to the first resonance at 7.03 more
+/// assert!((deflection.at(0.0)? - 1.0 / 6.0).abs() < 1e-15);
+/// assert!(deflection.at(5.0)? > 1.9 / 6.0);
+///
+/// let moment = beam.frequency_response(tip.force(), clamp.moment())?;
+/// let mut values = [0.0; 3];
+/// moment.on(&[0.0, 1.0, 2.0], &mut values)?;
+/// assert!((values[0] - 1.0).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::FrequencyResponse;
+
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
+///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
+/// }
+///
+/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
+/// let root = beam.first_frequencies::<1>()?[0];
+/// let sensitivity = beam.sensitivity(&root)?;
+/// for (field, slope) in sensitivity.iter() {
+///     println!("dω/d({field}) = {slope}");
+/// }
+/// // ω is proportional to l⁻²
+/// assert!((sensitivity.get("length").unwrap_or(0.0) + 2.0 * root.omega).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::Sensitivities;
 
 /// ```
 /// use mstmm::prelude::*;
