@@ -213,7 +213,7 @@ fn names() {
         let system = if chain < values { (ends, 2.0) } else { (1.0, gradient) };
         => system.0 * step.max(2.0) * gradient, values / chain * part_0);
     formulas!(Hidden { a: 0.3, b: 1.7 } =>
-        { let a = 2.0; a } * a,
+        { let a = 2.0; a * a } * a,
         (match Some(2.0) { Some(a) => a, None => b }) * if let Some(a) = Some(4_f64) { area(a, a) } else { 0.0 } * a
     );
 }

@@ -84,7 +84,7 @@ where
     E: PlaneStep<Dual<S>>,
     Dual<S>: Frequency<Counted>,
 {
-    let built = element.build().unwrap();
+    let Ok(built) = element.build() else { unreachable!("valid parameters") };
     let minors =
         [1.1, 1.2, 1.3, 1.4, 1.5].map(|minor| Dual { value: S::from_f64(minor), derivative: S::from_f64(minor) });
     let [y_theta, y_m, w, theta_q, m_q] = minors;

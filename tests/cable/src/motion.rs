@@ -1,7 +1,7 @@
 //! How the string moves: for mode shapes, responses and sensitivities.
 
 use crate::Cable;
-use mstmm::{At, Covector, Ends, Inside, Motion, Oscillation, PlaneStep, Real, Scalar, State, Subspace};
+use mstmm::{At, Covector, Ends, Inside, Motion, Oscillation, PlaneStep, Real, State, Subspace};
 
 /// Nodes and weights of Gauss and Legendre on `[-1, 1]`.
 const GAUSS: [(f64, f64); 5] = [

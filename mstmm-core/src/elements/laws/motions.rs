@@ -7,7 +7,6 @@ use super::{C, Rows, Sample, assert_same, built, product, rows};
 use crate::at::At;
 use crate::element::{MatrixOf, TransferMatrix};
 use crate::motion::{Covector, Ends, Motion};
-use crate::scalar::Scalar;
 use crate::state::{Coordinate, Space, State};
 use crate::subspace::Subspace;
 use crate::tolerance::assert_close;
