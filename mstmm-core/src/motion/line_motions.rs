@@ -53,9 +53,11 @@ macro_rules! massless_motion {
                 back_through_stiffness(*kappa, input, covector)
             }
 
+            /// Of the parts, not of their sum: an overdamped motion is where they cancel.
             fn units(built: &Self, at: &At<S>) -> [f64; 2] {
-                let kappa: S = Self::coefficients(built, at);
-                unit_of(Coordinate::$coordinate, kappa.size())
+                let _lambda = S::size(Oscillation::<T>::lambda(at.x));
+                let size = 0.0 $(+ built.$stiffness.to_f64())? $(+ built.$damping.to_f64() * _lambda)?;
+                unit_of(Coordinate::$coordinate, size)
             }
 
             fn mass_form(_built: &Self, _first: &Ends<S>, _second: &Ends<S>) -> S {
