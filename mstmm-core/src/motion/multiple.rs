@@ -10,7 +10,7 @@ use super::passes::Passes;
 use super::shape::ModeShape;
 use super::spread::Everything;
 use super::tree::Tree;
-use crate::scalar::{Oscillation, Scalar};
+use crate::scalar::{Oscillation, Real, Scalar};
 use crate::scaled::Scaled;
 use crate::state::Coordinate;
 
@@ -20,6 +20,11 @@ const POINTS: usize = 8;
 const DISTANCES: u32 = 24;
 /// Change of residues from one ring to the next from which on there is no pole.
 const UNSETTLED: f64 = 1e-3;
+/// Digits that planes lose near a root, over those of the relative distance to it.
+const ROUNDING: f64 = 10.0;
+/// By how much a ring of a quarter of the size is better, where it is better at all: the rest of the response enters with
+/// the eighth power of the distance.
+const GAIN: f64 = 65_536.0;
 /// Part of the largest response on a ring that its mean has where the pole is of that order.
 const PART: f64 = 0.5;
 /// What is left of the residue after as many shapes as there are, relatively, with room for close roots.
@@ -98,31 +103,38 @@ where
         Ring { passes, weights: points.map(|(point, weight)| (weight, point - x)), at_zero: x.is_zero() }
     }
 
-    /// The ring on which residues change least from one to the next, and where they show best.
+    /// The ring of the least error, by the change from the one before it and by rounding, and where residues show best on it.
     fn of_best_distance(system: &'a Y, x: S, multiplicity: u64) -> Result<(Self, Candidate), MotionError> {
         let lowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
         let size = x.size();
+        let scale = if x.is_zero() { lowest } else { size };
+        let rounding = <Y::Parameter as Real>::EPSILON * scale;
         let mut best: [Option<(f64, f64)>; 2] = [None; 2];
-        let mut distance = 0.05 * if x.is_zero() { lowest } else { size };
+        let mut distance = 0.05 * scale;
         let mut before = Ring::new(system, x, distance);
         for _ in 0..DISTANCES {
             distance *= 0.25;
             let ring = Ring::new(system, x, distance);
             for (order, best) in [Order::Simple, Order::Double].into_iter().zip(&mut best) {
                 let change = ring.change(&before, order);
-                if change.is_finite() && best.is_none_or(|(least, _)| change < least) {
-                    *best = Some((change, distance));
+                let from_others = if change < UNSETTLED { change / GAIN } else { change };
+                let error = from_others.max(ROUNDING * rounding / distance);
+                if change.is_finite() && best.is_none_or(|(least, _)| error < least) {
+                    *best = Some((error, distance));
                 }
             }
             before = ring;
+            // it can but become worse
+            if best.iter().all(|best| best.is_some_and(|(least, _)| ROUNDING * rounding / distance > least)) {
+                break;
+            }
         }
-        let [Some((change, distance)), double] = best else { return Err(MotionError::NotFinite { frequency: size }) };
+        let [Some((error, distance)), double] = best else { return Err(MotionError::NotFinite { frequency: size }) };
         let ring = Ring::new(system, x, distance);
-        let has_settled = change < UNSETTLED;
+        let has_settled = error < UNSETTLED;
         let is_double = |ring: &Self| ring.part(Order::Double) > PART;
-        let settles_as_double = || {
-            double.is_some_and(|(change, distance)| change < UNSETTLED && is_double(&Ring::new(system, x, distance)))
-        };
+        let settles_as_double =
+            || double.is_some_and(|(error, distance)| error < UNSETTLED && is_double(&Ring::new(system, x, distance)));
         if is_double(&ring) || (!has_settled && settles_as_double()) {
             return Err(MotionError::Defective { root: size, multiplicity, shapes: multiplicity.saturating_sub(1) });
         }
@@ -131,7 +143,7 @@ where
             return Err(MotionError::Defective { root: size, multiplicity, shapes: 0 });
         }
         if !has_settled {
-            return Err(MotionError::NotARoot { frequency: size, mismatch: change });
+            return Err(MotionError::NotARoot { frequency: size, mismatch: error });
         }
         let candidate = ring.largest().ok_or(MotionError::NotFinite { frequency: size })?;
         Ok((ring, candidate))
