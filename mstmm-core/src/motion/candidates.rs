@@ -36,21 +36,12 @@ impl<S: Scalar> Visit<S> for UnitsOf<'_, S> {
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// Calls a function with every candidate.
     pub(super) fn for_each_candidate(&self, mut f: impl FnMut(Candidate)) {
-        let mut any = false;
-        self.for_each_with_units(&self.at, |candidate| {
-            any = true;
-            f(candidate);
-        });
-        // at frequency zero masses and dampers say nothing; where there is nothing else any frequency will do
-        if !any {
-            self.for_each_with_units(&Y::at(S::one()), f);
-        }
-    }
-
-    fn for_each_with_units(&self, at: &At<S>, mut f: impl FnMut(Candidate)) {
+        // without frequency inertia has no force: that of the slowest motion makes a displacement comparable
+        let slowest = 1.0.times_power_of_two(self.system.bounds().lowest_exponent());
+        let at = if self.at.x.is_zero() { Y::at(S::from_f64(slowest)) } else { self.at };
         for step in 0..Y::scheme().len() {
             let Step::Element(input, space) = Y::scheme().steps[step] else { continue };
-            let Some([y, theta]) = self.system.visit(step, UnitsOf(at)) else { continue };
+            let Some([y, theta]) = self.system.visit(step, UnitsOf(&at)) else { continue };
             let entries: &[(Coordinate, f64)] = match space {
                 Space::Translation => &[(Coordinate::Y, y), (Coordinate::Q, 1.0 / y)],
                 Space::Rotation => &[(Coordinate::Theta, theta), (Coordinate::M, 1.0 / theta)],
