@@ -22,6 +22,16 @@ mod nodes;
 mod paper;
 #[path = "../examples/paper/models.rs"]
 pub mod paper_models;
+#[path = "mode_shapes/parts.rs"]
+mod parts;
+#[path = "mode_shapes/random.rs"]
+mod random;
+#[path = "support/damped_models.rs"]
+#[allow(unused_macros, unused_imports, reason = "the shapes go through the models by name")]
+mod random_damped;
+#[path = "support/undamped_models.rs"]
+#[allow(unused_macros, unused_imports, reason = "the same")]
+mod random_undamped;
 #[path = "mode_shapes/recorded.rs"]
 mod recorded;
 #[path = "mode_shapes/residuals.rs"]

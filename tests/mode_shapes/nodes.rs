@@ -12,7 +12,8 @@ macro_rules! check_nodes {
             let system = $model { l: 1.3, ei: 2.0, m: 0.7 }.build().unwrap();
             let mut mode = 0;
             for root in &first::<{ $modes }>(&system) {
-                if root.multiplicity == 1 {
+                // all of the first, some of the rest: samples are many there
+                if root.multiplicity == 1 && (mode < 60 || mode % 50 > 48) {
                     let shape = system.mode_shape(root).unwrap();
                     assert_eq!(shape.nodes($model::beam_1), mode, "{root:?}");
                 }

@@ -84,7 +84,9 @@ impl Audit<'_> {
         let Node::Element { kind, parameters, .. } = &self.sketch.nodes[node] else { return [0.0; 4] };
         let (squared, lambda) = (self.recorded.lambda_squared, self.recorded.lambda);
         let inertial = |name: &str| (squared * parameters[name]).norm();
-        let kappa = stiffness(parameters, lambda).norm();
+        // spring and damper may cancel, not their sizes
+        let of = |name: &str| parameters.get(name).copied().unwrap_or(0.0);
+        let kappa = of("stiffness") + of("damping") * lambda.norm();
         let (y, theta) = match kind.as_str() {
             "beam" => return section(parameters, squared).units(),
             "spring" | "damper" | "spring_damper" => (kappa, 0.0),
@@ -101,13 +103,17 @@ impl Audit<'_> {
         self.sketch.before(node).chain(self.sketch.after(node))
     }
 
-    /// Units of beams are those of whatever is next to them, and so on; without beams each element has its own.
+    /// Units of beams are those of whatever is next to them, and so on; without beams those of the largest element are.
     fn all_units(&self) -> Vec<Units> {
         let is_beam = |node: &Node| matches!(node, Node::Element { kind, .. } if kind == "beam");
         let has_beams = self.sketch.nodes.iter().any(is_beam);
         let all = 0..self.sketch.nodes.len();
         let own = |node| if has_beams && !is_beam(&self.sketch.nodes[node]) { [0.0; 4] } else { self.own_units(node) };
         let mut units: Vec<Units> = all.clone().map(own).collect();
+        if !has_beams {
+            let largest = units.iter().copied().fold([0.0; 4], larger);
+            return vec![largest; units.len()];
+        }
         for _ in all.clone() {
             let around = |node| self.neighbours(node).fold([0.0; 4], |sum, other| larger(sum, units[other]));
             let new = all.clone().map(|node| if units[node] == [0.0; 4] { around(node) } else { units[node] });
