@@ -241,12 +241,11 @@ impl Audit<'_> {
     fn element(&mut self, node: usize, kind: &str, name: &str, parameters: &BTreeMap<String, f64>) {
         let Ends { input, output, .. } = self.ends(name);
         let (input, output) = (*input, *output);
-        if let Some(before) = self.sketch.before(node).next() {
-            if let Node::Element { name: other, .. } = &self.sketch.nodes[before] {
-                let upstream = entries(&self.ends(other).output);
-                for (k, entry) in entries(&input).into_iter().enumerate() {
-                    self.keep(node, k, entry - upstream[k], || format!("{other} to {name}"));
-                }
+        let before = self.sketch.before(node).next().map(|before| &self.sketch.nodes[before]);
+        if let Some(Node::Element { name: other, .. }) = before {
+            let upstream = entries(&self.ends(other).output);
+            for (k, entry) in entries(&input).into_iter().enumerate() {
+                self.keep(node, k, entry - upstream[k], || format!("{other} to {name}"));
             }
         }
         let unused = carries(kind).map(|carried| !carried);
