@@ -5,11 +5,11 @@
 pub use mstmm_core::{
     AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
     ComplexFrequency, Coordinate, Count, Covector, DoubleDouble, Dual, Element, Ends, EnergyShares, Entry, Evaluate,
-    Field, ForceHistory, Frequency, FrequencyBounds, Inside, InvalidParameter, Label, Layout, Line, ListElement,
-    ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, Motion, MotionError, Motions, Oscillation,
-    ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root, Rotation,
-    SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space, State, StateSpace, StepList, Subspace, Support,
-    System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions, WaveProducts,
+    Field, ForceHistory, Frequency, FrequencyBounds, Inside, InvalidParameter, JudgedTree, Label, Layout, Line,
+    ListElement, ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, Motion, MotionError, Motions,
+    Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root,
+    Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space, State, StateSpace, StepList, Subspace,
+    Support, System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions, WaveProducts,
     determinant, elements, search,
 };
 

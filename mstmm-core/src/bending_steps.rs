@@ -1,7 +1,7 @@
 //! The steps of beam-like elements on planes, given the second compound of their transfer matrix.
 
 use crate::count::{BeamSigns, Tally};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::scaled::Scaled;
 use crate::state::Support;
 use crate::subspace::{Plane, Subspace};
@@ -14,7 +14,7 @@ pub(crate) struct Units<T> {
     pub(crate) inverses: [T; 4],
 }
 
-impl<T: Real> Units<T> {
+impl<T: Scalar> Units<T> {
     pub(crate) fn new(stiffness: T, b: T) -> Self {
         let first = stiffness * b;
         let second = first * b;

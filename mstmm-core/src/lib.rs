@@ -54,16 +54,16 @@ pub use join::{held, moderated, narrowed, widened};
 pub use layout::{Layout, Scheme, Step};
 pub use list::List;
 pub use motion::{
-    Covector, Ends, EnergyShares, Entry, Field, ForceHistory, FrequencyResponse, Inside, Label, Load, ModalResponse,
-    ModeShape, Motion, MotionError, Motions, Planned, Point, Root, Sample, Sensitivities, ShapeList, Tree, Visit,
-    VisitAt,
+    Covector, Ends, EnergyShares, Entry, Field, ForceHistory, FrequencyResponse, Inside, JudgedTree, Label, Load,
+    ModalResponse, ModeShape, Motion, MotionError, Motions, Planned, Point, Root, Sample, Sensitivities, ShapeList,
+    Tree, Visit, VisitAt,
 };
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
 pub use partials::Partials;
 pub use scalar::{
-    ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, MayDecay, Oscillation, Real, RealFrequency,
-    Scalar, WaveFunctions, WaveProducts,
+    ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, JudgeOf, MayDecay, Oscillation, Real,
+    RealFrequency, Scalar, WaveFunctions, WaveProducts,
 };
 pub use scaled::{Magnitude, Scaled};
 pub use state::{Bending, Coordinate, Planar, Rotation, Space, State, StateSpace, Support, Translation};

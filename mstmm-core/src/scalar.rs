@@ -10,7 +10,7 @@ mod waves;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
-pub use oscillation::Oscillation;
+pub use oscillation::{JudgeOf, Oscillation};
 pub(crate) use real::{argument, elementary};
 pub use waves::{WaveFunctions, WaveProducts};
 
@@ -73,7 +73,7 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     fn to_f64(self) -> f64;
 
     /// The arithmetic that judges the rounding of this one; the type itself where there is none.
-    type Judge: Real;
+    type Judge: Real + Oscillation<Self>;
 
     /// Whether there is a judge.
     const HAS_JUDGE: bool = false;
@@ -109,6 +109,9 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
 pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
     /// What the scalar stands for: [`RealFrequency`] or [`ComplexEigenvalue`].
     type Meaning;
+
+    /// Whether it judges the rounding of the parameters' arithmetic: what was rounded in that is computed anew.
+    const JUDGES: bool = false;
 
     /// `λ²`: `-ω²` for a real frequency.
     fn lambda_squared(self) -> Self;

@@ -127,6 +127,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
         }
         let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = z.wave_products();
         let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
+        let Units { factors, inverses } = built.units(at);
         BendingCoefficients {
             z,
             a: one + ch_cos,
@@ -139,8 +140,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
             raised_f: f,
             raised_d: d,
             raised_e: e,
-            factors: core::array::from_fn(|k| at.powers[k] * built.wave_units.factors[k]),
-            inverses: core::array::from_fn(|k| at.inverse_powers[k] * built.wave_units.inverses[k]),
+            factors,
+            inverses,
             // above stands twice of each
             exponent: exponent - 1,
         }
@@ -163,12 +164,37 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
 }
 
 impl<T: Real> BuiltBeam<T> {
+    /// Units of the minors with the wave number β. A judge needs them without rounding between them: only then is a step the
+    /// compound of the transfer matrix.
+    #[inline(always)]
+    fn units<S: Frequency<T>>(&self, at: &At<S>) -> Units<S> {
+        if S::JUDGES {
+            let number = S::from_parameter(self.wave) / S::from_parameter(self.parameters.length);
+            return Units::new(S::from_parameter(self.parameters.bending_stiffness), at.powers[0] * number);
+        }
+        Units {
+            factors: core::array::from_fn(|k| at.powers[k] * self.wave_units.factors[k]),
+            inverses: core::array::from_fn(|k| at.inverse_powers[k] * self.wave_units.inverses[k]),
+        }
+    }
+
+    /// The same with `1/l` in place of β.
+    fn short_units<S: Frequency<T>>(&self) -> Units<S> {
+        if S::JUDGES {
+            let [length, stiffness] = [self.parameters.length, self.parameters.bending_stiffness].map(S::from_parameter);
+            return Units::new(stiffness, S::one() / length);
+        }
+        let Units { factors, inverses } = self.length_units;
+        Units { factors: factors.map(S::from_parameter), inverses: inverses.map(S::from_parameter) }
+    }
+
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     #[cold]
     fn small<S: Frequency<T>>(&self, z: S, at: &At<S>) -> BendingCoefficients<S> {
         let x = -at.lambda_squared * self.wave_fourth;
         let [c, b, f, d, e] = plane_series(x);
         let half = S::from_f64(0.5);
+        let Units { factors, inverses } = self.short_units();
         BendingCoefficients {
             z,
             a: half + c * half,
@@ -181,8 +207,8 @@ impl<T: Real> BuiltBeam<T> {
             raised_f: x * f,
             raised_d: x * d,
             raised_e: x * x * e,
-            factors: self.length_units.factors.map(S::from_parameter),
-            inverses: self.length_units.inverses.map(S::from_parameter),
+            factors,
+            inverses,
             exponent: 0,
         }
     }

@@ -23,7 +23,15 @@ impl Candidate {
     pub(super) const NONE: Candidate = Candidate { step: 0, coordinate: Coordinate::Y, unit: 1.0 };
 }
 
-struct UnitsOf<'a, S>(&'a At<S>);
+/// The frequency at which elements tell their usual stiffnesses: that of the motion, but where that is zero and inertia has no
+/// force that of the slowest motion.
+pub(super) fn comparable<S: Scalar, Y: Tree<S> + ?Sized>(system: &Y, x: S) -> At<S> {
+    let slowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
+    Y::at(if x.is_zero() { S::from_f64(slowest) } else { x })
+}
+
+/// Asks an element for its usual stiffnesses.
+pub(super) struct UnitsOf<'a, S>(pub(super) &'a At<S>);
 
 impl<S: Scalar> Visit<S> for UnitsOf<'_, S> {
     type Output = [f64; 2];
@@ -36,9 +44,7 @@ impl<S: Scalar> Visit<S> for UnitsOf<'_, S> {
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// Calls a function with every candidate.
     pub(super) fn for_each_candidate(&self, mut f: impl FnMut(Candidate)) {
-        // without frequency inertia has no force: that of the slowest motion makes a displacement comparable
-        let slowest = 1.0.times_power_of_two(self.system.bounds().lowest_exponent());
-        let at = if self.at.x.is_zero() { Y::at(S::from_f64(slowest)) } else { self.at };
+        let at = comparable(self.system, self.at.x);
         for step in 0..Y::scheme().len() {
             let Step::Element(input, space) = Y::scheme().steps[step] else { continue };
             let Some([y, theta]) = self.system.visit(step, UnitsOf(&at)) else { continue };

@@ -21,6 +21,13 @@ pub enum MotionError {
         /// By how much the states at one point differ, relatively.
         mismatch: f64,
     },
+    /// The states of a shape do not fit together: other roots are so close that rounding moves forces from path to path.
+    Unresolved {
+        /// Size of the root, |ω| or |λ|.
+        root: f64,
+        /// By how much states at a connection differ, relative to the largest in the system.
+        misfit: f64,
+    },
     /// A multiple eigenvalue with fewer shapes than its multiplicity, as at critical damping.
     Defective {
         /// Size of the eigenvalue |λ|.
@@ -83,6 +90,12 @@ impl fmt::Display for MotionError {
             }
             MotionError::NotARoot { frequency, mismatch } => {
                 write!(f, "the frequency {frequency} is no root of this system: states differ by {mismatch:e}")
+            }
+            MotionError::Unresolved { root, misfit } => {
+                write!(
+                    f,
+                    "the shape of the root {root} cannot be told from others near it: states differ by {misfit:e}"
+                )
             }
             MotionError::Defective { root, multiplicity, shapes } => {
                 write!(f, "the eigenvalue {root} of multiplicity {multiplicity} has {shapes} shapes only")

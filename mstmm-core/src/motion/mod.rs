@@ -3,6 +3,7 @@
 mod candidates;
 mod covector;
 mod curve;
+mod doubt;
 mod element;
 mod energy;
 mod error;
@@ -39,4 +40,4 @@ pub use response::FrequencyResponse;
 pub use root::Root;
 pub use sensitivity::Sensitivities;
 pub use shape::{ModeShape, ShapeList};
-pub use tree::{Planned, Tree, Visit, VisitAt};
+pub use tree::{JudgedTree, Planned, Tree, Visit, VisitAt};

@@ -9,7 +9,8 @@ use super::motions::Motions;
 use super::response::Place;
 use super::root::Root;
 use super::shape::ModeShape;
-use super::tree::{Planned, Tree};
+use super::tree::{JudgedTree, Planned, Tree};
+use crate::characteristic::System;
 use crate::list::List;
 use crate::scalar::{ComplexEigenvalue, Frequency, Oscillation, Real, RealFrequency, Scalar};
 use crate::state::Coordinate;
@@ -54,7 +55,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     ) -> Result<Self, MotionError>
     where
         R: Root<T> + 'r,
-        Y: Tree<R::Frequency, Parameter = T>,
+        Y: JudgedTree<R::Frequency> + System<Parameter = T>,
     {
         let places = Places::new::<Y>(load, entry)?;
         let mut response = ModalResponse { terms: List::new(), rigid: T::zero(), meaning: PhantomData };
@@ -79,7 +80,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     fn add_all<const CAP: usize, Y, R>(&mut self, system: &Y, root: &R, places: &Places) -> Result<(), MotionError>
     where
         R: Root<T>,
-        Y: Tree<R::Frequency, Parameter = T>,
+        Y: JudgedTree<R::Frequency> + System<Parameter = T>,
     {
         let shapes = system.mode_shapes::<CAP, _>(root)?;
         shapes.iter().try_for_each(|shape| self.add(shape, places, root.multiplicity()))

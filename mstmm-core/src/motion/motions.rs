@@ -8,7 +8,7 @@ use super::response::FrequencyResponse;
 use super::root::{Root, simple_root};
 use super::sensitivity::{Sensitivities, sensitivities};
 use super::shape::{ModeShape, ShapeList, simple};
-use super::tree::{Planned, Tree};
+use super::tree::{JudgedTree, Planned};
 use crate::characteristic::System;
 use crate::fields::Chain;
 use crate::scalar::{Frequency, Oscillation};
@@ -34,7 +34,7 @@ pub trait Motions: System {
     ) -> Result<ModeShape<'_, Self, S>, MotionError>
     where
         S: Oscillation<<Self as System>::Parameter>,
-        Self: Tree<S>,
+        Self: JudgedTree<S>,
     {
         simple(self, simple_root(root)?)
     }
@@ -52,11 +52,21 @@ pub trait Motions: System {
     ) -> Result<ShapeList<'_, Self, S, CAP>, MotionError>
     where
         S: Oscillation<<Self as System>::Parameter>,
-        Self: Tree<S>,
+        Self: JudgedTree<S>,
     {
         let mut list = ShapeList { shapes: [const { None }; CAP] };
         if root.multiplicity() > 1 {
-            multiple::shapes(self, root.frequency(), root.multiplicity(), &mut list.shapes)?;
+            let plain = multiple::shapes(self, root.frequency(), root.multiplicity(), &mut list.shapes);
+            if S::HAS_JUDGE && (plain.is_err() || list.iter().any(ModeShape::is_doubtful)) {
+                let mut judged = [const { None }; CAP];
+                multiple::shapes(self, root.frequency().to_judge(), root.multiplicity(), &mut judged)?;
+                list.shapes = judged.map(|shape| shape.map(|shape| ModeShape::of_judge(&shape)));
+            } else {
+                plain?;
+            }
+            for shape in list.iter() {
+                shape.clone().accepted()?;
+            }
             return Ok(list);
         }
         let place = list.shapes.first_mut().ok_or(MotionError::Capacity { capacity: CAP })?;
@@ -78,7 +88,7 @@ pub trait Motions: System {
     ) -> Result<Sensitivities<Self, S>, MotionError>
     where
         S: Oscillation<<Self as System>::Parameter>,
-        Self: Tree<S> + Chain<S>,
+        Self: JudgedTree<S> + Chain<S>,
     {
         sensitivities(self, simple_root(root)?)
     }
@@ -122,7 +132,7 @@ pub trait Motions: System {
     ) -> Result<ModalResponse<Self::Parameter, N, MeaningOf<Self, R>>, MotionError>
     where
         R: Root<<Self as System>::Parameter> + 'r,
-        Self: Tree<R::Frequency> + Sized,
+        Self: JudgedTree<R::Frequency> + Sized,
     {
         ModalResponse::new(self, roots, load, entry)
     }

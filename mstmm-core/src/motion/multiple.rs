@@ -22,6 +22,8 @@ const DISTANCES: u32 = 24;
 const UNSETTLED: f64 = 1e-3;
 /// Digits that planes lose near a root, over those of the relative distance to it.
 const ROUNDING: f64 = 10.0;
+/// Roundings by which roots that count as one may differ.
+const SPREAD: f64 = 32.0;
 /// By how much a ring of a quarter of the size is better, where it is better at all: the rest of the response enters with
 /// the eighth power of the distance.
 const GAIN: f64 = 65_536.0;
@@ -37,6 +39,8 @@ struct Ring<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     weights: [(S, S); POINTS],
     /// At zero the pole is that of λ².
     at_zero: bool,
+    /// Distance of the nearest points.
+    distance: f64,
 }
 
 /// The order of a pole, and so the power of `x - x0` that takes it out.
@@ -58,34 +62,16 @@ where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
-    let size = x.size();
-    let capacity = found.len();
-    let (ring, first) = Ring::of_best_distance(system, x, multiplicity)?;
-    let mut count = 0;
-    // at zero λ² is the root, and counts twice as an eigenvalue λ
-    let is_enough = |count: u64| count == multiplicity || (size == 0.0 && 2 * count == multiplicity);
-    let mut next = Some(first);
-    while let Some(candidate) = next.take() {
-        if count as u64 == multiplicity {
-            break;
+    let mut widest = f64::INFINITY;
+    for _ in 0..DISTANCES {
+        let (ring, first) = Ring::of_best_distance(system, x, multiplicity, widest)?;
+        if ring.find(system, x, multiplicity, &first, found)? {
+            return Ok(());
         }
-        let mut shape = ring.shape(system, x, &candidate).ok_or(MotionError::NotFinite { frequency: size })?;
-        // twice: the second time takes what the first left to rounding
-        for _ in 0..2 {
-            for other in found[..count].iter().flatten() {
-                let product = shape.product(other);
-                shape.add(other, -product);
-            }
-            shape = ModeShape::normalised((*shape).clone()).ok_or(MotionError::NotFinite { frequency: size })?;
-        }
-        *found.get_mut(count).ok_or(MotionError::Capacity { capacity })? = Some(shape);
-        count += 1;
-        next = ring.most_left(&found[..count], &first);
+        // there are more shapes than the root has: other roots lie inside of the ring
+        widest = 0.25 * ring.distance;
     }
-    if is_enough(count as u64) {
-        return Ok(());
-    }
-    Err(MotionError::Defective { root: size, multiplicity, shapes: count as u64 })
+    Err(MotionError::Unresolved { root: x.size(), misfit: widest / x.size() })
 }
 
 impl<'a, Y, S> Ring<'a, Y, S>
@@ -93,6 +79,44 @@ where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
+    /// Finds the shapes in the residue; `false` if there are more of them than the root has.
+    fn find(
+        &self,
+        system: &'a Y,
+        x: S,
+        multiplicity: u64,
+        first: &Candidate,
+        found: &mut [Option<ModeShape<'a, Y, S>>],
+    ) -> Result<bool, MotionError> {
+        let size = x.size();
+        let capacity = found.len();
+        let mut count = 0;
+        let mut next = Some(*first);
+        while let Some(candidate) = next.take() {
+            if count as u64 == multiplicity {
+                return Ok(false);
+            }
+            let mut shape = self.shape(system, x, &candidate).ok_or(MotionError::NotFinite { frequency: size })?;
+            // twice: the second time takes what the first left to rounding
+            for _ in 0..2 {
+                for other in found[..count].iter().flatten() {
+                    let product = shape.product(other);
+                    shape.add(other, -product);
+                }
+                shape = ModeShape::normalised((*shape).clone()).ok_or(MotionError::NotFinite { frequency: size })?;
+            }
+            *found.get_mut(count).ok_or(MotionError::Capacity { capacity })? = Some(shape);
+            count += 1;
+            next = self.most_left(&found[..count], first);
+        }
+        // at zero λ² is the root, and counts twice as an eigenvalue λ
+        let count = count as u64;
+        if count == multiplicity || (size == 0.0 && 2 * count == multiplicity) {
+            return Ok(true);
+        }
+        Err(MotionError::Defective { root: size, multiplicity, shapes: count })
+    }
+
     fn new(system: &'a Y, x: S, distance: f64) -> Self {
         let points = x.around(Scalar::from_f64(distance));
         let passes = points.map(|(point, _)| {
@@ -100,17 +124,23 @@ where
             passes.down_to_all();
             passes
         });
-        Ring { passes, weights: points.map(|(point, weight)| (weight, point - x)), at_zero: x.is_zero() }
+        Ring { passes, weights: points.map(|(point, weight)| (weight, point - x)), at_zero: x.is_zero(), distance }
     }
 
     /// The ring of the least error, by the change from the one before it and by rounding, and where residues show best on it.
-    fn of_best_distance(system: &'a Y, x: S, multiplicity: u64) -> Result<(Self, Candidate), MotionError> {
+    fn of_best_distance(system: &'a Y, x: S, multiplicity: u64, widest: f64) -> Result<(Self, Candidate), MotionError> {
         let lowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
         let size = x.size();
         let scale = if x.is_zero() { lowest } else { size };
-        let rounding = <Y::Parameter as Real>::EPSILON * scale;
+        let rounding = S::EPSILON * scale;
+        // the roots themselves are rounded, and lie off the middle of the ring
+        let of_root = |distance: f64| {
+            let away = SPREAD * <Y::Parameter as Real>::EPSILON * scale / distance;
+            let squared = away * away;
+            squared * squared * squared * squared
+        };
         let mut best: [Option<(f64, f64)>; 2] = [None; 2];
-        let mut distance = 0.05 * scale;
+        let mut distance = widest.min(0.05 * scale);
         let mut before = Ring::new(system, x, distance);
         for _ in 0..DISTANCES {
             distance *= 0.25;
@@ -118,7 +148,7 @@ where
             for (order, best) in [Order::Simple, Order::Double].into_iter().zip(&mut best) {
                 let change = ring.change(&before, order);
                 let from_others = if change < UNSETTLED { change / GAIN } else { change };
-                let error = from_others.max(ROUNDING * rounding / distance);
+                let error = from_others.max(ROUNDING * rounding / distance).max(of_root(distance));
                 if change.is_finite() && best.is_none_or(|(least, _)| error < least) {
                     *best = Some((error, distance));
                 }

@@ -2,7 +2,8 @@
 
 use super::error::MotionError;
 use super::shape::simple;
-use super::tree::Tree;
+use super::tree::JudgedTree;
+use crate::characteristic::System;
 use crate::fields::{Chain, Fields};
 use crate::scalar::{Oscillation, Scalar};
 use core::fmt;
@@ -41,8 +42,8 @@ impl<Y: Fields + ?Sized, S: Scalar> Sensitivities<Y, S> {
 /// `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`, where `∂L/∂λ = (dλ²/dλ)/2` for a shape of unit modal mass.
 pub(super) fn sensitivities<Y, S>(system: &Y, x: S) -> Result<Sensitivities<Y, S>, MotionError>
 where
-    Y: Tree<S> + Chain<S> + ?Sized,
-    S: Oscillation<Y::Parameter>,
+    Y: JudgedTree<S> + Chain<S> + ?Sized,
+    S: Oscillation<<Y as System>::Parameter>,
 {
     if x.is_zero() {
         return Err(MotionError::ZeroFrequency);

@@ -6,10 +6,14 @@ use super::field::Field;
 use super::forms::Form;
 use super::passes::Passes;
 use super::spread::Everything;
-use super::tree::Tree;
+use super::tree::{JudgedTree, Tree};
+use crate::characteristic::System;
 use crate::scalar::{Oscillation, Real, Scalar};
 use crate::scaled::{Magnitude, Scaled};
 use core::ops::Deref;
+
+/// Relative step of the secant method, large beside the rounding of a root and small beside its distance to others.
+const NEAR: f64 = 1e-13;
 
 /// A motion of a system at a root, normalised to unit modal mass; dereferences to its states.
 ///
@@ -47,7 +51,47 @@ impl<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> ShapeList<'a, Y, S, C
 }
 
 /// The shape of a simple root.
+///
+/// Where its states do not fit together it is sought again in the arithmetic that judges.
 pub(super) fn simple<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
+where
+    Y: JudgedTree<S> + ?Sized,
+    S: Oscillation<<Y as System>::Parameter>,
+{
+    let plain = plainly(system, x);
+    // the root, too, is rounded, which is too much where others are close: its nearer value is sought where the shape shows
+    let point = match &plain {
+        Ok(shape) if shape.is_doubtful() => shape.source,
+        Err(MotionError::NotARoot { .. }) => Y::scheme().len() - 2,
+        _ => return plain?.accepted(),
+    };
+    if !S::HAS_JUDGE {
+        return plain?.accepted();
+    }
+    let nearer = nearer_root(system, x.to_judge(), point);
+    ModeShape::of_judge(&plainly(system, nearer)?).accepted()
+}
+
+/// A step of the secant method from a root that is rounded in this arithmetic, by Δ at a point.
+fn nearer_root<S, Y>(system: &Y, x: S, point: usize) -> S
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    let delta = |x: S| {
+        let mut passes = Passes::from_tips(system, x, |_| true);
+        passes.down_to(point);
+        passes.delta(point)
+    };
+    let (away, own) = (x + x * S::from_f64(NEAR), delta(x));
+    let ratio = delta(away).over(own).value();
+    let step = x * S::from_f64(NEAR) / (ratio - S::one());
+    // where Δ is zero, or as small as it can be, there is nothing to gain
+    if step.size() <= NEAR * x.size() { x - step } else { x }
+}
+
+/// The same without a second look.
+fn plainly<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
 where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
@@ -94,6 +138,11 @@ where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
+    /// A motion that is a shape.
+    pub(super) fn of(field: Field<'a, Y, S>) -> Self {
+        ModeShape { field }
+    }
+
     /// Of unit modal mass; `None` if that of the states is not finite, or zero.
     pub(super) fn normalised(field: Field<'a, Y, S>) -> Option<Self> {
         let mut shape = ModeShape { field };

@@ -4,7 +4,7 @@ use super::Motion;
 use crate::at::At;
 use crate::characteristic::System;
 use crate::layout::Scheme;
-use crate::scalar::Scalar;
+use crate::scalar::{JudgeOf, Oscillation, Scalar};
 use core::fmt::Debug;
 
 /// What is done with an element, of whatever type.
@@ -60,4 +60,18 @@ pub trait Tree<S: Scalar>: System + Planned {
 
     /// Visits the element of a step at the frequency of what was evaluated; `None` where the step is none.
     fn visit_at<V: VisitAt<S>>(&self, evaluated: &Self::Evaluated, step: usize, visitor: V) -> Option<V::Output>;
+}
+
+/// A tree at frequencies of some type, and at those in the arithmetic that judges them.
+pub trait JudgedTree<S>: Tree<S> + Tree<JudgeOf<S, <Self as System>::Parameter>>
+where
+    S: Oscillation<<Self as System>::Parameter>,
+{
+}
+
+impl<Y, S> JudgedTree<S> for Y
+where
+    S: Oscillation<<Y as System>::Parameter>,
+    Y: Tree<S> + Tree<JudgeOf<S, <Y as System>::Parameter>> + ?Sized,
+{
 }

@@ -6,6 +6,7 @@
 //! computed by the same code.
 
 mod functions;
+mod judge;
 mod ops;
 #[cfg(test)]
 mod tests;

@@ -3,8 +3,26 @@
 use super::{Frequency, Real, Scalar, WaveFunctions};
 use num_complex::Complex;
 
+/// The arithmetic that judges a frequency of a system with parameters of type `T`.
+pub type JudgeOf<S, T> = <S as Oscillation<T>>::Judge;
+
 /// A frequency at which motions are computed.
 pub trait Oscillation<T: Real>: Frequency<T> {
+    /// The same in the arithmetic that judges the rounding of this one; the type itself where there is none.
+    type Judge: Oscillation<T>;
+
+    /// Whether there is a judge.
+    const HAS_JUDGE: bool;
+
+    /// The unit in the last place of 1.
+    const EPSILON: f64;
+
+    /// The number in the judging arithmetic.
+    fn to_judge(self) -> Self::Judge;
+
+    /// Back from the judging arithmetic.
+    fn from_judge(value: Self::Judge) -> Self;
+
     /// Sine, cosine and their hyperbolic kin, free of overflow.
     fn wave_functions(self) -> WaveFunctions<Self>;
 
@@ -32,6 +50,18 @@ pub trait Oscillation<T: Real>: Frequency<T> {
 }
 
 impl<T: Real> Oscillation<T> for T {
+    type Judge = T::Judge;
+    const HAS_JUDGE: bool = T::HAS_JUDGE;
+    const EPSILON: f64 = <T as Real>::EPSILON;
+
+    fn to_judge(self) -> T::Judge {
+        <T::Judge as Frequency<T>>::from_parameter(self)
+    }
+
+    fn from_judge(value: T::Judge) -> T {
+        T::from_f64(value.to_f64())
+    }
+
     fn wave_functions(self) -> WaveFunctions<T> {
         WaveFunctions::of_real(self)
     }
@@ -71,6 +101,18 @@ impl<T: Real> Oscillation<T> for T {
 }
 
 impl<T: Real> Oscillation<T> for Complex<T> {
+    type Judge = Self;
+    const HAS_JUDGE: bool = false;
+    const EPSILON: f64 = T::EPSILON;
+
+    fn to_judge(self) -> Self {
+        self
+    }
+
+    fn from_judge(value: Self) -> Self {
+        value
+    }
+
     fn wave_functions(self) -> WaveFunctions<Complex<T>> {
         WaveFunctions::of_complex(self)
     }

@@ -4,6 +4,7 @@ use super::{Beam, BuiltBeam};
 use crate::at::At;
 use crate::beam_functions::krylov;
 use crate::bending_links::BendingLinks;
+use crate::bending_steps::Units;
 use crate::motion::line_motions::half;
 use crate::motion::{Covector, Ends, Inside, Motion};
 use crate::scalar::{Oscillation, Real, WaveFunctions};
@@ -31,8 +32,7 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
         }
         let WaveFunctions { sin, cos, sh, ch, exponent } = z.wave_functions();
         let krylov = [ch + cos, sh + sin, ch - cos, sh - sin];
-        let [first, second] = [0, 1].map(|k| at.powers[k] * built.wave_units.factors[k]);
-        let [first_inverse, second_inverse] = [0, 1].map(|k| at.inverse_powers[k] * built.wave_units.inverses[k]);
+        let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = built.units(at);
         BendingLinks {
             krylov,
             raised: [krylov[1], krylov[2], krylov[3]],
@@ -89,9 +89,8 @@ impl<T: Real> BuiltBeam<T> {
     fn short_links<S: Oscillation<T>>(&self, at: &At<S>) -> BendingLinks<S> {
         let x = -at.lambda_squared * self.wave_fourth;
         let functions = krylov(x);
-        let [first, second] = [0, 1].map(|k| S::from_parameter(self.length_units.factors[k]));
+        let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = self.short_units();
         let length = S::from_parameter(self.parameters.length);
-        let [first_inverse, second_inverse] = [0, 1].map(|k| S::from_parameter(self.length_units.inverses[k]));
         BendingLinks {
             krylov: functions,
             raised: [functions[1] * x, functions[2] * x, functions[3] * x],

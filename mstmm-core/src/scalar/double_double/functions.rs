@@ -183,6 +183,7 @@ impl core::ops::Mul<f64> for DoubleDouble {
 /// A system with `f64` parameters, judged in double-double.
 impl Frequency<f64> for DoubleDouble {
     type Meaning = RealFrequency;
+    const JUDGES: bool = true;
 
     #[inline]
     fn lambda_squared(self) -> Self {
@@ -211,6 +212,7 @@ impl core::ops::Mul<f64> for Dual<DoubleDouble> {
 
 impl Frequency<f64> for Dual<DoubleDouble> {
     type Meaning = RealFrequency;
+    const JUDGES: bool = true;
 
     #[inline]
     fn lambda_squared(self) -> Self {
