@@ -36,7 +36,7 @@ pub fn steel_bar() -> Beam {
 /// Samples (ω [rad/s], deflection per force [m/N]) from 10 to 8000 rad/s where the spring is, closer where the curve bends.
 pub fn receptance(system: &BeamSystem) -> Result<Vec<(f64, Complex<f64>)>, Box<dyn Error>> {
     let response = system.frequency_response(Beam::conn_2.force(), Beam::conn_2.deflection())?;
-    let curve = response.curve::<_, _, 4096>(10.0..=8000.0, &resonances(system)?, 1e-3)?;
+    let curve = response.curve::<4096, _>(10.0..=8000.0, &resonances(system)?, 1e-3)?;
     Ok(curve.iter().map(|sample| (sample.omega, sample.value)).collect())
 }
 
