@@ -1,4 +1,5 @@
 //! What the examples compute, against results that share nothing with it.
+#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 #[expect(dead_code, reason = "the example's main")]
 #[path = "../examples/damper.rs"]
@@ -12,6 +13,9 @@ pub mod identification;
 #[path = "support/simple_beam.rs"]
 mod simple_beam;
 #[expect(dead_code, reason = "the example's main")]
+#[path = "../examples/time_response.rs"]
+pub mod time_response;
+#[expect(dead_code, reason = "the example's main")]
 #[path = "../examples/tip_body.rs"]
 pub mod tip_body;
 
@@ -19,6 +23,7 @@ use identification::{Measured, frequencies, identify};
 use mstmm::prelude::*;
 use nalgebra::{Matrix3, Vector3};
 use simple_beam::{At, receptance};
+use std::f64::consts::PI;
 use std::process::Command;
 
 /// What an example prints.
@@ -30,7 +35,7 @@ fn printed(example: &str) -> String {
 }
 
 /// The numbers in the rows of the table that a line starts.
-fn rows(text: &str, start: &str) -> Vec<Vec<f64>> {
+fn rows_of(text: &str, start: &str) -> Vec<Vec<f64>> {
     let rows = text.lines().skip_while(|line| !line.trim_start().starts_with(start)).skip(1);
     let words = |line: &str| line.split_whitespace().filter_map(|word| word.parse().ok()).collect();
     rows.take_while(|line| !line.is_empty()).map(words).collect()
@@ -51,7 +56,7 @@ fn the_tip_body_is_as_it_must() {
     let values = example["values"].as_array().unwrap().iter().find(|values| values["quantity"] == "Omega").unwrap();
     let exact = |mode: usize| values["exact"][mode].as_str().unwrap().parse::<f64>().unwrap();
 
-    let frequencies = rows(&text, "mode    f [Hz]");
+    let frequencies = rows_of(&text, "mode    f [Hz]");
     assert_eq!(frequencies.len(), 4);
     for (mode, row) in frequencies.iter().enumerate() {
         let omega = exact(mode) * (model.ei / model.m).sqrt();
@@ -59,8 +64,8 @@ fn the_tip_body_is_as_it_must() {
         assert_close(row[1], omega / std::f64::consts::TAU, 1e-4);
         assert!(row[3] <= row[2] + 1e-10 && row[2] <= row[4] + 1e-10, "{row:?}");
     }
-    let slopes = rows(&text, "What the first frequency");
-    let energies = rows(&text, "mode   strain");
+    let slopes = rows_of(&text, "What the first frequency");
+    let energies = rows_of(&text, "mode   strain");
     let [ei, m, mass, inertia] = [slopes[1][0], slopes[2][0], slopes[3][0], slopes[4][0]];
     let half = exact(0) * (model.ei / model.m).sqrt() / 2.0;
     assert_close(ei, half / model.ei, 1e-5);
@@ -68,7 +73,7 @@ fn the_tip_body_is_as_it_must() {
     assert_close(model.mass * mass + model.inertia * inertia, -half * energies[0][3] / 100.0, 1e-4);
     assert_eq!(slopes[6], [0.0]);
 
-    let shapes = rows(&text, "mode       0.25");
+    let shapes = rows_of(&text, "mode       0.25");
     for (mode, row) in shapes.iter().enumerate() {
         let beta = exact(mode).sqrt();
         let even = |x: f64| (beta * x).cosh() - (beta * x).cos();
@@ -162,7 +167,7 @@ fn the_frequency_response_is_that_of_a_bare_beam_with_springs() {
     let text = printed("frequency_response");
     let rest = text.split(' ').find_map(|word| word.parse::<f64>().ok()).unwrap();
     assert_close(rest, response(0.0).re, 1e-6);
-    let resonances = rows(&text, "resonance");
+    let resonances = rows_of(&text, "resonance");
     assert_eq!(resonances.len(), 4);
     for row in resonances {
         let value = response(row[0]);
@@ -177,4 +182,63 @@ fn the_frequency_response_is_that_of_a_bare_beam_with_springs() {
     }
     let drawn = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/target/frequency_response.svg")).unwrap();
     assert!(drawn.starts_with("<svg") && drawn.trim_end().ends_with("</svg>"));
+}
+
+/// Oracle: `Σ φ(l/2) φ(l) e^{-ζωt} sin(ω_d t)/(m l ω_d)` with the cantilever's `φ`, whose squares have the integral l, and its
+/// integrals over the forces.
+#[test]
+fn the_cantilever_moves_as_the_sum_over_its_modes() {
+    let (length, ei, m, ratio) = (0.8, 113.4_f64, 1.413, 0.01_f64);
+    let modes: Vec<_> = (1..=30)
+        .map(|number: u32| {
+            let z = root_of_cantilever(number);
+            let omega = (z / length).powi(2) * (ei / m).sqrt();
+            // cosh z/2 - q sinh z/2 with q = (cos z + cosh z)/(sin z + sinh z), without the difference of large numbers
+            let (half, rest) = (z / 2.0, (z.sin() - z.cos() - (-z).exp()) / (z.sin() + z.sinh()));
+            let middle = (-half).exp() + rest * half.sinh() - half.cos() + (1.0 - rest) * half.sin();
+            let tip = if number % 2 == 1 { 2.0 } else { -2.0 };
+            (ratio * omega, omega * (1.0 - ratio * ratio).sqrt(), middle * tip / (m * length))
+        })
+        .collect();
+    let impulse = |t: f64| -> f64 { modes.iter().map(|(d, w, a)| a * (-d * t).exp() * (w * t).sin() / w).sum() };
+    let step = |t: f64| -> f64 {
+        let term = |(d, w, a): &(f64, f64, f64)| {
+            a * (1.0 - (-d * t).exp() * ((w * t).cos() + d / w * (w * t).sin())) / (d * d + w * w)
+        };
+        modes.iter().map(term).sum()
+    };
+    // between samples the hammer's force is linear: Simpson's rule has as many intervals in each tenth of a millisecond
+    let hammer = |t: f64| {
+        let sample = |index: f64| 0.5e3 * PI * (index * PI / 10.0).sin();
+        let (index, part) = ((1e4 * t + 1e-9).floor(), (1e4 * t + 1e-9).fract());
+        sample(index) * (1.0 - part) + sample(index + 1.0) * part
+    };
+    let struck = |t: f64| {
+        let width = t.min(1e-3) / 5040.0;
+        let weight = |index: u32| f64::from([2, 4][index as usize % 2] - u32::from(index == 0 || index == 5040));
+        let value = |index: u32| hammer(width * f64::from(index)) * impulse(t - width * f64::from(index));
+        (0..=5040).map(|index| weight(index) * value(index)).sum::<f64>() * width / 3.0
+    };
+    let rows = time_response::deflections(1001).unwrap();
+    assert_eq!(rows.len(), 1001);
+    let largest = [0, 1, 2].map(|load| rows.iter().map(|row| row.1[load].abs()).fold(0.0, f64::max));
+    for (time, found) in rows.iter().step_by(37).chain(&rows[..12]) {
+        let expected = [impulse(*time), step(*time), struck(*time)];
+        for load in 0..3 {
+            let error = (found[load] - expected[load]).abs() / largest[load];
+            assert!(error < [1e-9, 1e-9, 1e-6][load], "{load} at {time}: {found:?} {expected:?} {error:e}");
+        }
+    }
+    assert_eq!(rows_of(&printed("time_response"), "time [ms]").len(), 21);
+}
+
+/// The solution of `cos z cosh z = -1` of this number.
+fn root_of_cantilever(number: u32) -> f64 {
+    let value = |z: f64| z.cos() + 1.0 / z.cosh();
+    let (mut low, mut high) = (PI * f64::from(number - 1), PI * f64::from(number));
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if value(middle) * value(low) > 0.0 { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
 }
