@@ -33,8 +33,11 @@ pub fn steel_bar() -> Beam {
     Beam { length: 1.0, ei: 2.069e11 * 3.06796e-7, m: 7800.0 * 1.96349e-3 }
 }
 
-/// Samples (ω [rad/s], deflection per force [m/N]) from 10 to 8000 rad/s where the spring is, closer where the curve bends.
-pub fn receptance(system: &BeamSystem) -> Result<Vec<(f64, Complex<f64>)>, Box<dyn Error>> {
+/// Frequencies ω [rad/s] and deflections per force [m/N].
+pub type Samples = Vec<(f64, Complex<f64>)>;
+
+/// The response from 10 to 8000 rad/s where the spring is, with more samples where the curve bends.
+pub fn receptance(system: &BeamSystem) -> Result<Samples, Box<dyn Error>> {
     let response = system.frequency_response(Beam::conn_2.force(), Beam::conn_2.deflection())?;
     let curve = response.curve::<4096, _>(10.0..=8000.0, &resonances(system)?, 1e-3)?;
     Ok(curve.iter().map(|sample| (sample.omega, sample.value)).collect())
@@ -46,7 +49,7 @@ pub fn resonances(system: &BeamSystem) -> Result<Vec<mstmm::search::Eigenvalue>,
 }
 
 /// Draws the size of the response, both axes logarithmic.
-fn draw(samples: &[(f64, Complex<f64>)], file: &str) -> Result<(), Box<dyn Error>> {
+fn draw(samples: &Samples, file: &str) -> Result<(), Box<dyn Error>> {
     let area = SVGBackend::new(file, (1600, 900)).into_drawing_area();
     area.fill(&WHITE)?;
     let ranges = ((10.0..8000.0).log_scale(), (1e-9..2e-6).log_scale());
