@@ -87,7 +87,8 @@ where
 {
     /// Whether its states do not fit together as well as they could.
     pub(super) fn is_doubtful(&self) -> bool {
-        !(self.misfit() <= DOUBT * S::EPSILON)
+        let misfit = self.misfit();
+        misfit.is_nan() || misfit > DOUBT * S::EPSILON
     }
 
     /// Refuses a shape whose states do not fit together.
