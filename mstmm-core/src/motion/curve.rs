@@ -32,8 +32,8 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
     /// infinite and are approached to 1e-4 of the range.
     ///
     /// # Errors
-    /// [`MotionError::Capacity`] for more than `CAP` samples; [`MotionError::NotFinite`] for a range or a tolerance that is not
-    /// finite; else as [`at`](FrequencyResponse::at).
+    /// [`MotionError::Capacity`] for more than `CAP` samples; [`MotionError::NotFinite`] for a range that is empty or not
+    /// finite, or a tolerance that is not positive; else as [`at`](FrequencyResponse::at).
     pub fn curve<const CAP: usize, S>(
         &self,
         range: RangeInclusive<Y::Parameter>,
@@ -110,6 +110,11 @@ where
             }
             let half = <Y::Parameter as Scalar>::from_f64(0.5);
             let omega = (from.omega + to.omega) * half;
+            if omega <= from.omega || omega >= to.omega {
+                // no frequency is between the two
+                index += 1;
+                continue;
+            }
             let Ok(value) = self.response.at(S::of_omega(omega)) else {
                 // a resonance in the very middle
                 index += 1;

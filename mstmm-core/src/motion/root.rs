@@ -16,7 +16,8 @@ pub trait Root<T: Real> {
     /// Number of coinciding roots.
     fn multiplicity(&self) -> u64;
 
-    /// Where the root shows in a response, ω [rad/s], and half the width of its resonance at half the power.
+    /// Where the root shows in a response, ω [rad/s], and half the width of its resonance at half the power; zero where it has
+    /// none, or none that can be told from rounding.
     fn peak(&self) -> (T, T);
 }
 
@@ -44,7 +45,10 @@ impl<T: Real> Root<T> for Eigenvalue<T> {
     }
 
     fn peak(&self) -> (T, T) {
-        (self.lambda.im.abs(), self.lambda.re.abs())
+        // what decays no faster than the root is known does not decay as far as anyone can tell
+        let width = self.lambda.re.abs();
+        let is_known = width > self.error;
+        (self.lambda.im.abs(), if is_known { width } else { T::zero() })
     }
 
     fn multiplicity(&self) -> u64 {
