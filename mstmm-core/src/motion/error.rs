@@ -39,7 +39,8 @@ pub enum MotionError {
     },
     /// At frequency zero the derivative of ω is not defined: ω² moves, and ω is its root.
     ZeroFrequency,
-    /// The system resonates at this frequency: the response to a force is infinite.
+    /// The system resonates at this frequency: the response to a force is infinite. Also at a multiple root that the force does not
+    /// excite, and at any frequency of a model without a spectrum, where equations do not determine the response.
     Resonance {
         /// Size of the frequency, |ω| or |λ|.
         frequency: f64,
@@ -104,7 +105,10 @@ impl fmt::Display for MotionError {
                 write!(f, "a zero frequency has no derivative: it is the root of ω², and parameters move that")
             }
             MotionError::Resonance { frequency } => {
-                write!(f, "the system resonates at the frequency {frequency}: its response is infinite")
+                write!(
+                    f,
+                    "the system resonates at the frequency {frequency}: its response is infinite or not determined"
+                )
             }
             MotionError::NotFinite { frequency } => {
                 write!(f, "at the frequency {frequency} the motion is not finite")

@@ -95,7 +95,8 @@ pub trait Motions: System {
 
     /// The response of an entry of a state to a harmonic load of 1, as a function of the frequency.
     ///
-    /// Exact at every frequency, damped or not, and in the static limit; where the load acts, the entry is that on the side
+    /// Exact at every frequency, damped or not, and in the static limit: to rounding relative to the largest states, over the distance
+    /// to the next root where that is close; where the load acts, the entry is that on the side
     /// which its point names. Nothing is evaluated yet.
     ///
     /// # Errors
