@@ -1,4 +1,7 @@
 //! Exact vibrations of linear systems of beams, rigid bodies, springs, dampers and masses.
+//!
+//! Models are declared with [`system!`](crate::system), on whose page is the language. What a built system answers is in
+//! [`NaturalFrequencies`](search::NaturalFrequencies), [`Eigenvalues`](search::Eigenvalues) and [`Motions`].
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -13,6 +16,8 @@ pub use mstmm_core::{
     determinant, elements, search,
 };
 
+/// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.
+///
 /// ```
 /// use mstmm::prelude::*;
 ///
@@ -36,6 +41,8 @@ pub use mstmm_core::{
 /// ```
 pub use mstmm_core::ModeShape;
 
+/// The response to a harmonic load, at rest too.
+///
 /// ```
 /// use mstmm::prelude::*;
 ///
@@ -60,6 +67,8 @@ pub use mstmm_core::ModeShape;
 /// ```
 pub use mstmm_core::FrequencyResponse;
 
+/// What each field of the model moves a root by.
+///
 /// ```
 /// use mstmm::prelude::*;
 ///
@@ -80,6 +89,8 @@ pub use mstmm_core::FrequencyResponse;
 /// ```
 pub use mstmm_core::Sensitivities;
 
+/// The response in time to an impulse, a step or a force history.
+///
 /// ```
 /// use mstmm::prelude::*;
 ///

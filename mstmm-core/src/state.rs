@@ -27,6 +27,8 @@ pub enum Coordinate {
 use Coordinate::{M, Q, Qx, Theta, X, Y};
 
 /// A state vector of planar bending; of a translation or rotation path half of the entries are zero.
+///
+/// With x along the arrows of the sketch, signs are those of a beam at rest: `Θ = Y'`, `M = EI Θ'`, `Q = M'`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State<S> {
     /// Deflection Y \[m\]

@@ -32,8 +32,8 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
     /// infinite and are approached to 1e-4 of the range.
     ///
     /// # Errors
-    /// [`MotionError::Capacity`] for more than `CAP` samples; [`MotionError::NotFinite`] for a range that is empty or not
-    /// finite, or a tolerance that is not positive; else as [`at`](FrequencyResponse::at).
+    /// [`MotionError::Capacity`] for more than `CAP` samples; [`MotionError::Range`] for a range that is empty, reversed or not
+    /// finite; [`MotionError::Tolerance`] for a tolerance that is not positive; else as [`at`](FrequencyResponse::at).
     pub fn curve<const CAP: usize, S>(
         &self,
         range: RangeInclusive<Y::Parameter>,

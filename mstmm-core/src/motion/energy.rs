@@ -10,7 +10,8 @@ use crate::scalar::{Oscillation, Scalar};
 use crate::state::State;
 use num_traits::Zero;
 
-/// Shares of an element in the energies of a mode: those of all elements add up to 1 each, or to 0 where there is none.
+/// Shares of an element in the energies of a mode, from 0 to 1: those of all elements add up to 1 each, or to 0 where there
+/// is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyShares<T> {
     /// Share in the strain energy.

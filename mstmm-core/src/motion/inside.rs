@@ -69,8 +69,10 @@ where
     T: Real,
     Y: Tree<T, Parameter = T> + ?Sized,
 {
-    /// Number of nodes inside of an element: places between its ends where the deflection changes its sign. Of a beam on its own
-    /// supports that of mode n is n - 1 (Sturm).
+    /// Number of nodes inside of an element: places between its ends where the deflection changes its sign. A beam on its own
+    /// supports has n - 1 of them in mode n (Sturm).
+    ///
+    /// A node just where two elements meet is inside of neither. Shapes of damped systems are complex and have no nodes.
     pub fn nodes<E: Element>(&self, label: Label<Y::Model, E>) -> usize {
         let Some(inside) = self.inside(label.step) else { return 0 };
         let samples = inside.samples();

@@ -27,7 +27,8 @@ pub trait Motions: System {
     ///
     /// # Errors
     /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](Motions::mode_shapes);
-    /// [`MotionError::NotARoot`] for a frequency that is none of this system's.
+    /// [`MotionError::NotARoot`] for a frequency that is none of this system's; [`MotionError::Unresolved`] where other roots
+    /// are so close that the states do not fit together.
     fn mode_shape<S>(
         &self,
         root: &impl Root<<Self as System>::Parameter, Frequency = S>,
@@ -74,7 +75,8 @@ pub trait Motions: System {
         Ok(list)
     }
 
-    /// How a simple root moves with each field of the model: dω/dp, or dλ/dp for an eigenvalue, exact, all in one call.
+    /// How a simple root moves with each field of the model: dω/dp [rad/s per unit of the field], or dλ/dp [1/s per unit of the
+    /// field] for an eigenvalue, exact, all in one call.
     ///
     /// One pass from the tips, one from the root, and the derivatives of the dynamic work of each element at its states.
     ///
@@ -95,9 +97,11 @@ pub trait Motions: System {
 
     /// The response of an entry of a state to a harmonic load of 1, as a function of the frequency.
     ///
-    /// Exact at every frequency, damped or not, and in the static limit: to rounding relative to the largest states, over the distance
-    /// to the next root where that is close; where the load acts, the entry is that on the side
-    /// which its point names. Nothing is evaluated yet.
+    /// Its unit is that of the entry per N, or per N m. Exact at every frequency, damped or not, and in the static limit: to rounding
+    /// relative to the largest states, over the distance to the next root where that is close. Where the load acts, the entry is
+    /// that on the side which its point names. Nothing is evaluated yet.
+    ///
+    /// A connection that goes on to fewer states takes loads and entries of what one of its inputs has besides.
     ///
     /// # Errors
     /// [`MotionError::NoSuchEntry`] for a load or an entry that no state at its point carries, such as a moment in a

@@ -12,7 +12,7 @@ use crate::scaled::Scaled;
 use crate::state::{Coordinate, Space, State};
 use crate::subspace::Subspace;
 
-/// A transfer function of a system: an entry of a state per harmonic load of 1.
+/// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
 pub struct FrequencyResponse<'a, Y: Planned + ?Sized> {
     system: &'a Y,

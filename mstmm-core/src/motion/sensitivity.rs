@@ -9,6 +9,9 @@ use crate::scalar::{Oscillation, Scalar};
 use core::fmt;
 
 /// The derivatives of a root with respect to the fields of the model, dω/dp or dλ/dp, with their names.
+///
+/// Their unit is rad/s, or 1/s, per unit of the field. A field p that grows by 1 % moves the root by `0.01 p` times its derivative,
+/// to first order; a frequency in Hz by that over 2π.
 pub struct Sensitivities<Y: Fields + ?Sized, S: Scalar> {
     values: Y::PerField<S>,
 }

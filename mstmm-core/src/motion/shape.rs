@@ -17,7 +17,8 @@ const NEAR: f64 = 1e-13;
 
 /// A motion of a system at a root, normalised to unit modal mass; dereferences to its states.
 ///
-/// Real for a natural frequency, complex for an eigenvalue.
+/// Real for a natural frequency, complex for an eigenvalue. With deflections in m the modal mass is 1 kg m²;
+/// [`with_unit_deflection`](ModeShape::with_unit_deflection) makes the largest deflection 1 m.
 #[derive(Debug)]
 pub struct ModeShape<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     field: Field<'a, Y, S>,

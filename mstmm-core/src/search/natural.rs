@@ -13,9 +13,9 @@ use core::ops::{Deref, RangeInclusive};
 pub struct NaturalFrequency<T = f64> {
     /// Angular frequency ω [rad/s].
     pub omega: T,
-    /// Lower end of the certified interval: no more than the frequencies listed before lie below.
+    /// Lower end of the certified interval [rad/s]: no more than the frequencies listed before lie below.
     pub lower: T,
-    /// Upper end of the certified interval.
+    /// Upper end of the certified interval [rad/s].
     pub upper: T,
     /// Number of frequencies in the interval: more than one where several coincide, or where the arithmetic cannot tell
     /// them apart.
@@ -72,7 +72,7 @@ impl<T: Real + fmt::Display> fmt::Display for NaturalFrequency<T> {
 /// A system that can be searched for natural frequencies: Δ and its derivative in the arithmetic of the parameters, and in
 /// the arithmetic that judges its rounding.
 ///
-/// Every undamped system is one; systems with a damper are not: they have `eigenvalues`.
+/// Every undamped system without planar elements is one; systems with a damper are not: they have `eigenvalues`.
 pub trait Undamped:
     System
     + Characteristic<<Self as System>::Parameter>

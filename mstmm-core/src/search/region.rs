@@ -11,9 +11,9 @@ use num_complex::Complex;
 /// A closed rectangle of the complex plane of λ [1/s].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region<T = f64> {
-    /// Range of the real part; that of damped motions is negative.
+    /// Range of the real part [1/s]; that of damped motions is negative.
     pub re: RangeInclusive<T>,
-    /// Range of the imaginary part, the angular frequency of the damped motion.
+    /// Range of the imaginary part, the angular frequency of the damped motion [rad/s].
     pub im: RangeInclusive<T>,
 }
 
@@ -22,7 +22,7 @@ pub struct Region<T = f64> {
 pub struct Eigenvalue<T = f64> {
     /// The eigenvalue [1/s].
     pub lambda: Complex<T>,
-    /// Radius of a circle around it that holds it: the argument of Δ turns once along that circle for each of its roots.
+    /// Radius [1/s] of a circle around it that holds it: the argument of Δ turns once along that circle for each of its roots.
     pub error: T,
     /// Number of eigenvalues in that circle.
     pub multiplicity: u64,
