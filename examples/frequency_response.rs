@@ -50,13 +50,14 @@ pub fn resonances(system: &BeamSystem) -> Result<Vec<mstmm::search::Eigenvalue>,
 
 /// Draws the size of the response, both axes logarithmic.
 fn draw(samples: &Samples, file: &str) -> Result<(), Box<dyn Error>> {
-    let area = SVGBackend::new(file, (1600, 900)).into_drawing_area();
+    let area = SVGBackend::new(file, (900, 500)).into_drawing_area();
     area.fill(&WHITE)?;
-    let ranges = ((10.0..8000.0).log_scale(), (1e-9..2e-6).log_scale());
+    let (omegas, sizes) = ((10.0..8000.0).log_scale(), (1e-9..2e-6).log_scale());
     let mut chart = ChartBuilder::on(&area);
-    let mut chart = chart.x_label_area_size(60).y_label_area_size(60).build_cartesian_2d(ranges.0, ranges.1)?;
+    let mut chart = chart.margin(20).x_label_area_size(45).y_label_area_size(70).build_cartesian_2d(omegas, sizes)?;
     chart.configure_mesh().x_desc("ω [rad/s]").y_desc("deflection per force [m/N]").draw()?;
-    chart.draw_series(LineSeries::new(samples.iter().map(|(omega, value)| (*omega, value.norm())), BLUE))?;
+    let curve = samples.iter().map(|(omega, value)| (*omega, value.norm()));
+    chart.draw_series(LineSeries::new(curve, BLUE.stroke_width(2)))?;
     Ok(area.present()?)
 }
 

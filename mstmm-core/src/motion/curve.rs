@@ -45,8 +45,11 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
         S: Oscillation<Y::Parameter>,
     {
         let (start, end) = (range.start().to_f64(), range.end().to_f64());
-        if !(start < end && (end - start).is_finite() && tolerance > 0.0) {
-            return Err(MotionError::NotFinite { frequency: if start < end { tolerance } else { start } });
+        if !(start < end && (end - start).is_finite()) {
+            return Err(MotionError::Range { start, end });
+        }
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return Err(MotionError::Tolerance { tolerance });
         }
         let mut curve = Refinement { response: self, samples: List::new() };
         for interval in 0..=INTERVALS {

@@ -97,7 +97,7 @@ where
         if misfit <= REFUSAL * S::EPSILON {
             return Ok(self);
         }
-        Err(MotionError::Unresolved { root: self.x.size(), misfit })
+        Err(MotionError::Unresolved { root: self.x.modulus(), misfit })
     }
 
     /// A shape that the judging arithmetic found.

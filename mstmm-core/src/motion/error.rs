@@ -55,11 +55,25 @@ pub enum MotionError {
         /// The entry.
         coordinate: Coordinate,
     },
+    /// A range of frequencies that is empty, reversed or not finite.
+    Range {
+        /// Start of the range [rad/s].
+        start: f64,
+        /// End of the range [rad/s].
+        end: f64,
+    },
+    /// A tolerance must be positive and finite.
+    Tolerance {
+        /// The tolerance that was given.
+        tolerance: f64,
+    },
+    /// An element without an inside: its states are those at its ends.
+    NoInside,
     /// A place outside of an element.
     Outside {
         /// Distance from the input end \[m\].
         distance: f64,
-        /// Length of the element \[m\]; 0 for one without an inside.
+        /// Length of the element \[m\].
         length: f64,
     },
     /// A step of time that is not positive or not finite.
@@ -85,17 +99,20 @@ impl fmt::Display for MotionError {
             MotionError::Multiple { root, multiplicity } => {
                 write!(
                     f,
-                    "the root {root} has multiplicity {multiplicity}: ask for all its shapes with `mode_shapes`, "
+                    "the root of size {root} has multiplicity {multiplicity}: its shapes are given by `mode_shapes`, "
                 )?;
-                write!(f, "a derivative of it does not exist")
+                write!(f, "and it has no derivative, since its parts move apart")
             }
             MotionError::NotARoot { frequency, mismatch } => {
-                write!(f, "the frequency {frequency} is no root of this system: states differ by {mismatch:e}")
+                write!(
+                    f,
+                    "a frequency of size {frequency} is no root of this system, with these parameters: states differ by {mismatch:.1e}"
+                )
             }
             MotionError::Unresolved { root, misfit } => {
                 write!(
                     f,
-                    "the shape of the root {root} cannot be told from others near it: states differ by {misfit:e}"
+                    "the shape of the root of size {root} cannot be told from others near it: states differ by {misfit:.1e}"
                 )
             }
             MotionError::Defective { root, multiplicity, shapes } => {
@@ -103,6 +120,9 @@ impl fmt::Display for MotionError {
             }
             MotionError::ZeroFrequency => {
                 write!(f, "a zero frequency has no derivative: it is the root of ω², and parameters move that")
+            }
+            MotionError::Resonance { frequency: 0.0 } => {
+                write!(f, "nothing holds the system at rest: under the load it moves off as a rigid body")
             }
             MotionError::Resonance { frequency } => {
                 write!(
@@ -122,6 +142,15 @@ impl fmt::Display for MotionError {
                     Coordinate::X | Coordinate::Qx => ("longitudinal entry", "planar"),
                 };
                 write!(f, "no state at this point has a {name}: no {path} path leads there")
+            }
+            MotionError::Range { start, end } => {
+                write!(f, "the range from {start} to {end} rad/s must run upwards and be finite")
+            }
+            MotionError::Tolerance { tolerance } => {
+                write!(f, "the tolerance {tolerance} must be positive and finite")
+            }
+            MotionError::NoInside => {
+                write!(f, "this element has no inside: ask for the states at its `input()` and `output()`")
             }
             MotionError::Outside { distance, length } => {
                 write!(f, "{distance} m from the input end is outside of the element, whose length is {length} m")

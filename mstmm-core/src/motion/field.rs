@@ -99,11 +99,10 @@ where
     /// The state inside of an element, at a distance \[m\] from its input end.
     ///
     /// # Errors
-    /// [`MotionError::Outside`] for a distance beyond its ends; springs, masses and bodies have no inside.
+    /// [`MotionError::Outside`] for a distance beyond its ends; [`MotionError::NoInside`] for springs, masses and bodies.
     pub fn along<E: Element>(&self, label: Label<Y::Model, E>, distance: f64) -> Result<State<S>, MotionError> {
-        let inside = self.inside(label.step);
-        let length = inside.map_or(0.0, |inside| inside.length);
-        if inside.is_none() || !(0.0..=length).contains(&distance) {
+        let Inside { length, .. } = self.inside(label.step).ok_or(MotionError::NoInside)?;
+        if !(0.0..=length).contains(&distance) {
             return Err(MotionError::Outside { distance, length });
         }
         Ok(self.state_at(label.step, distance))

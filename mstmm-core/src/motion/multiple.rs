@@ -71,7 +71,7 @@ where
         // there are more shapes than the root has: other roots lie inside of the ring
         widest = 0.25 * ring.distance;
     }
-    Err(MotionError::Unresolved { root: x.size(), misfit: widest / x.size() })
+    Err(MotionError::Unresolved { root: x.modulus(), misfit: widest / x.size() })
 }
 
 impl<'a, Y, S> Ring<'a, Y, S>
@@ -88,7 +88,7 @@ where
         first: &Candidate,
         found: &mut [Option<ModeShape<'a, Y, S>>],
     ) -> Result<bool, MotionError> {
-        let size = x.size();
+        let size = x.modulus();
         let capacity = found.len();
         let mut count = 0;
         let mut next = Some(*first);
@@ -130,7 +130,7 @@ where
     /// The ring of the least error, by the change from the one before it and by rounding, and where residues show best on it.
     fn of_best_distance(system: &'a Y, x: S, multiplicity: u64, widest: f64) -> Result<(Self, Candidate), MotionError> {
         let lowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
-        let size = x.size();
+        let size = x.modulus();
         let scale = if x.is_zero() { lowest } else { size };
         let rounding = S::EPSILON * scale;
         // the roots themselves are rounded, and lie off the middle of the ring

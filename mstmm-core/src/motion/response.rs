@@ -121,7 +121,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        let frequency = x.size();
+        let frequency = x.modulus();
         let Place { step, coordinate, .. } = self.load;
         let mut passes = Passes::from_tips(self.system, x, |step| !self.below.as_ref()[step]);
         passes.down_to(step);

@@ -1,7 +1,7 @@
 //! Roots of all kinds, as questions about motions take them.
 
 use super::error::MotionError;
-use crate::scalar::{Oscillation, Real, Scalar};
+use crate::scalar::{Oscillation, Real};
 use crate::search::{Eigenvalue, NaturalFrequency};
 use num_complex::Complex;
 
@@ -60,7 +60,7 @@ impl<T: Real> Root<T> for Eigenvalue<T> {
 pub(super) fn simple_root<T: Real, R: Root<T>>(root: &R) -> Result<R::Frequency, MotionError> {
     let (frequency, multiplicity) = (root.frequency(), root.multiplicity());
     if multiplicity > 1 {
-        return Err(MotionError::Multiple { root: frequency.size(), multiplicity });
+        return Err(MotionError::Multiple { root: frequency.modulus(), multiplicity });
     }
     Ok(frequency)
 }

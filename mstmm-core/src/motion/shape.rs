@@ -97,7 +97,7 @@ where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
-    let frequency = x.size();
+    let frequency = x.modulus();
     let mut passes = Passes::from_tips(system, x, |_| true);
     passes.down_to_all();
     let mut best: Option<(Candidate, Magnitude)> = None;

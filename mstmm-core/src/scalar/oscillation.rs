@@ -32,6 +32,12 @@ pub trait Oscillation<T: Real>: Frequency<T> {
     /// Back from a complex number, which is real where this one is.
     fn from_complex(value: Complex<T>) -> Self;
 
+    /// The modulus, |ω| or |λ|.
+    fn modulus(self) -> f64 {
+        let z = self.to_complex();
+        Scalar::sqrt((z.re * z.re + z.im * z.im).to_f64())
+    }
+
     /// The complex conjugate; of a real frequency itself.
     fn conjugate(self) -> Self;
 
