@@ -8,6 +8,7 @@ mod oscillation;
 mod real;
 mod waves;
 
+pub(crate) use complex::modulus;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use oscillation::{JudgeOf, Oscillation};

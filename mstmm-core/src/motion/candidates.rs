@@ -18,16 +18,11 @@ pub(super) struct Candidate {
     pub(super) unit: f64,
 }
 
-impl Candidate {
-    /// Stands where none is asked for.
-    pub(super) const NONE: Candidate = Candidate { step: 0, coordinate: Coordinate::Y, unit: 1.0 };
-}
-
 /// The frequency at which elements tell their usual stiffnesses: that of the motion, but where that is zero and inertia has no
 /// force that of the slowest motion.
 pub(super) fn comparable<S: Scalar, Y: Tree<S> + ?Sized>(system: &Y, x: S) -> At<S> {
-    let slowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
-    Y::at(if x.is_zero() { S::from_f64(slowest) } else { x })
+    let slowest = || S::one().times_power_of_two(system.bounds().lowest_exponent());
+    Y::at(if x.is_zero() { slowest() } else { x })
 }
 
 /// Asks an element for its usual stiffnesses.

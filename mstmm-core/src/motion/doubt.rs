@@ -91,11 +91,16 @@ where
         misfit.is_nan() || misfit > DOUBT * S::EPSILON
     }
 
-    /// Refuses a shape whose states do not fit together.
+    /// Refuses a shape whose states do not fit together. One that is not doubtful is not refused.
     pub(super) fn accepted(self) -> Result<Self, MotionError> {
+        self.check().map(|()| self)
+    }
+
+    /// Whether its states fit together.
+    pub(super) fn check(&self) -> Result<(), MotionError> {
         let misfit = self.misfit();
         if misfit <= REFUSAL * S::EPSILON {
-            return Ok(self);
+            return Ok(());
         }
         Err(MotionError::Unresolved { root: self.x.modulus(), misfit })
     }

@@ -5,7 +5,7 @@ use num_complex::Complex;
 use num_traits::Zero;
 
 /// `e^z`.
-pub(super) fn exponential<T: Real>(z: Complex<T>) -> Complex<T> {
+pub(crate) fn exponential<T: Real>(z: Complex<T>) -> Complex<T> {
     let (sin, cos) = z.im.sin_cos();
     Complex::new(cos, sin) * z.re.exp()
 }

@@ -69,12 +69,6 @@ where
         Ends { x: self.x, input, output: self.states.as_ref()[step] }
     }
 
-    /// A sum of forms over all elements.
-    pub(super) fn sum<V: Visit<S, Output = S>>(&self, form: impl Fn(usize) -> V) -> S {
-        let forms = (0..Y::scheme().len()).filter_map(|step| self.system.visit(step, form(step)));
-        forms.fold(S::zero(), |sum, form| sum + form)
-    }
-
     /// The inside of the element of a step.
     pub(super) fn inside(&self, step: usize) -> Option<Inside> {
         self.system.visit(step, InsideOf(self.x)).flatten()

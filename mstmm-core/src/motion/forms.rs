@@ -35,6 +35,7 @@ impl<S: Scalar> Visit<S> for FormOf<S> {
 impl<Y: Tree<S> + ?Sized, S: Scalar> Field<'_, Y, S> {
     /// A form of this motion and another, summed over the system.
     pub(super) fn form(&self, form: Form, other: &Self) -> S {
-        self.sum(|step| FormOf { form, first: self.ends(step), second: other.ends(step) })
+        let of = |step| self.system.visit(step, FormOf { form, first: self.ends(step), second: other.ends(step) });
+        (0..Y::scheme().len()).filter_map(of).fold(S::zero(), |sum, form| sum + form)
     }
 }

@@ -7,7 +7,7 @@ mod doubt;
 mod element;
 mod energy;
 mod error;
-mod exponentials;
+pub(crate) mod exponentials;
 mod field;
 mod force_history;
 mod forms;

@@ -65,9 +65,7 @@ pub trait Motions: System {
             } else {
                 plain?;
             }
-            for shape in list.iter() {
-                shape.clone().accepted()?;
-            }
+            list.iter().try_for_each(ModeShape::check)?;
             return Ok(list);
         }
         let place = list.shapes.first_mut().ok_or(MotionError::Capacity { capacity: CAP })?;

@@ -8,6 +8,7 @@ use super::error::MotionError;
 use super::field::Field;
 use super::passes::Passes;
 use super::shape::ModeShape;
+use super::source::dual_of;
 use super::spread::Everything;
 use super::tree::Tree;
 use crate::scalar::{Oscillation, Real, Scalar};
@@ -107,7 +108,7 @@ where
             }
             *found.get_mut(count).ok_or(MotionError::Capacity { capacity })? = Some(shape);
             count += 1;
-            next = self.most_left(&found[..count], first);
+            next = self.most_left(&found[..count], Some(first));
         }
         // at zero λ² is the root, and counts twice as an eigenvalue λ
         let count = count as u64;
@@ -119,11 +120,7 @@ where
 
     fn new(system: &'a Y, x: S, distance: f64) -> Self {
         let points = x.around(Scalar::from_f64(distance));
-        let passes = points.map(|(point, _)| {
-            let mut passes = Passes::from_tips(system, point, |_| true);
-            passes.down_to_all();
-            passes
-        });
+        let passes = points.map(|(point, _)| Passes::whole(system, point));
         Ring { passes, weights: points.map(|(point, weight)| (weight, point - x)), at_zero: x.is_zero(), distance }
     }
 
@@ -206,7 +203,7 @@ where
     /// The response of an entry to a jump in its dual, times the power of `x - x0` for a pole of some order; and the weights.
     fn responses(&self, candidate: &Candidate, order: Order) -> impl Iterator<Item = (S, S)> {
         self.passes.iter().zip(self.weights).map(move |(passes, (weight, away))| {
-            let (square, _) = passes.square(candidate.step, candidate.coordinate);
+            let square = passes.square(candidate.step, candidate.coordinate);
             (square.over(passes.delta(candidate.step)).times(self.power(away, order)).value(), weight)
         })
     }
@@ -230,11 +227,11 @@ where
 
     /// The candidate with the largest residue as an energy.
     fn largest(&self) -> Option<Candidate> {
-        self.most_left(&[], &Candidate::NONE)
+        self.most_left(&[], None)
     }
 
     /// The candidate at which most of the residue is left beside the shapes that are known, if anything is.
-    fn most_left(&self, known: &[Option<ModeShape<'a, Y, S>>], first: &Candidate) -> Option<Candidate> {
+    fn most_left(&self, known: &[Option<ModeShape<'a, Y, S>>], first: Option<&Candidate>) -> Option<Candidate> {
         // the constant between residue and squares of shapes is seen where the first shape was taken
         let squares = |candidate: &Candidate| {
             known.iter().flatten().fold(S::zero(), |sum, shape| {
@@ -247,7 +244,7 @@ where
             let residue = self.residue(candidate);
             if is_displacement { residue } else { -residue }
         };
-        let ratio = if known.is_empty() { S::zero() } else { signed(first) / squares(first) };
+        let ratio = first.map_or(S::zero(), |first| signed(first) / squares(first));
         let mut most: Option<(f64, Candidate)> = None;
         let mut whole = 0.0_f64;
         self.passes[0].for_each_candidate(|candidate| {
@@ -266,10 +263,9 @@ where
         let mut sum: Option<Field<'a, Y, S>> = None;
         let mut shift = 0;
         for (passes, (weight, away)) in self.passes.iter().zip(self.weights) {
-            let (_, dual) = passes.square(candidate.step, candidate.coordinate);
             let factor = Scaled::new(weight * self.power(away, Order::Simple), 0).over(passes.delta(candidate.step));
             let exponent = factor.exponent().clamp(-1 << 30, 1 << 30) as i32;
-            let jump = passes.jump(candidate.step, dual);
+            let jump = passes.jump(candidate.step, dual_of(candidate.coordinate));
             let [upstream, downstream] =
                 [jump.upstream, jump.downstream].map(|covector| covector.times(factor.mantissa(), exponent));
             let spread = passes.spread(candidate.step, upstream, downstream, &Everything);

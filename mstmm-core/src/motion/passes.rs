@@ -67,6 +67,13 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
         passes
     }
 
+    /// Both passes, over all steps.
+    pub(crate) fn whole(system: &'a Y, x: S) -> Self {
+        let mut passes = Passes::from_tips(system, x, |_| true);
+        passes.down_to_all();
+        passes
+    }
+
     /// The pass from the root to a step.
     pub(crate) fn down_to(&mut self, step: usize) {
         let scheme = Y::scheme();
@@ -78,7 +85,7 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
     }
 
     /// The pass from the root to all steps.
-    pub(crate) fn down_to_all(&mut self) {
+    fn down_to_all(&mut self) {
         for step in (0..Y::scheme().len() - 1).rev() {
             self.look_down(step);
         }

@@ -5,6 +5,7 @@ use super::error::MotionError;
 use super::field::Field;
 use super::forms::Form;
 use super::passes::Passes;
+use super::source::dual_of;
 use super::spread::Everything;
 use super::tree::{JudgedTree, Tree};
 use crate::characteristic::System;
@@ -64,7 +65,7 @@ where
     let point = match &plain {
         Ok(shape) if shape.is_doubtful() => shape.source,
         Err(MotionError::NotARoot { .. }) => Y::scheme().len() - 2,
-        _ => return plain?.accepted(),
+        _ => return plain,
     };
     if !S::HAS_JUDGE {
         return plain?.accepted();
@@ -98,8 +99,7 @@ where
     S: Oscillation<Y::Parameter>,
 {
     let frequency = x.modulus();
-    let mut passes = Passes::from_tips(system, x, |_| true);
-    passes.down_to_all();
+    let passes = Passes::whole(system, x);
     let mut best: Option<(Candidate, Magnitude)> = None;
     passes.for_each_candidate(|candidate| {
         let energy = passes.energy(&candidate);
@@ -108,7 +108,7 @@ where
         }
     });
     let Some((best, _)) = best else { return Err(MotionError::NotFinite { frequency }) };
-    let (square, dual) = passes.square(best.step, best.coordinate);
+    let square = passes.square(best.step, best.coordinate);
     // by so much the states on both sides of the point differ, beside what is usual there
     let jump = passes.delta(best.step).over(square);
     let mismatch = jump.magnitude().value() / best.unit;
@@ -119,7 +119,7 @@ where
     if mismatch > <Y::Parameter as Real>::EPSILON.sqrt() {
         return Err(MotionError::NotARoot { frequency, mismatch });
     }
-    let jump = passes.jump(best.step, dual);
+    let jump = passes.jump(best.step, dual_of(best.coordinate));
     let spread = passes.spread(best.step, jump.upstream, jump.downstream, &Everything);
     let largest = spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max();
     let field = Field::of(system, x, &spread, -largest.unwrap_or(0));
@@ -129,7 +129,7 @@ where
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// The square of an entry as an energy, times Δ and a constant.
     pub(super) fn energy(&self, candidate: &Candidate) -> Magnitude {
-        let (square, _) = self.square(candidate.step, candidate.coordinate);
+        let square = self.square(candidate.step, candidate.coordinate);
         Scaled::new(square.mantissa().size() * candidate.unit, square.exponent()).into()
     }
 }

@@ -69,29 +69,34 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
         Jump { upstream, downstream: downstream.mirrored(space) }
     }
 
-    /// The square of an entry of the motion that a jump in the dual entry causes there, times Δ; and that dual entry.
-    pub(crate) fn square(&self, step: usize, coordinate: Coordinate) -> (Scaled<S>, Coordinate) {
+    /// The square of an entry of the motion that a jump in the dual entry causes there, times Δ.
+    pub(crate) fn square(&self, step: usize, coordinate: Coordinate) -> Scaled<S> {
         let Meeting { upstream, downstream } = self.meeting(step);
-        let (value, exponent, dual) = if Y::scheme().behind(step).is(Space::Bending) {
+        let (value, exponents) = if Y::scheme().behind(step).is(Space::Bending) {
             let (p, r) = (upstream.plane(), downstream.plane());
-            let (value, dual) = match coordinate {
-                Coordinate::Theta => (p.y_theta * r.theta_q + p.theta_q * r.y_theta, Coordinate::M),
-                Coordinate::M => (p.y_m * r.m_q + p.m_q * r.y_m, Coordinate::Theta),
-                Coordinate::Q => (p.theta_q * r.m_q + p.m_q * r.theta_q, Coordinate::Y),
-                _ => (p.y_theta * r.y_m + p.y_m * r.y_theta, Coordinate::Q),
+            let value = match coordinate {
+                Coordinate::Theta => p.y_theta * r.theta_q + p.theta_q * r.y_theta,
+                Coordinate::M => p.y_m * r.m_q + p.m_q * r.y_m,
+                Coordinate::Q => p.theta_q * r.m_q + p.m_q * r.theta_q,
+                _ => p.y_theta * r.y_m + p.y_m * r.y_theta,
             };
-            (value, i64::from(p.exponent) + i64::from(r.exponent), dual)
+            (value, [p.exponent, r.exponent])
         } else {
             let (p, r) = (upstream.line(), downstream.line());
-            let (value, dual) = match coordinate {
-                Coordinate::Theta => (p.y * r.y, Coordinate::M),
-                Coordinate::M => (p.q * r.q, Coordinate::Theta),
-                Coordinate::Q => (p.q * r.q, Coordinate::Y),
-                _ => (p.y * r.y, Coordinate::Q),
-            };
-            (value, i64::from(p.exponent) + i64::from(r.exponent), dual)
+            let is_force = matches!(coordinate, Coordinate::M | Coordinate::Q);
+            (if is_force { p.q * r.q } else { p.y * r.y }, [p.exponent, r.exponent])
         };
-        (Scaled::new(value, exponent), dual)
+        Scaled::new(value, exponents.map(i64::from).iter().sum())
+    }
+}
+
+/// The entry that does work on another.
+pub(super) fn dual_of(coordinate: Coordinate) -> Coordinate {
+    match coordinate {
+        Coordinate::Theta => Coordinate::M,
+        Coordinate::M => Coordinate::Theta,
+        Coordinate::Q => Coordinate::Y,
+        _ => Coordinate::Q,
     }
 }
 

@@ -83,6 +83,11 @@ impl<T: Real> Frequency<T> for Complex<T> {
     }
 }
 
+/// Modulus of a complex number.
+pub(crate) fn modulus<T: Real>(z: Complex<T>) -> T {
+    (z.re * z.re + z.im * z.im).sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,6 @@
 //! Frequencies at which motions are computed: plain numbers, not those that carry derivatives.
 
-use super::{Frequency, Real, Scalar, WaveFunctions};
+use super::{Frequency, Real, Scalar, WaveFunctions, modulus};
 use num_complex::Complex;
 
 /// The arithmetic that judges a frequency of a system with parameters of type `T`.
@@ -34,8 +34,7 @@ pub trait Oscillation<T: Real>: Frequency<T> {
 
     /// The modulus, |ω| or |λ|.
     fn modulus(self) -> f64 {
-        let z = self.to_complex();
-        Scalar::sqrt((z.re * z.re + z.im * z.im).to_f64())
+        modulus(self.to_complex()).to_f64()
     }
 
     /// The complex conjugate; of a real frequency itself.

@@ -2,7 +2,7 @@
 
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
-use crate::scalar::{Dual, Real, Scalar, argument};
+use crate::scalar::{Dual, Real, Scalar, argument, modulus};
 use num_complex::Complex;
 
 /// Steps after which a walk is given up: rounding noise can make it creep.
@@ -153,11 +153,6 @@ fn change_of_argument<T: Real>(here: &Point<T>, there: &Point<T>) -> Option<f64>
         return None;
     }
     Some(predicted.im.to_f64() + argument(found.re.to_f64(), found.im.to_f64()))
-}
-
-/// Modulus of a complex number.
-pub(super) fn modulus<T: Real>(z: Complex<T>) -> T {
-    (z.re * z.re + z.im * z.im).sqrt()
 }
 
 /// The larger of two numbers.

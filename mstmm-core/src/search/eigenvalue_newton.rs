@@ -1,12 +1,12 @@
 //! One eigenvalue: Newton's method beside those that are known, and the circle that certifies it.
 
-use super::contour::{Walk, larger, modulus};
+use super::contour::{Walk, larger};
 use super::eigenvalue_search::{EigenvalueSearch, Found};
 use super::rectangle::{Rectangle, whole};
 use super::region::Eigenvalue;
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
-use crate::scalar::{Dual, Real, Scalar};
+use crate::scalar::{Dual, Real, Scalar, modulus};
 use num_complex::Complex;
 
 /// Radius of the first circle, relative to the modulus, in units of eps. A certified circle is twice as large as the one

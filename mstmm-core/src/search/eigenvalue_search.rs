@@ -1,13 +1,13 @@
 //! Eigenvalues in regions: counted by the argument principle, found by Newton's method; a rectangle in which not all of
 //! them are found is cut in two.
 
-use super::contour::{Evaluation, Point, Walk, modulus};
+use super::contour::{Evaluation, Point, Walk};
 use super::rectangle::Rectangle;
 use super::region::{Eigenvalue, EigenvalueList, Region};
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
 use crate::list::List;
-use crate::scalar::{Dual, Real};
+use crate::scalar::{Dual, Real, modulus};
 use num_complex::Complex;
 
 /// Room for the eigenvalues of a search while it runs.

@@ -4,7 +4,7 @@ use super::eigenvalue_search::EigenvalueSearch;
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
 use crate::list::List;
-use crate::scalar::{Dual, Real};
+use crate::scalar::{Dual, Real, modulus};
 use core::ops::{Deref, RangeInclusive};
 use num_complex::Complex;
 
@@ -31,7 +31,7 @@ pub struct Eigenvalue<T = f64> {
 impl<T: Real> Eigenvalue<T> {
     /// Angular frequency of the undamped motion, `|λ|` [rad/s]; that of the damped motion is `lambda.im`.
     pub fn frequency(&self) -> T {
-        super::contour::modulus(self.lambda)
+        modulus(self.lambda)
     }
 
     /// Damping ratio `-Re λ/|λ|`: 0 undamped, 1 critical (λ real); 0 for λ = 0.

@@ -4,6 +4,7 @@ use super::BuiltBeam;
 use crate::at::At;
 use crate::beam_functions::krylov;
 use crate::motion::Ends;
+use crate::motion::exponentials::exponential;
 use crate::scalar::{Oscillation, Real, Scalar};
 use crate::state::State;
 use num_complex::Complex;
@@ -117,9 +118,4 @@ fn turned<T: Real>(value: Complex<T>, quarters: usize) -> Complex<T> {
         2 => -value,
         _ => Complex::new(value.im, -value.re),
     }
-}
-
-fn exponential<T: Real>(z: Complex<T>) -> Complex<T> {
-    let (sin, cos) = z.im.sin_cos();
-    Complex::new(cos, sin) * Real::exp(z.re)
 }
