@@ -1,0 +1,3 @@
+//! `cargo run --release --example report`
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! Error against run time, as a page that can be looked at.
