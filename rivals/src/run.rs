@@ -7,9 +7,11 @@ use serde::Serialize;
 pub struct Run {
     /// The scene: "4.1a", "4.2", .., "mode 100", "close pair", "stiff".
     pub scene: String,
-    /// The method: "certified search", "plain method", "Hermite elements", "p-version elements", "contour integral".
+    /// The method: "certified search", "plain method", "scan for minima", "Hermite elements", "p-version elements",
+    /// "contour integral".
     pub method: String,
-    /// What the knob sets, with its unit: "tolerance", "elements per beam", "degree", "quadrature nodes".
+    /// What the knob sets, with its unit: "tolerance", "elements per beam", "degree", "quadrature nodes"; "certificate" for the
+    /// certified search, which has none.
     pub knob: String,
     /// Its setting.
     pub setting: f64,
