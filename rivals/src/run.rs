@@ -15,7 +15,7 @@ pub struct Run {
     pub knob: String,
     /// Its setting.
     pub setting: f64,
-    /// Median time of all wanted roots [s].
+    /// Median time of all wanted roots, in seconds.
     pub seconds: f64,
     /// Evaluations of Δ or of the matrix, or unknowns of an eigenproblem.
     pub evaluations: u64,
