@@ -89,13 +89,14 @@ fn roots() -> Result<(), SearchError> {
     let beam = valid(PinnedBeam {}.build());
     println!("| first roots | evaluations | per root | µs per root | ns per evaluation |");
     println!("|---|---|---|---|---|");
-    let rows = [first::<1>(&beam)?, first::<10>(&beam)?, first::<100>(&beam)?, first::<1000>(&beam)?];
+    let rows =
+        [first::<1>(&beam)?, first::<10>(&beam)?, first::<100>(&beam)?, first::<1000>(&beam)?, first::<10_000>(&beam)?];
     let fitted = |column: usize| exponent(&rows.map(|row| [row[0], row[column]]));
     println!("\nevaluations ∝ roots^{:.3}, time ∝ roots^{:.3}\n", fitted(1), fitted(2));
     println!("| mode alone | evaluations | per root | µs per root | ns per evaluation |");
     println!("|---|---|---|---|---|");
     let mut rows = Vec::new();
-    for mode in SIZES {
+    for mode in SIZES.into_iter().chain([10_000]) {
         let range = around(mode);
         let cost = search(|| {
             black_box(&beam).natural_frequencies::<1>(black_box(range.clone())).map(|found| found.evaluations())
