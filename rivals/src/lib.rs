@@ -1,5 +1,19 @@
 //! Other ways to the same roots, and what they cost: for measurements, not for users.
+//!
+//! The rivals are given every advantage: matrices are assembled before the clock starts, grids and the dimensions of Krylov
+//! spaces are the cheapest that find all roots, chosen with the exact roots known. None of them proves anything.
 
+pub mod brent;
+pub mod elements;
+mod error;
+pub mod factors;
+mod found;
+pub mod plain;
 mod run;
+pub mod runs;
+pub mod scenes;
+pub mod structure;
 
+pub use error::Error;
+pub use found::Found;
 pub use run::Run;

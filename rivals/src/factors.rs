@@ -1,0 +1,67 @@
+//! How many times as long each rival takes as the certified search.
+
+use crate::run::Run;
+use crate::runs::{CERTIFIED, P_VERSION};
+use serde::Serialize;
+
+/// Error that a rival must reach.
+pub const RIVAL_ERROR: f64 = 1e-6;
+
+/// Error that the certified search must reach.
+pub const CERTIFIED_ERROR: f64 = 1e-12;
+
+/// Times in µs of hand-written C++ to an error of 1e-12 by p-version finite elements, on a like machine.
+pub const CPP_MICROSECONDS: [(&str, f64); 5] =
+    [("4.1a", 9.0), ("4.2", 7.0), ("4.3", 38.0), ("4.4", 46.0), ("4.5", 1220.0)];
+
+/// A rival beside the certified search on one scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Factor {
+    /// The scene.
+    pub scene: String,
+    /// The rival.
+    pub method: String,
+    /// Least time in which the certified search reaches 1e-12 [s]; `None` if it does not.
+    pub certified_seconds: Option<f64>,
+    /// Least time in which the rival reaches 1e-6 [s]; `None` if it does not.
+    pub seconds: Option<f64>,
+    /// Least time in which the rival reaches 1e-12, too [s].
+    pub seconds_to_all_digits: Option<f64>,
+    /// How many times as long the rival takes to 1e-6 as the certified search to 1e-12.
+    pub factor: Option<f64>,
+    /// Whether the rival is faster.
+    pub wins: bool,
+    /// What hand-written C++ takes to 1e-12 [s], for p-version elements.
+    pub cpp_seconds: Option<f64>,
+}
+
+/// Least time in which a method reaches an error on a scene.
+fn least(runs: &[Run], scene: &str, method: &str, error: f64) -> Option<f64> {
+    let reaching = runs.iter().filter(|run| run.scene == scene && run.method == method && run.error <= error);
+    reaching.map(|run| run.seconds).min_by(f64::total_cmp)
+}
+
+/// Every rival on every scene where it was run, in the order of the runs.
+pub fn factors(runs: &[Run]) -> Vec<Factor> {
+    let mut factors: Vec<Factor> = Vec::new();
+    for Run { scene, method, .. } in runs.iter().filter(|run| run.method != CERTIFIED) {
+        if factors.iter().any(|known| known.scene == *scene && known.method == *method) {
+            continue;
+        }
+        let certified_seconds = least(runs, scene, CERTIFIED, CERTIFIED_ERROR);
+        let seconds = least(runs, scene, method, RIVAL_ERROR);
+        let factor = seconds.zip(certified_seconds).map(|(rival, certified)| rival / certified);
+        let cpp = CPP_MICROSECONDS.iter().find(|entry| entry.0 == scene && method == P_VERSION);
+        factors.push(Factor {
+            scene: scene.clone(),
+            method: method.clone(),
+            certified_seconds,
+            seconds,
+            seconds_to_all_digits: least(runs, scene, method, CERTIFIED_ERROR),
+            factor,
+            wins: seconds.is_some() && factor.is_none_or(|factor| factor < 1.0),
+            cpp_seconds: cpp.map(|entry| entry.1 * 1e-6),
+        });
+    }
+    factors
+}
