@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::error::ReportError;
-use crate::palette::{GRID, Hue, INK, PAPER, QUIET};
+use crate::palette::{GRID, Hue, INK, PAPER, QUIET, dark_rules};
 use plotters::chart::ChartContext;
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -60,12 +60,11 @@ pub(crate) fn picture(panels: [Titled<'_>; 2]) -> Result<String, ReportError> {
         }
         Ok(())
     })?;
-    let units = |name: &str, pixels: i32| format!("{name}=\"{}\"", pixels * UNIT);
-    Ok(drawn.replacen(&units("width", width), &format!("width=\"{width}\""), 1).replacen(
-        &units("height", height),
-        &format!("height=\"{height}\""),
-        1,
-    ))
+    // the drawing's own head has its size in units
+    let (units, body) = ([width * UNIT, height * UNIT], drawn.split_once(">\n").map_or("", |(_, body)| body));
+    let head = format!(r#"width="{width}" height="{height}" viewBox="0 0 {} {}""#, units[0], units[1]);
+    let style = format!("@media (prefers-color-scheme: dark) {{ {} }}", dark_rules());
+    Ok(format!("<svg {head} xmlns=\"http://www.w3.org/2000/svg\">\n<style>{style}</style>\n{body}"))
 }
 
 /// Text of a colour and size in pixels, anchored at its place.

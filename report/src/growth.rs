@@ -11,6 +11,9 @@ use std::hint::black_box;
 /// Numbers of elements in [`over_elements`].
 pub const ELEMENTS: [usize; 10] = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 
+/// Factor between the costs of neighbouring sizes that no growth explains.
+const LEAP: f64 = 4.0;
+
 /// A size and what it costs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
@@ -67,25 +70,54 @@ system! {
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free
 }
 
-/// Time per root of the certified search for the first 1, 2, 5, .. roots of a cantilever, up to so many.
+system! {
+    /// Beam on two pins with EI = m = l = 1, whose frequencies are (nπ)².
+    struct Pinned {}
+    pinned -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned
+}
+
+/// Time of the certified search for each root of a beam, by mode number.
+#[derive(Clone, Debug, Default)]
+pub struct OverRoots {
+    /// Of a pinned beam, all roots up to that mode: the mean of all.
+    pub pinned: Vec<Point>,
+    /// The same of a cantilever.
+    pub cantilever: Vec<Point>,
+    /// Of a pinned beam, that mode alone.
+    pub alone: Vec<Point>,
+}
+
+/// Measures the modes 1, 2, 5, .. up to a mode number.
 ///
 /// # Errors
 /// Those of the search.
-pub fn over_roots(most: usize) -> Result<Vec<Point>, ReportError> {
-    let system = Cantilever {}.build()?;
-    let mut points = Vec::new();
+pub fn over_roots(most: usize) -> Result<OverRoots, ReportError> {
+    let (pinned, cantilever) = (Pinned {}.build()?, Cantilever {}.build()?);
+    let mut costs = OverRoots::default();
     // the number of roots is known at compile time
     macro_rules! measure {
-        ($($size:literal)*) => {
+        ($list:ident, $system:ident, [$($size:literal),*]) => {
             $(if $size <= most {
-                system.first_frequencies::<$size>()?;
-                let seconds = least_seconds(|| black_box(&system).first_frequencies::<$size>());
-                points.push(Point { size: $size, seconds: seconds / $size as f64 });
+                $system.first_frequencies::<$size>()?;
+                let seconds = least_seconds(|| black_box(&$system).first_frequencies::<$size>());
+                costs.$list.push(Point { size: $size, seconds: seconds / $size as f64 });
             })*
         };
     }
-    measure!(1 2 5 10 20 50 100 200 500 1000);
-    Ok(points)
+    measure!(pinned, pinned, [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]);
+    measure!(cantilever, cantilever, [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]);
+    for size in costs.pinned.iter().map(|point| point.size) {
+        let end = |half: f64| ((size as f64 + half) * PI).powi(2);
+        let seconds = least_seconds(|| black_box(&pinned).natural_frequencies::<1>(black_box(end(-0.5)..=end(0.5))));
+        costs.alone.push(Point { size, seconds });
+    }
+    Ok(costs)
+}
+
+/// The size at which the time leaps, so that no power law fits.
+pub fn leap(points: &[Point]) -> Option<usize> {
+    let is_leap = |pair: &&[Point]| pair[1].seconds > LEAP * pair[0].seconds;
+    points.windows(2).find(is_leap).map(|pair| pair[1].size)
 }
 
 /// The exponent p of `seconds = c sizeᵖ`, by least squares of logarithms over the upper half of their range.
@@ -125,6 +157,12 @@ mod tests {
     }
 
     #[test]
+    fn a_leap_is_not_growth() {
+        assert_eq!(leap(&points(|size| size.powf(0.5))), None);
+        assert_eq!(leap(&points(|size| if size < 50.0 { 1.0 } else { 20.0 })), Some(100));
+    }
+
+    #[test]
     fn a_single_size_has_no_exponent() {
         assert!(exponent(&[Point { size: 1, seconds: 1.0 }]).is_nan());
     }
@@ -133,7 +171,7 @@ mod tests {
     fn costs_are_measured_for_every_size() {
         let costs = over_elements(&[1, 3]).unwrap();
         assert_eq!(costs.evaluation.iter().map(|point| point.size).collect::<Vec<_>>(), [1, 3]);
-        assert_eq!(over_roots(2).unwrap().len(), 2);
+        assert_eq!(over_roots(2).unwrap().alone.len(), 2);
         assert!(costs.search.iter().all(|point| point.seconds > 0.0));
     }
 }

@@ -5,7 +5,6 @@ mod canvas;
 mod clock;
 mod data;
 mod error;
-mod factor;
 pub mod growth;
 mod marker;
 mod measurements;
@@ -14,10 +13,9 @@ mod page;
 mod palette;
 mod placement;
 mod plots;
+mod readme;
+mod scene;
 
-#[allow(missing_docs, reason = "documented where it is an example")]
-#[path = "../../examples/paper/models.rs"]
-pub mod models;
 #[path = "../../examples/paper/quantity.rs"]
 mod quantity;
 #[path = "../../examples/paper/reference.rs"]
@@ -28,3 +26,5 @@ mod solve;
 pub use error::ReportError;
 pub use measurements::{Extent, Measurements};
 pub use page::{markdown, page, sentences};
+pub use readme::{PICTURES, pictures, with_table};
+use rivals::scenes::models;

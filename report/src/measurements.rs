@@ -5,7 +5,7 @@ use crate::data::landscapes::{Landscapes, landscapes};
 use crate::data::shapes::{Shapes, shapes};
 use crate::data::tables::{Table, tables};
 use crate::error::ReportError;
-use crate::growth::{ELEMENTS, OverElements, Point, over_elements, over_roots};
+use crate::growth::{ELEMENTS, OverElements, OverRoots, over_elements, over_roots};
 use rivals::Run;
 
 /// How much is measured.
@@ -19,7 +19,7 @@ pub struct Extent {
     pub stiffness: Vec<i32>,
     /// Numbers of elements.
     pub elements: Vec<usize>,
-    /// The largest number of roots.
+    /// The largest mode number at which times are taken.
     pub roots: usize,
 }
 
@@ -41,7 +41,7 @@ pub struct Measurements {
     pub(crate) digits_of_modes: Vec<Digits>,
     pub(crate) digits_of_stiffness: Vec<Digits>,
     pub(crate) elements: OverElements,
-    pub(crate) roots: Vec<Point>,
+    pub(crate) roots: OverRoots,
 }
 
 impl Measurements {

@@ -3,9 +3,7 @@
 use crate::error::ReportError;
 use crate::marker::{Look, Marker};
 use crate::palette::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION};
-
-/// The method that everything is compared with.
-pub(crate) const CERTIFIED: &str = "certified search";
+use rivals::runs::{CERTIFIED, P_VERSION};
 
 /// A method in plots and tables.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +25,7 @@ pub(crate) const METHODS: [Method; 6] = [
     method("plain method", "plain", Look { hue: ORANGE, marker: Marker::Square, dash: None }),
     method("scan for minima", "scan", Look { hue: VERMILION, marker: Marker::Triangle, dash: None }),
     method("Hermite elements", "Hermite", Look { hue: GREEN, marker: Marker::Diamond, dash: Some(7) }),
-    method("p-version elements", "p-version", Look { hue: PURPLE, marker: Marker::Wedge, dash: Some(3) }),
+    method(P_VERSION, "p-version", Look { hue: PURPLE, marker: Marker::Wedge, dash: Some(3) }),
     method("contour integral", "contour", Look { hue: SKY, marker: Marker::Cross, dash: Some(12) }),
 ];
 

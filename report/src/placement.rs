@@ -66,9 +66,10 @@ impl Placement {
     pub(crate) fn find(&mut self, text: &str, near: &[(i32, i32)]) -> Option<Frame> {
         let size = TEXT * f64::from(UNIT);
         let (width, height) = ((CHARACTER * size * text.chars().count() as f64) as i32, (LINE * size) as i32);
-        let places = near.iter().flat_map(|&(x, y)| {
-            let (beside, above) =
-                ([x + GAP, x - GAP - width, x - width / 2], [y - height / 2, y - GAP - height, y + GAP]);
+        let points = [GAP, 3 * GAP].into_iter().flat_map(|gap| near.iter().map(move |&point| (gap, point)));
+        let places = points.flat_map(|(gap, (x, y))| {
+            let beside = [x + gap, x - gap - width, x - width / 2];
+            let above = [y - height / 2, y - gap - height, y + gap];
             let corners = [(0, 0), (1, 0), (2, 1), (2, 2), (0, 1), (0, 2), (1, 1), (1, 2)];
             corners.map(|(column, row)| (beside[column], above[row]))
         });

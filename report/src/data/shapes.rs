@@ -14,13 +14,6 @@ pub(crate) struct Shapes {
     pub(crate) modes: Vec<Mode>,
 }
 
-impl Shapes {
-    /// What its picture says beside the shapes.
-    pub(crate) fn note(&self) -> &'static str {
-        if self.modes.iter().any(Mode::is_complex) { "real and imaginary part" } else { "" }
-    }
-}
-
 /// A mode, its largest deflection 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Mode {

@@ -3,10 +3,11 @@
 use crate::data::landscapes::Landscapes;
 use crate::data::shapes::Shapes;
 use crate::error::ReportError;
-use crate::growth::exponent;
+use crate::growth::{exponent, leap};
 use crate::measurements::Measurements;
 use crate::method::{METHODS, named};
 use crate::plots;
+use crate::scene::note;
 use maud::{Markup, PreEscaped, html};
 use rivals::Run;
 
@@ -37,7 +38,7 @@ pub(super) fn error_time(runs: &[Run]) -> Result<Markup, ReportError> {
             Left and low is better. Hollow markers at the top are runs that lose a root."
         }
         ul class="legend" { @for (name, sample) in &legend { li { (PreEscaped(sample)) (name) } } }
-        div class="panels" { @for (scene, svg) in &panels { (figure(scene, "", svg)) } }
+        div class="panels" { @for (scene, svg) in &panels { (figure(scene, note(scene), svg)) } }
     })
 }
 
@@ -51,20 +52,20 @@ pub(super) fn landscapes(landscapes: &Landscapes) -> Result<Markup, ReportError>
             "The determinant of the overall matrix in the ranges of the paper's searches, as in its Figures 5 and 10. Marked are the \
             roots that the certified search lists; each is a pit of |Δ|."
         }
-        div class="panels" { @for (id, svg) in &panels { (figure(id, "", svg)) } }
+        div class="panels" { @for (id, svg) in &panels { (figure(id, note(id), svg)) } }
     })
 }
 
 /// Mode shapes of the examples.
 pub(super) fn shapes(shapes: &[Shapes]) -> Result<Markup, ReportError> {
-    let panels = shapes.iter().map(|own| Ok((own.id, own.note(), plots::shapes::svg(own)?)));
+    let panels = shapes.iter().map(|own| Ok((own.id, plots::shapes::svg(own)?)));
     let panels = panels.collect::<Result<Vec<_>, ReportError>>()?;
     Ok(html! {
         p {
             "The modes that the paper lists, each divided by its largest deflection. Circles are masses on springs or on the beam. \
             With damping the points of a mode move in different phases: unbroken is the real part, dashed the imaginary one."
         }
-        div class="panels" { @for (id, note, svg) in &panels { (figure(id, note, svg)) } }
+        div class="panels" { @for (id, svg) in &panels { (figure(id, note(id), svg)) } }
     })
 }
 
@@ -80,8 +81,8 @@ pub(super) fn digits(measurements: &Measurements) -> Result<Markup, ReportError>
             "; what it seems to keep beyond mode 12 is where a bisection on noise ends."
         }
         div class="panels" {
-            (figure("Mode number", "fixed and pinned beam", &modes))
-            (figure("Stiffness ratio", "cantilever with a tip spring, first mode", &stiffness))
+            (figure("Mode number", "fixed-pinned beam", &modes))
+            (figure("Stiffness ratio", "cantilever with tip spring", &stiffness))
         }
     })
 }
@@ -93,13 +94,18 @@ pub(super) fn growth(measurements: &Measurements) -> Result<Markup, ReportError>
     let pictures = [plots::growth::over_elements(elements)?, plots::growth::over_roots(roots)?];
     Ok(html! {
         p {
-            "Fitted to the larger half of the sizes, the time of an evaluation grows with the number of beams to the power "
+            "Exponents are fitted to the larger half of the sizes. The time of an evaluation grows with the number of beams to the power "
             (power(&elements.evaluation)) ", that of the certified search for the lowest frequency to the power "
-            (power(&elements.search)) ". The time of each root grows with the number of roots to the power " (power(roots)) "."
+            (power(&elements.search)) ". Of the first n roots of a pinned beam, the time of each grows with n to the power "
+            (power(&roots.pinned)) "; that of mode n alone to the power " (power(&roots.alone)) ". "
+            @if let Some(mode) = leap(&roots.cantilever) {
+                "Up to mode " (mode) " of the cantilever rounding has raised a doubt: the search is made again in 32 digits, which \
+                is the leap."
+            }
         }
         div class="panels" {
-            (figure("Number of elements", "chain of beams pinned at every joint", &pictures[0]))
-            (figure("Number of roots", "cantilever, all roots from the first on", &pictures[1]))
+            (figure("Number of elements", "chain, pinned at every joint", &pictures[0]))
+            (figure("Mode number", "one beam, all modes up to n or n alone", &pictures[1]))
         }
     })
 }

@@ -1,19 +1,20 @@
 //! How much faster the certified search is, as a table and in words.
 
-use super::text::time;
+use super::text::{error, time};
 use crate::error::ReportError;
-use crate::factor::{Factor, TARGET, factors};
-use crate::method::{CERTIFIED, METHODS, Method};
+use crate::method::{METHODS, Method};
 use crate::plots::error_time::scenes;
 use maud::{Markup, html};
 use rivals::Run;
+use rivals::factors::{CERTIFIED_ERROR, Factor, RIVAL_ERROR, factors};
+use rivals::runs::CERTIFIED;
 use std::fmt::Write;
 
-/// A scene with the certified time and the factor of each rival in order.
+/// A scene with the time of the certified search and each rival in order.
 struct Row<'a> {
     scene: &'a str,
     seconds: Option<f64>,
-    factors: Vec<Option<f64>>,
+    rivals: Vec<Option<Factor>>,
 }
 
 /// The rivals that have runs.
@@ -25,31 +26,32 @@ fn rivals(runs: &[Run]) -> Vec<&'static Method> {
 fn rows(runs: &[Run]) -> Vec<Row<'_>> {
     let list = factors(runs);
     let row = |scene| {
-        let of = |method: &str| list.iter().find(|factor| factor.scene == scene && factor.method == method);
-        let factors = rivals(runs).iter().map(|method| of(method.name).and_then(|factor| factor.ratio)).collect();
-        let certified = runs.iter().find(|run| run.scene == scene && run.method == CERTIFIED);
-        Row { scene, seconds: certified.map(|run| run.seconds), factors }
+        let of = |method: &str| list.iter().find(|factor| factor.scene == scene && factor.method == method).cloned();
+        let rivals: Vec<_> = rivals(runs).iter().map(|method| of(method.name)).collect();
+        let seconds = rivals.iter().flatten().find_map(|factor| factor.certified_seconds);
+        Row { scene, seconds, rivals }
     };
     scenes(runs).into_iter().map(row).collect()
 }
 
 /// The table with what it means, and what a rival does better.
 pub(super) fn section(runs: &[Run]) -> Result<Markup, ReportError> {
-    let rivals = rivals(runs);
+    let [own, other] = [CERTIFIED_ERROR, RIVAL_ERROR].map(error);
     Ok(html! {
         p {
-            "The time of the certified search, and how many times longer each rival takes for its fastest run with all roots to a relative "
-            (format!("{TARGET:.0e}")) "; – where no run of it does that. The certified search gives all digits, and a proof that no \
-            root is missing."
+            "The time in which the certified search finds all wanted roots of a scene to a relative " (own) " or better, and how many \
+            times as long each rival takes to a relative " (other) "; a dash stands where it does not get there at any setting. The \
+            certified search proves that no root is missing, its rivals prove nothing: they are given matrices assembled beforehand, \
+            and grids and dimensions chosen with the roots known."
         }
         div class="scroll" {
             table {
-                thead { tr { th { "scene" } th { (CERTIFIED) } @for method in &rivals { th { (method.name) } } } }
+                thead { tr { th { "scene" } th { (CERTIFIED) } @for method in rivals(runs) { th { (method.name) } } } }
                 tbody {
                     @for row in rows(runs) {
                         tr {
-                            td { (row.scene) } td { (row.seconds.map_or("–".to_owned(), time)) }
-                            @for ratio in &row.factors { td class=[wins(*ratio).then_some("wins")] { (times(*ratio)) } }
+                            td { (row.scene) } td { (seconds(row.seconds)) }
+                            @for rival in &row.rivals { td class=[wins(rival).then_some("wins")] { (times(rival)) } }
                         }
                     }
                 }
@@ -62,13 +64,13 @@ pub(super) fn section(runs: &[Run]) -> Result<Markup, ReportError> {
 /// The table as Markdown.
 pub fn markdown(runs: &[Run]) -> String {
     let names = rivals(runs);
-    let mut text = format!("| scene | {CERTIFIED} |");
     let head = |text: String, method: &&Method| format!("{text} {} |", method.name);
-    text = names.iter().fold(text, head) + "\n|---|---|" + &"---|".repeat(names.len()) + "\n";
-    for Row { scene, seconds, factors } in rows(runs) {
-        let cells: Vec<String> = factors.into_iter().map(times).collect();
+    let mut text = names.iter().fold(format!("| scene | {CERTIFIED} |"), head);
+    text += &format!("\n|---|---|{}\n", "---|".repeat(names.len()));
+    for row in rows(runs) {
+        let cells: Vec<String> = row.rivals.iter().map(times).collect();
         // writing to a string cannot fail
-        let _ = writeln!(text, "| {scene} | {} | {} |", seconds.map_or("–".to_owned(), time), cells.join(" | "));
+        let _ = writeln!(text, "| {} | {} | {} |", row.scene, seconds(row.seconds), cells.join(" | "));
     }
     text
 }
@@ -76,25 +78,33 @@ pub fn markdown(runs: &[Run]) -> String {
 /// One sentence for each win of a rival; one that says so if there is none.
 pub fn sentences(runs: &[Run]) -> Vec<String> {
     let list = factors(runs);
-    let wins: Vec<String> = list.iter().filter(|factor| wins(factor.ratio)).map(win).collect();
+    let wins: Vec<String> = list.iter().filter(|factor| factor.wins).map(win).collect();
     if wins.is_empty() { vec!["No rival is faster in any scene.".to_owned()] } else { wins }
 }
 
 fn win(factor: &Factor) -> String {
-    let Factor { scene, method, ratio, error } = factor;
-    let times = ratio.map_or(f64::NAN, f64::recip);
-    format!("{scene}: {method} wins, {times:.1} times faster with an error of {error:.0e}, without a proof.")
+    let Factor { scene, method, seconds, certified_seconds, seconds_to_all_digits, .. } = factor;
+    let [limit, all] = [RIVAL_ERROR, CERTIFIED_ERROR].map(error);
+    let [own, rival] = [*certified_seconds, *seconds].map(self::seconds);
+    let digits =
+        seconds_to_all_digits.map_or(format!("{all} is not reached"), |seconds| format!("{} to {all}", time(seconds)));
+    format!("{scene}: a win for {method}, {rival} to {limit} against {own} of the certified search ({digits}).")
 }
 
-fn wins(ratio: Option<f64>) -> bool {
-    ratio.is_some_and(|ratio| ratio < 1.0)
+fn wins(rival: &Option<Factor>) -> bool {
+    rival.as_ref().is_some_and(|factor| factor.wins)
 }
 
 /// A factor with two digits.
-fn times(ratio: Option<f64>) -> String {
-    match ratio {
-        Some(ratio) if ratio < 10.0 => format!("× {ratio:.1}"),
-        Some(ratio) => format!("× {ratio:.0}"),
+fn times(rival: &Option<Factor>) -> String {
+    match rival.as_ref().and_then(|factor| factor.factor) {
+        Some(factor) if factor < 1.0 => format!("× {factor:.2}"),
+        Some(factor) if factor < 10.0 => format!("× {factor:.1}"),
+        Some(factor) => format!("× {factor:.0}"),
         None => "–".to_owned(),
     }
+}
+
+fn seconds(seconds: Option<f64>) -> String {
+    seconds.map_or("–".to_owned(), time)
 }

@@ -36,9 +36,9 @@ fn example(Table { example, solved }: &Table) -> Markup {
                 thead {
                     tr {
                         th { "quantity" } th { "mode" } th { "printed" }
-                        @for solution in &solved.solutions { th { "computed (" (solution.method) ")" } }
+                        @for solution in &solved.solutions { th { "computed" br; (solution.method) } }
                         th { "exact" }
-                        @for solution in &solved.solutions { th { "error of " (solution.method) } }
+                        @for solution in &solved.solutions { th { "error of" br; (solution.method) } }
                     }
                 }
                 tbody {

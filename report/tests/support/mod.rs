@@ -41,6 +41,11 @@ pub(crate) fn runs() -> Vec<Run> {
 
 /// Few measurements of everything.
 pub(crate) fn measurements() -> Measurements {
+    measurements_of(runs())
+}
+
+/// Few measurements of everything, with other runs.
+pub(crate) fn measurements_of(runs: Vec<Run>) -> Measurements {
     let extent = Extent {
         samples: 41,
         modes: vec![1, 2, 3, 6, 10, 30, 100, 300, 1000],
@@ -48,5 +53,5 @@ pub(crate) fn measurements() -> Measurements {
         elements: vec![1, 3, 10, 30],
         roots: 10,
     };
-    Measurements::take(runs(), &extent, |_| ()).unwrap()
+    Measurements::take(runs, &extent, |_| ()).unwrap()
 }
