@@ -5,19 +5,22 @@
 
 use mstmm::prelude::*;
 use report::ReportError;
-use report::growth::{ELEMENTS, Point, exponent, over_elements, over_roots};
+use report::growth::{ELEMENTS, Point, exponent, leap, over_elements, over_roots};
 use std::f64::consts::PI;
 
 /// The largest number of roots.
 const ROOTS: usize = 1000;
 
-/// Mode numbers that are searched for alone.
-const MODES: [u32; 7] = [1, 3, 10, 30, 100, 1000, 10_000];
-
 system! {
-    /// The cantilever whose roots are timed.
+    /// One of the two beams whose roots are timed.
     struct Cantilever {}
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free
+}
+
+system! {
+    /// The other one, whose frequencies are (nπ)².
+    struct Pinned {}
+    pinned -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned
 }
 
 /// A chain of beams.
@@ -35,8 +38,8 @@ fn elements() -> Result<(), ReportError> {
     Ok(())
 }
 
-/// Evaluations of the search for the first so many roots of the cantilever.
-fn evaluations(system: &CantileverSystem, size: usize) -> Result<usize, ReportError> {
+/// Evaluations per root of the search for the first so many roots.
+fn evaluations(system: &impl Undamped<Parameter = f64>, size: usize) -> Result<f64, ReportError> {
     macro_rules! of {
         ($($size:literal)*) => {
             match size {
@@ -45,36 +48,36 @@ fn evaluations(system: &CantileverSystem, size: usize) -> Result<usize, ReportEr
             }
         };
     }
-    Ok(of!(1 2 5 10 20 50 100 200 500 1000))
+    Ok(of!(1 2 5 10 20 50 100 200 500 1000) as f64 / size as f64)
 }
 
-/// One beam with its first roots, and with one of them.
-fn roots() -> Result<(), ReportError> {
-    let system = Cantilever {}.build()?;
-    println!("| first roots | evaluations | per root | µs per root | ns per evaluation |");
-    println!("|---|---|---|---|---|");
-    let times = over_roots(ROOTS)?;
-    let mut counts = Vec::new();
-    for &Point { size, seconds } in &times {
-        let total = evaluations(&system, size)?;
-        let each = total as f64 / size as f64;
-        println!("| {size} | {total} | {each:.2} | {:.3} | {:.1} |", seconds * 1e6, seconds * 1e9 / each);
-        // an exponent is that of any cost, not of seconds alone
-        counts.push(Point { size, seconds: each });
+/// Times per root, with the evaluations per root that some function tells.
+fn print(
+    what: &str,
+    times: &[Point],
+    evaluations: impl Fn(usize) -> Result<f64, ReportError>,
+) -> Result<(), ReportError> {
+    println!("| {what} | evaluations per root | µs per root | ns per evaluation |");
+    println!("|---|---|---|---|");
+    for &Point { size, seconds } in times {
+        let count = evaluations(size)?;
+        println!("| {size} | {count:.2} | {:.3} | {:.1} |", seconds * 1e6, seconds * 1e9 / count);
     }
-    let [time, count] = [&times, &counts].map(|points| exponent(points));
-    println!("\nevaluations per root ∝ roots^{count:.3}, time per root ∝ roots^{time:.3}\n");
-    println!("| mode alone | evaluations |");
-    println!("|---|---|");
-    for mode in MODES {
-        // the cantilever's z are near (n - 1/2)π, so that this range holds one, off its middle
-        let [start, end] = [0.8, 0.1].map(|share| ((f64::from(mode) - share) * PI).powi(2));
-        println!("| {mode} | {} |", system.natural_frequencies::<2>(start..=end)?.evaluations());
+    match leap(times) {
+        Some(size) => println!("\ntime per root leaps at {size}\n"),
+        None => println!("\ntime per root ∝ number^{:.3}\n", exponent(times)),
     }
     Ok(())
 }
 
 fn main() -> Result<(), ReportError> {
     elements()?;
-    roots()
+    let (pinned, cantilever) = (Pinned {}.build()?, Cantilever {}.build()?);
+    let times = over_roots(ROOTS)?;
+    print("first roots of a pinned beam", &times.pinned, |size| evaluations(&pinned, size))?;
+    print("first roots of a cantilever", &times.cantilever, |size| evaluations(&cantilever, size))?;
+    print("that mode of a pinned beam alone", &times.alone, |mode| {
+        let [start, end] = [-0.5, 0.5].map(|half| ((mode as f64 + half) * PI).powi(2));
+        Ok(pinned.natural_frequencies::<1>(start..=end)?.evaluations() as f64)
+    })
 }
