@@ -1,1 +1,30 @@
-//! Error against run time, as a page that can be looked at.
+//! Error against run time, and what else a picture tells better than a table: as a page that needs nothing but a browser.
+
+mod axis;
+mod canvas;
+mod clock;
+mod data;
+mod error;
+pub mod growth;
+mod marker;
+mod measurements;
+mod method;
+mod page;
+mod palette;
+mod placement;
+mod plots;
+mod readme;
+mod scene;
+
+#[path = "../../examples/paper/quantity.rs"]
+mod quantity;
+#[path = "../../examples/paper/reference.rs"]
+mod reference;
+#[path = "../../examples/paper/solve.rs"]
+mod solve;
+
+pub use error::ReportError;
+pub use measurements::{Extent, Measurements};
+pub use page::{markdown, page, sentences};
+pub use readme::{PICTURES, pictures, with_table};
+use rivals::scenes::models;

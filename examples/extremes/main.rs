@@ -10,6 +10,9 @@ use mstmm::elements::Beam;
 use mstmm::prelude::*;
 use mstmm::{AnyUndamped, ListStep, StepList, Support, System};
 
+mod damped;
+mod limits;
+
 type Failure = Box<dyn std::error::Error>;
 
 /// An undamped system.
@@ -239,5 +242,9 @@ fn main() -> Result<(), Failure> {
     mass_factors()?;
     scales()?;
     chains()?;
-    gaps()
+    gaps()?;
+    println!();
+    limits::print();
+    println!();
+    damped::print()
 }

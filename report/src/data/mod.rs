@@ -1,0 +1,6 @@
+//! What the page shows besides the runs: computed here, drawn elsewhere.
+
+pub(crate) mod digits;
+pub(crate) mod landscapes;
+pub(crate) mod shapes;
+pub(crate) mod tables;

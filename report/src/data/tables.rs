@@ -1,0 +1,19 @@
+//! The tables of the paper: its examples, solved.
+
+use crate::error::ReportError;
+use crate::reference::{Example, examples};
+use crate::solve::{Solved, solve};
+
+/// An example with its results.
+#[derive(Debug)]
+pub(crate) struct Table {
+    pub(crate) example: Example,
+    pub(crate) solved: Solved,
+}
+
+/// Solves all examples.
+pub(crate) fn tables() -> Result<Vec<Table>, ReportError> {
+    let table = |example| solve(&example).map(|solved| Table { example, solved });
+    let tables = examples().and_then(|examples| examples.into_iter().map(table).collect::<Result<_, _>>());
+    tables.map_err(ReportError::Paper)
+}

@@ -1,0 +1,71 @@
+//! All that the page shows.
+
+use crate::data::digits::{self, Digits};
+use crate::data::landscapes::{Landscapes, landscapes};
+use crate::data::shapes::{Shapes, shapes};
+use crate::data::tables::{Table, tables};
+use crate::error::ReportError;
+use crate::growth::{ELEMENTS, OverElements, OverRoots, over_elements, over_roots};
+use rivals::Run;
+
+/// How much is measured.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Extent {
+    /// Samples along a line or an edge of |Δ|.
+    pub samples: usize,
+    /// Mode numbers at which digits are counted.
+    pub modes: Vec<u32>,
+    /// Exponents of ten of the stiffnesses at which digits are counted.
+    pub stiffness: Vec<i32>,
+    /// Numbers of elements.
+    pub elements: Vec<usize>,
+    /// The largest mode number at which times are taken.
+    pub roots: usize,
+}
+
+impl Extent {
+    /// What the report shows.
+    pub fn full() -> Self {
+        let (modes, stiffness) = (digits::mode_numbers(), (-15..=15).collect());
+        Extent { samples: 141, modes, stiffness, elements: ELEMENTS.to_vec(), roots: 1000 }
+    }
+}
+
+/// What was measured.
+#[derive(Debug)]
+pub struct Measurements {
+    pub(crate) runs: Vec<Run>,
+    pub(crate) tables: Vec<Table>,
+    pub(crate) landscapes: Landscapes,
+    pub(crate) shapes: Vec<Shapes>,
+    pub(crate) digits_of_modes: Vec<Digits>,
+    pub(crate) digits_of_stiffness: Vec<Digits>,
+    pub(crate) elements: OverElements,
+    pub(crate) roots: OverRoots,
+}
+
+impl Measurements {
+    /// Number of steps that [`take`](Measurements::take) tells of.
+    pub const STEPS: u64 = 6;
+
+    /// Measures all that the runs do not tell, and says what is next before each step.
+    ///
+    /// # Errors
+    /// [`ReportError`] where an example cannot be solved.
+    pub fn take(runs: Vec<Run>, extent: &Extent, mut next: impl FnMut(&'static str)) -> Result<Self, ReportError> {
+        next("tables of the paper");
+        let tables = tables()?;
+        next("landscapes");
+        let landscapes = landscapes(extent.samples)?;
+        next("mode shapes");
+        let shapes = shapes()?;
+        next("digits");
+        let digits_of_modes = digits::over_modes(&extent.modes)?;
+        let digits_of_stiffness = digits::over_stiffness(&extent.stiffness)?;
+        next("cost of elements");
+        let elements = over_elements(&extent.elements)?;
+        next("cost of roots");
+        let roots = over_roots(extent.roots)?;
+        Ok(Measurements { runs, tables, landscapes, shapes, digits_of_modes, digits_of_stiffness, elements, roots })
+    }
+}

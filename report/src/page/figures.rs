@@ -1,0 +1,111 @@
+//! The sections that are made of pictures.
+
+use crate::data::landscapes::Landscapes;
+use crate::data::shapes::Shapes;
+use crate::error::ReportError;
+use crate::growth::{exponent, leap};
+use crate::measurements::Measurements;
+use crate::method::{METHODS, named};
+use crate::plots;
+use crate::scene::note;
+use maud::{Markup, PreEscaped, html};
+use rivals::Run;
+
+/// A drawing with its caption.
+fn figure(title: &str, note: &str, svg: &str) -> Markup {
+    html! {
+        figure {
+            figcaption { (title) @if !note.is_empty() { " " span { (note) } } }
+            div role="img" aria-label=(format!("{title} {note}")) { (PreEscaped(svg)) }
+        }
+    }
+}
+
+/// Error against time, a panel for each scene.
+pub(super) fn error_time(runs: &[Run]) -> Result<Markup, ReportError> {
+    for run in runs {
+        named(&run.method)?;
+    }
+    let scenes = plots::error_time::scenes(runs);
+    let panels = scenes.iter().map(|scene| Ok((scene, plots::error_time::svg(runs, scene)?)));
+    let panels = panels.collect::<Result<Vec<_>, ReportError>>()?;
+    let used = METHODS.iter().filter(|method| runs.iter().any(|run| run.method == method.name));
+    let legend = used.map(|method| Ok((method.name, method.look.sample()?)));
+    let legend = legend.collect::<Result<Vec<_>, ReportError>>()?;
+    Ok(html! {
+        p {
+            "Each point is a method at one setting: the median time of all wanted roots, and the largest relative error among them. \
+            Left and low is better. Hollow markers at the top are runs that lose a root."
+        }
+        ul class="legend" { @for (name, sample) in &legend { li { (PreEscaped(sample)) (name) } } }
+        div class="panels" { @for (scene, svg) in &panels { (figure(scene, note(scene), svg)) } }
+    })
+}
+
+/// |Δ| over ω and over λ.
+pub(super) fn landscapes(landscapes: &Landscapes) -> Result<Markup, ReportError> {
+    let lines = landscapes.undamped.iter().map(|own| Ok((&own.id, plots::landscape::svg(own)?)));
+    let maps = landscapes.damped.iter().map(|own| Ok((&own.id, plots::heat_map::svg(own)?)));
+    let panels = lines.chain(maps).collect::<Result<Vec<_>, ReportError>>()?;
+    Ok(html! {
+        p {
+            "The determinant of the overall matrix in the ranges of the paper's searches, as in its Figures 5 and 10. Marked are the \
+            roots that the certified search lists; each is a pit of |Δ|."
+        }
+        div class="panels" { @for (id, svg) in &panels { (figure(id, note(id), svg)) } }
+    })
+}
+
+/// Mode shapes of the examples.
+pub(super) fn shapes(shapes: &[Shapes]) -> Result<Markup, ReportError> {
+    let panels = shapes.iter().map(|own| Ok((own.id, plots::shapes::svg(own)?)));
+    let panels = panels.collect::<Result<Vec<_>, ReportError>>()?;
+    Ok(html! {
+        p {
+            "The modes that the paper lists, each divided by its largest deflection. Circles are masses on springs or on the beam. \
+            With damping the points of a mode move in different phases: unbroken is the real part, dashed the imaginary one."
+        }
+        div class="panels" { @for (id, svg) in &panels { (figure(id, note(id), svg)) } }
+    })
+}
+
+/// Digits kept.
+pub(super) fn digits(measurements: &Measurements) -> Result<Markup, ReportError> {
+    let modes = plots::digits::over_modes(&measurements.digits_of_modes)?;
+    let stiffness = plots::digits::over_stiffness(&measurements.digits_of_stiffness)?;
+    Ok(html! {
+        p {
+            "Correct digits of a root, sixteen being all that a double has: by a bisection on the sign of "
+            code { "overall_determinant" } ", inside a bracket that holds no other root, and by the certified search, which carries \
+            planes. Hollow markers are brackets in which the determinant shows no root. The determinant loses " code { "exp(βl)" }
+            "; what it seems to keep beyond mode 12 is where a bisection on noise ends."
+        }
+        div class="panels" {
+            (figure("Mode number", "fixed-pinned beam", &modes))
+            (figure("Stiffness ratio", "cantilever with tip spring", &stiffness))
+        }
+    })
+}
+
+/// Cost against size.
+pub(super) fn growth(measurements: &Measurements) -> Result<Markup, ReportError> {
+    let Measurements { elements, roots, .. } = measurements;
+    let power = |points| format!("{:.2}", exponent(points));
+    let pictures = [plots::growth::over_elements(elements)?, plots::growth::over_roots(roots)?];
+    Ok(html! {
+        p {
+            "Exponents are fitted to the larger half of the sizes. The time of an evaluation grows with the number of beams to the power "
+            (power(&elements.evaluation)) ", that of the certified search for the lowest frequency to the power "
+            (power(&elements.search)) ". Of the first n roots of a pinned beam, the time of each grows with n to the power "
+            (power(&roots.pinned)) "; that of mode n alone to the power " (power(&roots.alone)) ". "
+            @if let Some(mode) = leap(&roots.cantilever) {
+                "Up to mode " (mode) " of the cantilever rounding has raised a doubt: the search is made again in 32 digits, which \
+                is the leap."
+            }
+        }
+        div class="panels" {
+            (figure("Number of elements", "chain, pinned at every joint", &pictures[0]))
+            (figure("Mode number", "one beam, all modes up to n or n alone", &pictures[1]))
+        }
+    })
+}

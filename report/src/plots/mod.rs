@@ -1,0 +1,9 @@
+//! The plots, each from its data.
+
+mod curves;
+pub(crate) mod digits;
+pub(crate) mod error_time;
+pub(crate) mod growth;
+pub(crate) mod heat_map;
+pub(crate) mod landscape;
+pub(crate) mod shapes;
