@@ -8,12 +8,12 @@
 pub use mstmm_core::{
     AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
     ComplexFrequency, Coordinate, Count, Covector, DoubleDouble, Dual, Element, Ends, EnergyShares, Entry, Evaluate,
-    Field, ForceHistory, Frequency, FrequencyBounds, Inside, InvalidParameter, JudgedTree, Label, Layout, Line,
-    ListElement, ListError, ListPass, ListStep, Load, Magnitude, MatrixOf, MayDecay, Motion, MotionError, Motions,
-    Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root,
-    Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space, State, StateSpace, StepList, Subspace,
-    Support, System, Tally, TransferMatrix, Translation, Tree, Untallied, Visit, VisitAt, WaveFunctions, WaveProducts,
-    determinant, elements, search,
+    Field, ForceHistory, Frequency, FrequencyBounds, InBlocks, InColumns, Inside, InvalidParameter, JudgedTree, Label,
+    Layout, Line, ListElement, ListError, ListPass, ListStep, ListWalk, Load, Magnitude, ManyFrequencies, MatrixOf,
+    MayDecay, Motion, MotionError, Motions, Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point,
+    Real, RealFrequency, Requirement, Root, Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space,
+    State, StateSpace, StepList, Straight, Subspace, Support, System, Tally, TransferMatrix, Translation, Tree,
+    Untallied, Visit, VisitAt, Walk, Walker, WaveFunctions, WaveProducts, determinant, elements, search,
 };
 
 /// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.
@@ -120,7 +120,7 @@ pub use mstmm_core::ModalResponse;
 pub mod prelude {
     pub use crate::search::{Eigenvalue, Eigenvalues, NaturalFrequencies, NaturalFrequency, Region, Undamped};
     pub use crate::search::{fmin1d, fmin2d};
-    pub use crate::{Characteristic, Complex, Evaluate, Motions, system};
+    pub use crate::{Characteristic, Complex, Evaluate, ManyFrequencies, Motions, system};
 }
 
 /// What emitted code uses; not for use by hand.

@@ -32,7 +32,8 @@ use legendre_beam::LegendreBeam;
 use list_of_tree::{any_steps, undamped_steps};
 use mstmm::search::NaturalFrequencies;
 use mstmm::{
-    Characteristic, Complex, Evaluate, ListStep, ParameterError, SMatrix, Scalar, Scaled, Space, StepList, System,
+    Characteristic, Complex, Evaluate, InBlocks, ListStep, ManyFrequencies, ParameterError, SMatrix, Scalar, Scaled,
+    Space, StepList, System,
 };
 use nalgebra::DMatrix;
 use random_tree::{Random, random_tree};
@@ -140,7 +141,7 @@ where
 fn undamped_models_equal_their_lists() {
     fn check<Y, const N: usize>(seed: u64, system: Result<Y, ParameterError>)
     where
-        Y: Characteristic<f64> + Characteristic<C> + System<Parameter = f64> + Evaluate<C, Matrix = SMatrix<C, N, N>>,
+        Y: InBlocks<f64> + Characteristic<C> + System<Parameter = f64> + Evaluate<C, Matrix = SMatrix<C, N, N>>,
     {
         let (system, tree) = (system.unwrap(), random_tree(seed, BEAMS, false));
         let steps = undamped_steps(&tree);
@@ -150,6 +151,12 @@ fn undamped_models_equal_their_lists() {
             assert_eq!(system.count_below(omega), list.count_below(omega), "seed {seed}");
             let lambda = C::new(0.3 * omega, omega);
             assert_same_bits(system.characteristic(lambda), list.characteristic(lambda), seed);
+        }
+        let omegas: Vec<f64> = frequencies(seed).collect();
+        let mut values = vec![Scaled::new(0.0, 0); omegas.len()];
+        system.characteristics(&omegas, &mut values).unwrap();
+        for (value, omega) in values.into_iter().zip(omegas) {
+            assert_same_bits(value, list.characteristic(omega), seed);
         }
         check_proportional(seed, &system, &tree);
     }

@@ -53,10 +53,11 @@ pub(crate) fn bending_matrix<T: Real, S: Frequency<T>>(l: T, ei: T, m: T, lambda
 
 /// `[C, B, F, D, E]` of the beam's second compound as entire functions of `x = z⁴`, for `|x| <= 1`:
 /// `ch c, (ch s + sh c)/(2z), sh s/(2z²), (ch s - sh c)/(2z³), (1 - ch c)/(2z⁴)`.
+#[inline(always)]
 pub(crate) fn plane_series<S: Scalar>(x: S) -> [S; 5] {
     let two = S::from_f64(2.0);
     let y = -(two * two * x);
-    let [c, b, f, d, e] = [0, 1, 2, 3, 4].map(|first| series(y, first, 4));
+    let [c, b, f, d, e] = [series(y, 0, 4), series(y, 1, 4), series(y, 2, 4), series(y, 3, 4), series(y, 4, 4)];
     [c, b, f, two * d, two * e]
 }
 

@@ -1,7 +1,7 @@
 //! The steps of beam-like elements on planes, given the second compound of their transfer matrix.
 
 use crate::count::{BeamSigns, Tally};
-use crate::scalar::Scalar;
+use crate::scalar::{Branches, Scalar};
 use crate::scaled::Scaled;
 use crate::state::Support;
 use crate::subspace::{Plane, Subspace};
@@ -59,6 +59,7 @@ impl<S: Scalar> BendingCoefficients<S> {
     #[inline(always)]
     pub(crate) fn step<C: Tally<S>>(&self, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
         let after = match input {
+            Subspace::Tip(support, _) if S::BRANCHES == Branches::All => self.called_behind_tip(support),
             Subspace::Tip(support, _) => self.behind_tip(support),
             Subspace::Springs { y, theta } => self.behind_springs(y, theta),
             Subspace::OnPin(plane) => self.behind_pin(&plane).in_range(),
@@ -66,8 +67,9 @@ impl<S: Scalar> BendingCoefficients<S> {
         };
         if C::COUNTS {
             let BendingCoefficients { z, e, b, .. } = *self;
+            let half_waves = S::whole(z.size() / core::f64::consts::PI);
             let clamped_stiffness = self.factors[2] * b / e;
-            tally.beam(&input.plane(), &after, BeamSigns { z, one_minus_product: e, clamped_stiffness });
+            tally.beam(&input.plane(), &after, BeamSigns { half_waves, one_minus_product: e, clamped_stiffness });
         }
         Subspace::Plane(after)
     }
@@ -161,7 +163,13 @@ impl<S: Scalar> BendingCoefficients<S> {
         self.plane(minors, 0)
     }
 
+    /// The same as the compiler likes it: in line or not.
+    fn called_behind_tip(&self, support: Support) -> Plane<S> {
+        self.behind_tip(support)
+    }
+
     /// The plane behind a beam that starts at a support: a column of the compound.
+    #[inline(always)]
     fn behind_tip(&self, support: Support) -> Plane<S> {
         let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, .. } = *self;
         let (factor, inverse) = (self.factors, self.inverses);

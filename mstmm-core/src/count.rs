@@ -11,8 +11,9 @@ use crate::subspace::{Line, Plane};
 /// What a beam tells the tally besides its planes.
 #[derive(Clone, Copy, Debug)]
 pub struct BeamSigns<S> {
-    /// `z = βl`; 0 where nothing oscillates along the beam (`z⁴ < 0`): then no clamped frequency is below.
-    pub z: S,
+    /// Whole half waves along the beam, of `z/π` with `z = βl`; 0 where nothing oscillates (`z⁴ < 0`): then no clamped frequency
+    /// is below.
+    pub half_waves: u64,
     /// Positive multiple of `1 - ch z cos z`.
     pub one_minus_product: S,
     /// `(EI/l³) B/E`, the clamped-clamped stiffness of the input end against deflection.
@@ -41,7 +42,7 @@ pub trait Tally<S: Scalar> {
 }
 
 /// The tally that ignores everything: Δ alone.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Untallied;
 
 impl<S: Scalar> Tally<S> for Untallied {
@@ -118,7 +119,7 @@ impl<T: Real> Tally<T> for Count {
 
     fn beam(&mut self, before: &Plane<T>, after: &Plane<T>, signs: BeamSigns<T>) {
         let product_negative = signs.one_minus_product < T::zero();
-        let half_waves = (signs.z.to_f64() / core::f64::consts::PI) as u64;
+        let half_waves = signs.half_waves;
         // clamped-clamped frequencies below: i - (1 - (-1)^i sgn(1 - ch z cos z))/2
         let odd = half_waves % 2 == 1;
         self.below = self.below.saturating_add(half_waves.saturating_sub(u64::from(odd != product_negative)));

@@ -4,7 +4,7 @@ use crate::at::At;
 use crate::bounds::FrequencyBounds;
 use crate::count::Tally;
 use crate::error::{InvalidParameter, ParameterError};
-use crate::scalar::Scalar;
+use crate::scalar::{Branches, Scalar};
 use crate::scaled::{Scaled, binary_exponent};
 use crate::state::{Space, StateSpace, Support};
 use crate::subspace::Subspace;
@@ -72,6 +72,13 @@ pub trait TransferMatrix<S: Scalar>: Element {
 pub trait PlaneStep<S: Scalar>: Element {
     /// Whether the element needs the square root of the frequency, as waves do.
     const WAVES: bool = false;
+
+    /// Which formulas the element takes at a frequency.
+    #[doc(hidden)]
+    #[inline]
+    fn branches(_built: &Self::Built, _at: &At<S>) -> Branches {
+        Branches::Waves
+    }
 
     /// What depends on the frequency; computed once for equal elements.
     type Coefficients;

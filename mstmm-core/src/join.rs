@@ -1,7 +1,7 @@
 //! Connections: joining subspaces, holding a point by a support, widening and narrowing.
 
 use crate::count::Tally;
-use crate::scalar::Scalar;
+use crate::scalar::{Branches, Scalar};
 use crate::state::{Space, Support};
 use crate::subspace::{Line, Plane, Subspace};
 
@@ -80,8 +80,9 @@ impl<S: Scalar> Plane<S> {
     fn mixed_with(&self, r: &Plane<S>) -> S {
         let ww = self.w * r.w;
         let plain = (self.y_m * r.theta_q + r.y_m * self.theta_q) - (ww + ww);
-        if plain.size() * 16.0 >= ww.size() || self.y_m.is_zero() || r.y_m.is_zero() {
-            return plain;
+        let is_plain = (plain.size() * 16.0 >= ww.size()) | self.y_m.is_zero() | r.y_m.is_zero();
+        if S::BRANCHES != Branches::All || is_plain {
+            return plain.provided(is_plain);
         }
         self.mixed_by_squares(r)
     }

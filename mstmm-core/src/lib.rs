@@ -16,6 +16,7 @@ mod at;
 mod beam_functions;
 mod bending_links;
 mod bending_steps;
+mod block;
 mod bounds;
 mod characteristic;
 mod count;
@@ -42,6 +43,7 @@ mod tolerance;
 
 pub use assembly::Assembly;
 pub use at::At;
+pub use block::{InBlocks, ManyFrequencies, Straight, Walk, Walker};
 pub use bounds::FrequencyBounds;
 pub use characteristic::{Characteristic, System};
 pub use count::{BeamSigns, Count, Tally, Untallied};
@@ -62,10 +64,12 @@ pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
 pub use partials::Partials;
 pub use scalar::{
-    ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, JudgeOf, MayDecay, Oscillation, Real,
-    RealFrequency, Scalar, WaveFunctions, WaveProducts,
+    Branches, ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, InColumns, JudgeOf, MayDecay,
+    Oscillation, Real, RealFrequency, Scalar, WaveFunctions, WaveProducts,
 };
 pub use scaled::{Magnitude, Scaled};
 pub use state::{Bending, Coordinate, Planar, Rotation, Space, State, StateSpace, Support, Translation};
-pub use step_list::{AnyElement, AnyUndamped, ListElement, ListError, ListPass, ListStep, OPEN_PATHS, StepList};
+pub use step_list::{
+    AnyElement, AnyUndamped, ListElement, ListError, ListPass, ListStep, ListWalk, OPEN_PATHS, StepList,
+};
 pub use subspace::{Line, Plane, Subspace};

@@ -15,6 +15,7 @@ pub use oscillation::{JudgeOf, Oscillation};
 pub(crate) use real::{argument, elementary};
 pub use waves::{WaveFunctions, WaveProducts};
 
+use core::fmt;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{NumAssign, One, Zero};
 
@@ -37,6 +38,12 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
 {
+    /// Which of the formulas for waves are taken.
+    const BRANCHES: Branches = Branches::All;
+
+    /// Beyond this size `exp(-2z)` does not count beside 1, while `exp(z)` is still far from overflow.
+    const WAVE_LIMIT: f64;
+
     /// Number of terms after which a Taylor series in `z⁴`, `|z⁴| <= 1`, is exact to rounding.
     const SERIES_TERMS: usize;
 
@@ -52,6 +59,12 @@ pub trait Scalar:
     /// Principal square root.
     fn sqrt(self) -> Self;
 
+    /// The same for sizes between `1e±100`: no branches.
+    #[inline(always)]
+    fn moderate_sqrt(self) -> Self {
+        self.sqrt()
+    }
+
     /// Sine and cosine.
     fn sin_cos(self) -> (Self, Self);
 
@@ -61,11 +74,83 @@ pub trait Scalar:
     /// Products of the circular and hyperbolic functions of `z`, scaled so that nothing overflows.
     fn wave_products(self) -> WaveProducts<Self>;
 
+    /// The same for a size below [`WAVE_LIMIT`](Self::WAVE_LIMIT), where nothing needs to be scaled: no branches.
+    fn moderate_wave_products(self) -> WaveProducts<Self>;
+
     /// Largest modulus among the real components: what pivots and branches compare. NaN if any component is.
     fn size(self) -> f64;
 
     /// `self · 2^exponent`, exact unless it leaves the range of the type.
     fn times_power_of_two(self, exponent: i32) -> Self;
+
+    /// The number itself, or NaN where the condition does not hold: without a branch.
+    fn or_nan(self, condition: bool) -> Self;
+
+    /// The number itself. One that knows no branches is NaN where the condition does not hold: straight-line code does not
+    /// hold there either.
+    #[inline(always)]
+    fn provided(self, _condition: bool) -> Self {
+        self
+    }
+
+    /// The whole number in a number that is not negative.
+    #[inline(always)]
+    fn whole(number: f64) -> u64 {
+        number as u64
+    }
+
+    /// Entries that may all be multiplied by a power of two, shifted into the middle of the range by their size, and the
+    /// power taken out.
+    #[inline(always)]
+    fn in_range<const N: usize>(entries: [Self; N], size: f64) -> ([Self; N], i32) {
+        if is_moderate(size) {
+            return (entries, 0);
+        }
+        let shift = excess(size);
+        (entries.map(|entry| entry.times_power_of_two(-shift)), shift)
+    }
+}
+
+/// A number of which many stand in columns, each of its real parts in one of its own: what blocks are made of.
+pub trait InColumns: Scalar {
+    /// So many numbers.
+    type Columns<const N: usize>: Copy + fmt::Debug;
+
+    /// The same number everywhere.
+    fn columns<const N: usize>(self) -> Self::Columns<N>;
+
+    /// The number in a place.
+    fn get<const N: usize>(columns: &Self::Columns<N>, place: usize) -> Self;
+
+    /// Puts the number in a place.
+    fn put<const N: usize>(self, columns: &mut Self::Columns<N>, place: usize);
+}
+
+/// Which of an element's formulas a scalar knows: all of them, or those of straight-line code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Branches {
+    /// Each value takes the formulas that are right for it.
+    All,
+    /// Those for waves that are neither short nor so many that they have to be scaled.
+    Waves,
+    /// The series for a length of less than a wave.
+    Series,
+}
+
+/// Where entries are shifted back into the middle of the range.
+const LARGE: f64 = 1e60;
+const SMALL: f64 = 1e-60;
+
+/// Whether entries of this size are in the middle of the range.
+#[inline(always)]
+pub(crate) fn is_moderate(size: f64) -> bool {
+    (SMALL < size) & (size < LARGE)
+}
+
+/// The power of two to take out of entries beyond the middle of the range; none out of zeros and what is not finite.
+#[cold]
+fn excess(size: f64) -> i32 {
+    if size == 0.0 || !size.is_finite() { 0 } else { crate::scaled::binary_exponent(size) }
 }
 
 /// A real scalar: the type of parameters and of natural frequencies.
@@ -78,9 +163,6 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
 
     /// Whether there is a judge.
     const HAS_JUDGE: bool = false;
-
-    /// Beyond this argument `exp(-2z)` does not count beside 1, while `exp(z)` is still far from overflow.
-    const WAVE_LIMIT: f64;
 
     /// The unit in the last place of 1.
     const EPSILON: f64;

@@ -1,6 +1,6 @@
 //! Numbers with an exponent of their own: determinants that neither overflow nor vanish.
 
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Branches, Real, Scalar};
 use core::cmp::Ordering;
 use core::fmt;
 use num_complex::Complex;
@@ -8,7 +8,7 @@ use num_complex::Complex;
 /// `mantissa · 2^exponent`.
 ///
 /// Invariant: the larger component of a finite, non-zero mantissa lies in `[1, 2)`; zero and non-finite values have
-/// exponent 0. Exponents stop at the ends of the range of `i64`.
+/// exponent 0. Exponents stop at the ends of the range of `i64`. In straight-line code nothing is normalised.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaled<S> {
     mantissa: S,
@@ -36,6 +36,9 @@ impl<S: Scalar> Scaled<S> {
     /// `value · 2^exponent`, normalised.
     #[inline]
     pub fn new(value: S, exponent: i64) -> Self {
+        if S::BRANCHES != Branches::All {
+            return Scaled { mantissa: value, exponent };
+        }
         let biased = biased_exponent(value.size());
         if biased == 0 || biased == 0x7ff {
             return Scaled::of_extreme(value, exponent);

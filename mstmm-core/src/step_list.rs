@@ -1,6 +1,7 @@
 //! The plane method on a run-time list of steps: the same arithmetic as the macro's code, for chains of any length.
 
 use crate::at::At;
+use crate::block::{Straight, Walk, Walker};
 use crate::bounds::FrequencyBounds;
 use crate::characteristic::{Characteristic, System};
 use crate::count::Tally;
@@ -65,6 +66,12 @@ pub trait ListPass<S: Scalar>: ListElement {
     fn root<C: Tally<S>>(&self, at: &At<S>, input: Subspace<S>, support: Support, tally: &mut C) -> Scaled<S>;
 }
 
+/// A [`ListElement`] that can be evaluated at many frequencies at once.
+pub trait ListWalk<S: Scalar>: ListElement {
+    /// Shows the element to a walker.
+    fn walk<W: Walker<S>>(&self, walker: &mut W);
+}
+
 /// Declares an enum of built elements with the traits of list elements.
 macro_rules! any_element {
     ($(#[$doc:meta])* $name:ident, $frequency:ident: $($element:ident),*) => {
@@ -99,6 +106,18 @@ macro_rules! any_element {
             fn bound(&self, bounds: &mut FrequencyBounds) {
                 match self {
                     $($name::$element(built) => <$element<T> as Element>::bound(built, bounds),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T>> ListWalk<S> for $name<T>
+        where
+            Straight<S, false>: $frequency<T>,
+            Straight<S, true>: $frequency<T>,
+        {
+            fn walk<W: Walker<S>>(&self, walker: &mut W) {
+                match self {
+                    $($name::$element(built) => walker.element::<$element<T>>(built),)*
                 }
             }
         }
@@ -303,5 +322,27 @@ where
             }
         }
         Scaled::new(S::zero(), 0) // `new` has refused lists without a root
+    }
+}
+
+impl<E, S> Walk<S> for StepList<'_, E>
+where
+    E: ListWalk<S>,
+    S: Frequency<E::Parameter>,
+{
+    fn walk<W: Walker<S>>(&self, walker: &mut W) {
+        for (index, step) in self.steps.iter().enumerate() {
+            match step {
+                ListStep::Tip(support) => {
+                    walker.tip(*support, next_space(self.steps, index).unwrap_or(Space::Bending));
+                }
+                ListStep::Element(element) => element.walk(walker),
+                ListStep::Connection(inputs) => {
+                    let all: [usize; OPEN_PATHS] = core::array::from_fn(|input| inputs.wrapping_sub(input + 1));
+                    walker.connection(&all[..*inputs], next_space(self.steps, index));
+                }
+                ListStep::Root(support) => walker.root(*support),
+            }
+        }
     }
 }

@@ -65,32 +65,12 @@ pub enum Subspace<S> {
     OnPin(Plane<S>),
 }
 
-/// Where the exponents of subspaces are shifted back into the middle of the range.
-const LARGE: f64 = 1e60;
-const SMALL: f64 = 1e-60;
-
-/// Whether entries of this size are in the middle of the range.
-#[inline(always)]
-fn is_moderate(size: f64) -> bool {
-    SMALL < size && size < LARGE
-}
-
-/// The power of two to take out of entries beyond the middle of the range; none out of zeros and what is not finite.
-#[cold]
-fn excess(size: f64) -> i32 {
-    if size == 0.0 || !size.is_finite() { 0 } else { crate::scaled::binary_exponent(size) }
-}
-
 impl<S: Scalar> Line<S> {
     /// A line through `(y, q)`.
     #[inline(always)]
     pub fn new(y: S, q: S, exponent: i32) -> Self {
-        let size = y.size() + q.size();
-        if is_moderate(size) {
-            return Line { y, q, exponent };
-        }
-        let shift = excess(size);
-        Line { y: y.times_power_of_two(-shift), q: q.times_power_of_two(-shift), exponent: exponent + shift }
+        let ([y, q], shift) = S::in_range([y, q], y.size() + q.size());
+        Line { y, q, exponent: exponent + shift }
     }
 }
 
@@ -99,11 +79,8 @@ impl<S: Scalar> Plane<S> {
     #[inline(always)]
     pub fn new(minors: [S; 5], exponent: i32) -> Self {
         let size = (minors[0].size() + minors[1].size()) + (minors[3].size() + minors[4].size());
-        if is_moderate(size) {
-            return Plane::unscaled(minors, exponent);
-        }
-        let shift = excess(size);
-        Plane::unscaled(minors.map(|minor| minor.times_power_of_two(-shift)), exponent + shift)
+        let (minors, shift) = S::in_range(minors, size);
+        Plane::unscaled(minors, exponent + shift)
     }
 
     /// The same without a look at the range, for steps that cannot leave it.
@@ -205,6 +182,9 @@ impl<S: Scalar> Subspace<S> {
 /// Δ of a pass that counts: the count looks at all entries, so that Δ is a number only if all of them are.
 #[inline(always)]
 fn counted<S: Scalar, C: Tally<S>, const N: usize>(delta: S, entries: impl Fn() -> [S; N]) -> S {
-    let is_good = !C::COUNTS || entries().iter().all(|entry| entry.size().is_finite());
-    if is_good { delta } else { S::from_f64(f64::NAN) }
+    if !C::COUNTS {
+        return delta;
+    }
+    // zero times what is not finite is not a number
+    entries().iter().fold(delta, |delta, &entry| delta + entry * S::zero())
 }

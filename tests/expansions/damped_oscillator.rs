@@ -1119,4 +1119,70 @@ const _: () = {
             )
         }
     }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Walk<S> for DampedOscillatorSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::SpringDamper<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::SpringDamper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::TorsionSpring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::SpringDamper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::TorsionSpring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+    {
+        fn walk<C: mstmm::__private::Walker<S>>(&self, walker: &mut C) {
+            walker
+                .tip(mstmm::__private::Support::Pinned, const { LAYOUT.space(0usize) });
+            walker.element::<mstmm::__private::elements::Beam<T>>(&self.element_1);
+            walker.tip(mstmm::__private::Support::Fixed, const { LAYOUT.space(2usize) });
+            walker.element::<mstmm::__private::elements::Spring<T>>(&self.element_3);
+            walker.connection(&[1, 0], const { LAYOUT.output(4usize) });
+            walker.element::<mstmm::__private::elements::Beam<T>>(&self.element_4);
+            walker.tip(mstmm::__private::Support::Free, const { LAYOUT.space(6usize) });
+            walker.element::<mstmm::__private::elements::Mass<T>>(&self.element_7);
+            walker
+                .element::<mstmm::__private::elements::SpringDamper<T>>(&self.element_6);
+            walker.connection(&[1, 0], const { LAYOUT.output(9usize) });
+            walker.element::<mstmm::__private::elements::Beam<T>>(&self.element_8);
+            walker
+                .tip(mstmm::__private::Support::Fixed, const { LAYOUT.space(11usize) });
+            walker
+                .element::<
+                    mstmm::__private::elements::TorsionSpring<T>,
+                >(&self.element_10);
+            walker.connection(&[1, 0], const { LAYOUT.output(13usize) });
+            walker.element::<mstmm::__private::elements::Beam<T>>(&self.element_11);
+            walker.root(mstmm::__private::Support::Pinned);
+        }
+    }
 };

@@ -601,4 +601,38 @@ const _: () = {
             )
         }
     }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Walk<S> for RestrainedBeamSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::ElasticHinge<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::ElasticHinge<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+    {
+        fn walk<C: mstmm::__private::Walker<S>>(&self, walker: &mut C) {
+            walker.tip(mstmm::__private::Support::Free, const { LAYOUT.space(0usize) });
+            walker.tip(mstmm::__private::Support::Fixed, const { LAYOUT.space(1usize) });
+            walker
+                .element::<mstmm::__private::elements::ElasticHinge<T>>(&self.element_1);
+            walker.connection(&[1, 0], const { LAYOUT.output(3usize) });
+            walker.element::<mstmm::__private::elements::Beam<T>>(&self.element_3);
+            walker.tip(mstmm::__private::Support::Fixed, const { LAYOUT.space(5usize) });
+            walker
+                .element::<mstmm::__private::elements::ElasticHinge<T>>(&self.element_5);
+            walker.connection(&[1, 0], const { LAYOUT.output(7usize) });
+            walker.root(mstmm::__private::Support::Free);
+        }
+    }
 };

@@ -463,4 +463,31 @@ const _: () = {
             )
         }
     }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Walk<S> for TipBodySystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Body<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Body<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Body<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+    {
+        fn walk<C: mstmm::__private::Walker<S>>(&self, walker: &mut C) {
+            walker.tip(mstmm::__private::Support::Fixed, const { LAYOUT.space(0usize) });
+            walker.element::<mstmm::__private::elements::Beam<T>>(&self.element_1);
+            walker.element::<mstmm::__private::elements::Body<T>>(&self.element_2);
+            walker.root(mstmm::__private::Support::Free);
+        }
+    }
 };

@@ -765,4 +765,47 @@ const _: () = {
             )
         }
     }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Walk<S> for TwoSpansSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+    {
+        fn walk<C: mstmm::__private::Walker<S>>(&self, walker: &mut C) {
+            walker
+                .tip(mstmm::__private::Support::Pinned, const { LAYOUT.space(0usize) });
+            walker.element::<mstmm::__private::elements::Beam<T>>(&self.element_1);
+            walker
+                .tip(mstmm::__private::Support::Pinned, const { LAYOUT.space(2usize) });
+            walker.connection(&[1, 0], const { LAYOUT.output(3usize) });
+            walker.element::<mstmm::__private::elements::Beam<T>>(&self.element_3);
+            walker.tip(mstmm::__private::Support::Free, const { LAYOUT.space(5usize) });
+            walker.element::<mstmm::__private::elements::Mass<T>>(&self.element_6);
+            walker.element::<mstmm::__private::elements::Spring<T>>(&self.element_5);
+            walker.connection(&[1, 0], const { LAYOUT.output(8usize) });
+            walker.element::<mstmm::__private::elements::Beam<T>>(&self.element_7);
+            walker.root(mstmm::__private::Support::Pinned);
+        }
+    }
 };

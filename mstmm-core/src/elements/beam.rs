@@ -7,7 +7,7 @@ use crate::bounds::FrequencyBounds;
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real, WaveProducts};
+use crate::scalar::{Branches, Frequency, Real, WaveProducts};
 use crate::scaled::{Scaled, binary_exponent};
 use crate::state::{Bending, Support};
 use crate::subspace::Subspace;
@@ -119,31 +119,30 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     const WAVES: bool = true;
     type Coefficients = BendingCoefficients<S>;
 
+    #[inline]
+    fn branches(built: &BuiltBeam<T>, at: &At<S>) -> Branches {
+        let size = (at.powers[0] * built.wave).size();
+        if size <= 1.0 {
+            Branches::Series
+        } else if size < S::WAVE_LIMIT {
+            Branches::Waves
+        } else {
+            Branches::All
+        }
+    }
+
     #[inline(always)]
     fn coefficients(built: &BuiltBeam<T>, at: &At<S>) -> BendingCoefficients<S> {
         let z = at.powers[0] * built.wave;
-        if z.size() <= 1.0 {
-            return built.small(z, at);
-        }
-        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = z.wave_products();
-        let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
-        let Units { factors, inverses } = built.units(at);
-        BendingCoefficients {
-            z,
-            a: one + ch_cos,
-            c: ch_cos + ch_cos,
-            b,
-            f,
-            d,
-            e,
-            raised_b: b,
-            raised_f: f,
-            raised_d: d,
-            raised_e: e,
-            factors,
-            inverses,
-            // above stands twice of each
-            exponent: exponent - 1,
+        let size = z.size();
+        match S::BRANCHES {
+            Branches::All if size <= 1.0 => built.small(z, at),
+            Branches::All => built.waving(z, z.wave_products(), at),
+            Branches::Series => built.by_series(z, -at.lambda_squared.provided(size <= 1.0)),
+            Branches::Waves => {
+                let products = z.provided((size > 1.0) & (size < S::WAVE_LIMIT)).moderate_wave_products();
+                built.waving(z, products, at)
+            }
         }
     }
 
@@ -164,6 +163,31 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
 }
 
 impl<T: Real> BuiltBeam<T> {
+    /// The coefficients for `|z| > 1`.
+    #[inline(always)]
+    fn waving<S: Frequency<T>>(&self, z: S, products: WaveProducts<S>, at: &At<S>) -> BendingCoefficients<S> {
+        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = products;
+        let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
+        let Units { factors, inverses } = self.units(at);
+        BendingCoefficients {
+            z,
+            a: one + ch_cos,
+            c: ch_cos + ch_cos,
+            b,
+            f,
+            d,
+            e,
+            raised_b: b,
+            raised_f: f,
+            raised_d: d,
+            raised_e: e,
+            factors,
+            inverses,
+            // above stands twice of each
+            exponent: exponent - 1,
+        }
+    }
+
     /// Units of the minors with the wave number β. A judge needs them without rounding between them: only then is a step the
     /// compound of the transfer matrix.
     #[inline(always)]
@@ -173,25 +197,33 @@ impl<T: Real> BuiltBeam<T> {
             return Units::new(S::from_parameter(self.parameters.bending_stiffness), at.powers[0] * number);
         }
         Units {
-            factors: core::array::from_fn(|k| at.powers[k] * self.wave_units.factors[k]),
-            inverses: core::array::from_fn(|k| at.inverse_powers[k] * self.wave_units.inverses[k]),
+            factors: products(at.powers, self.wave_units.factors),
+            inverses: products(at.inverse_powers, self.wave_units.inverses),
         }
     }
 
     /// The same with `1/l` in place of β.
+    #[inline(always)]
     fn short_units<S: Frequency<T>>(&self) -> Units<S> {
         if S::JUDGES {
             let [length, stiffness] = [self.parameters.length, self.parameters.bending_stiffness].map(S::from_parameter);
             return Units::new(stiffness, S::one() / length);
         }
         let Units { factors, inverses } = self.length_units;
-        Units { factors: factors.map(S::from_parameter), inverses: inverses.map(S::from_parameter) }
+        let ([a, b, c, d], [e, f, g, h]) = (factors, inverses);
+        let number = S::from_parameter;
+        Units { factors: [number(a), number(b), number(c), number(d)], inverses: [number(e), number(f), number(g), number(h)] }
     }
 
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     #[cold]
     fn small<S: Frequency<T>>(&self, z: S, at: &At<S>) -> BendingCoefficients<S> {
-        let x = -at.lambda_squared * self.wave_fourth;
+        self.by_series(z, -at.lambda_squared)
+    }
+
+    #[inline(always)]
+    fn by_series<S: Frequency<T>>(&self, z: S, minus_lambda_squared: S) -> BendingCoefficients<S> {
+        let x = minus_lambda_squared * self.wave_fourth;
         let [c, b, f, d, e] = plane_series(x);
         let half = S::from_f64(0.5);
         let Units { factors, inverses } = self.short_units();
@@ -212,6 +244,12 @@ impl<T: Real> BuiltBeam<T> {
             exponent: 0,
         }
     }
+}
+
+/// Products of powers with what belongs to each.
+#[inline(always)]
+fn products<T: Real, S: Frequency<T>>([a, b, c, d]: [S; 4], [e, f, g, h]: [T; 4]) -> [S; 4] {
+    [a * e, b * f, c * g, d * h]
 }
 
 mod interior;

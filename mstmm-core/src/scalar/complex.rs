@@ -1,11 +1,12 @@
 //! Complex scalars over any real one.
 
-use super::{ComplexEigenvalue, Frequency, Real, Scalar, WaveProducts};
+use super::{ComplexEigenvalue, Frequency, InColumns, Real, Scalar, WaveProducts};
 use crate::scaled::binary_exponent;
 use num_complex::Complex;
 use num_traits::Zero;
 
 impl<T: Real> Scalar for Complex<T> {
+    const WAVE_LIMIT: f64 = T::WAVE_LIMIT;
     const SERIES_TERMS: usize = T::SERIES_TERMS;
     const LONGEST_IN_LINE: usize = T::LONGEST_IN_LINE;
 
@@ -25,13 +26,17 @@ impl<T: Real> Scalar for Complex<T> {
         }
         // the modulus squares the parts, which overflows or vanishes at half the range: the root is taken near 1
         let half_exponent = binary_exponent(self.size()) / 2;
-        let z = self.times_power_of_two(-2 * half_exponent);
-        let half = T::one() / (T::one() + T::one());
-        let modulus = (z.re * z.re + z.im * z.im).sqrt();
-        let larger = ((z.re.abs() + modulus) * half).sqrt();
-        let smaller = z.im.abs() * half / larger;
-        let (re, im) = if z.re < T::zero() { (smaller, larger) } else { (larger, smaller) };
-        Complex::new(re, if z.im < T::zero() { -im } else { im }).times_power_of_two(half_exponent)
+        self.times_power_of_two(-2 * half_exponent).moderate_sqrt().times_power_of_two(half_exponent)
+    }
+
+    #[inline(always)]
+    fn moderate_sqrt(self) -> Self {
+        let half = T::from_f64(0.5);
+        let modulus = (self.re * self.re + self.im * self.im).sqrt();
+        let larger = ((self.re.abs() + modulus) * half).sqrt();
+        let smaller = self.im.abs() * half / larger;
+        let (re, im) = if self.re < T::zero() { (smaller, larger) } else { (larger, smaller) };
+        Complex::new(re, if self.im < T::zero() { -im } else { im })
     }
 
     fn sin_cos(self) -> (Self, Self) {
@@ -51,6 +56,11 @@ impl<T: Real> Scalar for Complex<T> {
         WaveProducts::of_complex(self)
     }
 
+    #[inline(always)]
+    fn moderate_wave_products(self) -> WaveProducts<Self> {
+        WaveProducts::of_moderate_complex(self)
+    }
+
     #[inline]
     fn size(self) -> f64 {
         let (re, im) = (self.re.size(), self.im.size());
@@ -58,9 +68,33 @@ impl<T: Real> Scalar for Complex<T> {
         if re.is_nan() || re > im { re } else { im }
     }
 
+    #[inline(always)]
+    fn or_nan(self, condition: bool) -> Self {
+        Complex::new(self.re.or_nan(condition), self.im.or_nan(condition))
+    }
+
     #[inline]
     fn times_power_of_two(self, exponent: i32) -> Self {
         Complex::new(self.re.times_power_of_two(exponent), self.im.times_power_of_two(exponent))
+    }
+}
+
+impl<S: Real + InColumns> InColumns for Complex<S> {
+    type Columns<const N: usize> = [S::Columns<N>; 2];
+
+    fn columns<const N: usize>(self) -> [S::Columns<N>; 2] {
+        [self.re.columns(), self.im.columns()]
+    }
+
+    #[inline(always)]
+    fn get<const N: usize>([re, im]: &[S::Columns<N>; 2], place: usize) -> Self {
+        Complex { re: S::get(re, place), im: S::get(im, place) }
+    }
+
+    #[inline(always)]
+    fn put<const N: usize>(self, [re, im]: &mut [S::Columns<N>; 2], place: usize) {
+        self.re.put(re, place);
+        self.im.put(im, place);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Dual numbers: a value and its derivative with respect to the frequency.
 
-use super::{ComplexEigenvalue, Frequency, Real, RealFrequency, Scalar, WaveProducts};
+use super::{ComplexEigenvalue, Frequency, InColumns, Real, RealFrequency, Scalar, WaveProducts};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 use num_complex::Complex;
 use num_traits::{Num, One, Zero};
@@ -29,6 +29,20 @@ impl<S: Scalar> Dual<S> {
     #[inline]
     fn map(self, f: impl Fn(S) -> S) -> Self {
         Dual { value: f(self.value), derivative: f(self.derivative) }
+    }
+
+    /// Products of functions of `self`, given those of its value.
+    #[inline(always)]
+    fn of_products(self, products: WaveProducts<S>) -> WaveProducts<Self> {
+        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent } = products;
+        WaveProducts {
+            ch_cos: self.chain(ch_cos, sh_cos - ch_sin),
+            ch_sin: self.chain(ch_sin, sh_sin + ch_cos),
+            sh_cos: self.chain(sh_cos, ch_cos - sh_sin),
+            sh_sin: self.chain(sh_sin, ch_sin + sh_cos),
+            one: Dual::constant(one),
+            exponent,
+        }
     }
 
     /// A function by its value and slope at `self.value`.
@@ -133,6 +147,7 @@ impl<S: Scalar> One for Dual<S> {
 }
 
 impl<S: Scalar> Scalar for Dual<S> {
+    const WAVE_LIMIT: f64 = S::WAVE_LIMIT;
     const SERIES_TERMS: usize = S::SERIES_TERMS;
     const LONGEST_IN_LINE: usize = S::LONGEST_IN_LINE;
 
@@ -151,6 +166,12 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.chain(root, S::from_f64(0.5) / root)
     }
 
+    #[inline(always)]
+    fn moderate_sqrt(self) -> Self {
+        let root = self.value.moderate_sqrt();
+        self.chain(root, S::from_f64(0.5) / root)
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
         (self.chain(sin, cos), self.chain(cos, -sin))
@@ -163,15 +184,12 @@ impl<S: Scalar> Scalar for Dual<S> {
 
     #[inline]
     fn wave_products(self) -> WaveProducts<Self> {
-        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent } = self.value.wave_products();
-        WaveProducts {
-            ch_cos: self.chain(ch_cos, sh_cos - ch_sin),
-            ch_sin: self.chain(ch_sin, sh_sin + ch_cos),
-            sh_cos: self.chain(sh_cos, ch_cos - sh_sin),
-            sh_sin: self.chain(sh_sin, ch_sin + sh_cos),
-            one: Dual::constant(one),
-            exponent,
-        }
+        self.of_products(self.value.wave_products())
+    }
+
+    #[inline(always)]
+    fn moderate_wave_products(self) -> WaveProducts<Self> {
+        self.of_products(self.value.moderate_wave_products())
     }
 
     #[inline]
@@ -179,9 +197,33 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.value.size()
     }
 
+    #[inline(always)]
+    fn or_nan(self, condition: bool) -> Self {
+        Dual { value: self.value.or_nan(condition), derivative: self.derivative.or_nan(condition) }
+    }
+
     #[inline]
     fn times_power_of_two(self, exponent: i32) -> Self {
         self.map(|part| part.times_power_of_two(exponent))
+    }
+}
+
+impl<S: InColumns> InColumns for Dual<S> {
+    type Columns<const N: usize> = [S::Columns<N>; 2];
+
+    fn columns<const N: usize>(self) -> [S::Columns<N>; 2] {
+        [self.value.columns(), self.derivative.columns()]
+    }
+
+    #[inline(always)]
+    fn get<const N: usize>([value, derivative]: &[S::Columns<N>; 2], place: usize) -> Self {
+        Dual { value: S::get(value, place), derivative: S::get(derivative, place) }
+    }
+
+    #[inline(always)]
+    fn put<const N: usize>(self, [value, derivative]: &mut [S::Columns<N>; 2], place: usize) {
+        self.value.put(value, place);
+        self.derivative.put(derivative, place);
     }
 }
 
@@ -252,7 +294,6 @@ impl<T: Real> Num for Dual<T> {
 impl<T: Real> Real for Dual<T> {
     type Judge = Self;
 
-    const WAVE_LIMIT: f64 = T::WAVE_LIMIT;
     const EPSILON: f64 = T::EPSILON;
 
     fn to_f64(self) -> f64 {

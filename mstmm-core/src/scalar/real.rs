@@ -1,6 +1,6 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
-use super::{DoubleDouble, Frequency, Real, RealFrequency, Scalar, WaveProducts, kernel};
+use super::{DoubleDouble, Frequency, InColumns, Real, RealFrequency, Scalar, WaveProducts, kernel};
 
 impl<T: Real> Frequency<T> for T {
     type Meaning = RealFrequency;
@@ -85,6 +85,7 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
 macro_rules! real {
     ($type:ty, $judge:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, $($kernel:item)*)?) => {
         impl Scalar for $type {
+            const WAVE_LIMIT: f64 = $limit;
             const SERIES_TERMS: usize = $terms;
 
             #[inline]
@@ -118,9 +119,19 @@ macro_rules! real {
                 WaveProducts::of_real(self)
             }
 
+            #[inline(always)]
+            fn moderate_wave_products(self) -> WaveProducts<Self> {
+                WaveProducts::of_moderate(self)
+            }
+
             #[inline]
             fn size(self) -> f64 {
                 f64::from(<$type>::abs(self))
+            }
+
+            #[inline(always)]
+            fn or_nan(self, condition: bool) -> Self {
+                self * if condition { 1.0 } else { <$type>::NAN }
             }
 
             #[inline(always)]
@@ -129,12 +140,29 @@ macro_rules! real {
             }
         }
 
+        impl InColumns for $type {
+            type Columns<const N: usize> = [Self; N];
+
+            fn columns<const N: usize>(self) -> [Self; N] {
+                [self; N]
+            }
+
+            #[inline(always)]
+            fn get<const N: usize>(columns: &[Self; N], place: usize) -> Self {
+                columns[place]
+            }
+
+            #[inline(always)]
+            fn put<const N: usize>(self, columns: &mut [Self; N], place: usize) {
+                columns[place] = self;
+            }
+        }
+
         impl Real for $type {
             type Judge = $judge;
 
             $($($kernel)*)?
 
-            const WAVE_LIMIT: f64 = $limit;
             const EPSILON: f64 = <$type>::EPSILON as f64;
 
             #[inline]

@@ -52,11 +52,14 @@ impl<T: Real> Functions<T> {
     #[inline(always)]
     fn of(x: T) -> Self {
         let size = x.size();
-        if size < T::WAVE_LIMIT {
-            let [sin, cos, sh, ch] = x.circular_and_hyperbolic();
-            return Functions { sin, cos, ch, sh, one: T::one(), exponent: 0 };
-        }
-        Functions::beyond_limit(x, size)
+        if size < T::WAVE_LIMIT { Functions::moderate(x) } else { Functions::beyond_limit(x, size) }
+    }
+
+    /// Below the limit.
+    #[inline(always)]
+    fn moderate(x: T) -> Self {
+        let [sin, cos, sh, ch] = x.circular_and_hyperbolic();
+        Functions { sin, cos, ch, sh, one: T::one(), exponent: 0 }
     }
 
     /// Here `exp(-2|x|)` does not count beside 1. An error of the scale is common to all and positive, so it is no error.
@@ -76,7 +79,18 @@ impl<T: Real> WaveProducts<T> {
     /// Of a real argument: what [`Scalar::wave_products`](super::Scalar::wave_products) of a real scalar returns.
     #[inline(always)]
     pub fn of_real(z: T) -> Self {
-        let Functions { sin, cos, ch, sh, one, exponent } = Functions::of(z);
+        Self::of_functions(Functions::of(z))
+    }
+
+    /// Of a real argument below [`WAVE_LIMIT`](super::Scalar::WAVE_LIMIT).
+    #[inline(always)]
+    pub fn of_moderate(z: T) -> Self {
+        Self::of_functions(Functions::moderate(z))
+    }
+
+    #[inline(always)]
+    fn of_functions(functions: Functions<T>) -> Self {
+        let Functions { sin, cos, ch, sh, one, exponent } = functions;
         WaveProducts { ch_cos: ch * cos, ch_sin: ch * sin, sh_cos: sh * cos, sh_sin: sh * sin, one, exponent }
     }
 }
@@ -120,8 +134,18 @@ impl<T: Real> WaveProducts<Complex<T>> {
     /// Of a complex argument: both parts oscillate and grow.
     #[inline(always)]
     pub(super) fn of_complex(z: Complex<T>) -> Self {
-        let (re, im) = (Functions::of(z.re), Functions::of(z.im));
-        let [ch, sh, cos, sin] = of_parts(&re, &im);
+        Self::of_functions(&Functions::of(z.re), &Functions::of(z.im))
+    }
+
+    /// Of a complex argument with both parts below [`WAVE_LIMIT`](super::Scalar::WAVE_LIMIT).
+    #[inline(always)]
+    pub(super) fn of_moderate_complex(z: Complex<T>) -> Self {
+        Self::of_functions(&Functions::moderate(z.re), &Functions::moderate(z.im))
+    }
+
+    #[inline(always)]
+    fn of_functions(re: &Functions<T>, im: &Functions<T>) -> Self {
+        let [ch, sh, cos, sin] = of_parts(re, im);
         WaveProducts {
             ch_cos: ch * cos,
             ch_sin: ch * sin,

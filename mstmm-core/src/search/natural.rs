@@ -1,6 +1,7 @@
 //! Natural frequencies of undamped systems: what users call.
 
 use super::certified::Isolation;
+use crate::block::natural_count;
 use crate::characteristic::{Characteristic, System, count_and_value};
 use crate::error::SearchError;
 use crate::list::List;
@@ -111,11 +112,8 @@ pub trait NaturalFrequencies: System {
     where
         Self: Characteristic<<Self as System>::Parameter>,
     {
-        if omega.partial_cmp(&Self::Parameter::from_f64(0.0)) != Some(core::cmp::Ordering::Greater) {
-            return 0;
-        }
-        let (count, value) = count_and_value(self, omega);
-        if value.mantissa().size().is_finite() { count } else { u64::MAX }
+        let (below, value) = count_and_value(self, omega);
+        natural_count(omega, below, value)
     }
 
     /// Every natural frequency in a range [rad/s], each certified, with multiplicity.

@@ -17,6 +17,7 @@ impl Counted {
 }
 
 impl Scalar for Counted {
+    const WAVE_LIMIT: f64 = f64::WAVE_LIMIT;
     const SERIES_TERMS: usize = f64::SERIES_TERMS;
 
     fn from_f64(value: f64) -> Self {
@@ -49,9 +50,17 @@ impl Scalar for Counted {
         WaveProducts::of_real(self)
     }
 
+    fn moderate_wave_products(self) -> WaveProducts<Self> {
+        WaveProducts::of_moderate(self)
+    }
+
     fn size(self) -> f64 {
         tape::look_at(self.origin);
         self.value.abs()
+    }
+
+    fn or_nan(self, condition: bool) -> Self {
+        if condition { self } else { Counted::from(f64::NAN) }
     }
 
     fn times_power_of_two(self, exponent: i32) -> Self {
@@ -61,7 +70,6 @@ impl Scalar for Counted {
 
 impl Real for Counted {
     type Judge = Self;
-    const WAVE_LIMIT: f64 = f64::WAVE_LIMIT;
     const EPSILON: f64 = <f64 as Real>::EPSILON;
 
     fn to_f64(self) -> f64 {

@@ -1,7 +1,7 @@
 //! The elementary functions: reduction of the argument, then a Taylor series.
 
 use super::DoubleDouble;
-use crate::scalar::{Dual, Frequency, Real, RealFrequency, Scalar, WaveProducts};
+use crate::scalar::{Dual, Frequency, InColumns, Real, RealFrequency, Scalar, WaveProducts};
 use core::f64::consts;
 
 /// `π/2` in four parts of 53 bits: the multiples below 2^51 keep 106 bits even where the reduced argument is small.
@@ -77,6 +77,7 @@ fn nearest_integer(value: f64) -> f64 {
 }
 
 impl Scalar for DoubleDouble {
+    const WAVE_LIMIT: f64 = 100.0;
     const SERIES_TERMS: usize = 10;
     // the judge is seldom asked, and long in line
     const LONGEST_IN_LINE: usize = 6;
@@ -133,8 +134,18 @@ impl Scalar for DoubleDouble {
     }
 
     #[inline]
+    fn moderate_wave_products(self) -> WaveProducts<Self> {
+        WaveProducts::of_moderate(self)
+    }
+
+    #[inline]
     fn size(self) -> f64 {
         self.hi.abs()
+    }
+
+    #[inline(always)]
+    fn or_nan(self, condition: bool) -> Self {
+        DoubleDouble { hi: self.hi.or_nan(condition), lo: self.lo.or_nan(condition) }
     }
 
     #[inline(always)]
@@ -143,10 +154,27 @@ impl Scalar for DoubleDouble {
     }
 }
 
+impl InColumns for DoubleDouble {
+    type Columns<const N: usize> = [[f64; N]; 2];
+
+    fn columns<const N: usize>(self) -> [[f64; N]; 2] {
+        [[self.hi; N], [self.lo; N]]
+    }
+
+    #[inline(always)]
+    fn get<const N: usize>([hi, lo]: &[[f64; N]; 2], place: usize) -> Self {
+        DoubleDouble { hi: hi[place], lo: lo[place] }
+    }
+
+    #[inline(always)]
+    fn put<const N: usize>(self, [hi, lo]: &mut [[f64; N]; 2], place: usize) {
+        (hi[place], lo[place]) = (self.hi, self.lo);
+    }
+}
+
 impl Real for DoubleDouble {
     type Judge = Self;
 
-    const WAVE_LIMIT: f64 = 100.0;
     /// 2^-104: what a handful of roundings may leave, each being up to `5 · 2^-106`.
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
 

@@ -1,0 +1,117 @@
+//! Time of Δ and of the count per frequency, alone and in blocks, on every instruction set of the machine, in one run.
+//! Prints a Markdown table.
+//!
+//! `cargo bench --bench blocks`. Times are the least of many rounds; quote the ratios.
+
+use mstmm::prelude::*;
+use mstmm::{InBlocks, Scaled, System};
+use mstmm_lanes::InstructionSet;
+use std::hint::black_box;
+use std::time::Instant;
+
+#[path = "../examples/paper/models.rs"]
+pub mod models;
+
+type Failure = Box<dyn core::error::Error>;
+
+/// Rounds of each measurement; the least counts, since other work on the machine only ever adds.
+const ROUNDS: usize = 40;
+
+/// Frequencies in a round.
+const FREQUENCIES: usize = 2048;
+
+/// Least time of a round per frequency in ns.
+fn nanoseconds(mut round: impl FnMut()) -> f64 {
+    let mut least = f64::INFINITY;
+    for _ in 0..ROUNDS {
+        let start = Instant::now();
+        round();
+        least = least.min(start.elapsed().as_secs_f64());
+    }
+    least * 1e9 / FREQUENCIES as f64
+}
+
+/// A line of the table: the time alone, and in blocks on each instruction set with its ratio.
+fn print(name: &str, alone: impl FnMut(), mut together: impl FnMut()) {
+    let alone = nanoseconds(alone);
+    let mut line = format!("| {name} | {alone:.1} |");
+    for set in InstructionSet::ALL.into_iter().filter(|set| *set <= InstructionSet::widest()) {
+        set.limit();
+        let block = nanoseconds(&mut together);
+        line += &format!(" {block:.1} | {:.1} |", alone / block);
+    }
+    println!("{line}");
+}
+
+/// Δ of a system at frequencies between 0 and `end` times `unit`.
+fn values<Y, S>(name: &str, system: &Y, at: impl Fn(f64) -> S) -> Result<(), Failure>
+where
+    S: mstmm::Frequency<f64> + mstmm::InColumns,
+    Y: InBlocks<S> + System<Parameter = f64>,
+{
+    let frequencies: Vec<S> = (1..=FREQUENCIES).map(|k| at(k as f64 / FREQUENCIES as f64)).collect();
+    let (mut some, mut same) = ([Scaled::new(S::zero(), 0); FREQUENCIES], [Scaled::new(S::zero(), 0); FREQUENCIES]);
+    print(
+        name,
+        || {
+            for (value, &x) in some.iter_mut().zip(black_box(&frequencies)) {
+                *value = Characteristic::<S>::characteristic(black_box(system), x);
+            }
+        },
+        || {
+            let _ = black_box(system.characteristics(black_box(&frequencies), &mut same));
+        },
+    );
+    if some != same {
+        return Err(format!("{name}: values in blocks are not those alone").into());
+    }
+    Ok(())
+}
+
+/// The count of an undamped system.
+fn counts<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(
+    name: &str,
+    system: &Y,
+    end: f64,
+) -> Result<(), Failure> {
+    let frequencies: Vec<f64> = (1..=FREQUENCIES).map(|k| end * k as f64 / FREQUENCIES as f64).collect();
+    let (mut some, mut same) = ([0; FREQUENCIES], [0; FREQUENCIES]);
+    print(
+        name,
+        || {
+            for (count, &omega) in some.iter_mut().zip(black_box(&frequencies)) {
+                *count = black_box(system).count_below(omega);
+            }
+        },
+        || {
+            let _ = black_box(system.counts_below(black_box(&frequencies), &mut same));
+        },
+    );
+    if some != same {
+        return Err(format!("{name}: counts in blocks are not those alone").into());
+    }
+    Ok(())
+}
+
+fn main() -> Result<(), Failure> {
+    print!("| | alone [ns] |");
+    let sets = InstructionSet::ALL.into_iter().filter(|set| *set <= InstructionSet::widest());
+    sets.clone().for_each(|set| print!(" {set:?} [ns] | ratio |"));
+    print!("\n|---|---|");
+    sets.for_each(|_| print!("---|---|"));
+    println!();
+    let (a, b) = (models::light_tip_body().build()?, models::restrained_beam().build()?);
+    let (c, d) = (models::spring_and_mass().build()?, models::two_spans().build()?);
+    let e = models::damped_oscillator().build()?;
+    values("4.1a, Δ", &a, |share| 1700.0 * share)?;
+    values("4.2, Δ", &b, |share| 3000.0 * share)?;
+    values("4.3, Δ", &c, |share| 2000.0 * share)?;
+    values("4.4, Δ", &d, |share| 20_000.0 * share)?;
+    values("4.5, Δ", &e, |share| Complex::new(-300.0 * share, 12_000.0 * share))?;
+    values("4.1a, Δ and Δ'", &a, |share| mstmm::Dual::variable(1700.0 * share))?;
+    values("4.5, Δ and Δ'", &e, |share| mstmm::Dual::variable(Complex::new(-300.0 * share, 12_000.0 * share)))?;
+    counts("4.1a, count", &a, 1700.0)?;
+    counts("4.2, count", &b, 3000.0)?;
+    counts("4.3, count", &c, 2000.0)?;
+    counts("4.4, count", &d, 20_000.0)
+}

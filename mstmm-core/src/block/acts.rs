@@ -1,0 +1,161 @@
+//! What steps do to the subspace of a lane: once written, for straight-line code and for a lane of its own.
+
+use super::Straight;
+use super::lanes::{Frequencies, Lanes};
+use super::loops::{Act, BENDING, KINDS, PLANE, ROTATION, Straightly, TRANSLATION};
+use super::tally::Plainly;
+use crate::count::Tally;
+use crate::element::{Element, PlaneStep};
+use crate::join::{held, joined, moderated, narrowed, widened};
+use crate::scalar::{Branches, InColumns};
+use crate::state::{Space, StateSpace, Support};
+use crate::subspace::Subspace;
+
+/// Through an element.
+pub(super) struct Through<'a, E: Element, S: InColumns> {
+    pub(super) built: &'a E::Built,
+    pub(super) at: &'a Frequencies<S>,
+}
+
+impl<S, C, E> Act<S, C> for Through<'_, E, S>
+where
+    S: InColumns,
+    C: Tally<S>,
+    E: PlaneStep<S> + PlaneStep<Straight<S, false>> + PlaneStep<Straight<S, true>>,
+{
+    const HAS_SERIES: bool = <E as PlaneStep<S>>::WAVES;
+
+    fn branches(&self) -> Branches {
+        E::branches(self.built, &self.at.lane(0, |number| number))
+    }
+
+    const SUITS: u32 = match E::State::SPACE {
+        Space::Bending => BENDING,
+        Space::Translation => TRANSLATION,
+        _ => ROTATION,
+    };
+
+    #[inline(always)]
+    fn alone(&self, lane: usize, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        E::step(&E::coefficients(self.built, &self.at.lane(lane, |number| number)), input, tally)
+    }
+}
+
+impl<S, C, E, const SERIES: bool> Straightly<S, C, SERIES> for Through<'_, E, S>
+where
+    S: InColumns,
+    C: Tally<S>,
+    E: PlaneStep<Straight<S, SERIES>>,
+{
+    #[inline(always)]
+    fn straight(
+        &self,
+        lane: usize,
+        input: Subspace<Straight<S, SERIES>>,
+        tally: &mut C,
+    ) -> Subspace<Straight<S, SERIES>> {
+        E::step(&E::coefficients(self.built, &self.at.lane(lane, Straight)), input, &mut Plainly(tally))
+    }
+}
+
+impl<E: Element, S: InColumns> Clone for Through<'_, E, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<E: Element, S: InColumns> Copy for Through<'_, E, S> {}
+
+/// The join with another path, of the kind with a number in [`KINDS`].
+#[derive(Clone, Copy)]
+pub(super) struct Join<'a, S: InColumns, const OTHER: usize>(pub(super) &'a Lanes<S>);
+
+impl<S: InColumns, C, const OTHER: usize> Act<S, C> for Join<'_, S, OTHER> {
+    const SUITS: u32 = 1 << PLANE;
+
+    #[inline(always)]
+    fn alone(&self, lane: usize, input: Subspace<S>, _: &mut C) -> Subspace<S> {
+        joined(moderated(input), moderated(self.0.lane(lane)))
+    }
+}
+
+impl<S: InColumns, C, const OTHER: usize, const SERIES: bool> Straightly<S, C, SERIES> for Join<'_, S, OTHER> {
+    #[inline(always)]
+    fn other_exponent(&self, lane: usize) -> i32 {
+        self.0.exponents[lane]
+    }
+
+    #[inline(always)]
+    fn straight(&self, lane: usize, input: Subspace<Straight<S, SERIES>>, _: &mut C) -> Subspace<Straight<S, SERIES>> {
+        joined(moderated(input), moderated(self.0.known(KINDS[OTHER], lane, Straight)))
+    }
+}
+
+/// An act on one subspace by a function that is generic over scalars: what it is, its field, the kinds worth a loop, the
+/// function.
+macro_rules! act_by {
+    ($(#[$doc:meta])* $name:ident($field:ty), $suits:expr, |$own:ident, $input:ident, $tally:ident| $result:expr) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy)]
+        pub(super) struct $name(pub(super) $field);
+
+        impl<S: InColumns, C: Tally<S>> Act<S, C> for $name {
+            const SUITS: u32 = $suits;
+
+            #[inline(always)]
+            fn alone(&self, _: usize, $input: Subspace<S>, $tally: &mut C) -> Subspace<S> {
+                let $own = self.0;
+                $result
+            }
+        }
+
+        impl<S: InColumns, C: Tally<S>, const SERIES: bool> Straightly<S, C, SERIES> for $name {
+            #[inline(always)]
+            fn straight(
+                &self,
+                _: usize,
+                $input: Subspace<Straight<S, SERIES>>,
+                tally: &mut C,
+            ) -> Subspace<Straight<S, SERIES>> {
+                let ($own, $tally) = (self.0, &mut Plainly(tally));
+                $result
+            }
+        }
+    };
+}
+
+act_by!(
+    /// The point goes on wider than its paths.
+    Widen(Option<Space>), 0, |output, input, _tally| widened(input, output)
+);
+act_by!(
+    /// The point goes on narrower than its paths.
+    Narrow(Option<Space>), 0b11 << PLANE,
+    |output, input, tally| narrowed(input, output, tally)
+);
+
+/// Supports by the constant of [`Hold`].
+const SUPPORTS: [Support; 3] = [Support::Fixed, Support::Pinned, Support::Guided];
+pub(super) const FIXED: usize = 0;
+pub(super) const PINNED: usize = 1;
+pub(super) const GUIDED: usize = 2;
+
+/// A support holds the point; which is known to the compiler, since it decides what moves where.
+#[derive(Clone, Copy)]
+pub(super) struct Hold<const SUPPORT: usize>;
+
+impl<S: InColumns, C, const SUPPORT: usize> Act<S, C> for Hold<SUPPORT> {
+    const SUITS: u32 = 1 << PLANE;
+
+    #[inline(always)]
+    fn alone(&self, _: usize, input: Subspace<S>, _: &mut C) -> Subspace<S> {
+        held(input, SUPPORTS[SUPPORT])
+    }
+}
+
+impl<S: InColumns, C, const SUPPORT: usize, const SERIES: bool> Straightly<S, C, SERIES> for Hold<SUPPORT> {
+    #[inline(always)]
+    fn straight(&self, _: usize, input: Subspace<Straight<S, SERIES>>, _: &mut C) -> Subspace<Straight<S, SERIES>> {
+        held(input, SUPPORTS[SUPPORT])
+    }
+}

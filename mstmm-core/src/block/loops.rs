@@ -1,0 +1,233 @@
+//! Loops over the lanes: in straight-line code first, then alone for each lane in which that does not hold.
+
+use super::lanes::Lanes;
+use super::shapes::{Shape, numbers};
+use super::{Straight, WIDTH};
+use crate::scalar::{Branches, InColumns, Scalar, is_moderate};
+use crate::state::{Space, Support};
+use crate::subspace::{Plane, Subspace};
+
+/// What is done to the subspace of each lane.
+pub(super) trait Act<S: InColumns, C>: Straightly<S, C, false> + Straightly<S, C, true> {
+    /// Whether there are series for short waves.
+    const HAS_SERIES: bool = false;
+
+    /// Which formulas suit most lanes; `All` where none of straight-line code does.
+    fn branches(&self) -> Branches {
+        Branches::Waves
+    }
+
+    /// The kinds of subspaces that are worth a loop of their own, a bit for each of [`KINDS`].
+    const SUITS: u32;
+
+    /// In a lane of its own.
+    fn alone(&self, lane: usize, input: Subspace<S>, tally: &mut C) -> Subspace<S>;
+}
+
+/// The same in straight-line code, on subspaces whose exponents are left out: all that is done to them is to add others.
+pub(super) trait Straightly<S: InColumns, C, const SERIES: bool>: Copy {
+    /// The exponent of what else takes part.
+    #[inline(always)]
+    fn other_exponent(&self, _lane: usize) -> i32 {
+        0
+    }
+
+    /// In one of many lanes: marked `#[inline(always)]`, as all that it calls.
+    fn straight(
+        &self,
+        lane: usize,
+        input: Subspace<Straight<S, SERIES>>,
+        tally: &mut C,
+    ) -> Subspace<Straight<S, SERIES>>;
+}
+
+/// Kinds for which there are loops in straight-line code, by their number.
+pub(super) const KINDS: [Shape; 17] = {
+    use Space::{Bending, Rotation, Translation};
+    use Support::{Fixed, Free, Guided, Pinned};
+    [
+        Shape::Plane,
+        Shape::OnPin,
+        Shape::Tip(Fixed, Bending),
+        Shape::Tip(Pinned, Bending),
+        Shape::Tip(Guided, Bending),
+        Shape::Tip(Free, Bending),
+        Shape::Springs { y: true, theta: true },
+        Shape::Springs { y: true, theta: false },
+        Shape::Springs { y: false, theta: true },
+        Shape::Line(Translation),
+        Shape::Grounded(Translation),
+        Shape::Tip(Fixed, Translation),
+        Shape::Tip(Free, Translation),
+        Shape::Line(Rotation),
+        Shape::Grounded(Rotation),
+        Shape::Tip(Fixed, Rotation),
+        Shape::Tip(Free, Rotation),
+    ]
+};
+
+/// The kinds of subspaces of a bending state; of a translation; of a rotation; planes; what ends in a root.
+pub(super) const BENDING: u32 = 0b1_1111_1111;
+pub(super) const TRANSLATION: u32 = 0b1111 << LINE;
+pub(super) const ROTATION: u32 = 0b1111 << TURN;
+pub(super) const PLANE: usize = 0;
+pub(super) const SPRINGS: usize = 6;
+pub(super) const SPRING: usize = 7;
+pub(super) const TURN_SPRING: usize = 8;
+pub(super) const LINE: usize = 9;
+pub(super) const GROUNDED: usize = 10;
+pub(super) const TURN: usize = 13;
+pub(super) const GROUNDED_TURN: usize = 14;
+
+/// Acts on all lanes.
+pub(super) fn act<S: InColumns, C: Copy, A: Act<S, C>>(
+    act: &A,
+    input: &Lanes<S>,
+    output: &mut Lanes<S>,
+    tallies: &mut [C; WIDTH],
+) {
+    match act.branches() {
+        Branches::All => alone_everywhere::<S, C, A>(act, input, output, tallies),
+        Branches::Waves => in_straight_line::<S, C, A, false>(act, input, output, tallies),
+        Branches::Series if const { A::HAS_SERIES } => in_straight_line::<S, C, A, true>(act, input, output, tallies),
+        Branches::Series => alone_everywhere::<S, C, A>(act, input, output, tallies),
+    }
+}
+
+fn in_straight_line<S: InColumns, C: Copy, A: Act<S, C> + Straightly<S, C, SERIES>, const SERIES: bool>(
+    act: &A,
+    input: &Lanes<S>,
+    output: &mut Lanes<S>,
+    tallies: &mut [C; WIDTH],
+) {
+    macro_rules! kinds {
+        ($($kind:literal)*) => {
+            match KINDS.iter().position(|kind| *kind == input.shape) {
+                $(Some($kind) if const { A::SUITS >> $kind & 1 == 1 } => {
+                    straight::<S, C, A, SERIES, $kind>(act, input, output, tallies)
+                })*
+                _ => alone_everywhere::<S, C, A>(act, input, output, tallies),
+            }
+        };
+    }
+    kinds!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
+}
+
+fn alone_everywhere<S: InColumns, C, A: Act<S, C>>(
+    act: &A,
+    input: &Lanes<S>,
+    output: &mut Lanes<S>,
+    tallies: &mut [C; WIDTH],
+) {
+    for (lane, tally) in tallies.iter_mut().enumerate() {
+        output.set(lane, act.alone(lane, input.lane(lane), tally));
+    }
+}
+
+fn straight<S: InColumns, C: Copy, A: Act<S, C> + Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize>(
+    act: &A,
+    input: &Lanes<S>,
+    output: &mut Lanes<S>,
+    tallies: &mut [C; WIDTH],
+) {
+    let before = *tallies;
+    let are_good = widest(StraightLoop::<S, C, A, SERIES, KIND> { act, input, output, tallies });
+    if are_good {
+        return;
+    }
+    for lane in 0..WIDTH {
+        if !is_good(&output.lane(lane)) {
+            tallies[lane] = before[lane];
+            output.set(lane, act.alone(lane, input.lane(lane), &mut tallies[lane]));
+        }
+    }
+}
+
+/// Whether what came of straight-line code is what comes of a lane of its own: all branches were the usual ones.
+#[inline(always)]
+fn is_good<S: Scalar>(subspace: &Subspace<S>) -> bool {
+    match subspace {
+        Subspace::Tip(..) => true,
+        Subspace::Grounded(k, _) => !k.size().is_nan(),
+        Subspace::Springs { y, theta } => {
+            let is_number = |stiffness: &Option<S>| !stiffness.is_some_and(|stiffness| stiffness.size().is_nan());
+            is_number(y) & is_number(theta)
+        }
+        Subspace::Line(line, _) => is_moderate(line.y.size() + line.q.size()),
+        Subspace::Plane(plane) | Subspace::OnPin(plane) => {
+            let Plane { y_theta, y_m, w, theta_q, m_q, .. } = *plane;
+            // the third minor is between the others, but for what is not a number
+            is_moderate((y_theta.size() + y_m.size()) + (theta_q.size() + m_q.size())) & !w.size().is_nan()
+        }
+    }
+}
+
+/// A loop in straight-line code.
+struct StraightLoop<'a, S: InColumns, C, A, const SERIES: bool, const KIND: usize> {
+    act: &'a A,
+    input: &'a Lanes<S>,
+    output: &'a mut Lanes<S>,
+    tallies: &'a mut [C; WIDTH],
+}
+
+impl<S: InColumns, C: Copy, A: Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize> Task
+    for StraightLoop<'_, S, C, A, SERIES, KIND>
+{
+    /// Whether no number is NaN.
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        let StraightLoop { act, input, output, tallies } = self;
+        let mut unheard = tallies[0];
+        let first = act.straight(0, input.known(KINDS[KIND], 0, Straight::<S, SERIES>), &mut unheard);
+        output.shape = Shape::of(&first);
+        let are_good =
+            each_lane::<S, C, A, SERIES, KIND>(*act, input, &mut output.columns, &mut output.exponents, tallies);
+        for lane in 0..WIDTH {
+            let before = input.exponents[lane].saturating_add(act.other_exponent(lane));
+            output.exponents[lane] = output.exponents[lane].saturating_add(before);
+        }
+        are_good
+    }
+}
+
+/// The loop itself, in which exponents are those that the act adds. What it writes are arguments of their own: then the compiler knows that they are apart.
+#[inline(always)]
+fn each_lane<S: InColumns, C, A: Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize>(
+    act: A,
+    input: &Lanes<S>,
+    columns: &mut [S::Columns<WIDTH>; 5],
+    own_exponents: &mut [i32; WIDTH],
+    tallies: &mut [C; WIDTH],
+) -> bool {
+    let mut are_good = true;
+    for lane in 0..WIDTH {
+        let before = input.known(KINDS[KIND], lane, Straight::<S, SERIES>);
+        let after = act.straight(lane, before, &mut tallies[lane]);
+        are_good &= is_good(&after);
+        let (entries, exponent) = numbers(after);
+        for column in 0..5 {
+            entries[column].0.put(&mut columns[column], lane);
+        }
+        own_exponents[lane] = exponent;
+    }
+    are_good
+}
+
+#[cfg(feature = "std")]
+pub(super) use mstmm_lanes::{Task, run as widest};
+
+/// A loop; without `std` nobody can ask for the instruction sets of the machine.
+#[cfg(not(feature = "std"))]
+pub(super) trait Task {
+    /// What comes of it.
+    type Output;
+    /// Runs it.
+    fn run(self) -> Self::Output;
+}
+
+#[cfg(not(feature = "std"))]
+pub(super) fn widest<L: Task>(task: L) -> L::Output {
+    task.run()
+}

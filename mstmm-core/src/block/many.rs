@@ -1,0 +1,89 @@
+//! What users call: Δ and the count at many frequencies.
+
+use super::WIDTH;
+use super::pass::BlockPass;
+use super::walk::Walk;
+use crate::characteristic::{Characteristic, System, count_and_value};
+use crate::count::{Count, Untallied};
+use crate::error::SearchError;
+use crate::scalar::{Frequency, InColumns, Real};
+use crate::scaled::Scaled;
+
+/// Below so many frequencies a block costs more than each alone.
+const WORTHWHILE: usize = 6;
+
+/// A system that can be evaluated at one frequency, and at a block of them.
+pub trait InBlocks<S>: Characteristic<S> + Walk<S>
+where
+    S: Frequency<<Self as System>::Parameter>,
+{
+}
+
+impl<S, Y> InBlocks<S> for Y
+where
+    S: Frequency<<Y as System>::Parameter>,
+    Y: Characteristic<S> + Walk<S> + ?Sized,
+{
+}
+
+/// Evaluations at many frequencies, in blocks: each value has the bits that it has alone, and takes a fraction of the time.
+pub trait ManyFrequencies: System {
+    /// Δ at each frequency: what [`characteristic`](Characteristic::characteristic) returns for them one by one.
+    ///
+    /// # Errors
+    /// [`SearchError::Capacity`] where `values` is shorter than `frequencies`.
+    fn characteristics<S>(&self, frequencies: &[S], values: &mut [Scaled<S>]) -> Result<(), SearchError>
+    where
+        S: Frequency<Self::Parameter> + InColumns,
+        Self: InBlocks<S>,
+    {
+        check_room(frequencies, values)?;
+        let mut pass = BlockPass::<S, Untallied>::new();
+        for (some, values) in frequencies.chunks(WIDTH).zip(values.chunks_mut(WIDTH)) {
+            let is_done = some.len() >= WORTHWHILE && pass.run(self, some);
+            for (lane, (value, &x)) in values.iter_mut().zip(some).enumerate() {
+                *value = if is_done { pass.values[lane] } else { Characteristic::<S>::characteristic(self, x) };
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of natural frequencies below each `omega` [rad/s]: what
+    /// [`count_below`](crate::search::NaturalFrequencies::count_below) returns for them one by one.
+    ///
+    /// # Errors
+    /// [`SearchError::Capacity`] where `counts` is shorter than `omegas`.
+    fn counts_below(&self, omegas: &[Self::Parameter], counts: &mut [u64]) -> Result<(), SearchError>
+    where
+        Self: InBlocks<<Self as System>::Parameter>,
+        Self::Parameter: InColumns,
+    {
+        check_room(omegas, counts)?;
+        let mut pass = BlockPass::<Self::Parameter, Count>::new();
+        for (some, counts) in omegas.chunks(WIDTH).zip(counts.chunks_mut(WIDTH)) {
+            let is_done = some.len() >= WORTHWHILE && pass.run(self, some);
+            for (lane, (count, &omega)) in counts.iter_mut().zip(some).enumerate() {
+                let (below, value) = match is_done {
+                    true => (pass.tallies[lane].below(), pass.values[lane]),
+                    false => count_and_value(self, omega),
+                };
+                *count = natural_count(omega, below, value);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<Y: System + ?Sized> ManyFrequencies for Y {}
+
+/// The count as users see it: nothing is below zero, and where the arithmetic overflows nobody can tell.
+pub(crate) fn natural_count<T: Real>(omega: T, below: u64, value: Scaled<T>) -> u64 {
+    if omega.partial_cmp(&T::zero()) != Some(core::cmp::Ordering::Greater) {
+        return 0;
+    }
+    if value.mantissa().size().is_finite() { below } else { u64::MAX }
+}
+
+fn check_room<X, V>(frequencies: &[X], values: &[V]) -> Result<(), SearchError> {
+    if values.len() < frequencies.len() { Err(SearchError::Capacity { capacity: values.len() }) } else { Ok(()) }
+}

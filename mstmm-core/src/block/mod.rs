@@ -1,0 +1,25 @@
+//! Blocks: Δ and the count at many frequencies at once.
+//!
+//! The loop over the steps is outside, that over the frequencies of a block inside: a step is one loop over [`Lanes`] in
+//! straight-line code, which the compiler turns into vector instructions. What has branches is rare, and is not taken there:
+//! a [`Straight`] number becomes NaN where a branch would be needed, and such a lane goes through the step alone. So each
+//! lane has the bits that it has outside of a block, whatever is beside it.
+
+mod acts;
+mod lanes;
+mod loops;
+mod many;
+mod operators;
+mod pass;
+mod shapes;
+mod straight;
+mod tally;
+mod walk;
+
+pub(crate) use many::natural_count;
+pub use many::{InBlocks, ManyFrequencies};
+pub use straight::Straight;
+pub use walk::{Walk, Walker};
+
+/// Frequencies in a block: enough to hide the latency of every operation, few enough for the nearest cache.
+pub(crate) const WIDTH: usize = 32;

@@ -1,0 +1,58 @@
+//! Emits the walk through the steps of a system.
+
+use super::{Names, bounds, element_field, first_of_each_type, implement};
+use crate::ast::Element;
+use crate::plan::{Plan, Step};
+use proc_macro2::{Literal, TokenStream};
+use quote::{quote, quote_spanned};
+
+/// `impl Walk<S>`: a call per step, in the order of the plan.
+pub(super) fn walk(plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let Names { private, frequency, tally: walker, .. } = names;
+    let mut open = Vec::new();
+    let steps = plan.steps.iter().enumerate().map(|(index, step)| {
+        let call = match step {
+            Step::Tip(keyword) => {
+                let support = names.support(keyword);
+                quote_spanned!(names.here=> walker.tip(#support, const { LAYOUT.space(#index) });)
+            }
+            Step::Element { evaluated, input, .. } => {
+                open.retain(|path| path != input);
+                let element = plan.elements[*evaluated];
+                let (field, kind) = (element_field(element, names), names.element(element));
+                quote_spanned!(names.here=> walker.element::<#kind>(&self.#field);)
+            }
+            Step::Connection { inputs, .. } => {
+                let places = inputs.iter().filter_map(|input| open.iter().rev().position(|path| path == input));
+                let places: Vec<Literal> = places.map(Literal::usize_unsuffixed).collect();
+                open.retain(|path| !inputs.contains(path));
+                quote_spanned!(names.here=> walker.connection(&[#(#places),*], const { LAYOUT.output(#index) });)
+            }
+            Step::Root { support, .. } => {
+                let support = names.support(support);
+                quote_spanned!(names.here=> walker.root(#support);)
+            }
+        };
+        open.push(index);
+        call
+    });
+    let steps: TokenStream = steps.collect();
+    let body = quote_spanned! {names.here=>
+        fn walk<#walker: #private::Walker<#frequency>>(&self, walker: &mut #walker) {
+            #steps
+        }
+    };
+    let straight = [quote!(false), quote!(true)].map(|series| straight_bounds(&series, plan, names));
+    let bounds = [bounds("PlaneStep", plan, names)].into_iter().chain(straight).flatten().collect();
+    implement("Walk", bounds, &body, names)
+}
+
+/// What a walk asks of the elements besides: steps over numbers of straight-line code.
+fn straight_bounds(series: &TokenStream, plan: &Plan<'_>, names: &Names) -> Vec<TokenStream> {
+    let bound = |element: &Element| {
+        let span = names.at_element(element);
+        let (kind, private, frequency) = (names.element(element), &names.private, &names.frequency);
+        quote_spanned!(span=> #kind: #private::PlaneStep<#private::Straight<#frequency, #series>>)
+    };
+    first_of_each_type(plan, names).into_iter().map(bound).collect()
+}

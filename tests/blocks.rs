@@ -1,0 +1,179 @@
+//! Evaluations in blocks against evaluations alone: every bit, on every instruction set, whatever is beside a frequency.
+#![expect(clippy::unwrap_used, reason = "the trees here are valid")]
+
+#[path = "support/list_of_tree.rs"]
+mod list_of_tree;
+#[path = "../examples/paper/models.rs"]
+pub mod models;
+#[path = "support/random_tree.rs"]
+mod random_tree;
+#[path = "support/tree.rs"]
+#[allow(dead_code, reason = "says here only what a tree is")]
+mod tree;
+
+use list_of_tree::{any_steps, undamped_steps};
+use mstmm::elements::Beam;
+use mstmm::prelude::*;
+use mstmm::{
+    AnyUndamped, DoubleDouble, Dual, Frequency, InBlocks, InColumns, ListStep, Scaled, SearchError, StepList, Support,
+    System,
+};
+use mstmm_lanes::InstructionSet;
+use proptest::prelude::*;
+use random_tree::{Random, random_tree};
+
+type C = Complex<f64>;
+
+/// Numbers are the same only if all bits are; `Debug` shows the sign of zero, and all NaN alike.
+fn bits<S: mstmm::Scalar>(value: Scaled<S>) -> String {
+    format!("{value:?}")
+}
+
+/// Asserts that values in blocks are those alone, on every instruction set.
+fn assert_values<Y, S>(system: &Y, frequencies: &[S])
+where
+    S: Frequency<Y::Parameter> + InColumns,
+    Y: InBlocks<S> + System,
+{
+    for set in InstructionSet::ALL {
+        let set = set.limit();
+        let mut values = vec![Scaled::new(S::zero(), 0); frequencies.len()];
+        system.characteristics(frequencies, &mut values).unwrap();
+        for (value, &x) in values.iter().zip(frequencies) {
+            assert_eq!(bits(*value), bits(Characteristic::<S>::characteristic(system, x)), "at {x:?} on {set:?}");
+        }
+    }
+}
+
+/// The same for counts.
+fn assert_counts<Y: InBlocks<f64> + System<Parameter = f64>>(system: &Y, omegas: &[f64]) {
+    for set in InstructionSet::ALL {
+        let set = set.limit();
+        let mut counts = vec![0; omegas.len()];
+        system.counts_below(omegas, &mut counts).unwrap();
+        for (count, &omega) in counts.iter().zip(omegas) {
+            assert_eq!(*count, system.count_below(omega), "at {omega} on {set:?}");
+        }
+    }
+}
+
+/// Frequencies of all sizes without any order, and what is none.
+fn frequencies(seed: u64, count: usize) -> Vec<f64> {
+    let mut random = Random(seed);
+    let mut all: Vec<f64> = (0..count).map(|_| 10f64.powf(14.0 * random.unit() - 5.0)).collect();
+    for (place, odd) in [0.0, -3.0, f64::NAN, f64::INFINITY, 1e-160, 1e160, f64::MAX, 5e-324].into_iter().enumerate() {
+        if let Some(omega) = all.get_mut(7 * place + 2) {
+            *omega = odd;
+        }
+    }
+    all
+}
+
+fn check_undamped<Y>(system: &Y, end: f64)
+where
+    Y: InBlocks<f64> + InBlocks<Dual<f64>> + InBlocks<C> + System<Parameter = f64>,
+{
+    let scan: Vec<f64> = (1..=150).map(|k| end * f64::from(k) / 150.0).collect();
+    for omegas in [scan, frequencies(1, 97)] {
+        assert_values(system, &omegas);
+        assert_counts(system, &omegas);
+        assert_values(system, &omegas.iter().map(|&omega| Dual::variable(omega)).collect::<Vec<_>>());
+        assert_values(system, &omegas.iter().map(|&omega| C::new(-0.01 * omega, omega)).collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn the_examples_of_the_paper() {
+    check_undamped(&models::light_tip_body().build().unwrap(), 1700.0);
+    check_undamped(&models::restrained_beam().build().unwrap(), 3000.0);
+    check_undamped(&models::spring_and_mass().build().unwrap(), 2000.0);
+    check_undamped(&models::two_spans().build().unwrap(), 2e7);
+    let damped = models::damped_oscillator().build().unwrap();
+    let lambdas: Vec<C> = (0..150).map(|k| C::new(-2.0 * f64::from(k), 80.0 * f64::from(k))).collect();
+    for lambdas in [lambdas, frequencies(2, 97).iter().map(|&omega| C::new(-0.1 * omega, omega)).collect()] {
+        assert_values(&damped, &lambdas);
+        assert_values(&damped, &lambdas.iter().map(|&lambda| Dual::variable(lambda)).collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn other_scalars() {
+    let omegas = frequencies(3, 40);
+    let single = models::two_spans().build_as::<f32>().unwrap();
+    assert_values(&single, &omegas.iter().map(|&omega| omega as f32).collect::<Vec<_>>());
+    let double = models::two_spans().build_as::<DoubleDouble>().unwrap();
+    assert_values(&double, &omegas.iter().map(|&omega| DoubleDouble::from(omega)).collect::<Vec<_>>());
+    let undamped = models::two_spans().build().unwrap();
+    assert_values(&undamped, &omegas.iter().map(|&omega| DoubleDouble::from(omega)).collect::<Vec<_>>());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// Every kind of element, support, branch, narrowing and widening.
+    #[test]
+    fn random_trees(seed in 0..20_000_u64, count in 1..80_usize) {
+        let omegas = frequencies(seed, count);
+        let steps = undamped_steps(&random_tree(seed, 5, false));
+        if let Ok(list) = StepList::new(&steps) {
+            assert_values(&list, &omegas);
+            assert_counts(&list, &omegas);
+        }
+        let steps = any_steps(&random_tree(seed, 5, true));
+        if let Ok(list) = StepList::new(&steps) {
+            let lambdas: Vec<C> = omegas.iter().map(|&omega| C::new(-0.1 * omega, omega)).collect();
+            assert_values(&list, &lambdas);
+        }
+    }
+
+    /// What is beside a frequency does not matter, nor where in a block it is.
+    #[test]
+    fn neighbours_do_not_matter(omega in 1.0..1e5_f64, seed in any::<u64>(), place in 0..32_usize) {
+        let system = models::spring_and_mass().build().unwrap();
+        let mut omegas = frequencies(seed, 32);
+        omegas[place] = omega;
+        let mut values = [Scaled::new(0.0, 0); 32];
+        system.characteristics(&omegas, &mut values).unwrap();
+        prop_assert_eq!(bits(values[place]), bits(Characteristic::<f64>::characteristic(&system, omega)));
+    }
+}
+
+/// Far beyond the range of a number: minors are shifted on the way, at other steps in other lanes.
+#[test]
+fn long_chains() {
+    let beam = |length| Beam { length, bending_stiffness: 3e4, mass_per_length: 0.2 };
+    let steps: Vec<ListStep<AnyUndamped<f64>>> = [ListStep::Tip(Support::Pinned)]
+        .into_iter()
+        .chain((0..300).map(|k| ListStep::Element(beam(0.2 + 0.001 * f64::from(k)).try_into().unwrap())))
+        .chain([ListStep::Root(Support::Pinned)])
+        .collect();
+    let list = StepList::new(&steps).unwrap();
+    let omegas: Vec<f64> = (1..=64).map(|k| 300.0 * f64::from(k * k)).collect();
+    assert_values(&list, &omegas);
+    assert_counts(&list, &omegas);
+}
+
+/// More paths open at once than a block has room for.
+#[test]
+fn wide_trees() {
+    let spring = || mstmm::elements::Spring { stiffness: 2.0 }.try_into().unwrap();
+    let mass = || mstmm::elements::Mass { mass: 0.5 }.try_into().unwrap();
+    let mut steps: Vec<ListStep<AnyUndamped<f64>>> = Vec::new();
+    for _ in 0..20 {
+        steps.extend([ListStep::Tip(Support::Fixed), ListStep::Element(spring())]);
+    }
+    steps.extend([ListStep::Connection(20), ListStep::Element(mass()), ListStep::Root(Support::Free)]);
+    let list = StepList::new(&steps).unwrap();
+    assert_values(&list, &frequencies(4, 50));
+    assert_counts(&list, &frequencies(4, 50));
+}
+
+#[test]
+fn results_need_room() {
+    let system = models::spring_and_mass().build().unwrap();
+    let mut values = [Scaled::new(0.0, 0); 2];
+    let error = system.characteristics(&[1.0, 2.0, 3.0], &mut values).unwrap_err();
+    assert_eq!(error, SearchError::Capacity { capacity: 2 });
+    assert_eq!(system.counts_below(&[1.0, 2.0, 3.0], &mut [0; 2]).unwrap_err(), SearchError::Capacity { capacity: 2 });
+    assert_eq!(system.characteristics(&[], &mut values), Ok(()));
+}
