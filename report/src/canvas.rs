@@ -78,15 +78,15 @@ pub(crate) fn axes<'a, 'b>(area: &'a Area<'b>, x: &Axis, y: &Axis) -> Result<Cha
     let (width, height) = area.dim_in_pixel();
     let title = |hue, horizontal, vertical| style(hue, TEXT, horizontal, vertical);
     area.draw(&Text::new(y.title, (2 * UNIT, 3 * UNIT), title(INK, HPos::Left, VPos::Top)))?;
-    let corner = (width as i32 - 20 * UNIT, height as i32 - 3 * UNIT);
+    let corner = (width as i32 - 24 * UNIT, height as i32 - 3 * UNIT);
     area.draw(&Text::new(x.title, corner, title(INK, HPos::Right, VPos::Bottom)))?;
     let mut chart = ChartBuilder::on(area)
         .margin_top(30 * UNIT)
-        .margin_right(20 * UNIT)
+        .margin_right(24 * UNIT)
         .margin_bottom(18 * UNIT)
         .margin_left(2 * UNIT)
         .x_label_area_size(24 * UNIT)
-        .y_label_area_size(44 * UNIT)
+        .y_label_area_size(48 * UNIT)
         .build_cartesian_2d(x.clone(), y.clone())?;
     chart
         .configure_mesh()
