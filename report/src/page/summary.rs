@@ -40,9 +40,9 @@ pub(super) fn section(runs: &[Run]) -> Result<Markup, ReportError> {
     Ok(html! {
         p {
             "The time in which the certified search finds all wanted roots of a scene to a relative " (own) " or better, and how many \
-            times as long each rival takes to a relative " (other) "; a dash stands where it does not get there at any setting. The \
-            certified search proves that no root is missing, its rivals prove nothing: they are given matrices assembled beforehand, \
-            and grids and dimensions chosen with the roots known."
+            times as long each rival takes to a relative " (other) ". Below 1, in colour, the rival wins; a dash stands where it does \
+            not get there at any setting. The certified search proves that no root is missing. Its rivals prove nothing: they are \
+            given matrices assembled beforehand, and grids and dimensions chosen with the roots known."
         }
         div class="scroll" {
             table {

@@ -37,7 +37,7 @@ pub(crate) fn file(runs: &[Run], [left, right]: [&str; 2]) -> Result<String, Rep
 fn draw(area: &Area, runs: &[Run], scene: &str) -> Drawn {
     let runs: Vec<&Run> = runs.iter().filter(|run| run.scene == scene).collect();
     let time = Axis::over("time [s]", runs.iter().map(|run| run.seconds));
-    let error = Axis::logarithmic("relative error", LEAST_ERROR..10.0).with_name(LOST, "lost");
+    let error = Axis::logarithmic("relative error", 0.1 * LEAST_ERROR..10.0).with_name(LOST, "lost");
     let mut list = Vec::new();
     for method in METHODS {
         let own = || runs.iter().filter(|run| run.method == method.name);
