@@ -65,3 +65,38 @@ pub fn factors(runs: &[Run]) -> Vec<Factor> {
     }
     factors
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(method: &str, seconds: f64, error: f64) -> Run {
+        let (scene, knob) = ("4.2".to_owned(), "tolerance".to_owned());
+        Run { scene, method: method.to_owned(), knob, setting: 1.0, seconds, evaluations: 1, error }
+    }
+
+    #[test]
+    fn a_factor_is_of_the_cheapest_runs_that_reach_the_error() {
+        let runs = [
+            run(CERTIFIED, 2.0, 1e-15),
+            run("plain method", 1.0, 1e-3),
+            run("plain method", 6.0, 1e-13),
+            run("plain method", 5.0, 1e-7),
+            run(P_VERSION, 1.0, 1e-7),
+            run("scan for minima", 1.0, f64::INFINITY),
+        ];
+        let [plain, elements, scan] = factors(&runs).try_into().unwrap();
+        assert_eq!((plain.seconds, plain.seconds_to_all_digits), (Some(5.0), Some(6.0)));
+        assert_eq!((plain.factor, plain.wins, plain.cpp_seconds), (Some(2.5), false, None));
+        assert_eq!((elements.factor, elements.wins, elements.seconds_to_all_digits), (Some(0.5), true, None));
+        assert_eq!(elements.cpp_seconds, Some(7.0 * 1e-6));
+        assert_eq!((scan.seconds, scan.factor, scan.wins), (None, None, false));
+    }
+
+    /// Where the certified search fails, whoever succeeds wins.
+    #[test]
+    fn a_certified_search_without_digits_loses() {
+        let [factor] = factors(&[run(CERTIFIED, 1e-6, 1e-9), run("plain method", 1.0, 1e-7)]).try_into().unwrap();
+        assert_eq!((factor.certified_seconds, factor.factor, factor.wins), (None, None, true));
+    }
+}

@@ -59,3 +59,37 @@ impl Found {
         errors.fold(0.0, |largest, error| if error.is_nan() { f64::INFINITY } else { error.max(largest) })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Oracle: errors by hand.
+    #[test]
+    fn a_list_of_another_length_has_found_nothing() {
+        let exact = [Complex::new(0.0, 2.0), Complex::new(-3.0, 4.0)];
+        let mut found = Found::new(7);
+        found.push(Complex::new(-3.0, 4.5));
+        assert_eq!(found.error(&exact), f64::INFINITY);
+        found.push(Complex::new(0.0, 2.0));
+        assert_eq!(found.sorted().error(&exact), 0.1);
+        // matched by order, not by nearness
+        assert_eq!(Found { evaluations: 0, ..found }.error(&exact), 2.5_f64.hypot(3.0) / 2.0);
+        found.push(Complex::new(0.0, 9.0));
+        assert_eq!(found.error(&exact), f64::INFINITY);
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_not_found() {
+        let found = Found::of_frequencies([f64::NAN, 2.0].into_iter(), 0);
+        assert_eq!(found.error(&[Complex::new(0.0, 1.0), Complex::new(0.0, 2.0)]), f64::INFINITY);
+    }
+
+    #[test]
+    fn more_roots_than_there_is_room_for_are_counted() {
+        let found = Found::of_frequencies((1..=20).map(f64::from), 0);
+        let exact: Vec<Complex<f64>> = (1..=8).map(|k| Complex::new(0.0, f64::from(k))).collect();
+        assert_eq!(found.roots(), exact);
+        assert_eq!(found.error(&exact), f64::INFINITY);
+    }
+}

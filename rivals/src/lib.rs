@@ -4,6 +4,7 @@
 //! spaces are the cheapest that find all roots, chosen with the exact roots known. None of them proves anything.
 
 pub mod brent;
+pub mod contour;
 pub mod elements;
 mod error;
 pub mod factors;

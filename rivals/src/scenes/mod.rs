@@ -6,6 +6,7 @@ pub mod models;
 mod searches;
 mod structures;
 
+use crate::contour::Ellipse;
 use crate::error::Error;
 use crate::found::Found;
 use crate::plain::Line;
@@ -93,7 +94,8 @@ fn hundredth() -> Result<Scene, Error> {
     let certified = move |system: &_| searches::in_range(system, range());
     let scene =
         searches::undamped("mode 100", FreeFixed {}.build()?, certified, exact, range(), 100, structures::cantilever());
-    Ok(Scene { shift: (99.5 * PI).powi(4), ..scene })
+    // next to the root at 99.5π and not at it, where the shifted matrix is singular
+    Ok(Scene { shift: (99.6 * PI).powi(4), ..scene })
 }
 
 /// The damped example, in the paper's rectangle.
@@ -118,3 +120,6 @@ pub(crate) fn fewest_points(roots: &[f64], range: &RangeInclusive<f64>) -> usize
 
 /// Where the plain method looks for the damped roots: the fewest points and a line from which Muller's method finds them all.
 pub(crate) const LINE: Line = Line { re: -10.0, points: 17 };
+
+/// Where the contour integral method looks for the damped roots: of the ellipses tried, the one with the fewest nodes.
+pub(crate) const ELLIPSE: Ellipse = Ellipse { width: 3862.0, height: 12_230.0 };

@@ -1,12 +1,13 @@
 //! The methods of a scene that evaluate its transfer matrices, with the type of the system hidden.
 
-use super::{LINE, Scene, fewest_points};
+use super::{ELLIPSE, LINE, Scene, fewest_points};
+use crate::contour::Beyn;
 use crate::found::Found;
 use crate::plain;
 use crate::structure::Structure;
 use core::ops::RangeInclusive;
 use mstmm::prelude::*;
-use mstmm::{Dual, System};
+use mstmm::{Dual, SMatrix, System};
 
 /// Room for the minima of a scan, ends and edges of its range included.
 const MINIMA: usize = 32;
@@ -81,9 +82,14 @@ where
 /// A scene of a damped system, with the paper's rectangle.
 pub(super) fn damped<Y>(name: &'static str, system: Y, exact: Vec<Complex<f64>>, structure: Structure) -> Scene
 where
-    Y: Evaluate<Complex<f64>> + Characteristic<Dual<Complex<f64>>> + System<Parameter = f64> + Clone + 'static,
+    Y: Evaluate<Complex<f64>, Matrix = SMatrix<Complex<f64>, 7, 7>>
+        + Characteristic<Dual<Complex<f64>>>
+        + System<Parameter = f64>
+        + Clone
+        + 'static,
 {
     let (plain_system, scan_system) = (system.clone(), system.clone());
+    let beyn = Beyn::new(system.clone(), ELLIPSE);
     let certified = move || {
         let region = Region { re: -300.0..=5.0, im: -10.0..=12_000.0 };
         system.eigenvalues::<8>(region).map_or(Found::new(0), |list| {
@@ -102,6 +108,6 @@ where
         certified: Box::new(certified),
         plain: Box::new(move |tolerance| plain::strip(&plain_system, LINE, 12_000.0, tolerance)),
         scan: Box::new(move |tolerance| scan_rectangle(&scan_system, tolerance)),
-        contour: None,
+        contour: Some(Box::new(move |nodes| beyn.solve(nodes))),
     }
 }
