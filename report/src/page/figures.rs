@@ -105,7 +105,7 @@ pub(super) fn growth(measurements: &Measurements) -> Result<Markup, ReportError>
         }
         div class="panels" {
             (figure("Number of elements", "chain, pinned at every joint", &pictures[0]))
-            (figure("Mode number", "one beam, all modes up to n or n alone", &pictures[1]))
+            (figure("Mode number", "certified search of one beam", &pictures[1]))
         }
     })
 }

@@ -5,6 +5,7 @@ use crate::axis::Axis;
 use crate::canvas::{Area, Drawn, panel, picture};
 use crate::error::ReportError;
 use crate::method::METHODS;
+use crate::scene::note;
 use rivals::Run;
 
 /// Errors below half an eps are rounding of the exact value itself.
@@ -31,7 +32,8 @@ pub(crate) fn svg(runs: &[Run], scene: &str) -> Result<String, ReportError> {
 
 /// Panels of scenes side by side, as a file of its own.
 pub(crate) fn file(runs: &[Run], [left, right]: [&str; 2]) -> Result<String, ReportError> {
-    picture([(left, &|area| draw(area, runs, left)), (right, &|area| draw(area, runs, right))])
+    let title = |scene: &str| format!("{scene}: {}", note(scene));
+    picture([(&title(left), &|area| draw(area, runs, left)), (&title(right), &|area| draw(area, runs, right))])
 }
 
 fn draw(area: &Area, runs: &[Run], scene: &str) -> Drawn {
