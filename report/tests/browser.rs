@@ -57,7 +57,7 @@ fn nothing_overlaps_at_1280_and_at_400_pixels() {
         eprintln!("skipped: no Chromium in CHROMIUM or in the path");
         return;
     };
-    let page = report::page(&support::measurements()).unwrap();
+    let page = report::page(support::measurements()).unwrap();
     let said = checked(&chromium, &page);
     let figures = page.matches("<figure>").count();
     for width in [1280, 400] {
