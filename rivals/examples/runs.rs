@@ -31,7 +31,7 @@ fn print(runs: &[rivals::Run]) {
             microseconds(factor.certified_seconds),
             microseconds(factor.seconds),
             microseconds(factor.seconds_to_all_digits),
-            factor.factor.map_or("-".to_owned(), |factor| format!("{factor:.1}")),
+            factor.factor.map_or("-".to_owned(), |factor| format!("{factor:.2}")),
             if factor.wins { "yes" } else { "" },
             microseconds(factor.cpp_seconds),
         );

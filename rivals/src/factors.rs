@@ -21,17 +21,17 @@ pub struct Factor {
     pub scene: String,
     /// The rival.
     pub method: String,
-    /// Least time in which the certified search reaches 1e-12 [s]; `None` if it does not.
+    /// Least time in which the certified search reaches 1e-12, in seconds; `None` if it does not.
     pub certified_seconds: Option<f64>,
-    /// Least time in which the rival reaches 1e-6 [s]; `None` if it does not.
+    /// Least time in which the rival reaches 1e-6, in seconds; `None` if it does not.
     pub seconds: Option<f64>,
-    /// Least time in which the rival reaches 1e-12, too [s].
+    /// Least time in which the rival reaches 1e-12, too, in seconds.
     pub seconds_to_all_digits: Option<f64>,
     /// How many times as long the rival takes to 1e-6 as the certified search to 1e-12.
     pub factor: Option<f64>,
     /// Whether the rival is faster.
     pub wins: bool,
-    /// What hand-written C++ takes to 1e-12 [s], for p-version elements.
+    /// What hand-written C++ takes to 1e-12 by p-version elements, in seconds.
     pub cpp_seconds: Option<f64>,
 }
 

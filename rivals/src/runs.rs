@@ -20,7 +20,7 @@ pub const CERTIFIED: &str = "certified search";
 /// Name of the finite elements refined in degree.
 pub const P_VERSION: &str = "p-version elements";
 
-/// A method at one setting, ready to be timed.
+/// What is timed.
 type Solve<'a> = Box<dyn Fn() -> Found + 'a>;
 
 /// A method at one setting of its knob on a scene.

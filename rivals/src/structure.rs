@@ -19,7 +19,7 @@ pub const FIXED: Node = [None, None];
 /// A uniform beam between two nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
-    /// Length l [m]
+    /// Length l \[m\]
     pub length: f64,
     /// Bending stiffness EI [N m²]
     pub bending_stiffness: f64,

@@ -119,9 +119,4 @@ impl Factors {
             before.iter().zip(&mut x[matrix.first[row]..row]).for_each(|(l, x)| *x -= l * own);
         }
     }
-
-    /// Number of negative entries of D: of eigenvalues below zero, by Sylvester's law of inertia.
-    pub fn negative(&self) -> usize {
-        self.0.diagonal().filter(|pivot| *pivot < 0.0).count()
-    }
 }

@@ -1,6 +1,7 @@
 //! What methods are compared on: the examples of the paper, and extremes.
 
 pub mod extremes;
+#[allow(rustdoc::broken_intra_doc_links, reason = "its units stand in brackets")]
 #[path = "../../../examples/paper/models.rs"]
 pub mod models;
 mod searches;
