@@ -67,9 +67,6 @@ fn main() -> Result<(), Failure> {
         write_readme(&runs, &measurements)?;
     }
     println!("{}", report::markdown(&runs));
-    for sentence in report::sentences(&runs) {
-        println!("{sentence}");
-    }
-    println!("\nThe page is {}", path.display());
+    println!("The page is {}", path.display());
     Ok(())
 }

@@ -126,3 +126,36 @@ fn grouped(value: f64) -> String {
     let sign = if value < 0.0 { "−" } else { "" };
     format!("{sign}{whole}{rest}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_of_decades_are_powers_of_ten() {
+        let axis = Axis::over("", [3e-6, f64::INFINITY, 0.0, 2e-3].into_iter());
+        assert_eq!(axis.range, -6.0..-2.0);
+        let labels: Vec<_> = axis.ticks.iter().map(|tick| axis.label(*tick)).collect();
+        assert_eq!(labels, ["10⁻⁶", "10⁻⁵", "10⁻⁴", "10⁻³", "10⁻²"]);
+        assert_eq!(axis.place(1e-3), -3.0);
+        assert_eq!(axis.place(1e9), -2.0);
+    }
+
+    #[test]
+    fn wide_ranges_have_few_ticks_and_one_at_1() {
+        let ticks = Axis::logarithmic("", 1e-15..1e15).ticks;
+        assert!(ticks.len() <= TICKS as usize + 1 && ticks.contains(&0.0), "{ticks:?}");
+    }
+
+    #[test]
+    fn a_name_takes_the_place_of_ticks() {
+        let axis = Axis::logarithmic("", 1e-3..10.0).with_name(3.0, "lost");
+        assert_eq!(axis.label(3.0), "lost");
+        assert!(axis.ticks.iter().all(|&tick| tick == 3.0 || tick < 2.0));
+    }
+
+    #[test]
+    fn numbers_are_grouped_and_free_of_rounding() {
+        assert_eq!([0.1 + 0.2, -1000.0, 20_000.0].map(grouped), ["0.3", "−1000", "20\u{2009}000"]);
+    }
+}

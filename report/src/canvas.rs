@@ -44,6 +44,9 @@ pub(crate) fn panel(draw: impl FnOnce(&Area) -> Drawn) -> Result<String, ReportE
 /// Height of the title of a panel in a picture, in pixels.
 const TITLE: i32 = 26;
 
+/// Room at the left of a picture in pixels.
+const EDGE: i32 = 8;
+
 /// A panel with its title.
 pub(crate) type Titled<'a> = (&'a str, &'a dyn Fn(&Area) -> Drawn);
 
@@ -52,7 +55,7 @@ pub(crate) fn picture(panels: [Titled<'_>; 2]) -> Result<String, ReportError> {
     let (width, height) = (2 * PANEL.0, PANEL.1 + TITLE);
     let drawn = drawing((width, height), |area| {
         area.fill(&PAPER.colour())?;
-        for (part, (title, draw)) in area.split_evenly((1, 2)).iter().zip(panels) {
+        for (part, (title, draw)) in area.margin(0, 0, EDGE * UNIT, 0).split_evenly((1, 2)).iter().zip(panels) {
             let (head, body) = part.split_vertically(TITLE * UNIT);
             let place = (2 * UNIT, 6 * UNIT);
             head.draw(&Text::new(title, place, style(INK, TEXT + 2.0, HPos::Left, VPos::Top)))?;
@@ -78,15 +81,15 @@ pub(crate) fn axes<'a, 'b>(area: &'a Area<'b>, x: &Axis, y: &Axis) -> Result<Cha
     let (width, height) = area.dim_in_pixel();
     let title = |hue, horizontal, vertical| style(hue, TEXT, horizontal, vertical);
     area.draw(&Text::new(y.title, (2 * UNIT, 3 * UNIT), title(INK, HPos::Left, VPos::Top)))?;
-    let corner = (width as i32 - 20 * UNIT, height as i32 - 3 * UNIT);
+    let corner = (width as i32 - 24 * UNIT, height as i32 - 3 * UNIT);
     area.draw(&Text::new(x.title, corner, title(INK, HPos::Right, VPos::Bottom)))?;
     let mut chart = ChartBuilder::on(area)
         .margin_top(30 * UNIT)
-        .margin_right(20 * UNIT)
+        .margin_right(24 * UNIT)
         .margin_bottom(18 * UNIT)
         .margin_left(2 * UNIT)
         .x_label_area_size(24 * UNIT)
-        .y_label_area_size(44 * UNIT)
+        .y_label_area_size(48 * UNIT)
         .build_cartesian_2d(x.clone(), y.clone())?;
     chart
         .configure_mesh()

@@ -4,9 +4,9 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 /// Rounds of a measurement; the least counts, since other work on the machine only ever adds.
-const ROUNDS: usize = 7;
+const ROUNDS: usize = 25;
 /// What a round lasts, at least.
-const ROUND: Duration = Duration::from_millis(2);
+const ROUND: Duration = Duration::from_millis(1);
 
 /// Least time of a call over rounds of so many calls that the clock is fine enough [s].
 pub(crate) fn least_seconds<T>(mut call: impl FnMut() -> T) -> f64 {

@@ -19,7 +19,7 @@ const LEAP: f64 = 4.0;
 pub struct Point {
     /// Number of elements or of roots.
     pub size: usize,
-    /// Time [s].
+    /// Time in s.
     pub seconds: f64,
 }
 

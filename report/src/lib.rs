@@ -25,6 +25,6 @@ mod solve;
 
 pub use error::ReportError;
 pub use measurements::{Extent, Measurements};
-pub use page::{markdown, page, sentences};
+pub use page::{markdown, page};
 pub use readme::{PICTURES, pictures, with_table};
 use rivals::scenes::models;

@@ -88,3 +88,35 @@ pub(crate) fn write(area: &Area, frame: Frame, text: &str, hue: Hue) -> Drawn {
     area.draw(&Text::new(text, place, style(hue, TEXT, HPos::Center, VPos::Center)))?;
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WITHIN: Frame = Frame { left: 0, top: 0, right: 4000, bottom: 2000 };
+
+    #[test]
+    fn labels_of_one_point_do_not_meet() {
+        let mut placement = Placement::new(WITHIN);
+        let frames: Vec<_> = (0..4).filter_map(|_| placement.find("label", &[(2000, 1000)])).collect();
+        assert_eq!(frames.len(), 4);
+        for (n, frame) in frames.iter().enumerate() {
+            assert!(frame.is_inside(&WITHIN) && !frames[n + 1..].iter().any(|other| other.meets(frame)));
+        }
+    }
+
+    #[test]
+    fn labels_keep_off_curves() {
+        let mut placement = Placement::new(WITHIN);
+        let curve = [(0, 1000), (4000, 1000)];
+        placement.avoid(&curve);
+        let frame = placement.find("label", &curve[..1]).unwrap();
+        assert!(!(frame.top..frame.bottom).contains(&1000));
+    }
+
+    #[test]
+    fn where_labels_are_everywhere_there_is_no_place() {
+        let mut placement = Placement::new(Frame { right: 300, ..WITHIN });
+        assert_eq!(placement.find("label", &[(100, 100)]), None);
+    }
+}

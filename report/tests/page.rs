@@ -10,7 +10,7 @@ const FOREIGN: [&str; 7] = ["<script", "<link", "<img", "<iframe", "@import", "u
 
 #[test]
 fn the_page_is_self_contained() {
-    let page = report::page(&support::measurements()).unwrap();
+    let page = report::page(support::measurements()).unwrap();
     for text in FOREIGN {
         assert!(!page.contains(text), "{text}");
     }
@@ -21,7 +21,7 @@ fn the_page_is_self_contained() {
 
 #[test]
 fn every_figure_and_table_is_there() {
-    let page = report::page(&support::measurements()).unwrap();
+    let page = report::page(support::measurements()).unwrap();
     assert_eq!(page.matches("<figure>").count(), FIGURES);
     for section in ["summary", "paper", "error-time", "landscapes", "shapes", "digits", "growth"] {
         assert!(page.contains(&format!("<section id=\"{section}\">")), "{section}");
@@ -34,7 +34,7 @@ fn every_figure_and_table_is_there() {
 /// Every element is closed where it must be, in order.
 #[test]
 fn the_page_is_well_formed() {
-    let page = report::page(&support::measurements()).unwrap();
+    let page = report::page(support::measurements()).unwrap();
     let mut open: Vec<&str> = Vec::new();
     for tag in page.split('<').skip(1) {
         let (tag, _) = tag.split_once('>').unwrap();
@@ -69,7 +69,7 @@ fn the_table_of_the_readme_is_replaced() {
 
 #[test]
 fn pictures_are_drawings_with_a_background() {
-    for picture in report::pictures(&support::measurements()).unwrap() {
+    for picture in report::pictures(support::measurements()).unwrap() {
         assert!(picture.starts_with("<svg width=\"800\" height=\"316\" viewBox=\"0 0 8000 3160\" xmlns="));
         assert!(picture.contains("<style>") && picture.ends_with("</svg>\n"), "{picture}");
     }

@@ -99,13 +99,13 @@ pub(super) fn growth(measurements: &Measurements) -> Result<Markup, ReportError>
             (power(&elements.search)) ". Of the first n roots of a pinned beam, the time of each grows with n to the power "
             (power(&roots.pinned)) "; that of mode n alone to the power " (power(&roots.alone)) ". "
             @if let Some(mode) = leap(&roots.cantilever) {
-                "Up to mode " (mode) " of the cantilever rounding has raised a doubt: the search is made again in 32 digits, which \
-                is the leap."
+                "Among the first " (mode) " roots of the cantilever rounding raises a doubt, and the search is made again in 32 \
+                digits: hence the leap."
             }
         }
         div class="panels" {
             (figure("Number of elements", "chain, pinned at every joint", &pictures[0]))
-            (figure("Mode number", "one beam, all modes up to n or n alone", &pictures[1]))
+            (figure("Mode number", "certified search of one beam", &pictures[1]))
         }
     })
 }

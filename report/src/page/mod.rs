@@ -10,7 +10,7 @@ use crate::measurements::Measurements;
 use crate::palette::dark_rules;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-pub use summary::{markdown, sentences};
+pub use summary::markdown;
 
 const STYLE: &str = include_str!("style.css");
 

@@ -40,9 +40,9 @@ pub(super) fn section(runs: &[Run]) -> Result<Markup, ReportError> {
     Ok(html! {
         p {
             "The time in which the certified search finds all wanted roots of a scene to a relative " (own) " or better, and how many \
-            times as long each rival takes to a relative " (other) "; a dash stands where it does not get there at any setting. The \
-            certified search proves that no root is missing, its rivals prove nothing: they are given matrices assembled beforehand, \
-            and grids and dimensions chosen with the roots known."
+            times as long each rival takes to a relative " (other) ". Below 1, in colour, the rival wins; a dash stands where it does \
+            not get there at any setting, nothing where it was not run. The certified search proves that no root is missing. Its \
+            rivals prove nothing: they are given matrices assembled beforehand, and grids and dimensions chosen with the roots known."
         }
         div class="scroll" {
             table {
@@ -61,7 +61,7 @@ pub(super) fn section(runs: &[Run]) -> Result<Markup, ReportError> {
     })
 }
 
-/// The table as Markdown.
+/// The table as Markdown, and what a rival does better.
 pub fn markdown(runs: &[Run]) -> String {
     let names = rivals(runs);
     let head = |text: String, method: &&Method| format!("{text} {} |", method.name);
@@ -72,11 +72,14 @@ pub fn markdown(runs: &[Run]) -> String {
         // writing to a string cannot fail
         let _ = writeln!(text, "| {} | {} | {} |", row.scene, seconds(row.seconds), cells.join(" | "));
     }
-    text
+    for sentence in sentences(runs) {
+        text += &format!("\n- {sentence}");
+    }
+    text + "\n"
 }
 
 /// One sentence for each win of a rival; one that says so if there is none.
-pub fn sentences(runs: &[Run]) -> Vec<String> {
+fn sentences(runs: &[Run]) -> Vec<String> {
     let list = factors(runs);
     let wins: Vec<String> = list.iter().filter(|factor| factor.wins).map(win).collect();
     if wins.is_empty() { vec!["No rival is faster in any scene.".to_owned()] } else { wins }
@@ -95,13 +98,14 @@ fn wins(rival: &Option<Factor>) -> bool {
     rival.as_ref().is_some_and(|factor| factor.wins)
 }
 
-/// A factor with two digits.
+/// A factor with two digits; nothing where the rival was not run.
 fn times(rival: &Option<Factor>) -> String {
-    match rival.as_ref().and_then(|factor| factor.factor) {
-        Some(factor) if factor < 1.0 => format!("× {factor:.2}"),
-        Some(factor) if factor < 10.0 => format!("× {factor:.1}"),
-        Some(factor) => format!("× {factor:.0}"),
-        None => "–".to_owned(),
+    match rival.as_ref().map(|factor| factor.factor) {
+        None => String::new(),
+        Some(None) => "–".to_owned(),
+        Some(Some(factor)) if factor < 1.0 => format!("× {factor:.2}"),
+        Some(Some(factor)) if factor < 10.0 => format!("× {factor:.1}"),
+        Some(Some(factor)) => format!("× {factor:.0}"),
     }
 }
 

@@ -36,7 +36,7 @@ fn labels(area: &Area, chart: &Chart, curves: &[Curve]) -> Drawn {
     let within = Frame {
         left: columns.start + 2 * UNIT,
         top: rows.start + UNIT,
-        right: columns.end + 16 * UNIT,
+        right: columns.end + 20 * UNIT,
         bottom: rows.end - 2 * UNIT,
     };
     let mut placement = Placement::new(within);

@@ -24,8 +24,8 @@ pub(crate) fn over_stiffness(rows: &[Digits]) -> Result<String, ReportError> {
 /// Both side by side, as a file of its own.
 pub(crate) fn file(modes: &[Digits], stiffness: &[Digits]) -> Result<String, ReportError> {
     picture([
-        ("against mode number", &|area| draw(area, "mode number", modes)),
-        ("against stiffness ratio", &|area| draw(area, "tip spring / (EI/l³)", stiffness)),
+        ("Modes of a fixed-pinned beam", &|area| draw(area, "mode number", modes)),
+        ("Tip spring of a cantilever", &|area| draw(area, "tip spring / (EI/l³)", stiffness)),
     ])
 }
 

@@ -5,6 +5,7 @@ use crate::axis::Axis;
 use crate::canvas::{Area, Drawn, panel, picture};
 use crate::error::ReportError;
 use crate::method::METHODS;
+use crate::scene::note;
 use rivals::Run;
 
 /// Errors below half an eps are rounding of the exact value itself.
@@ -31,13 +32,14 @@ pub(crate) fn svg(runs: &[Run], scene: &str) -> Result<String, ReportError> {
 
 /// Panels of scenes side by side, as a file of its own.
 pub(crate) fn file(runs: &[Run], [left, right]: [&str; 2]) -> Result<String, ReportError> {
-    picture([(left, &|area| draw(area, runs, left)), (right, &|area| draw(area, runs, right))])
+    let title = |scene: &str| format!("{scene}: {}", note(scene));
+    picture([(&title(left), &|area| draw(area, runs, left)), (&title(right), &|area| draw(area, runs, right))])
 }
 
 fn draw(area: &Area, runs: &[Run], scene: &str) -> Drawn {
     let runs: Vec<&Run> = runs.iter().filter(|run| run.scene == scene).collect();
     let time = Axis::over("time [s]", runs.iter().map(|run| run.seconds));
-    let error = Axis::logarithmic("relative error", LEAST_ERROR..10.0).with_name(LOST, "lost");
+    let error = Axis::logarithmic("relative error", 0.1 * LEAST_ERROR..10.0).with_name(LOST, "lost");
     let mut list = Vec::new();
     for method in METHODS {
         let own = || runs.iter().filter(|run| run.method == method.name);

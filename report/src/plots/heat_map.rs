@@ -71,7 +71,7 @@ fn colour(level: i32) -> RGBColor {
 fn scale(area: &Area, low: f64, high: f64) -> Drawn {
     let [left, right] = [low, high].map(|value| power_of_ten(value.round() as i32));
     // in the line of the title of the upright axis
-    let (end, top) = ((PANEL.0 - 20) * UNIT - 5 * TEXT as i32 * UNIT / 2, 6 * UNIT);
+    let (end, top) = ((PANEL.0 - 24) * UNIT - 5 * TEXT as i32 * UNIT / 2, 6 * UNIT);
     let (start, bottom) = (end - SCALE.0 * UNIT, top + SCALE.1 * UNIT);
     for n in 0..LEVELS {
         let edge = |n: i32| start + (end - start) * n / LEVELS;

@@ -3,6 +3,7 @@
 
 use report::{Extent, Measurements};
 use rivals::Run;
+use std::sync::OnceLock;
 
 const SCENES: [&str; 8] = ["4.1a", "4.2", "4.3", "4.4", "4.5", "mode 100", "close pair", "stiff"];
 
@@ -39,9 +40,10 @@ pub(crate) fn runs() -> Vec<Run> {
     runs
 }
 
-/// Few measurements of everything.
-pub(crate) fn measurements() -> Measurements {
-    measurements_of(runs())
+/// Few measurements of everything, taken once for all tests of a file.
+pub(crate) fn measurements() -> &'static Measurements {
+    static MEASUREMENTS: OnceLock<Measurements> = OnceLock::new();
+    MEASUREMENTS.get_or_init(|| measurements_of(runs()))
 }
 
 /// Few measurements of everything, with other runs.

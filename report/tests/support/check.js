@@ -1,0 +1,37 @@
+// Tells the frame around the page what is wrong with it: run by a test in a copy of the page.
+const faults = [];
+addEventListener("error", (event) => faults.push(event.message));
+addEventListener("load", () => {
+  const fault = (text) => faults.push(`${innerWidth} px: ${text}`);
+  const width = document.documentElement.scrollWidth;
+  if (width > innerWidth) fault(`the page is ${width} px wide`);
+  for (const part of document.querySelectorAll("body *")) {
+    const { left, right } = part.getBoundingClientRect();
+    const isFramed = part.closest(".scroll, svg");
+    if (!isFramed && (left < 0 || right > innerWidth + 0.5)) fault(`<${part.localName}> leaves the page`);
+  }
+  const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+  const figures = [...document.querySelectorAll("figure")];
+  const frames = figures.map((figure) => figure.getBoundingClientRect());
+  frames.forEach((a, n) => frames.slice(n + 1).forEach((b) => meet(a, b) && fault("figures overlap")));
+  for (const figure of figures) {
+    const svg = figure.querySelector("svg");
+    const name = figure.querySelector("figcaption").textContent;
+    const frame = svg.getBoundingClientRect();
+    const scale = frame.width / svg.viewBox.baseVal.width;
+    const texts = [...svg.querySelectorAll("text")].map((text) => {
+      const box = text.getBoundingClientRect();
+      const size = scale * parseFloat(getComputedStyle(text).fontSize);
+      if (size < 10) fault(`${name}: "${text.textContent.trim()}" is ${size.toFixed(1)} px high`);
+      // letters do not fill their line
+      const room = box.height / 8;
+      return { text: text.textContent.trim(), left: box.left, right: box.right, top: box.top + room, bottom: box.bottom - room };
+    });
+    for (const [n, one] of texts.entries()) {
+      const isInside = one.left >= frame.left && one.right <= frame.right && one.top >= frame.top && one.bottom <= frame.bottom;
+      if (!isInside) fault(`${name}: "${one.text}" leaves its drawing`);
+      for (const other of texts.slice(n + 1)) if (meet(one, other)) fault(`${name}: "${one.text}" meets "${other.text}"`);
+    }
+  }
+  parent.postMessage({ width: innerWidth, figures: figures.length, faults }, "*");
+});
