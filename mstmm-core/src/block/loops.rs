@@ -79,6 +79,37 @@ pub(super) const GROUNDED: usize = 10;
 pub(super) const TURN: usize = 13;
 pub(super) const GROUNDED_TURN: usize = 14;
 
+/// The number of a kind in [`KINDS`]; not a search, which would take as long as the loop.
+fn kind_of(shape: Shape) -> Option<usize> {
+    use Support::{Fixed, Free, Guided, Pinned};
+    let behind_bending_tip = |support| match support {
+        Fixed => Some(2),
+        Pinned => Some(3),
+        Guided => Some(4),
+        Free => Some(5),
+        Support::Roller => None,
+    };
+    let of_path = |place: usize, space| match space {
+        Space::Translation => Some(LINE + place),
+        Space::Rotation => Some(TURN + place),
+        Space::Bending | Space::Planar => None,
+    };
+    match shape {
+        Shape::Plane => Some(PLANE),
+        Shape::OnPin => Some(1),
+        Shape::Tip(support, Space::Bending) => behind_bending_tip(support),
+        Shape::Springs { y: true, theta: true } => Some(SPRINGS),
+        Shape::Springs { y: true, theta: false } => Some(SPRING),
+        Shape::Springs { y: false, theta: true } => Some(TURN_SPRING),
+        Shape::Springs { y: false, theta: false } => None,
+        Shape::Line(space) => of_path(0, space),
+        Shape::Grounded(space) => of_path(1, space),
+        Shape::Tip(Fixed, space) => of_path(2, space),
+        Shape::Tip(Free, space) => of_path(3, space),
+        Shape::Tip(..) => None,
+    }
+}
+
 /// Acts on all lanes.
 pub(super) fn act<S: InColumns, C: Copy, A: Act<S, C>>(
     act: &A,
@@ -102,7 +133,7 @@ fn in_straight_line<S: InColumns, C: Copy, A: Act<S, C> + Straightly<S, C, SERIE
 ) {
     macro_rules! kinds {
         ($($kind:literal)*) => {
-            match KINDS.iter().position(|kind| *kind == input.shape) {
+            match kind_of(input.shape) {
                 $(Some($kind) if const { A::SUITS >> $kind & 1 == 1 } => {
                     straight::<S, C, A, SERIES, $kind>(act, input, output, tallies)
                 })*
@@ -230,4 +261,19 @@ pub(super) trait Task {
 #[cfg(not(feature = "std"))]
 pub(super) fn widest<L: Task>(task: L) -> L::Output {
     task.run()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_have_the_numbers_of_their_places() {
+        for (number, shape) in KINDS.into_iter().enumerate() {
+            assert_eq!(kind_of(shape), Some(number), "{shape:?}");
+        }
+        assert_eq!(KINDS[LINE], Shape::Line(Space::Translation));
+        assert_eq!(KINDS[GROUNDED_TURN], Shape::Grounded(Space::Rotation));
+        assert_eq!(kind_of(Shape::Springs { y: false, theta: false }), None);
+    }
 }

@@ -4,7 +4,7 @@ use crate::error::ReportError;
 use crate::models::*;
 use crate::reference::{Search, examples};
 use mstmm::prelude::*;
-use mstmm::{Scalar, Scaled, System};
+use mstmm::{Frequency, InBlocks, InColumns, Scaled, SearchError, System};
 use std::f64::consts::LOG10_2;
 use std::ops::RangeInclusive;
 
@@ -66,7 +66,7 @@ pub(crate) fn landscapes(points: usize) -> Result<Landscapes, ReportError> {
 
 fn on_line<Y>(id: &str, system: &Y, range: RangeInclusive<f64>, points: usize) -> Result<Landscape, ReportError>
 where
-    Y: Evaluate<f64> + Undamped + System<Parameter = f64>,
+    Y: InBlocks<f64> + Undamped + System<Parameter = f64>,
 {
     let (start, length) = (*range.start(), range.end() - range.start());
     let found = system.natural_frequencies::<CAPACITY>(range.clone())?;
@@ -77,7 +77,8 @@ where
     }
     omegas.retain(|omega| *omega >= start && range.contains(omega));
     omegas.sort_by(f64::total_cmp);
-    let samples = omegas.iter().map(|&omega| (omega, logarithm(system.overall_determinant(omega)))).collect();
+    let values = logarithms(system, &omegas)?;
+    let samples = omegas.into_iter().zip(values).collect();
     Ok(Landscape { id: id.to_owned(), samples, roots })
 }
 
@@ -87,7 +88,7 @@ fn in_rectangle(id: &str, [omega, delta]: [RangeInclusive<f64>; 2], points: usiz
     let found = system.eigenvalues::<CAPACITY>(Region { re: re.clone(), im: im.clone() })?;
     // the eigenvalues lie along the imaginary axis
     let rows = even(&im, 2 * points).map(|im| even(&re, points / 2).map(move |re| Complex::new(re, im)));
-    let values = rows.flatten().map(|lambda| logarithm(system.overall_determinant(lambda))).collect();
+    let values = logarithms(&system, &rows.flatten().collect::<Vec<_>>())?;
     let roots = found.iter().map(|root| root.lambda).collect();
     Ok(HeatMap { id: id.to_owned(), re, im, columns: points / 2, values, roots })
 }
@@ -98,7 +99,13 @@ fn even(range: &RangeInclusive<f64>, points: usize) -> impl Iterator<Item = f64>
     (0..points).map(move |n| start + (end - start) * n as f64 / (points - 1) as f64)
 }
 
-/// log₁₀ of the size of a determinant.
-fn logarithm<S: Scalar>(value: Scaled<S>) -> f64 {
-    value.mantissa().size().log10() + value.exponent() as f64 * LOG10_2
+/// log₁₀ |Δ| at many frequencies.
+fn logarithms<S, Y>(system: &Y, frequencies: &[S]) -> Result<Vec<f64>, SearchError>
+where
+    S: Frequency<f64> + InColumns,
+    Y: InBlocks<S> + System<Parameter = f64>,
+{
+    let mut values = vec![Scaled::new(S::zero(), 0); frequencies.len()];
+    system.characteristics(frequencies, &mut values)?;
+    Ok(values.iter().map(|value| value.mantissa().size().log10() + value.exponent() as f64 * LOG10_2).collect())
 }

@@ -170,3 +170,18 @@ fn its_parameters_are_validated_under_its_name() {
     let error = TautString { length: 2.0, tension: -1.0, mass_per_length: 0.02 }.build().unwrap_err();
     assert_eq!((error.element, error.parameter, error.value), ("Cable 1", "tension", -1.0));
 }
+
+/// An element of one's own in a block: every bit is that of the frequency alone.
+#[test]
+fn many_frequencies_at_once() {
+    let model = LoadedString { length: 2.0, tension: 3.0, mass_per_length: 0.5, mass: 0.7 };
+    let system = model.build().unwrap();
+    let omegas: [f64; 100] = core::array::from_fn(|k| 1e-3 * 1.2f64.powi(k as i32));
+    let (mut values, mut counts) = ([mstmm::Scaled::new(0.0, 0); 100], [0; 100]);
+    system.characteristics(&omegas, &mut values).unwrap();
+    system.counts_below(&omegas, &mut counts).unwrap();
+    for ((value, count), omega) in values.into_iter().zip(counts).zip(omegas) {
+        let alone: mstmm::Scaled<f64> = system.characteristic(omega);
+        assert_eq!((value, count), (alone, system.count_below(omega)), "at {omega}");
+    }
+}
