@@ -170,6 +170,13 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     /// Exponential function.
     fn exp(self) -> Self;
 
+    /// `[sin, cos]` of an argument of any size.
+    #[inline]
+    fn circular(self) -> [Self; 2] {
+        let (sin, cos) = self.sin_cos();
+        [sin, cos]
+    }
+
     /// `[sin, cos, sinh, cosh]` of an argument below [`WAVE_LIMIT`](Self::WAVE_LIMIT).
     #[inline]
     fn circular_and_hyperbolic(self) -> [Self; 4] {

@@ -190,6 +190,14 @@ real! {
     fn circular_and_hyperbolic(self) -> [Self; 4] {
         kernel::circular_and_hyperbolic(self)
     }
+    #[inline]
+    fn circular(self) -> [Self; 2] {
+        if self.abs() < kernel::LARGEST_ANGLE {
+            return kernel::circular(self);
+        }
+        let (sin, cos) = Scalar::sin_cos(self);
+        [sin, cos]
+    }
 }
 real! { f32, f32, 4, 20.0, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf }
 

@@ -65,11 +65,12 @@ impl<T: Real> Functions<T> {
     /// Here `exp(-2|x|)` does not count beside 1. An error of the scale is common to all and positive, so it is no error.
     #[cold]
     fn beyond_limit(x: T, size: f64) -> Self {
-        let (sin, cos) = x.sin_cos();
+        let [sin, cos] = x.circular();
         let exponent = (size / core::f64::consts::LN_2) as i32;
         let k = T::from_f64(f64::from(exponent));
         let rest = (x.abs() - k * T::from_f64(LN_2[0])) - k * T::from_f64(LN_2[1]);
-        let ch = rest.exp() * T::from_f64(0.5);
+        let [.., sinh, cosh] = rest.circular_and_hyperbolic();
+        let ch = (sinh + cosh) * T::from_f64(0.5);
         let sh = if x < T::zero() { -ch } else { ch };
         Functions { sin, cos, ch, sh, one: T::one().times_power_of_two(-exponent), exponent }
     }
