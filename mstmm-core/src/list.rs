@@ -36,11 +36,6 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
         last
     }
 
-    /// Keeps the first so many values.
-    pub(crate) fn truncate(&mut self, length: usize) {
-        self.length = self.length.min(length);
-    }
-
     /// Sorts by insertion; `before` tells whether one value stands strictly before another.
     pub(crate) fn sort_by(&mut self, before: impl Fn(&V, &V) -> bool) {
         let values = &mut self.values[..self.length];

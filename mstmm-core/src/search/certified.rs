@@ -31,6 +31,9 @@ const NEARLY_ZERO_EXPONENT: i32 = 20;
 /// a degree of freedom is held twice, or nothing holds a massless one.
 const ZEROS: usize = 4;
 
+/// After so many splits in a row that separate nothing, roots are taken for a cluster, which halving would reach too slowly.
+const CLUSTER: u32 = 2;
+
 /// A frequency with its count and Δ.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample<T> {
@@ -55,6 +58,8 @@ pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     evaluations: usize,
     /// Whether something looked like rounding: counts that do not grow, slopes that do not fit, roots that coincide.
     pub(super) is_doubtful: bool,
+    /// Splits in a row that left all roots of a bracket on one side.
+    idle_splits: u32,
     /// Samples in a row at which Δ vanished.
     zeros: usize,
     /// The last of them.
@@ -71,7 +76,16 @@ where
         let precision = Y::Parameter::EPSILON;
         let waves = f64::from(system.bounds().wave_count());
         let half_width = T::from_f64(HALF_WIDTH * precision * (1.0 + waves / BEAMS_PER_WIDTH));
-        Isolation { system, half_width, precision, evaluations: 0, is_doubtful: false, zeros: 0, last_zero: T::zero() }
+        Isolation {
+            system,
+            half_width,
+            precision,
+            evaluations: 0,
+            is_doubtful: false,
+            idle_splits: 0,
+            zeros: 0,
+            last_zero: T::zero(),
+        }
     }
 
     /// Count and Δ at a frequency.
@@ -259,10 +273,13 @@ where
     fn split(&mut self, lower: &Sample<T>, upper: &Sample<T>, roots: u64) -> Result<Sample<T>, SearchError> {
         let middle = middle(lower.omega, upper.omega);
         let close = (upper.omega - lower.omega) * T::from_f64(16.0) < upper.omega;
-        let mut sample = if close { self.split_cluster(lower, upper, middle, roots)? } else { self.sample(middle)? };
+        let is_cluster = close && self.idle_splits >= CLUSTER;
+        let mut sample =
+            if is_cluster { self.split_cluster(lower, upper, middle, roots)? } else { self.sample(middle)? };
         let below = sample.below.clamp(lower.below, upper.below);
         self.is_doubtful |= below != sample.below;
         sample.below = below;
+        self.idle_splits = if below == lower.below || below == upper.below { self.idle_splits + 1 } else { 0 };
         Ok(sample)
     }
 

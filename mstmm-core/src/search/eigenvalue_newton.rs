@@ -1,7 +1,8 @@
 //! One eigenvalue: Newton's method beside those that are known, and the circle that certifies it.
 
-use super::contour::{Walk, larger};
-use super::eigenvalue_search::{EigenvalueSearch, Found};
+use super::contour::{Point, Walk, Way, larger};
+use super::eigenvalue_search::EigenvalueSearch;
+use super::known::divided;
 use super::rectangle::{Rectangle, whole};
 use super::region::Eigenvalue;
 use crate::characteristic::{Characteristic, System};
@@ -14,7 +15,7 @@ use num_complex::Complex;
 const RADIUS: f64 = 8.0;
 
 /// Around a root a step from corner to corner will do; where much shorter ones do not, rounding rules.
-const STEPS_AROUND: [f64; 2] = [0.02, 1.0];
+const STEPS_AROUND: [f64; 3] = [0.02, 1.0, 1.0];
 
 /// The radius grows by this factor until the circle holds the root in spite of rounding.
 const GROWTH: f64 = 4.0;
@@ -25,79 +26,185 @@ const LARGEST_RADIUS: f64 = 1e-3;
 /// Steps of Newton's method: a start that needs more is given up.
 const NEWTON_STEPS: u32 = 40;
 
+/// How far the root that Δ and its slope at the rim of a circle make out may lie off its centre, as a part of the radius,
+/// and how much the slope may differ from that farther away.
+const OFF_CENTRE: f64 = 0.4;
+
+/// Least inverse of the length over which Δ is taken to bend, in units of the inverse modulus: the steps of two methods may
+/// agree by accident.
+const LEAST_BEND: f64 = 0.1;
+
 /// Corners of a regular octagon of radius 1, closed.
 const OCTAGON: [(f64, f64); 9] = {
     const H: f64 = core::f64::consts::FRAC_1_SQRT_2;
     [(1.0, 0.0), (H, H), (0.0, 1.0), (-H, H), (-1.0, 0.0), (-H, -H), (0.0, -1.0), (H, -H), (1.0, 0.0)]
 };
 
-impl<'a, T, Y> EigenvalueSearch<'a, Y>
+/// An approximate root.
+pub(super) struct Estimate<T> {
+    pub(super) lambda: Complex<T>,
+    /// Where Δ was seen last before; none if Δ vanishes at the root itself.
+    nearest: Option<Point<T>>,
+    /// The same with roots divided out, or the start.
+    last: Point<T>,
+}
+
+impl<T: Real> Estimate<T> {
+    /// Itself or its mirror image, whichever lies in the upper half plane.
+    fn upper(self) -> Self {
+        if self.lambda.im < T::zero() {
+            let nearest = self.nearest.map(|point| point.mirrored());
+            return Estimate { lambda: self.lambda.conj(), nearest, last: self.last.mirrored() };
+        }
+        self
+    }
+}
+
+/// A sequence of Newton's method in progress.
+struct Sequence<T> {
+    /// The point before, if it lies on the same side of the real axis.
+    previous: Option<Point<T>>,
+    /// Size of the last step.
+    last: T,
+    /// Whether steps shrink as they do at multiple roots.
+    is_slow: bool,
+    /// Whether cubics are used.
+    cubic: bool,
+}
+
+/// A step, and how far from the root it will end.
+struct Next<T> {
+    step: Complex<T>,
+    error: T,
+}
+
+impl<T: Real> Sequence<T> {
+    /// The step from a point, with roots divided out.
+    fn next(&mut self, here: &Point<T>, scale: T) -> Next<T> {
+        let newton = -Complex::from(T::one()) / here.rate;
+        let size = modulus(newton);
+        if self.cubic
+            && let Some(previous) = &self.previous
+            && let Some(step) = hermite(previous, here)
+            && modulus(step - newton) <= size * T::from_f64(0.25)
+        {
+            self.is_slow = false;
+            // the error of Newton's step shows the length over which Δ bends; (ab)² by its cube is that of the cubic
+            let bend = larger(modulus(step - newton) / (size * size), T::from_f64(LEAST_BEND) / scale);
+            let product = size * modulus(here.lambda + step - previous.lambda);
+            return Next { step, error: product * product * bend * bend * bend };
+        }
+        // at a root of multiplicity m the steps shrink by 1 - 1/m only
+        let shrinkage = (size / self.last).to_f64();
+        let shrinks_slowly = (0.4..0.95).contains(&shrinkage);
+        let times =
+            if self.is_slow && shrinks_slowly { f64::from((1.0 / (1.0 - shrinkage) + 0.5) as u32) } else { 1.0 };
+        self.is_slow = shrinks_slowly && !self.is_slow;
+        let step = newton * T::from_f64(times);
+        let size = modulus(step);
+        Next { step, error: size * (size / self.last) * (size / self.last) }
+    }
+}
+
+/// The step from the second of two points to the zero of the inverse cubic through both with their slopes: of order
+/// 1 + sqrt(3). `None` where Δ did not fall from the first to the second.
+fn hermite<T: Real>(previous: &Point<T>, here: &Point<T>) -> Option<Complex<T>> {
+    let one = Complex::from(T::one());
+    let ratio = previous.value.over(here.value).value();
+    if !(ratio.size() > 2.0 && ratio.size().is_finite()) {
+        return None;
+    }
+    let height = ratio - one;
+    let t = -(one / height);
+    let (start, end) = (height / here.rate, height / (ratio * previous.rate));
+    let chord = previous.lambda - here.lambda;
+    let rest = one - t;
+    // Hermite's cubic for λ(Δ) on t in [0, 1]
+    let three = one + one + one;
+    Some(t * t * (three - t - t) * chord + t * rest * (rest * start - t * end))
+}
+
+/// What cannot be told from a real root is one: complex ones come in pairs; what cannot be told from zero is zero.
+fn settled<T: Real>(estimate: Complex<T>, radius: T) -> Complex<T> {
+    let is_real = estimate.im.abs() <= radius;
+    let re = if estimate.re.abs() <= radius { T::zero() } else { estimate.re };
+    if is_real { Complex::from(re) } else { estimate }
+}
+
+impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
     Y: System<Parameter = T> + Characteristic<Dual<Complex<T>>> + ?Sized,
 {
-    /// A root near a start, other than those that were found; `None` if the steps lead away or do not end.
+    /// A root that is not yet known near a point, where those are divided out: certified, and known from now on.
+    pub(super) fn find(
+        &mut self,
+        start: &Point<T>,
+        rectangle: &Rectangle<T>,
+    ) -> Result<Option<Eigenvalue<T>>, SearchError> {
+        let Some(estimate) = self.newton(start, rectangle, true)?.map(Estimate::upper) else { return Ok(None) };
+        let mut root = self.single(&estimate)?;
+        if root.is_none() {
+            // in a cluster cubics may end too early
+            let slow = self.newton(&estimate.last, rectangle, false)?.map(Estimate::upper);
+            let Some(slow) = slow else { return Ok(None) };
+            root = self.certify(&slow)?;
+        }
+        let Some(root) = root else { return Ok(None) };
+        if self.known.holds(&root) || self.may_be_a_cluster(&root, rectangle) {
+            return Ok(None);
+        }
+        Ok(self.known.push(root).is_ok().then_some(root))
+    }
+
+    /// A root near a start, other than those that are known; `None` if the steps lead away or do not end.
     ///
     /// Known roots, with their mirror images, are divided out of Δ: `Δ'/Δ - Σ m/(λ - λ_k)`.
-    pub(super) fn newton(
+    fn newton(
         &mut self,
-        start: Complex<T>,
+        start: &Point<T>,
         rectangle: &Rectangle<T>,
-        found: &Found<T>,
-    ) -> Result<Option<Complex<T>>, SearchError> {
-        let (mut lambda, mut last, mut is_slow) = (start, T::zero(), false);
-        let (eps, coarse) = (T::from_f64(0.25 * T::EPSILON), T::from_f64(T::EPSILON).sqrt());
+        cubic: bool,
+    ) -> Result<Option<Estimate<T>>, SearchError> {
+        let (mut here, mut nearest) = (*start, None);
+        let mut sequence = Sequence { previous: None, last: T::zero(), is_slow: false, cubic };
+        let (eps, coarse) = (T::from_f64(0.5 * T::EPSILON), T::from_f64(T::EPSILON).sqrt());
         for _ in 0..NEWTON_STEPS {
-            let point = self.evaluation.at(lambda)?;
-            if point.is_root {
-                return Ok(Some(lambda));
+            if here.is_root {
+                return Ok(Some(Estimate { lambda: here.lambda, nearest: None, last: here }));
             }
-            let mut rate = point.rate;
-            for root in found {
-                let multiplicity = T::from_f64(root.multiplicity as f64);
-                rate -= Complex::from(multiplicity) / (lambda - root.lambda);
-                if !root.lambda.im.is_zero() {
-                    rate -= Complex::from(multiplicity) / (lambda - root.lambda.conj());
-                }
-            }
-            let mut step = Complex::from(T::one()) / rate;
+            let scale = larger(modulus(here.lambda), self.smallest);
+            let Next { step, error } = sequence.next(&here, scale);
             if !step.size().is_finite() {
                 // at a known root, or where Δ is flat
                 return Ok(None);
             }
-            // at a root of multiplicity m the steps shrink by 1 - 1/m only
-            let shrinkage = (modulus(step) / last).to_f64();
-            if is_slow && (0.4..0.95).contains(&shrinkage) {
-                step *= T::from_f64(f64::from((1.0 / (1.0 - shrinkage) + 0.5) as u32));
-            }
-            is_slow = (0.4..0.95).contains(&shrinkage) && !is_slow;
-            lambda -= step;
-            if rectangle.is_symmetric() && lambda.im < T::zero() {
-                lambda = lambda.conj();
-            }
-            let (size, scale) = (modulus(step), larger(modulus(lambda), self.smallest()));
+            let (size, last) = (modulus(step), sequence.last);
+            let lambda = here.lambda + step;
             // the next step of a quadratic sequence, and the noise of Δ, at which steps no longer shrink
-            let next = size * (size / last) * (size / last);
             let is_quadratic = size <= T::from_f64(1e-3) * scale && size * T::from_f64(8.0) < last;
-            if (is_quadratic && next <= eps * scale) || (size <= coarse * scale && size + size > last) {
-                return Ok(Some(lambda));
+            if (is_quadratic && error <= eps * scale) || (size <= coarse * scale && size + size > last) {
+                return Ok(Some(Estimate { lambda, nearest, last: here }));
             }
             if !rectangle.contains(lambda, rectangle.size()) {
                 return Ok(None);
             }
-            last = size;
+            (sequence.previous, sequence.last) = (Some(here), size);
+            let point = self.evaluation.at(lambda)?;
+            nearest = Some(point);
+            here = divided(&point, self.known.roots());
         }
         // slow because the root is multiple, or on the way nowhere
-        Ok((last <= T::from_f64(1e-3) * larger(modulus(lambda), self.smallest())).then_some(lambda))
+        let is_near = sequence.last <= T::from_f64(1e-3) * larger(modulus(here.lambda), self.smallest);
+        Ok(is_near.then_some(Estimate { lambda: here.lambda, nearest: None, last: here }))
     }
 
     /// The smallest circle around an estimate along which Δ turns: its turns are the multiplicity.
-    pub(super) fn certify(
-        &mut self,
-        estimate: Complex<T>,
-        symmetric: bool,
-    ) -> Result<Option<Eigenvalue<T>>, SearchError> {
-        let mut root = self.circle(estimate, symmetric)?;
+    fn certify(&mut self, estimate: &Estimate<T>) -> Result<Option<Eigenvalue<T>>, SearchError> {
+        if let Some(root) = self.single(estimate)? {
+            return Ok(Some(root));
+        }
+        let mut root = self.circle(estimate.lambda)?;
         if let Some(Eigenvalue { lambda, multiplicity: multiplicity @ 2.., .. }) = root {
             // Newton's step for a root of that multiplicity is good where the plain one is slow
             let point = self.evaluation.at(lambda)?;
@@ -105,7 +212,7 @@ where
             // on the plateau around a multiple root Δ' may vanish, and the step with it lead nowhere
             if !point.is_root
                 && step.size().is_finite()
-                && let Some(better) = self.circle(lambda - step, symmetric)?
+                && let Some(better) = self.circle(lambda - step)?
                 && better.multiplicity == multiplicity
             {
                 root = Some(better);
@@ -114,16 +221,46 @@ where
         Ok(root)
     }
 
-    fn circle(&mut self, estimate: Complex<T>, symmetric: bool) -> Result<Option<Eigenvalue<T>>, SearchError> {
-        let scale = larger(modulus(estimate), self.smallest());
+    /// The smallest circle around an estimate if Δ is seen to be straight there, with one zero: the values and slopes at
+    /// two opposite points of the rim make out the same root near the centre, and the slopes are that which was seen farther
+    /// away.
+    fn single(&mut self, estimate: &Estimate<T>) -> Result<Option<Eigenvalue<T>>, SearchError> {
+        let Some(nearest) = &estimate.nearest else { return Ok(None) };
+        let mut centre = estimate.lambda;
+        for _ in 0..2 {
+            let radius = larger(modulus(centre), self.smallest) * T::from_f64(RADIUS * T::EPSILON);
+            let lambda = settled(centre, radius);
+            let rim = Complex::from(radius);
+            let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
+            let bound = T::from_f64(OFF_CENTRE);
+            let is_straight = |point: &Point<T>| {
+                let ratio = point.slope().over(nearest.slope()).value();
+                modulus(ratio - Complex::from(T::one())) <= bound
+            };
+            if !(is_straight(&left) && is_straight(&right)) {
+                return Ok(None);
+            }
+            let offset = |point: &Point<T>| point.lambda - lambda - Complex::from(T::one()) / point.rate;
+            let offsets = [offset(&left), offset(&right)];
+            if offsets.iter().all(|&offset| modulus(offset) <= radius * bound) {
+                return Ok(Some(Eigenvalue { lambda, error: radius + radius, multiplicity: 1 }));
+            }
+            if modulus(offsets[0] - offsets[1]) > radius * (bound + bound) {
+                return Ok(None);
+            }
+            centre = lambda + (offsets[0] + offsets[1]) * T::from_f64(0.5);
+        }
+        Ok(None)
+    }
+
+    fn circle(&mut self, estimate: Complex<T>) -> Result<Option<Eigenvalue<T>>, SearchError> {
+        let scale = larger(modulus(estimate), self.smallest);
         let mut radius = scale * T::from_f64(RADIUS * T::EPSILON);
         while radius < scale * T::from_f64(LARGEST_RADIUS) {
-            // what cannot be told from a real root is one: complex ones come in pairs; what cannot be told from zero is zero
-            let is_real = symmetric && estimate.im.abs() <= radius;
-            let re = if estimate.re.abs() <= radius { T::zero() } else { estimate.re };
-            let lambda = if is_real { Complex::from(re) } else { estimate };
+            let lambda = settled(estimate, radius);
             let corner = |(re, im): (f64, f64)| lambda + Complex::new(T::from_f64(re), T::from_f64(im)) * radius;
-            if let Walk::Argument(argument) = self.evaluation.walk(&OCTAGON.map(corner), STEPS_AROUND, |_| ())?
+            let way = Way { corners: &OCTAGON.map(corner), steps: STEPS_AROUND, rectangle: None };
+            if let Walk::Argument(argument) = self.walk(&way, |_| ())?
                 && let Some(multiplicity @ 1..) = whole(argument / core::f64::consts::TAU)
             {
                 return Ok(Some(Eigenvalue { lambda, error: radius + radius, multiplicity }));

@@ -1,24 +1,23 @@
 //! Eigenvalues in regions: counted by the argument principle, found by Newton's method; a rectangle in which not all of
 //! them are found is cut in two.
 
-use super::contour::{Evaluation, Point, Walk};
+use super::contour::{Evaluation, Point, Walk, Way};
+use super::known::{Known, ROOM, divided, with_image};
 use super::rectangle::Rectangle;
 use super::region::{Eigenvalue, EigenvalueList, Region};
+use crate::bounds::FrequencyBounds;
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
 use crate::list::List;
 use crate::scalar::{Dual, Real, modulus};
 use num_complex::Complex;
 
-/// Room for the eigenvalues of a search while it runs.
-const ROOM: usize = 256;
-
 /// Room for rectangles that wait: each is at most cut about 64 times.
 const WAITING: usize = 128;
 
 /// Where steps would be shorter than the first of these as part of the shorter side, the contour passes so close to a root
-/// that it is moved; the second, a part of the longer side, bounds the first step.
-const STEPS: [f64; 2] = [1e-7, 0.05];
+/// that it is moved; the others, parts of the longer side, bound the first two steps.
+const STEPS: [f64; 3] = [1e-7, 1e-6, 0.05];
 
 /// Shares by which a contour that meets a root is moved outwards, one after the other.
 const MOVES: [f64; 5] = [0.0, 1e-5, 2.7e-4, 3.1e-3, 1.3e-2];
@@ -36,9 +35,13 @@ const BLUR: f64 = 64.0;
 const NEAR: f64 = 8.0;
 
 /// A search in progress.
-pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized> {
+pub(super) struct EigenvalueSearch<'a, Y: System<Parameter = T> + ?Sized, T: Real> {
     pub(super) evaluation: Evaluation<'a, Y>,
-    bounds: crate::bounds::FrequencyBounds,
+    /// The eigenvalues found so far, wherever they lie.
+    pub(super) known: Known<T>,
+    bounds: FrequencyBounds,
+    /// Frequencies of this size are as good as zero.
+    pub(super) smallest: T,
 }
 
 /// A rectangle, the number of its roots, and points from which some of them seem near.
@@ -76,21 +79,15 @@ impl<T: Real> Starts<T> {
     }
 }
 
-/// Eigenvalues found so far; in symmetric rectangles an upper one stands for its mirror image, too.
-pub(super) type Found<T> = List<Eigenvalue<T>, ROOM>;
-
-impl<'a, T, Y> EigenvalueSearch<'a, Y>
+impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
     Y: System<Parameter = T> + Characteristic<Dual<Complex<T>>> + ?Sized,
 {
     pub(super) fn new(system: &'a Y) -> Self {
-        EigenvalueSearch { evaluation: Evaluation::new(system), bounds: system.bounds() }
-    }
-
-    /// Frequencies of this size are as good as zero.
-    pub(super) fn smallest(&self) -> T {
-        T::one().times_power_of_two(self.bounds.negligible_exponent())
+        let bounds = system.bounds();
+        let smallest = T::one().times_power_of_two(bounds.negligible_exponent());
+        EigenvalueSearch { evaluation: Evaluation::new(system), known: Known::new(), bounds, smallest }
     }
 
     /// Number of eigenvalues in a closed region.
@@ -100,14 +97,9 @@ where
         if exact && let Some(counted) = self.counted(rectangle)? {
             return Ok(counted.roots);
         }
-        let mut count = 0;
-        self.roots(rectangle)?.iter().for_each(|root| {
-            count += members(root, rectangle)
-                .filter(|root| belongs(root, region))
-                .map(|root| root.multiplicity)
-                .sum::<u64>();
-        });
-        Ok(count)
+        self.find_in(rectangle)?;
+        let found = self.known.roots().iter().flat_map(with_image);
+        Ok(found.filter(|root| belongs(root, region)).map(|root| root.multiplicity).sum())
     }
 
     /// All eigenvalues in a closed region.
@@ -116,9 +108,9 @@ where
         region: &Region<T>,
     ) -> Result<EigenvalueList<T, CAP>, SearchError> {
         let rectangle = enclosing(region)?;
-        let found = self.roots(rectangle)?;
+        self.find_in(rectangle)?;
         let mut eigenvalues = List::new();
-        for root in found.iter().flat_map(|root| members(root, rectangle)) {
+        for root in self.known.roots().iter().flat_map(with_image) {
             if belongs(&root, region) {
                 eigenvalues.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
             }
@@ -159,10 +151,17 @@ where
 
     /// The fewest eigenvalues of least modulus, up to a radius, whose multiplicities add up to `N`; or all there are.
     fn within<const N: usize>(&mut self, radius: T) -> Result<List<Eigenvalue<T>, N>, SearchError> {
-        let mut found = self.roots(square(radius))?;
+        let square = square(radius);
+        self.find_in(square)?;
+        let mut found = List::<Eigenvalue<T>, ROOM>::new();
+        for &root in self.known.roots() {
+            if root.frequency() <= radius && square.contains(root.lambda, root.error) {
+                found.push(root).map_err(|_| SearchError::Capacity { capacity: ROOM })?;
+            }
+        }
         found.sort_by(|a: &Eigenvalue<T>, b| a.frequency() < b.frequency());
         let (mut eigenvalues, mut settled) = (List::new(), 0);
-        for root in found.iter().filter(|root| root.frequency() <= radius) {
+        for root in &found {
             if settled < N as u64 {
                 settled += root.multiplicity;
                 eigenvalues.push(*root).map_err(|_| SearchError::Capacity { capacity: N })?;
@@ -171,37 +170,54 @@ where
         Ok(eigenvalues)
     }
 
-    /// All eigenvalues in a rectangle or close to its contour.
-    fn roots(&mut self, rectangle: Rectangle<T>) -> Result<Found<T>, SearchError> {
-        let mut found = Found::new();
-        let mut waiting = List::<Counted<T>, WAITING>::new();
-        let mut moves = MOVES.iter();
-        let outer = loop {
-            let Some(&share) = moves.next() else { return Err(unresolved(rectangle)) };
+    /// Makes all eigenvalues in a rectangle or close to its contour known.
+    fn find_in(&mut self, rectangle: Rectangle<T>) -> Result<(), SearchError> {
+        for share in MOVES {
             if let Some(counted) = self.counted(rectangle.grown(share))? {
-                break counted;
-            }
-        };
-        wait(&mut waiting, outer)?;
-        while let Some(next) = waiting.pop() {
-            if self.find_all(&next, &mut found)? {
-                continue;
-            }
-            for part in self.cut(&next)? {
-                wait(&mut waiting, part)?;
+                return if self.find_all(&counted)? { Ok(()) } else { self.find_in_parts(&counted) };
             }
         }
-        Ok(found)
+        Err(unresolved(rectangle))
+    }
+
+    /// Makes all roots of a rectangle known that is too large for its contour to show them: cut again and again.
+    #[inline(never)]
+    fn find_in_parts(&mut self, whole: &Counted<T>) -> Result<(), SearchError> {
+        let mut waiting = List::<Counted<T>, WAITING>::new();
+        for part in self.cut(whole)? {
+            wait(&mut waiting, part)?;
+        }
+        while let Some(next) = waiting.pop() {
+            if !self.find_all(&next)? {
+                for part in self.cut(&next)? {
+                    wait(&mut waiting, part)?;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// A rectangle with the number of its roots; `None` if its contour meets one.
     fn counted(&mut self, rectangle: Rectangle<T>) -> Result<Option<Counted<T>>, SearchError> {
-        let mut starts = Starts::default();
-        let steps = [STEPS[0] * rectangle.slenderness(), STEPS[1]];
-        let walk = self.evaluation.walk(&rectangle.contour(), steps, |point| starts.visit(point))?;
-        let Walk::Argument(argument) = walk else { return Ok(None) };
-        let roots = rectangle.roots(argument).ok_or(unresolved(rectangle))?;
-        Ok(Some(Counted { rectangle, roots, starts }))
+        let steps = [STEPS[0] * rectangle.slenderness(), STEPS[1], STEPS[2]];
+        let way = Way { corners: &rectangle.contour(), steps, rectangle: Some(&rectangle) };
+        for _ in 0..2 {
+            let mut starts = Starts::default();
+            let walk = self.walk(&way, |point| starts.visit(point))?;
+            let Walk::Argument(argument) = walk else { return Ok(None) };
+            let roots = rectangle.roots(argument).ok_or(unresolved(rectangle))?;
+            // a walk that overlooked what is known goes round again, now with all of it divided out
+            if self.known_in(&rectangle) <= roots {
+                return Ok(Some(Counted { rectangle, roots, starts }));
+            }
+        }
+        Err(unresolved(rectangle))
+    }
+
+    /// Number of known roots in a rectangle.
+    fn known_in(&self, rectangle: &Rectangle<T>) -> u64 {
+        let found = self.known.roots().iter().flat_map(with_image);
+        found.filter(|root| rectangle.contains(root.lambda, T::zero())).map(|root| root.multiplicity).sum()
     }
 
     /// Two parts whose counts add up.
@@ -219,47 +235,37 @@ where
         Err(unresolved(whole.rectangle))
     }
 
-    /// Finds and certifies all roots of a rectangle, or gives up and leaves `found` as it was.
-    fn find_all(&mut self, counted: &Counted<T>, found: &mut Found<T>) -> Result<bool, SearchError> {
+    /// Makes all roots of a rectangle known, or as many as show from its contour: then it returns false.
+    fn find_all(&mut self, counted: &Counted<T>) -> Result<bool, SearchError> {
         let Counted { rectangle, roots, starts } = counted;
-        let before = found.len();
-        let mut missing = *roots;
-        let tiny = self.is_tiny(rectangle);
-        if missing > 0 && tiny {
-            let (lambda, error) = (rectangle.centre(), rectangle.size());
-            return keep(found, Eigenvalue { lambda, error, multiplicity: missing }).map(|()| true);
-        }
+        let missing = |search: &Self| roots.checked_sub(search.known_in(rectangle)).ok_or(unresolved(*rectangle));
         for &start in starts.points.iter().chain(&rectangle.inner_points()) {
-            if missing == 0 {
-                break;
+            let multiplicity = missing(self)?;
+            if multiplicity == 0 {
+                return Ok(true);
             }
-            let Some(root) = self.newton(start, rectangle, found)? else { continue };
-            let Some(root) = self.certify(root, rectangle.is_symmetric())? else { continue };
-            let known = found.iter().any(|old| modulus(old.lambda - root.lambda) <= old.error + root.error);
-            let count = members(&root, *rectangle).map(|member| member.multiplicity).sum::<u64>();
-            let settled = !self.may_be_a_cluster(&root, rectangle);
-            if settled && !known && count <= missing && rectangle.contains(root.lambda, T::zero()) {
-                keep(found, root)?;
-                missing -= count;
+            if self.is_tiny(rectangle) {
+                let (lambda, error) = (rectangle.centre(), rectangle.size());
+                let root = Eigenvalue { lambda, error, multiplicity };
+                return self.known.push(root).map(|()| true).map_err(|_| SearchError::Capacity { capacity: ROOM });
             }
+            let point = self.evaluation.at(start)?;
+            self.find(&divided(&point, self.known.roots()), rectangle)?;
         }
-        if missing > 0 {
-            found.truncate(before);
-        }
-        Ok(missing == 0)
+        Ok(missing(self)? == 0)
     }
 
     /// Whether a circle with several roots is so wide that rounding alone need not have blurred a double one, while the
     /// rectangle is wide beside it: from nearer by, the roots may be told apart.
-    fn may_be_a_cluster(&self, root: &Eigenvalue<T>, rectangle: &Rectangle<T>) -> bool {
-        let scale = super::contour::larger(modulus(root.lambda), self.smallest());
+    pub(super) fn may_be_a_cluster(&self, root: &Eigenvalue<T>, rectangle: &Rectangle<T>) -> bool {
+        let scale = super::contour::larger(modulus(root.lambda), self.smallest);
         let is_wide = root.multiplicity > 1 && root.error > scale * T::from_f64(BLUR) * T::from_f64(T::EPSILON).sqrt();
         is_wide && rectangle.size() > root.error * T::from_f64(NEAR)
     }
 
     /// Whether a rectangle is as small as a certified circle: what it holds cannot be told apart.
     fn is_tiny(&self, rectangle: &Rectangle<T>) -> bool {
-        let scale = super::contour::larger(modulus(rectangle.centre()), self.smallest());
+        let scale = super::contour::larger(modulus(rectangle.centre()), self.smallest);
         rectangle.size() <= scale * T::from_f64(64.0 * T::EPSILON)
     }
 }
@@ -287,22 +293,11 @@ fn enclosing<T: Real>(region: &Region<T>) -> Result<Rectangle<T>, SearchError> {
     Ok(Rectangle { left, right, low: -high, high })
 }
 
-/// A root, and its mirror image where it stands for both.
-fn members<T: Real>(root: &Eigenvalue<T>, rectangle: Rectangle<T>) -> impl Iterator<Item = Eigenvalue<T>> {
-    let mirrored = rectangle.is_symmetric() && !root.lambda.im.is_zero();
-    let image = mirrored.then_some(Eigenvalue { lambda: root.lambda.conj(), ..*root });
-    [Some(*root), image].into_iter().flatten()
-}
-
 /// Whether an eigenvalue belongs to a closed region, as far as its certified circle tells.
 fn belongs<T: Real>(root: &Eigenvalue<T>, region: &Region<T>) -> bool {
     let Region { re, im } = region;
     let rectangle = Rectangle { left: *re.start(), right: *re.end(), low: *im.start(), high: *im.end() };
     rectangle.contains(root.lambda, root.error)
-}
-
-fn keep<T: Real>(found: &mut Found<T>, root: Eigenvalue<T>) -> Result<(), SearchError> {
-    found.push(root).map_err(|_| SearchError::Capacity { capacity: ROOM })
 }
 
 fn wait<T: Real>(waiting: &mut List<Counted<T>, WAITING>, part: Counted<T>) -> Result<(), SearchError> {

@@ -7,6 +7,7 @@ mod eigenvalue_newton;
 mod eigenvalue_search;
 mod fmin1d;
 mod fmin2d;
+mod known;
 mod natural;
 mod polish;
 mod rectangle;

@@ -85,7 +85,10 @@ where
             if let Some(estimate) = estimate
                 && is_exact(estimate, &slope, previous.as_ref(), length, self.precision)
             {
-                if let Some(root) = self.certify(estimate, counts, &slope)? {
+                // a forced halving lies farther from the root than the point before it
+                let distance = |slope: &Slope<T>| (estimate - slope.omega).size();
+                let nearest = previous.filter(|previous| distance(previous) < distance(&slope)).unwrap_or(slope);
+                if let Some(root) = self.certify(estimate, counts, &nearest)? {
                     return Ok(root);
                 }
                 patience = 0;

@@ -22,7 +22,8 @@ pub struct Region<T = f64> {
 pub struct Eigenvalue<T = f64> {
     /// The eigenvalue [1/s].
     pub lambda: Complex<T>,
-    /// Radius [1/s] of a circle around it that holds it: the argument of Δ turns once along that circle for each of its roots.
+    /// Radius [1/s] of a circle around it that holds it: along half of it the argument of Δ turns once for each of its roots, or
+    /// for a simple one Δ and Δ' at two opposite points make out one root in its middle.
     pub error: T,
     /// Number of eigenvalues in that circle.
     pub multiplicity: u64,
@@ -98,7 +99,8 @@ pub trait Eigenvalues: System {
     /// cannot be told apart from the contour.
     ///
     /// # Source
-    /// The argument principle on the pole-free Δ(λ), with steps that the derivative controls.
+    /// The argument principle on the pole-free Δ(λ), with steps that the derivative controls; roots that are known are divided
+    /// out.
     fn count_in(&self, region: Region<Self::Parameter>) -> Result<u64, SearchError>
     where
         Self: Characteristic<Dual<Complex<<Self as System>::Parameter>>>,
