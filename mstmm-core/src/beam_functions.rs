@@ -57,8 +57,8 @@ pub(crate) fn bending_matrix<T: Real, S: Frequency<T>>(l: T, ei: T, m: T, lambda
 pub(crate) fn plane_series<S: Scalar>(x: S) -> [S; 5] {
     let two = S::from_f64(2.0);
     let y = -(two * two * x);
-    let [c, b, f, d, e] = [series(y, 0, 4), series(y, 1, 4), series(y, 2, 4), series(y, 3, 4), series(y, 4, 4)];
-    [c, b, f, two * d, two * e]
+    let from = |first| series(y, first, 4);
+    [from(0), from(1), from(2), two * from(3), two * from(4)]
 }
 
 /// `cos ζ` and `sin ζ / ζ` as entire functions of `x = ζ²`.

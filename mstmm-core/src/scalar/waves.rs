@@ -69,8 +69,7 @@ impl<T: Real> Functions<T> {
         let exponent = (size / core::f64::consts::LN_2) as i32;
         let k = T::from_f64(f64::from(exponent));
         let rest = (x.abs() - k * T::from_f64(LN_2[0])) - k * T::from_f64(LN_2[1]);
-        let [.., sinh, cosh] = rest.circular_and_hyperbolic();
-        let ch = (sinh + cosh) * T::from_f64(0.5);
+        let ch = rest.exp() * T::from_f64(0.5);
         let sh = if x < T::zero() { -ch } else { ch };
         Functions { sin, cos, ch, sh, one: T::one().times_power_of_two(-exponent), exponent }
     }
