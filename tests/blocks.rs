@@ -107,23 +107,80 @@ fn other_scalars() {
     assert_values(&undamped, &omegas.iter().map(|&omega| DoubleDouble::from(omega)).collect::<Vec<_>>());
 }
 
+/// Every kind of element, support, branch, narrowing and widening.
+fn check_tree(seed: u64, count: usize) {
+    let omegas = frequencies(seed, count);
+    let steps = undamped_steps(&random_tree(seed, 5, false));
+    if let Ok(list) = StepList::new(&steps) {
+        assert_values(&list, &omegas);
+        assert_counts(&list, &omegas);
+    }
+    let steps = any_steps(&random_tree(seed, 5, true));
+    if let Ok(list) = StepList::new(&steps) {
+        let lambdas: Vec<C> = omegas.iter().map(|&omega| C::new(-0.1 * omega, omega)).collect();
+        assert_values(&list, &lambdas);
+    }
+}
+
+/// Trees in which lanes leave the range of the others, and some more.
+#[test]
+fn trees_at_the_ends_of_the_range() {
+    for seed in [272, 421, 5472, 10_360, 11_456, 19_500].into_iter().chain(0..150) {
+        check_tree(seed, 64);
+    }
+}
+
+/// Connections that lead to connections, and one path alone through a connection.
+#[test]
+fn connections_in_a_row() {
+    let spring = |stiffness| mstmm::elements::Spring { stiffness }.try_into().unwrap();
+    let beam = |length| Beam { length, bending_stiffness: 3.0, mass_per_length: 0.2 }.try_into().unwrap();
+    let tip = |support| ListStep::Tip(support);
+    let steps: [ListStep<AnyUndamped<f64>>; 16] = [
+        tip(Support::Fixed),
+        ListStep::Element(beam(1.0)),
+        tip(Support::Pinned),
+        ListStep::Connection(2),
+        ListStep::Connection(1),
+        ListStep::Element(beam(0.7)),
+        tip(Support::Free),
+        ListStep::Element(beam(0.4)),
+        tip(Support::Fixed),
+        ListStep::Element(spring(5.0)),
+        ListStep::Connection(2),
+        ListStep::Connection(2),
+        ListStep::Connection(1),
+        ListStep::Element(beam(2.0)),
+        ListStep::Connection(1),
+        ListStep::Root(Support::Free),
+    ];
+    let list = StepList::new(&steps).unwrap();
+    let near: Vec<f64> =
+        list.first_frequencies::<8>().unwrap().iter().flat_map(|root| [root.lower, root.omega, root.upper]).collect();
+    for omegas in [frequencies(5, 64), near] {
+        assert_values(&list, &omegas);
+        assert_counts(&list, &omegas);
+    }
+}
+
+/// Where the square root has branches: parts that vanish beside others.
+#[test]
+fn lopsided_eigenvalues() {
+    let system = models::light_tip_body().build().unwrap();
+    let parts = [0.0, -0.0, 1e-310, 1e-160, 1e-3, 7.0, 1e18, 1e60];
+    let lambdas: Vec<C> = parts.iter().flat_map(|&re| parts.map(|im| C::new(-re, im))).collect();
+    assert_values(&system, &lambdas);
+    let single = models::light_tip_body().build_as::<f32>().unwrap();
+    let lambdas: Vec<Complex<f32>> = lambdas.iter().map(|z| Complex::new(z.re as f32, z.im as f32)).collect();
+    assert_values(&single, &lambdas);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
-    /// Every kind of element, support, branch, narrowing and widening.
     #[test]
     fn random_trees(seed in 0..20_000_u64, count in 1..80_usize) {
-        let omegas = frequencies(seed, count);
-        let steps = undamped_steps(&random_tree(seed, 5, false));
-        if let Ok(list) = StepList::new(&steps) {
-            assert_values(&list, &omegas);
-            assert_counts(&list, &omegas);
-        }
-        let steps = any_steps(&random_tree(seed, 5, true));
-        if let Ok(list) = StepList::new(&steps) {
-            let lambdas: Vec<C> = omegas.iter().map(|&omega| C::new(-0.1 * omega, omega)).collect();
-            assert_values(&list, &lambdas);
-        }
+        check_tree(seed, count);
     }
 
     /// What is beside a frequency does not matter, nor where in a block it is.

@@ -73,11 +73,17 @@ pub trait PlaneStep<S: Scalar>: Element {
     /// Whether the element needs the square root of the frequency, as waves do.
     const WAVES: bool = false;
 
+    /// Whether blocks of frequencies may go through the element in straight-line code, where a number is NaN if a branch would
+    /// be needed: whether it computes by operators alone, so that a NaN comes through, what it makes of a kind of subspace is of
+    /// one kind, and `root` is what [`at_root`](Subspace::at_root) is after `step`. One that does not is evaluated at one frequency
+    /// after the other.
+    const STRAIGHT: bool = false;
+
     /// Which formulas the element takes at a frequency.
     #[doc(hidden)]
     #[inline]
     fn branches(_built: &Self::Built, _at: &At<S>) -> Branches {
-        Branches::Waves
+        if Self::STRAIGHT { Branches::Waves } else { Branches::All }
     }
 
     /// What depends on the frequency; computed once for equal elements.

@@ -59,10 +59,17 @@ pub trait Scalar:
     /// Principal square root.
     fn sqrt(self) -> Self;
 
-    /// The same for sizes between `1e±100`: no branches.
+    /// The same where [`is_plain`](Self::is_plain): no branches.
     #[inline(always)]
     fn moderate_sqrt(self) -> Self {
         self.sqrt()
+    }
+
+    /// Whether squares of all parts that are not zero are far from the ends of the range.
+    #[inline(always)]
+    fn is_plain(self) -> bool {
+        let size = self.size();
+        (size > 1e-100) & (size < 1e100)
     }
 
     /// Sine and cosine.

@@ -70,7 +70,7 @@ impl<S: Scalar> Line<S> {
     #[inline(always)]
     pub fn new(y: S, q: S, exponent: i32) -> Self {
         let ([y, q], shift) = S::in_range([y, q], y.size() + q.size());
-        Line { y, q, exponent: exponent + shift }
+        Line { y, q, exponent: exponent.saturating_add(shift) }
     }
 }
 
@@ -80,7 +80,7 @@ impl<S: Scalar> Plane<S> {
     pub fn new(minors: [S; 5], exponent: i32) -> Self {
         let size = (minors[0].size() + minors[1].size()) + (minors[3].size() + minors[4].size());
         let (minors, shift) = S::in_range(minors, size);
-        Plane::unscaled(minors, exponent + shift)
+        Plane::unscaled(minors, exponent.saturating_add(shift))
     }
 
     /// The same without a look at the range, for steps that cannot leave it.

@@ -2,7 +2,7 @@
 
 use super::Straight;
 use super::lanes::{Frequencies, Lanes};
-use super::loops::{Act, BENDING, KINDS, PLANE, ROTATION, Straightly, TRANSLATION};
+use super::loops::{Act, BENDING, KINDS, LINE, PLANE, ROTATION, Straightly, TRANSLATION, TURN};
 use super::tally::Plainly;
 use crate::count::Tally;
 use crate::element::{Element, PlaneStep};
@@ -73,6 +73,10 @@ pub(super) struct Join<'a, S: InColumns, const OTHER: usize>(pub(super) &'a Lane
 impl<S: InColumns, C, const OTHER: usize> Act<S, C> for Join<'_, S, OTHER> {
     const SUITS: u32 = 1 << PLANE;
 
+    fn branches(&self) -> Branches {
+        if self.0.is_fit { Branches::Waves } else { Branches::All }
+    }
+
     #[inline(always)]
     fn alone(&self, lane: usize, input: Subspace<S>, _: &mut C) -> Subspace<S> {
         joined(moderated(input), moderated(self.0.lane(lane)))
@@ -132,6 +136,11 @@ act_by!(
     /// The point goes on narrower than its paths.
     Narrow(Option<Space>), 0b11 << PLANE,
     |output, input, tally| narrowed(input, output, tally)
+);
+
+act_by!(
+    /// The one path of a connection, which is what others see of it.
+    Moderate(()), 0b11 << PLANE | 1 << LINE | 1 << TURN, |_own, input, _tally| moderated(input)
 );
 
 /// Supports by the constant of [`Hold`].

@@ -3,9 +3,9 @@
 use super::WIDTH;
 use super::shapes::{Shape, numbers};
 use crate::at::At;
-use crate::scalar::{InColumns, Scalar};
+use crate::scalar::{InColumns, Scalar, is_moderate};
 use crate::state::{Space, Support};
-use crate::subspace::Subspace;
+use crate::subspace::{Plane, Subspace};
 
 /// A subspace in each lane, all of one kind.
 #[derive(Clone, Copy, Debug)]
@@ -13,18 +13,30 @@ pub(super) struct Lanes<S: InColumns> {
     pub(super) shape: Shape,
     pub(super) columns: [S::Columns<WIDTH>; 5],
     pub(super) exponents: [i32; WIDTH],
+    /// Whether every lane is of that kind; an element of one's own may decide otherwise in each.
+    pub(super) is_uniform: bool,
+    /// Whether every lane is in the range in which nothing is shifted.
+    pub(super) is_fit: bool,
 }
 
 impl<S: InColumns> Lanes<S> {
     /// Room for them.
     pub(super) fn new() -> Self {
         let shape = Shape::Tip(Support::Free, Space::Bending);
-        Lanes { shape, columns: [S::zero().columns(); 5], exponents: [0; WIDTH] }
+        let columns = [S::zero().columns(); 5];
+        Lanes { shape, columns, exponents: [0; WIDTH], is_uniform: true, is_fit: true }
     }
 
     /// The same support in all lanes; it has no numbers.
     pub(super) fn become_tip(&mut self, support: Support, space: Space) {
-        (self.shape, self.exponents) = (Shape::Tip(support, space), [0; WIDTH]);
+        self.begin(Shape::Tip(support, space));
+        self.exponents = [0; WIDTH];
+    }
+
+    /// Subspaces of a kind are going to be set.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, shape: Shape) {
+        (self.shape, self.is_uniform, self.is_fit) = (shape, true, true);
     }
 
     /// The subspace in a lane.
@@ -44,14 +56,36 @@ impl<S: InColumns> Lanes<S> {
         shape.subspace(|column| number(S::get(&self.columns[column], lane)), 0)
     }
 
-    /// Replaces the subspace in a lane.
+    /// Sets the subspace in a lane.
     pub(super) fn set(&mut self, lane: usize, subspace: Subspace<S>) {
-        self.shape = Shape::of(&subspace);
+        self.is_uniform &= Shape::of(&subspace) == self.shape;
+        self.is_fit &= is_fit(&subspace);
         let (entries, exponent) = numbers(subspace);
         for (column, entry) in self.columns.iter_mut().zip(entries) {
             entry.put(column, lane);
         }
         self.exponents[lane] = exponent;
+    }
+}
+
+/// Whether a subspace is where straight-line code may take it up: all its numbers are numbers, and neither it nor what a join
+/// makes of it would be shifted into another range.
+#[inline(always)]
+pub(super) fn is_fit<S: Scalar>(subspace: &Subspace<S>) -> bool {
+    match subspace {
+        Subspace::Tip(..) => true,
+        Subspace::Grounded(k, _) => is_moderate(1.0 + k.size()),
+        Subspace::Springs { y, theta } => {
+            let size = |stiffness: &Option<S>| stiffness.map_or(0.0, Scalar::size);
+            let (y, theta) = (size(y), size(theta));
+            is_moderate((1.0 + y) + (theta + y * theta))
+        }
+        Subspace::Line(line, _) => is_moderate(line.y.size() + line.q.size()),
+        Subspace::Plane(plane) | Subspace::OnPin(plane) => {
+            let Plane { y_theta, y_m, w, theta_q, m_q, .. } = *plane;
+            // the third minor is between the others, but for what is not a number
+            is_moderate((y_theta.size() + y_m.size()) + (theta_q.size() + m_q.size())) & !w.size().is_nan()
+        }
     }
 }
 

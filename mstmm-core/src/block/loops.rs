@@ -1,11 +1,11 @@
 //! Loops over the lanes: in straight-line code first, then alone for each lane in which that does not hold.
 
-use super::lanes::Lanes;
+use super::lanes::{Lanes, is_fit};
 use super::shapes::{Shape, numbers};
 use super::{Straight, WIDTH};
-use crate::scalar::{Branches, InColumns, Scalar, is_moderate};
+use crate::scalar::{Branches, InColumns};
 use crate::state::{Space, Support};
-use crate::subspace::{Plane, Subspace};
+use crate::subspace::Subspace;
 
 /// What is done to the subspace of each lane.
 pub(super) trait Act<S: InColumns, C>: Straightly<S, C, false> + Straightly<S, C, true> {
@@ -118,6 +118,7 @@ pub(super) fn act<S: InColumns, C: Copy, A: Act<S, C>>(
     tallies: &mut [C; WIDTH],
 ) {
     match act.branches() {
+        _ if !input.is_fit => alone_everywhere::<S, C, A>(act, input, output, tallies),
         Branches::All => alone_everywhere::<S, C, A>(act, input, output, tallies),
         Branches::Waves => in_straight_line::<S, C, A, false>(act, input, output, tallies),
         Branches::Series if const { A::HAS_SERIES } => in_straight_line::<S, C, A, true>(act, input, output, tallies),
@@ -151,7 +152,11 @@ fn alone_everywhere<S: InColumns, C, A: Act<S, C>>(
     tallies: &mut [C; WIDTH],
 ) {
     for (lane, tally) in tallies.iter_mut().enumerate() {
-        output.set(lane, act.alone(lane, input.lane(lane), tally));
+        let subspace = act.alone(lane, input.lane(lane), tally);
+        if lane == 0 {
+            output.begin(Shape::of(&subspace));
+        }
+        output.set(lane, subspace);
     }
 }
 
@@ -167,28 +172,9 @@ fn straight<S: InColumns, C: Copy, A: Act<S, C> + Straightly<S, C, SERIES>, cons
         return;
     }
     for lane in 0..WIDTH {
-        if !is_good(&output.lane(lane)) {
+        if !is_fit(&output.lane(lane)) {
             tallies[lane] = before[lane];
             output.set(lane, act.alone(lane, input.lane(lane), &mut tallies[lane]));
-        }
-    }
-}
-
-/// Whether what came of straight-line code is what comes of a lane of its own: all branches were the usual ones.
-#[inline(always)]
-fn is_good<S: Scalar>(subspace: &Subspace<S>) -> bool {
-    match subspace {
-        Subspace::Tip(..) => true,
-        Subspace::Grounded(k, _) => !k.size().is_nan(),
-        Subspace::Springs { y, theta } => {
-            let is_number = |stiffness: &Option<S>| !stiffness.is_some_and(|stiffness| stiffness.size().is_nan());
-            is_number(y) & is_number(theta)
-        }
-        Subspace::Line(line, _) => is_moderate(line.y.size() + line.q.size()),
-        Subspace::Plane(plane) | Subspace::OnPin(plane) => {
-            let Plane { y_theta, y_m, w, theta_q, m_q, .. } = *plane;
-            // the third minor is between the others, but for what is not a number
-            is_moderate((y_theta.size() + y_m.size()) + (theta_q.size() + m_q.size())) & !w.size().is_nan()
         }
     }
 }
@@ -212,7 +198,7 @@ impl<S: InColumns, C: Copy, A: Straightly<S, C, SERIES>, const SERIES: bool, con
         let StraightLoop { act, input, output, tallies } = self;
         let mut unheard = tallies[0];
         let first = act.straight(0, input.known(KINDS[KIND], 0, Straight::<S, SERIES>), &mut unheard);
-        output.shape = Shape::of(&first);
+        output.begin(Shape::of(&first));
         let are_good =
             each_lane::<S, C, A, SERIES, KIND>(*act, input, &mut output.columns, &mut output.exponents, tallies);
         for lane in 0..WIDTH {
@@ -236,7 +222,7 @@ fn each_lane<S: InColumns, C, A: Straightly<S, C, SERIES>, const SERIES: bool, c
     for lane in 0..WIDTH {
         let before = input.known(KINDS[KIND], lane, Straight::<S, SERIES>);
         let after = act.straight(lane, before, &mut tallies[lane]);
-        are_good &= is_good(&after);
+        are_good &= is_fit(&after);
         let (entries, exponent) = numbers(after);
         for column in 0..5 {
             entries[column].0.put(&mut columns[column], lane);

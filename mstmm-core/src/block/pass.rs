@@ -1,6 +1,6 @@
 //! The plane method over a block: a walker that keeps what is open in columns.
 
-use super::acts::{FIXED, GUIDED, Hold, Join, Narrow, PINNED, Through, Widen};
+use super::acts::{FIXED, GUIDED, Hold, Join, Moderate, Narrow, PINNED, Through, Widen};
 use super::lanes::{Frequencies, Lanes};
 use super::loops::{Act, GROUNDED, GROUNDED_TURN, LINE, PLANE, SPRING, SPRINGS, TURN, TURN_SPRING, Task, act, widest};
 use super::shapes::Shape;
@@ -26,7 +26,7 @@ pub(super) struct BlockPass<S: InColumns, C> {
     /// Where each open path is; behind them the free places.
     places: [usize; OPEN + 1],
     open: usize,
-    /// Whether too many paths were open.
+    /// Whether too many paths were open, or lanes differ in kind.
     is_lost: bool,
     pub(super) tallies: [C; WIDTH],
     pub(super) values: [Scaled<S>; WIDTH],
@@ -129,6 +129,7 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
             let [top, free] = [self.places[self.open - 1], self.places[self.open]];
             let Ok([input, output]) = self.lanes.get_disjoint_mut([top, free]) else { return };
             act(&Through::<E, S> { built, at: &self.at }, input, output, &mut self.tallies);
+            self.is_lost |= !output.is_uniform;
             self.places.swap(self.open - 1, self.open);
         }
     }
@@ -139,11 +140,14 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
         }
         let top = self.open;
         let mut spare = self.places[top];
-        let mut sum = None;
+        let (mut sum, mut paths) = (None, 0);
         for &input in inputs {
             let path = self.places[top - 1 - input];
-            match (self.lanes[path].shape, sum) {
-                (Shape::Tip(..), _) => {}
+            self.is_lost |= !self.lanes[path].is_uniform;
+            let is_tip = matches!(self.lanes[path].shape, Shape::Tip(..));
+            paths += usize::from(!is_tip);
+            match (is_tip, sum) {
+                (true, _) => {}
                 (_, None) => sum = Some(path),
                 (_, Some(first)) => {
                     self.join(first, path, spare);
@@ -166,6 +170,9 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
             self.places.swap(base, base + place);
         }
         self.open = base + 1;
+        if paths == 1 {
+            self.act(&Moderate(()));
+        }
         self.go_on(supports.into_iter().flatten(), output);
     }
 
@@ -214,7 +221,11 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
             Shape::Springs { theta: true, .. } => act(&Join::<S, TURN_SPRING>(other), input, output, tallies),
             _ => {
                 for lane in 0..WIDTH {
-                    output.set(lane, joined(moderated(input.lane(lane)), moderated(other.lane(lane))));
+                    let sum = joined(moderated(input.lane(lane)), moderated(other.lane(lane)));
+                    if lane == 0 {
+                        output.begin(Shape::of(&sum));
+                    }
+                    output.set(lane, sum);
                 }
             }
         }

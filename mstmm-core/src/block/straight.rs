@@ -26,8 +26,7 @@ impl<S: Scalar, const SERIES: bool> Scalar for Straight<S, SERIES> {
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        let size = self.size();
-        Straight(self.0.moderate_sqrt()).provided((size > 1e-100) & (size < 1e100))
+        Straight(self.0.moderate_sqrt()).provided(self.0.is_plain())
     }
 
     #[inline(always)]

@@ -117,6 +117,7 @@ impl<T: Real> Beam<T> {
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     const WAVES: bool = true;
+    const STRAIGHT: bool = true;
     type Coefficients = BendingCoefficients<S>;
 
     #[inline]

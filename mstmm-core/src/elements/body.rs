@@ -89,6 +89,7 @@ pub struct BodyCoefficients<T, S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = BodyCoefficients<T, S>;
 
     #[inline(always)]

@@ -62,6 +62,7 @@ impl<T: Real> Damper<T> {
 }
 
 impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for Damper<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = S;
 
     #[inline(always)]

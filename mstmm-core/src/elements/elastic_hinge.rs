@@ -63,6 +63,7 @@ pub struct HingeCoefficients<T, S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = HingeCoefficients<T, S>;
 
     #[inline(always)]

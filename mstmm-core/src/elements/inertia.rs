@@ -47,6 +47,7 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Inertia<T> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Inertia<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = S;
 
     #[inline(always)]

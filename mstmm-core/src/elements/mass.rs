@@ -47,6 +47,7 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Mass<T> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Mass<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = S;
 
     #[inline(always)]

@@ -61,6 +61,7 @@ pub struct PointMassCoefficients<S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = PointMassCoefficients<S>;
 
     #[inline(always)]

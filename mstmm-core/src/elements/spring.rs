@@ -48,6 +48,7 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Spring<T> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Spring<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = S;
 
     #[inline(always)]

@@ -66,6 +66,7 @@ impl<T: Real> SpringDamper<T> {
 }
 
 impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for SpringDamper<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = S;
 
     #[inline(always)]

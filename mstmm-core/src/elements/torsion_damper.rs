@@ -62,6 +62,7 @@ impl<T: Real> TorsionDamper<T> {
 }
 
 impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for TorsionDamper<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = S;
 
     #[inline(always)]

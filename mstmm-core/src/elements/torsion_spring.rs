@@ -48,6 +48,7 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for TorsionSpring<T> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for TorsionSpring<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = S;
 
     #[inline(always)]

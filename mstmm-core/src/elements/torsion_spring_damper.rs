@@ -66,6 +66,7 @@ impl<T: Real> TorsionSpringDamper<T> {
 }
 
 impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for TorsionSpringDamper<T> {
+    const STRAIGHT: bool = true;
     type Coefficients = S;
 
     #[inline(always)]

@@ -30,6 +30,14 @@ impl<T: Real> Scalar for Complex<T> {
     }
 
     #[inline(always)]
+    fn is_plain(self) -> bool {
+        let limit = if T::EPSILON > 1e-10 { 1e15 } else { 1e100 };
+        let is_fine = |part: f64| (part == 0.0) | (part > 1.0 / limit);
+        let (re, im) = (self.re.size(), self.im.size());
+        is_fine(re) & is_fine(im) & (re + im > 0.0) & (re + im < limit)
+    }
+
+    #[inline(always)]
     fn moderate_sqrt(self) -> Self {
         let half = T::from_f64(0.5);
         let modulus = (self.re * self.re + self.im * self.im).sqrt();

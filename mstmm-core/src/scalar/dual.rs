@@ -167,6 +167,11 @@ impl<S: Scalar> Scalar for Dual<S> {
     }
 
     #[inline(always)]
+    fn is_plain(self) -> bool {
+        self.value.is_plain()
+    }
+
+    #[inline(always)]
     fn moderate_sqrt(self) -> Self {
         let root = self.value.moderate_sqrt();
         self.chain(root, S::from_f64(0.5) / root)
