@@ -84,7 +84,8 @@ pub trait Scalar:
     /// The same for a size below [`WAVE_LIMIT`](Self::WAVE_LIMIT), where nothing needs to be scaled: no branches.
     fn moderate_wave_products(self) -> WaveProducts<Self>;
 
-    /// Largest modulus among the real components: what pivots and branches compare. NaN if any component is.
+    /// Largest modulus among the real components, of a dual number those of its value: what pivots and branches compare. NaN if any
+    /// of them is.
     fn size(self) -> f64;
 
     /// `self · 2^exponent`, exact unless it leaves the range of the type.

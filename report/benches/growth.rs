@@ -5,23 +5,11 @@
 
 use mstmm::prelude::*;
 use report::ReportError;
-use report::growth::{ELEMENTS, Point, exponent, leap, over_elements, over_roots};
+use report::growth::{Cantilever, ELEMENTS, Pinned, Point, exponent, leap, over_elements, over_roots};
 use std::f64::consts::PI;
 
 /// The largest number of roots.
 const ROOTS: usize = 1000;
-
-system! {
-    /// One of the two beams whose roots are timed.
-    struct Cantilever {}
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free
-}
-
-system! {
-    /// The other one, whose frequencies are (nπ)².
-    struct Pinned {}
-    pinned -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned
-}
 
 /// A chain of beams.
 fn elements() -> Result<(), ReportError> {

@@ -11,8 +11,8 @@ use std::hint::black_box;
 /// Numbers of elements in [`over_elements`].
 pub const ELEMENTS: [usize; 10] = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 
-/// Factor between the costs of neighbouring sizes that no growth explains.
-const LEAP: f64 = 4.0;
+/// Steeper than this power of the size no cost grows here: it leaps.
+const LEAP: f64 = 2.5;
 
 /// A size and what it costs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,13 +66,15 @@ fn chain(beams: usize) -> Result<Vec<ListStep<AnyUndamped<f64>>>, ReportError> {
 
 system! {
     /// Cantilever with EI = m = l = 1.
-    struct Cantilever {}
+    #[derive(Debug)]
+    pub struct Cantilever {}
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free
 }
 
 system! {
     /// Beam on two pins with EI = m = l = 1, whose frequencies are (nπ)².
-    struct Pinned {}
+    #[derive(Debug)]
+    pub struct Pinned {}
     pinned -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned
 }
 
@@ -116,8 +118,9 @@ pub fn over_roots(most: usize) -> Result<OverRoots, ReportError> {
 
 /// The size at which the time leaps, so that no power law fits.
 pub fn leap(points: &[Point]) -> Option<usize> {
-    let is_leap = |pair: &&[Point]| pair[1].seconds > LEAP * pair[0].seconds;
-    points.windows(2).find(is_leap).map(|pair| pair[1].size)
+    let slope =
+        |pair: &[Point]| (pair[1].seconds / pair[0].seconds).ln() / (pair[1].size as f64 / pair[0].size as f64).ln();
+    points.windows(2).find(|pair| slope(pair) > LEAP).map(|pair| pair[1].size)
 }
 
 /// The exponent p of `seconds = c sizeᵖ`, by least squares of logarithms over the upper half of their range.

@@ -26,7 +26,9 @@ where
 {
 }
 
-/// Evaluations at many frequencies, in blocks: each value has the bits that it has alone, and takes a fraction of the time.
+/// Evaluations at many frequencies, in blocks: each value takes a fraction of the time.
+///
+/// Each has the bits that it has alone, whatever is beside it, as long as no minor under- or overflows.
 ///
 /// With `std` the loops over a block are compiled for AVX-512, AVX2 and the target, and the widest that the machine has is
 /// used; otherwise that of the target. Memory is on the stack: some 25 kB for real frequencies, four times as much for a complex

@@ -170,7 +170,8 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
             self.places.swap(base, base + place);
         }
         self.open = base + 1;
-        if paths == 1 {
+        // springs are never shifted
+        if paths == 1 && matches!(self.lanes[sum].shape, Shape::Plane | Shape::OnPin | Shape::Line(_)) {
             self.act(&Moderate(()));
         }
         self.go_on(supports.into_iter().flatten(), output);

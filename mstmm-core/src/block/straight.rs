@@ -3,8 +3,8 @@
 use crate::scalar::{Branches, Frequency, Real, Scalar, WaveProducts};
 use core::ops::Mul;
 
-/// A number that knows no branches: NaN wherever one would be needed, and never shifted into another range. Of the formulas for waves it knows the series for short
-/// ones, or those for all that need not be scaled.
+/// A number that knows no branches: NaN wherever one would be needed, and never shifted into another range. Of the formulas
+/// for waves it knows the series for short ones, or those for all that need not be scaled.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Straight<S, const SERIES: bool>(pub(crate) S);
 

@@ -38,11 +38,9 @@ pub fn nearest(matrices: &Matrices, shift: f64, wanted: usize, dimension: usize)
         factors.solve(vector.as_mut_slice());
         tridiagonal[(step, step)] = vector.dot(&weighted.column(step));
         let (known, weights) = (basis.columns(0, step + 1), weighted.columns(0, step + 1));
-        for _ in 0..1 {
-            let mut overlaps = overlaps.rows_mut(0, step + 1);
-            overlaps.gemv_tr(1.0, &weights, &vector, 0.0);
-            vector.gemv(-1.0, &known, &overlaps, 1.0);
-        }
+        let mut overlaps = overlaps.rows_mut(0, step + 1);
+        overlaps.gemv_tr(1.0, &weights, &vector, 0.0);
+        vector.gemv(-1.0, &known, &overlaps, 1.0);
     }
     let mut inverses = tridiagonal.symmetric_eigenvalues();
     inverses.as_mut_slice().sort_by(|a, b| b.abs().total_cmp(&a.abs()));
