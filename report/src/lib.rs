@@ -21,6 +21,7 @@ mod quantity;
 #[path = "../../examples/paper/reference.rs"]
 mod reference;
 #[path = "../../examples/paper/solve.rs"]
+#[allow(dead_code, reason = "times of single runs, which the report does not quote")]
 mod solve;
 
 pub use error::ReportError;

@@ -49,8 +49,8 @@ pub(super) fn landscapes(landscapes: &Landscapes) -> Result<Markup, ReportError>
     let panels = lines.chain(maps).collect::<Result<Vec<_>, ReportError>>()?;
     Ok(html! {
         p {
-            "The determinant of the overall matrix in the ranges of the paper's searches, as in its Figures 5 and 10. Marked are the \
-            roots that the certified search lists; each is a pit of |Δ|."
+            "Δ by planes, the determinant of the overall matrix but for a constant, in the ranges of the paper's searches, as in its \
+            Figures 5 and 10. Marked are the roots that the certified search lists; each is a pit of |Δ|."
         }
         div class="panels" { @for (id, svg) in &panels { (figure(id, note(id), svg)) } }
     })

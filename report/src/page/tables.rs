@@ -1,6 +1,6 @@
 //! The tables of the paper, printed and computed.
 
-use super::text::{error, symbol, time};
+use super::text::{error, symbol};
 use crate::data::tables::Table;
 use crate::quantity::Value;
 use crate::reference::Column;
@@ -28,7 +28,7 @@ fn example(Table { example, solved }: &Table) -> Markup {
         p class="quiet" {
             "Table " (example.table) ", a matrix of " (solved.size) " × " (solved.size) ". "
             @for solution in &solved.solutions {
-                (solution.method) ": " (solution.evaluations) " evaluations, " (time(solution.time.as_secs_f64())) ". "
+                (solution.method) ": " (solution.evaluations) " evaluations. "
             }
         }
         div class="scroll" {
