@@ -161,8 +161,12 @@ mod tests {
 
     #[test]
     fn a_leap_is_not_growth() {
+        let points = |law: fn(f64) -> f64| {
+            [10, 20, 50, 100].map(|size| Point { size, seconds: law(f64::from(size as u32)) }).to_vec()
+        };
         assert_eq!(leap(&points(|size| size.powf(0.5))), None);
-        assert_eq!(leap(&points(|size| if size < 50.0 { 1.0 } else { 20.0 })), Some(100));
+        assert_eq!(leap(&points(|size| size * size)), None);
+        assert_eq!(leap(&points(|size| if size < 60.0 { 1.0 } else { 20.0 })), Some(100));
     }
 
     #[test]
