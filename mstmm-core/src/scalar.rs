@@ -185,7 +185,7 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
         [sin, cos]
     }
 
-    /// `[sin, cos, sinh, cosh]` of an argument below [`WAVE_LIMIT`](Self::WAVE_LIMIT).
+    /// `[sin, cos, sinh, cosh]` of an argument below [`WAVE_LIMIT`](Scalar::WAVE_LIMIT).
     #[inline]
     fn circular_and_hyperbolic(self) -> [Self; 4] {
         let ((sin, cos), (sinh, cosh)) = (self.sin_cos(), self.sinh_cosh());
