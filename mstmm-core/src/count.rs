@@ -90,8 +90,9 @@ impl Count {
 }
 
 /// Sign of the first number that is not zero: whether it is negative.
-fn negative<T: Real>(candidates: impl IntoIterator<Item = T>) -> bool {
-    candidates.into_iter().find(|x| !x.is_zero()).is_some_and(|x| x < T::zero())
+#[inline(always)]
+fn negative<T: Real, const N: usize>(candidates: [T; N]) -> bool {
+    candidates.into_iter().rev().fold(T::zero(), |next, x| if x.is_zero() { next } else { x }) < T::zero()
 }
 
 /// Sign of p_YΘ, of the limit of stiff springs where it is zero.
@@ -140,17 +141,23 @@ impl<T: Real> Tally<T> for Count {
     }
 
     fn plane_root(&mut self, plane: &Plane<T>, support: Support) {
-        let differs = |x: T| !x.is_zero() && (x < T::zero()) != plane_negative(plane);
+        let differs = |x: T| !x.is_zero() & ((x < T::zero()) != plane_negative(plane));
         match support {
             Support::Fixed | Support::Roller => {}
             Support::Pinned => self.add_if(differs(plane.y_m)),
             Support::Guided => self.add_if(differs(plane.theta_q)),
-            Support::Free if plane.m_q.is_zero() => {
-                self.add_if(negative([plane.theta_q, plane.y_m]) != plane_negative(plane));
-            }
+            // without branches, as straight-line code asks for
             Support::Free => {
-                let first_positive = plane.y_theta.is_zero() || plane.theta_q / plane.y_theta > T::zero();
-                self.negative_eigenvalues(differs(plane.m_q), first_positive);
+                let Plane { y_theta, theta_q, .. } = *plane;
+                let zero = T::zero();
+                let first_positive =
+                    y_theta.is_zero() | ((theta_q > zero) & (y_theta > zero)) | ((theta_q < zero) & (y_theta < zero));
+                let is_singular = plane.m_q.is_zero();
+                let determinant_negative = differs(plane.m_q);
+                let one =
+                    is_singular & (negative([theta_q, plane.y_m]) != plane_negative(plane)) | determinant_negative;
+                let two = !is_singular & !determinant_negative & !first_positive;
+                self.below = self.below.saturating_add(u64::from(one) + 2 * u64::from(two));
             }
         }
     }

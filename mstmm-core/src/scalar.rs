@@ -91,6 +91,12 @@ pub trait Scalar:
     /// `self · 2^exponent`, exact unless it leaves the range of the type.
     fn times_power_of_two(self, exponent: i32) -> Self;
 
+    /// The same for an exponent from -1022 to 1023: no branches.
+    #[inline(always)]
+    fn times_normal_power_of_two(self, exponent: i32) -> Self {
+        self.times_power_of_two(exponent)
+    }
+
     /// The number itself, or NaN where the condition does not hold: without a branch.
     fn or_nan(self, condition: bool) -> Self;
 

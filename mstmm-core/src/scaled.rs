@@ -8,7 +8,7 @@ use num_complex::Complex;
 /// `mantissa · 2^exponent`.
 ///
 /// Invariant: the larger component of a finite, non-zero mantissa lies in `[1, 2)`; zero and non-finite values have
-/// exponent 0. Exponents stop at the ends of the range of `i64`. In straight-line code nothing is normalised.
+/// exponent 0. Exponents stop at the ends of the range of `i64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaled<S> {
     mantissa: S,
@@ -36,18 +36,23 @@ impl<S: Scalar> Scaled<S> {
     /// `value · 2^exponent`, normalised.
     #[inline]
     pub fn new(value: S, exponent: i64) -> Self {
-        if S::BRANCHES != Branches::All {
-            return Scaled { mantissa: value, exponent };
-        }
         let biased = biased_exponent(value.size());
-        if biased == 0 || biased == 0x7ff {
+        let is_extreme = (biased == 0) | (biased >= 0x7fe);
+        if is_extreme && S::BRANCHES == Branches::All {
             return Scaled::of_extreme(value, exponent);
         }
         let shift = biased - 1023;
-        Scaled { mantissa: value.times_power_of_two(-shift), exponent: exponent.saturating_add(i64::from(shift)) }
+        let mantissa = value.provided(!is_extreme).times_normal_power_of_two(-shift);
+        Scaled { mantissa, exponent: exponent.saturating_add(i64::from(shift)) }
     }
 
-    /// The same for zero, subnormal numbers, and what is not finite.
+    /// `mantissa · 2^exponent` of a mantissa that is normalised.
+    #[inline(always)]
+    pub(crate) fn normalised(mantissa: S, exponent: i64) -> Self {
+        Scaled { mantissa, exponent }
+    }
+
+    /// The same for zero, subnormal and almost infinite numbers, and what is not finite.
     #[cold]
     fn of_extreme(value: S, exponent: i64) -> Self {
         let size = value.size();

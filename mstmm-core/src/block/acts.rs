@@ -4,7 +4,7 @@ use super::Straight;
 use super::lanes::{Frequencies, Lanes};
 use super::loops::{Act, BENDING, KINDS, LINE, PLANE, ROTATION, Straightly, TRANSLATION, TURN};
 use super::tally::Plainly;
-use crate::count::Tally;
+use crate::count::{Tally, Untallied};
 use crate::element::{Element, PlaneStep};
 use crate::join::{held, joined, moderated, narrowed, widened};
 use crate::scalar::{Branches, InColumns};
@@ -70,7 +70,7 @@ impl<E: Element, S: InColumns> Copy for Through<'_, E, S> {}
 #[derive(Clone, Copy)]
 pub(super) struct Join<'a, S: InColumns, const OTHER: usize>(pub(super) &'a Lanes<S>);
 
-impl<S: InColumns, C, const OTHER: usize> Act<S, C> for Join<'_, S, OTHER> {
+impl<S: InColumns, const OTHER: usize> Act<S, Untallied> for Join<'_, S, OTHER> {
     const SUITS: u32 = 1 << PLANE;
 
     fn branches(&self) -> Branches {
@@ -78,19 +78,24 @@ impl<S: InColumns, C, const OTHER: usize> Act<S, C> for Join<'_, S, OTHER> {
     }
 
     #[inline(always)]
-    fn alone(&self, lane: usize, input: Subspace<S>, _: &mut C) -> Subspace<S> {
+    fn alone(&self, lane: usize, input: Subspace<S>, _: &mut Untallied) -> Subspace<S> {
         joined(moderated(input), moderated(self.0.lane(lane)))
     }
 }
 
-impl<S: InColumns, C, const OTHER: usize, const SERIES: bool> Straightly<S, C, SERIES> for Join<'_, S, OTHER> {
+impl<S: InColumns, const OTHER: usize, const SERIES: bool> Straightly<S, Untallied, SERIES> for Join<'_, S, OTHER> {
     #[inline(always)]
     fn other_exponent(&self, lane: usize) -> i32 {
         self.0.exponents[lane]
     }
 
     #[inline(always)]
-    fn straight(&self, lane: usize, input: Subspace<Straight<S, SERIES>>, _: &mut C) -> Subspace<Straight<S, SERIES>> {
+    fn straight(
+        &self,
+        lane: usize,
+        input: Subspace<Straight<S, SERIES>>,
+        _: &mut Untallied,
+    ) -> Subspace<Straight<S, SERIES>> {
         joined(moderated(input), moderated(self.0.known(KINDS[OTHER], lane, Straight)))
     }
 }
@@ -143,28 +148,34 @@ act_by!(
     Moderate(()), 0b11 << PLANE | 1 << LINE | 1 << TURN, |_own, input, _tally| moderated(input)
 );
 
-/// Supports by the constant of [`Hold`].
-const SUPPORTS: [Support; 3] = [Support::Fixed, Support::Pinned, Support::Guided];
+/// Supports by the constants of [`Hold`] and of the root.
+pub(super) const SUPPORTS: [Support; 4] = [Support::Fixed, Support::Pinned, Support::Guided, Support::Free];
 pub(super) const FIXED: usize = 0;
 pub(super) const PINNED: usize = 1;
 pub(super) const GUIDED: usize = 2;
+pub(super) const FREE: usize = 3;
 
 /// A support holds the point; which is known to the compiler, since it decides what moves where.
 #[derive(Clone, Copy)]
 pub(super) struct Hold<const SUPPORT: usize>;
 
-impl<S: InColumns, C, const SUPPORT: usize> Act<S, C> for Hold<SUPPORT> {
+impl<S: InColumns, const SUPPORT: usize> Act<S, Untallied> for Hold<SUPPORT> {
     const SUITS: u32 = 1 << PLANE;
 
     #[inline(always)]
-    fn alone(&self, _: usize, input: Subspace<S>, _: &mut C) -> Subspace<S> {
+    fn alone(&self, _: usize, input: Subspace<S>, _: &mut Untallied) -> Subspace<S> {
         held(input, SUPPORTS[SUPPORT])
     }
 }
 
-impl<S: InColumns, C, const SUPPORT: usize, const SERIES: bool> Straightly<S, C, SERIES> for Hold<SUPPORT> {
+impl<S: InColumns, const SUPPORT: usize, const SERIES: bool> Straightly<S, Untallied, SERIES> for Hold<SUPPORT> {
     #[inline(always)]
-    fn straight(&self, _: usize, input: Subspace<Straight<S, SERIES>>, _: &mut C) -> Subspace<Straight<S, SERIES>> {
+    fn straight(
+        &self,
+        _: usize,
+        input: Subspace<Straight<S, SERIES>>,
+        _: &mut Untallied,
+    ) -> Subspace<Straight<S, SERIES>> {
         held(input, SUPPORTS[SUPPORT])
     }
 }

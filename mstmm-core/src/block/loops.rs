@@ -2,6 +2,7 @@
 
 use super::lanes::{Lanes, is_fit};
 use super::shapes::{Shape, numbers};
+use super::tally::Tallies;
 use super::{Straight, WIDTH};
 use crate::scalar::{Branches, InColumns};
 use crate::state::{Space, Support};
@@ -80,6 +81,7 @@ pub(super) const TURN: usize = 13;
 pub(super) const GROUNDED_TURN: usize = 14;
 
 /// The number of a kind in [`KINDS`]; not a search, which would take as long as the loop.
+#[inline]
 fn kind_of(shape: Shape) -> Option<usize> {
     use Support::{Fixed, Free, Guided, Pinned};
     let behind_bending_tip = |support| match support {
@@ -115,7 +117,7 @@ pub(super) fn act<S: InColumns, C: Copy, A: Act<S, C>>(
     act: &A,
     input: &Lanes<S>,
     output: &mut Lanes<S>,
-    tallies: &mut [C; WIDTH],
+    tallies: &mut Tallies<C>,
 ) {
     match act.branches() {
         _ if !input.is_fit => alone_everywhere::<S, C, A>(act, input, output, tallies),
@@ -130,7 +132,7 @@ fn in_straight_line<S: InColumns, C: Copy, A: Act<S, C> + Straightly<S, C, SERIE
     act: &A,
     input: &Lanes<S>,
     output: &mut Lanes<S>,
-    tallies: &mut [C; WIDTH],
+    tallies: &mut Tallies<C>,
 ) {
     macro_rules! kinds {
         ($($kind:literal)*) => {
@@ -145,13 +147,13 @@ fn in_straight_line<S: InColumns, C: Copy, A: Act<S, C> + Straightly<S, C, SERIE
     kinds!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
 }
 
-fn alone_everywhere<S: InColumns, C, A: Act<S, C>>(
+fn alone_everywhere<S: InColumns, C: Copy, A: Act<S, C>>(
     act: &A,
     input: &Lanes<S>,
     output: &mut Lanes<S>,
-    tallies: &mut [C; WIDTH],
+    tallies: &mut Tallies<C>,
 ) {
-    for (lane, tally) in tallies.iter_mut().enumerate() {
+    for (lane, tally) in tallies.heard_mut().iter_mut().enumerate() {
         let subspace = act.alone(lane, input.lane(lane), tally);
         if lane == 0 {
             output.begin(Shape::of(&subspace));
@@ -164,19 +166,19 @@ fn straight<S: InColumns, C: Copy, A: Act<S, C> + Straightly<S, C, SERIES>, cons
     act: &A,
     input: &Lanes<S>,
     output: &mut Lanes<S>,
-    tallies: &mut [C; WIDTH],
+    tallies: &mut Tallies<C>,
 ) {
-    let before = *tallies;
-    let are_good = widest(StraightLoop::<S, C, A, SERIES, KIND> { act, input, output, tallies });
-    if are_good {
-        return;
-    }
-    for lane in 0..WIDTH {
-        if !is_fit(&output.lane(lane)) {
-            tallies[lane] = before[lane];
-            output.set(lane, act.alone(lane, input.lane(lane), &mut tallies[lane]));
+    let (heard, hearing) = tallies.both();
+    let are_good = widest(StraightLoop::<S, C, A, SERIES, KIND> { act, input, output, heard, hearing });
+    if !are_good {
+        for lane in 0..WIDTH {
+            if !is_fit(&output.lane(lane)) {
+                hearing[lane] = heard[lane];
+                output.set(lane, act.alone(lane, input.lane(lane), &mut hearing[lane]));
+            }
         }
     }
+    tallies.have_heard();
 }
 
 /// A loop in straight-line code.
@@ -184,7 +186,8 @@ struct StraightLoop<'a, S: InColumns, C, A, const SERIES: bool, const KIND: usiz
     act: &'a A,
     input: &'a Lanes<S>,
     output: &'a mut Lanes<S>,
-    tallies: &'a mut [C; WIDTH],
+    heard: &'a [C; WIDTH],
+    hearing: &'a mut [C; WIDTH],
 }
 
 impl<S: InColumns, C: Copy, A: Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize> Task
@@ -195,37 +198,53 @@ impl<S: InColumns, C: Copy, A: Straightly<S, C, SERIES>, const SERIES: bool, con
 
     #[inline(always)]
     fn run(self) -> bool {
-        let StraightLoop { act, input, output, tallies } = self;
-        let mut unheard = tallies[0];
+        let StraightLoop { act, input, output, heard, hearing } = self;
+        let mut unheard = heard[0];
         let first = act.straight(0, input.known(KINDS[KIND], 0, Straight::<S, SERIES>), &mut unheard);
         output.begin(Shape::of(&first));
-        let are_good =
-            each_lane::<S, C, A, SERIES, KIND>(*act, input, &mut output.columns, &mut output.exponents, tallies);
-        for lane in 0..WIDTH {
-            let before = input.exponents[lane].saturating_add(act.other_exponent(lane));
-            output.exponents[lane] = output.exponents[lane].saturating_add(before);
-        }
+        let Lanes { columns, exponents, .. } = output;
+        let are_good = each_lane::<S, C, A, SERIES, KIND>(*act, input, columns, exponents, heard, hearing);
+        add_exponents::<S, C, A, SERIES>(*act, input, exponents);
         are_good
+    }
+}
+
+/// Adds the exponents of what took part; what it writes is an argument of its own.
+#[inline(always)]
+fn add_exponents<S: InColumns, C, A: Straightly<S, C, SERIES>, const SERIES: bool>(
+    act: A,
+    input: &Lanes<S>,
+    exponents: &mut [i32; WIDTH],
+) {
+    for (lane, exponent) in exponents.iter_mut().enumerate() {
+        let before = input.exponents[lane].saturating_add(act.other_exponent(lane));
+        *exponent = exponent.saturating_add(before);
     }
 }
 
 /// The loop itself, in which exponents are those that the act adds. What it writes are arguments of their own: then the compiler knows that they are apart.
 #[inline(always)]
-fn each_lane<S: InColumns, C, A: Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize>(
+fn each_lane<S: InColumns, C: Copy, A: Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize>(
     act: A,
     input: &Lanes<S>,
     columns: &mut [S::Columns<WIDTH>; 5],
     own_exponents: &mut [i32; WIDTH],
-    tallies: &mut [C; WIDTH],
+    heard: &[C; WIDTH],
+    hearing: &mut [C; WIDTH],
 ) -> bool {
     let mut are_good = true;
     for lane in 0..WIDTH {
         let before = input.known(KINDS[KIND], lane, Straight::<S, SERIES>);
-        let after = act.straight(lane, before, &mut tallies[lane]);
+        let mut tally = heard[lane];
+        let after = act.straight(lane, before, &mut tally);
+        hearing[lane] = tally;
         are_good &= is_fit(&after);
+        let used = Shape::of(&after).columns();
         let (entries, exponent) = numbers(after);
         for column in 0..5 {
-            entries[column].0.put(&mut columns[column], lane);
+            if column < used {
+                entries[column].0.put(&mut columns[column], lane);
+            }
         }
         own_exponents[lane] = exponent;
     }

@@ -10,7 +10,7 @@ use crate::scalar::{Frequency, InColumns, Real};
 use crate::scaled::Scaled;
 
 /// Below so many frequencies a block costs more than each alone.
-const WORTHWHILE: usize = 6;
+const WORTHWHILE: usize = WIDTH / 3;
 
 /// A system that can be evaluated at one frequency, and at a block of them.
 pub trait InBlocks<S>: Characteristic<S> + Walk<S>
@@ -67,9 +67,14 @@ pub trait ManyFrequencies: System {
         check_room(frequencies, values)?;
         let mut pass = BlockPass::<S, Untallied>::new();
         for (some, values) in frequencies.chunks(WIDTH).zip(values.chunks_mut(WIDTH)) {
-            let is_done = some.len() >= WORTHWHILE && pass.run(self, some);
-            for (lane, (value, &x)) in values.iter_mut().zip(some).enumerate() {
-                *value = if is_done { pass.values[lane] } else { Characteristic::<S>::characteristic(self, x) };
+            if some.len() >= WORTHWHILE && pass.run(self, some) {
+                for (lane, (value, _)) in values.iter_mut().zip(some).enumerate() {
+                    *value = pass.values.lane(lane);
+                }
+                continue;
+            }
+            for (value, &x) in values.iter_mut().zip(some) {
+                *value = Characteristic::<S>::characteristic(self, x);
             }
         }
         Ok(())
@@ -88,12 +93,15 @@ pub trait ManyFrequencies: System {
         check_room(omegas, counts)?;
         let mut pass = BlockPass::<Self::Parameter, Count>::new();
         for (some, counts) in omegas.chunks(WIDTH).zip(counts.chunks_mut(WIDTH)) {
-            let is_done = some.len() >= WORTHWHILE && pass.run(self, some);
-            for (lane, (count, &omega)) in counts.iter_mut().zip(some).enumerate() {
-                let (below, value) = match is_done {
-                    true => (pass.tallies[lane].below(), pass.values[lane]),
-                    false => count_and_value(self, omega),
-                };
+            if some.len() >= WORTHWHILE && pass.run(self, some) {
+                let heard = pass.tallies.heard();
+                for (lane, (count, &omega)) in counts.iter_mut().zip(some).enumerate() {
+                    *count = natural_count(omega, heard[lane].below(), pass.values.lane(lane));
+                }
+                continue;
+            }
+            for (count, &omega) in counts.iter_mut().zip(some) {
+                let (below, value) = count_and_value(self, omega);
                 *count = natural_count(omega, below, value);
             }
         }

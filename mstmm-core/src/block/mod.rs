@@ -12,6 +12,7 @@ mod loops;
 mod many;
 mod operators;
 mod pass;
+mod root;
 mod shapes;
 mod straight;
 mod tally;

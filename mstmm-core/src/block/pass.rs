@@ -3,15 +3,16 @@
 use super::acts::{FIXED, GUIDED, Hold, Join, Moderate, Narrow, PINNED, Through, Widen};
 use super::lanes::{Frequencies, Lanes};
 use super::loops::{Act, GROUNDED, GROUNDED_TURN, LINE, PLANE, SPRING, SPRINGS, TURN, TURN_SPRING, Task, act, widest};
+use super::root::{Values, at_root};
 use super::shapes::Shape;
+use super::tally::Tallies;
 use super::walk::{Walk, Walker};
 use super::{Straight, WIDTH};
 use crate::at::At;
-use crate::count::Tally;
+use crate::count::{Tally, Untallied};
 use crate::element::PlaneStep;
 use crate::join::{joined, moderated};
 use crate::scalar::{Frequency, InColumns};
-use crate::scaled::Scaled;
 use crate::state::{Space, Support};
 use core::marker::PhantomData;
 
@@ -28,13 +29,13 @@ pub(super) struct BlockPass<S: InColumns, C> {
     open: usize,
     /// Whether too many paths were open, or lanes differ in kind.
     is_lost: bool,
-    pub(super) tallies: [C; WIDTH],
-    pub(super) values: [Scaled<S>; WIDTH],
+    pub(super) tallies: Tallies<C>,
+    pub(super) values: Values<S>,
 }
 
 /// The powers of frequencies, in straight-line code.
 struct Powers<'a, S: InColumns, T> {
-    of: [S; WIDTH],
+    of: &'a [S; WIDTH],
     to: &'a mut Frequencies<S>,
     parameter: PhantomData<T>,
 }
@@ -67,8 +68,8 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
             places: core::array::from_fn(|place| place),
             open: 0,
             is_lost: false,
-            tallies: [C::default(); WIDTH],
-            values: [Scaled::new(S::zero(), 0); WIDTH],
+            tallies: Tallies::new(),
+            values: Values::new(),
         }
     }
 
@@ -81,11 +82,19 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
         Y: Walk<S> + ?Sized,
     {
         let Some(&last) = frequencies.last() else { return false };
-        let all = core::array::from_fn(|lane| frequencies.get(lane).copied().unwrap_or(last));
+        let filled: [S; WIDTH];
+        let all = match frequencies.first_chunk() {
+            Some(all) => all,
+            None => {
+                filled = core::array::from_fn(|lane| frequencies.get(lane).copied().unwrap_or(last));
+                &filled
+            }
+        };
         if !widest(Powers::<S, T> { of: all, to: &mut self.at, parameter: PhantomData }) {
-            self.take_roots_alone::<T>(&all);
+            self.take_roots_alone::<T>(all);
         }
-        (self.open, self.is_lost, self.tallies) = (0, false, [C::default(); WIDTH]);
+        (self.open, self.is_lost) = (0, false);
+        self.tallies.heard_mut().fill(C::default());
         system.walk(self);
         !self.is_lost
     }
@@ -103,13 +112,29 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
         }
     }
 
-    /// Acts on the last open path.
-    fn act<A: Act<S, C>>(&mut self, task: &A) {
-        let [top, free] = [self.places[self.open - 1], self.places[self.open]];
-        let Ok([input, output]) = self.lanes.get_disjoint_mut([top, free]) else { return };
-        act(task, input, output, &mut self.tallies);
-        self.places.swap(self.open - 1, self.open);
+    /// Acts on the last open path; nobody counts.
+    fn act<A: Act<S, Untallied>>(&mut self, task: &A) {
+        act_on_last(task, &mut self.lanes, &mut self.places, self.open, &mut Tallies::new());
     }
+
+    /// The same, heard by the tallies.
+    fn act_heard<A: Act<S, C>>(&mut self, task: &A) {
+        act_on_last(task, &mut self.lanes, &mut self.places, self.open, &mut self.tallies);
+    }
+}
+
+/// Acts on the last of the open paths.
+fn act_on_last<S: InColumns, C: Copy, A: Act<S, C>>(
+    task: &A,
+    lanes: &mut [Lanes<S>; OPEN + 1],
+    places: &mut [usize; OPEN + 1],
+    open: usize,
+    tallies: &mut Tallies<C>,
+) {
+    let [top, free] = [places[open - 1], places[open]];
+    let Ok([input, output]) = lanes.get_disjoint_mut([top, free]) else { return };
+    act(task, input, output, tallies);
+    places.swap(open - 1, open);
 }
 
 impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
@@ -126,11 +151,9 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
         E: PlaneStep<S> + PlaneStep<Straight<S, false>> + PlaneStep<Straight<S, true>>,
     {
         if !self.is_lost {
-            let [top, free] = [self.places[self.open - 1], self.places[self.open]];
-            let Ok([input, output]) = self.lanes.get_disjoint_mut([top, free]) else { return };
-            act(&Through::<E, S> { built, at: &self.at }, input, output, &mut self.tallies);
-            self.is_lost |= !output.is_uniform;
-            self.places.swap(self.open - 1, self.open);
+            let through = Through::<E, S> { built, at: &self.at };
+            act_on_last(&through, &mut self.lanes, &mut self.places, self.open, &mut self.tallies);
+            self.is_lost |= !self.lanes[self.places[self.open - 1]].is_uniform;
         }
     }
 
@@ -141,26 +164,26 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
         let top = self.open;
         let mut spare = self.places[top];
         let (mut sum, mut paths) = (None, 0);
+        let (mut supports, mut held) = ([Support::Free; OPEN], 0);
         for &input in inputs {
             let path = self.places[top - 1 - input];
             self.is_lost |= !self.lanes[path].is_uniform;
-            let is_tip = matches!(self.lanes[path].shape, Shape::Tip(..));
-            paths += usize::from(!is_tip);
-            match (is_tip, sum) {
-                (true, _) => {}
+            match (self.lanes[path].shape, sum) {
+                (Shape::Tip(support, _), _) => {
+                    supports[held] = support;
+                    held += 1;
+                    continue;
+                }
                 (_, None) => sum = Some(path),
                 (_, Some(first)) => {
                     self.join(first, path, spare);
                     (sum, spare) = (Some(spare), first);
                 }
             }
+            paths += 1;
         }
         // what is left of the inputs is free again
         let base = top - inputs.len();
-        let supports: [Option<Support>; OPEN] = core::array::from_fn(|index| {
-            let path = self.places[top - 1 - inputs.get(index)?];
-            if let Shape::Tip(support, _) = self.lanes[path].shape { Some(support) } else { None }
-        });
         let sum = sum.unwrap_or_else(|| {
             // supports alone hold what goes on
             self.lanes[spare].become_tip(Support::Free, output.unwrap_or(Space::Bending));
@@ -174,7 +197,7 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
         if paths == 1 && matches!(self.lanes[sum].shape, Shape::Plane | Shape::OnPin | Shape::Line(_)) {
             self.act(&Moderate(()));
         }
-        self.go_on(supports.into_iter().flatten(), output);
+        self.go_on(&supports[..held], output);
     }
 
     fn root(&mut self, support: Support) {
@@ -182,26 +205,7 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
             return;
         }
         let last = &self.lanes[self.places[self.open - 1]];
-        // most end as planes, and where the compiler knows the kind it leaves out the others
-        if last.shape == Shape::Plane {
-            at_root(Shape::Plane, support, last, &mut self.tallies, &mut self.values);
-        } else {
-            at_root(last.shape, support, last, &mut self.tallies, &mut self.values);
-        }
-    }
-}
-
-/// Δ in each lane.
-#[inline(always)]
-fn at_root<S: InColumns, C: Tally<S>>(
-    shape: Shape,
-    support: Support,
-    last: &Lanes<S>,
-    tallies: &mut [C; WIDTH],
-    values: &mut [Scaled<S>; WIDTH],
-) {
-    for lane in 0..WIDTH {
-        values[lane] = last.of_kind(shape, lane).at_root(support, &mut tallies[lane]);
+        at_root(last, support, &mut self.tallies, &mut self.values);
     }
 }
 
@@ -210,7 +214,7 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
     fn join(&mut self, first: usize, path: usize, to: usize) {
         let Ok([input, other, output]) = self.lanes.get_disjoint_mut([first, path, to]) else { return };
         let (input, other): (&_, &_) = (input, other);
-        let tallies = &mut self.tallies;
+        let tallies = &mut Tallies::new();
         match other.shape {
             Shape::Plane => act(&Join::<S, PLANE>(other), input, output, tallies),
             Shape::Line(Space::Translation) => act(&Join::<S, LINE>(other), input, output, tallies),
@@ -233,13 +237,13 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
     }
 
     /// The end of a connection: the sum is widened, held by supports, and narrowed.
-    fn go_on(&mut self, supports: impl Iterator<Item = Support>, output: Option<Space>) {
+    fn go_on(&mut self, supports: &[Support], output: Option<Space>) {
         let own = self.lanes[self.places[self.open - 1]].shape.space();
         if output.is_some_and(|output| !output.is(own)) {
             self.act(&Widen(output));
         }
         for support in supports {
-            match support {
+            match *support {
                 Support::Fixed => self.act(&Hold::<FIXED>),
                 Support::Pinned => self.act(&Hold::<PINNED>),
                 Support::Guided => self.act(&Hold::<GUIDED>),
@@ -248,7 +252,7 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
         }
         let own = self.lanes[self.places[self.open - 1]].shape.space();
         if output.is_some_and(|output| !output.is(own)) {
-            self.act(&Narrow(output));
+            self.act_heard(&Narrow(output));
         }
     }
 }

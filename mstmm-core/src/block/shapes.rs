@@ -27,6 +27,17 @@ impl Shape {
         }
     }
 
+    /// Columns in which its numbers are.
+    #[inline(always)]
+    pub(super) fn columns(self) -> usize {
+        match self {
+            Shape::Tip(..) => 0,
+            Shape::Grounded(_) => 1,
+            Shape::Springs { .. } | Shape::Line(_) => 2,
+            Shape::Plane | Shape::OnPin => 5,
+        }
+    }
+
     /// Space of the state.
     pub(super) fn space(self) -> Space {
         match self {

@@ -64,6 +64,11 @@ impl<S: Scalar, const SERIES: bool> Scalar for Straight<S, SERIES> {
     }
 
     #[inline(always)]
+    fn times_normal_power_of_two(self, exponent: i32) -> Self {
+        Straight(self.0.times_normal_power_of_two(exponent))
+    }
+
+    #[inline(always)]
     fn or_nan(self, condition: bool) -> Self {
         Straight(self.0.or_nan(condition))
     }

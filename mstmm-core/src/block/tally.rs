@@ -1,10 +1,51 @@
-//! Tallies that hear of straight numbers.
+//! Tallies of a block, and what they hear of straight numbers.
 
-use super::Straight;
+use super::{Straight, WIDTH};
 use crate::count::{BeamSigns, Tally};
 use crate::scalar::Scalar;
 use crate::state::{Space, Support};
 use crate::subspace::{Line, Plane};
+
+/// A tally in each lane, and room for what they are about to hear: a lane that has to go alone starts from what it has heard
+/// before.
+pub(super) struct Tallies<C> {
+    two: [[C; WIDTH]; 2],
+    is_second: bool,
+}
+
+impl<C: Copy + Default> Tallies<C> {
+    /// Tallies that have heard nothing.
+    pub(super) fn new() -> Self {
+        Tallies { two: [[C::default(); WIDTH]; 2], is_second: false }
+    }
+}
+
+impl<C> Tallies<C> {
+    /// What they have heard, and room for what they hear next.
+    #[inline]
+    pub(super) fn both(&mut self) -> (&[C; WIDTH], &mut [C; WIDTH]) {
+        let [first, second] = &mut self.two;
+        if self.is_second { (second, first) } else { (first, second) }
+    }
+
+    /// What they were about to hear is what they have heard.
+    #[inline]
+    pub(super) fn have_heard(&mut self) {
+        self.is_second = !self.is_second;
+    }
+
+    /// What they have heard.
+    #[inline]
+    pub(super) fn heard(&self) -> &[C; WIDTH] {
+        &self.two[usize::from(self.is_second)]
+    }
+
+    /// The same, to hear more.
+    #[inline]
+    pub(super) fn heard_mut(&mut self) -> &mut [C; WIDTH] {
+        &mut self.two[usize::from(self.is_second)]
+    }
+}
 
 /// Tells a tally of plain numbers what straight ones do.
 pub(super) struct Plainly<'a, C>(pub(super) &'a mut C);

@@ -85,6 +85,11 @@ impl<T: Real> Scalar for Complex<T> {
     fn times_power_of_two(self, exponent: i32) -> Self {
         Complex::new(self.re.times_power_of_two(exponent), self.im.times_power_of_two(exponent))
     }
+
+    #[inline(always)]
+    fn times_normal_power_of_two(self, exponent: i32) -> Self {
+        Complex::new(self.re.times_normal_power_of_two(exponent), self.im.times_normal_power_of_two(exponent))
+    }
 }
 
 impl<S: Real + InColumns> InColumns for Complex<S> {

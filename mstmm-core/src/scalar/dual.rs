@@ -211,6 +211,11 @@ impl<S: Scalar> Scalar for Dual<S> {
     fn times_power_of_two(self, exponent: i32) -> Self {
         self.map(|part| part.times_power_of_two(exponent))
     }
+
+    #[inline(always)]
+    fn times_normal_power_of_two(self, exponent: i32) -> Self {
+        self.map(|part| part.times_normal_power_of_two(exponent))
+    }
 }
 
 impl<S: InColumns> InColumns for Dual<S> {

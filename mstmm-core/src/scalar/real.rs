@@ -138,6 +138,11 @@ macro_rules! real {
             fn times_power_of_two(self, exponent: i32) -> Self {
                 scale(f64::from(self), exponent) as $type
             }
+
+            #[inline(always)]
+            fn times_normal_power_of_two(self, exponent: i32) -> Self {
+                (f64::from(self) * power_of_two(exponent)) as $type
+            }
         }
 
         impl InColumns for $type {

@@ -152,6 +152,14 @@ impl Scalar for DoubleDouble {
     fn times_power_of_two(self, exponent: i32) -> Self {
         DoubleDouble { hi: self.hi.times_power_of_two(exponent), lo: self.lo.times_power_of_two(exponent) }
     }
+
+    #[inline(always)]
+    fn times_normal_power_of_two(self, exponent: i32) -> Self {
+        DoubleDouble {
+            hi: self.hi.times_normal_power_of_two(exponent),
+            lo: self.lo.times_normal_power_of_two(exponent),
+        }
+    }
 }
 
 impl InColumns for DoubleDouble {
