@@ -214,6 +214,15 @@ mod tests {
     }
 
     #[test]
+    fn the_ends_of_the_range_are_normalised() {
+        for (value, exponent) in [(f64::MAX, 1023), (f64::MIN_POSITIVE, -1022), (5e-324, -1074)] {
+            let scaled = Scaled::new(-value, 0);
+            assert!((1.0..2.0).contains(&-scaled.mantissa()), "{scaled:?}");
+            assert_eq!(scaled.exponent(), exponent);
+        }
+    }
+
+    #[test]
     fn products_neither_overflow_nor_vanish() {
         let huge = Scaled::new(1e300, 0).times(1e300).times(1e300);
         let back = huge.times(1e-300).times(1e-300);

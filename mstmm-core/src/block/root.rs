@@ -35,7 +35,7 @@ impl<S: InColumns> Values<S> {
     }
 }
 
-/// Δ where the last subspaces meet the support of the root.
+/// Δ where the last subspaces meet the support of the root; planes and lines of any range, since nothing is multiplied.
 pub(super) fn at_root<S: InColumns, C: Tally<S> + Copy>(
     last: &Lanes<S>,
     support: Support,
@@ -43,7 +43,6 @@ pub(super) fn at_root<S: InColumns, C: Tally<S> + Copy>(
     values: &mut Values<S>,
 ) {
     match (last.shape, support) {
-        _ if !last.is_fit => alone_everywhere(last, support, tallies, values),
         (Shape::Plane, Support::Fixed) => straight::<S, C, PLANE, FIXED>(last, tallies, values),
         (Shape::Plane, Support::Pinned) => straight::<S, C, PLANE, PINNED>(last, tallies, values),
         (Shape::Plane, Support::Guided) => straight::<S, C, PLANE, GUIDED>(last, tallies, values),
