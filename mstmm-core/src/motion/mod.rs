@@ -25,6 +25,7 @@ mod shape;
 mod source;
 mod spread;
 mod tree;
+mod way;
 
 pub use covector::Covector;
 pub use curve::Sample;

@@ -9,7 +9,6 @@ use super::field::Field;
 use super::passes::Passes;
 use super::shape::ModeShape;
 use super::source::dual_of;
-use super::spread::Everything;
 use super::tree::Tree;
 use crate::scalar::{Oscillation, Real, Scalar};
 use crate::scaled::Scaled;
@@ -203,8 +202,9 @@ where
     /// The response of an entry to a jump in its dual, times the power of `x - x0` for a pole of some order; and the weights.
     fn responses(&self, candidate: &Candidate, order: Order) -> impl Iterator<Item = (S, S)> {
         self.passes.iter().zip(self.weights).map(move |(passes, (weight, away))| {
-            let square = passes.square(candidate.step, candidate.coordinate);
-            (square.over(passes.delta(candidate.step)).times(self.power(away, order)).value(), weight)
+            let meeting = passes.meeting(candidate.step);
+            let square = meeting.square(candidate.coordinate);
+            (square.over(meeting.delta()).times(self.power(away, order)).value(), weight)
         })
     }
 
@@ -263,12 +263,13 @@ where
         let mut sum: Option<Field<'a, Y, S>> = None;
         let mut shift = 0;
         for (passes, (weight, away)) in self.passes.iter().zip(self.weights) {
-            let factor = Scaled::new(weight * self.power(away, Order::Simple), 0).over(passes.delta(candidate.step));
+            let factor =
+                Scaled::new(weight * self.power(away, Order::Simple), 0).over(passes.meeting(candidate.step).delta());
             let exponent = factor.exponent().clamp(-1 << 30, 1 << 30) as i32;
-            let jump = passes.jump(candidate.step, dual_of(candidate.coordinate));
+            let jump = passes.meeting(candidate.step).jump(dual_of(candidate.coordinate));
             let [upstream, downstream] =
                 [jump.upstream, jump.downstream].map(|covector| covector.times(factor.mantissa(), exponent));
-            let spread = passes.spread(candidate.step, upstream, downstream, &Everything);
+            let spread = passes.spread(candidate.step, upstream, downstream);
             match &mut sum {
                 None => {
                     shift = -spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max()?;

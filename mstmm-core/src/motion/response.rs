@@ -1,15 +1,17 @@
 //! Responses to harmonic loads.
 
-use super::covector::{Covector, ScaledState};
+use super::covector::Covector;
 use super::error::MotionError;
 use super::label::{Entry, Load};
 use super::passes::Passes;
-use super::spread::Wanted;
+use super::source::{Jump, Meeting};
 use super::tree::{Planned, Tree};
+use super::way::{Carried, Crossing, Follow};
+use crate::characteristic::System;
 use crate::layout::{Scheme, Step};
-use crate::scalar::{Oscillation, Scalar};
+use crate::scalar::Oscillation;
 use crate::scaled::Scaled;
-use crate::state::{Coordinate, Space, State};
+use crate::state::{Coordinate, Space};
 use crate::subspace::Subspace;
 
 /// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
@@ -18,7 +20,8 @@ pub struct FrequencyResponse<'a, Y: Planned + ?Sized> {
     system: &'a Y,
     load: Place,
     entry: Place,
-    /// Steps between the two, whose states alone are computed.
+    course: Course,
+    /// Steps between the two, over which the motion is followed.
     between: Y::PerStep<bool>,
     /// Steps downstream of the load, of which nothing upstream needs to be known.
     below: Y::PerStep<bool>,
@@ -30,28 +33,15 @@ impl<Y: Planned + ?Sized> Clone for FrequencyResponse<'_, Y> {
     }
 }
 
-impl<Y: Planned + ?Sized> Wanted for FrequencyResponse<'_, Y> {
-    fn leads_over(&self, step: usize) -> bool {
-        self.between.as_ref()[step]
-    }
-
-    fn state(&self, step: usize, beyond: bool) -> bool {
-        // the load's own point alone has two sides
-        step == self.entry.step && (step != self.load.step || beyond == self.entry.beyond)
-    }
-
-    fn pick<S: Scalar>(&self, covector: Covector<S>, subspace: &Subspace<S>) -> ScaledState<S> {
-        let coordinate = self.entry.coordinate;
-        let (value, exponent) = covector.pick_entry(subspace, coordinate);
-        let zero = State::default();
-        let state = match coordinate {
-            Coordinate::Y => State { y: value, ..zero },
-            Coordinate::Theta => State { theta: value, ..zero },
-            Coordinate::M => State { m: value, ..zero },
-            _ => State { q: value, ..zero },
-        };
-        ScaledState { state, exponent }
-    }
+/// Where the entry is, seen from the load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Course {
+    /// Upstream of it, or at the same point on that side.
+    Upstream,
+    /// On the way to the root, or at the same point on that side.
+    Downstream,
+    /// On another path into a connection on the way to the root.
+    Aside,
 }
 
 /// An entry of the state behind a step.
@@ -98,9 +88,17 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         let load = Place::of_load::<Y>(load)?;
         let entry = Place::of_entry::<Y>(entry)?;
         let (mut between, mut below) = (Y::per_step(false), Y::per_step(false));
+        let mut course = Course::Aside;
         for end in [load.step, entry.step] {
             let mut step = end;
             while !matches!(scheme.steps[step], Step::Root(..)) {
+                if step == load.step && step == entry.step {
+                    course = if entry.beyond { Course::Downstream } else { Course::Upstream };
+                } else if end == load.step && step == entry.step {
+                    course = Course::Downstream;
+                } else if end == entry.step && step == load.step {
+                    course = Course::Upstream;
+                }
                 between.as_mut()[step] ^= true;
                 below.as_mut()[step] |= end == load.step && step != end;
                 step = scheme.downstream(step);
@@ -108,7 +106,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         }
         between.as_mut()[entry.step] = true;
         below.as_mut()[scheme.len() - 1] = true;
-        Ok(FrequencyResponse { system, load, entry, between, below })
+        Ok(FrequencyResponse { system, load, entry, course, between, below })
     }
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration. 0 is the static
@@ -121,24 +119,76 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        let frequency = x.modulus();
-        let Place { step, coordinate, .. } = self.load;
+        let step = self.load.step;
         let mut passes = Passes::from_tips(self.system, x, |step| !self.below.as_ref()[step]);
         passes.down_to(step);
-        let delta = passes.delta(step);
+        let (covector, delta) = self.start(&passes.meeting(step), x)?;
+        let mut motion = Carried { passes: &passes, covector };
+        self.follow(&mut motion);
+        let subspaces = if self.course == Course::Downstream { &passes.downstream } else { &passes.upstream };
+        self.value(motion.covector, &subspaces.as_ref()[self.entry.step], delta, x)
+    }
+
+    /// The covector with which the motion leaves the load, times Δ, and Δ.
+    fn start<S>(&self, meeting: &Meeting<S>, x: S) -> Result<(Covector<S>, Scaled<S>), MotionError>
+    where
+        Y: System,
+        S: Oscillation<Y::Parameter>,
+    {
+        let delta = meeting.delta();
         if delta.mantissa().is_zero() {
-            return Err(MotionError::Resonance { frequency });
+            return Err(MotionError::Resonance { frequency: x.modulus() });
         }
+        let Jump { upstream, downstream } = meeting.jump(self.load.coordinate);
+        Ok((if self.course == Course::Upstream { upstream } else { downstream }, delta))
+    }
+
+    /// Follows the motion from the load to the entry.
+    fn follow(&self, motion: &mut impl Follow) {
+        let scheme = Y::scheme();
+        let leads_over = |step: &usize| self.between.as_ref()[*step];
+        let mut step = self.load.step;
+        let mut is_downstream = self.course != Course::Upstream;
+        while step != self.entry.step {
+            let below = scheme.downstream(step);
+            let next = if is_downstream { below } else { step };
+            step = match scheme.steps[next] {
+                Step::Connection(inputs) if !(is_downstream && leads_over(&below)) => {
+                    let from = is_downstream.then_some(step);
+                    let Some(&to) = inputs.iter().find(|input| Some(**input) != from && leads_over(input)) else {
+                        return;
+                    };
+                    motion.across(Crossing { at: next, from, to: Some(to) });
+                    is_downstream = false;
+                    to
+                }
+                Step::Connection(_) => {
+                    motion.across(Crossing { at: next, from: Some(step), to: None });
+                    next
+                }
+                Step::Element(input, _) => {
+                    motion.through(next, is_downstream);
+                    if is_downstream { next } else { input }
+                }
+                Step::Tip(_) | Step::Root(..) => return,
+            };
+        }
+    }
+
+    /// The response, given the covector at the entry, the subspace that it belongs to and Δ.
+    fn value<S>(&self, covector: Covector<S>, subspace: &Subspace<S>, delta: Scaled<S>, x: S) -> Result<S, MotionError>
+    where
+        Y: System,
+        S: Oscillation<Y::Parameter>,
+    {
+        let coordinate = self.entry.coordinate;
+        let (entry, exponent) = covector.pick_entry(subspace, coordinate);
+        // seen from downstream slope and shear force have the other sign
+        let is_reversed = self.course == Course::Downstream && matches!(coordinate, Coordinate::Theta | Coordinate::Q);
         // a force acts towards Y, a moment towards Θ: Q grows by the one and M falls by the other
-        let unit = if coordinate == Coordinate::M { -S::one() } else { S::one() };
-        let factor = Scaled::new(unit, 0).over(delta);
-        let jump = passes.jump(step, coordinate);
-        let spread = passes.spread(step, jump.upstream, jump.downstream, self);
-        let at_load = self.entry.beyond && self.entry.step == step;
-        let state = if at_load { spread.beyond } else { spread.states.as_ref()[self.entry.step] };
-        let entry = Scaled::new(state.state.entry(self.entry.coordinate), i64::from(state.exponent));
-        let value = entry.product(factor).value();
-        if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency }) }
+        let unit = if is_reversed == (self.load.coordinate == Coordinate::M) { S::one() } else { -S::one() };
+        let value = Scaled::new(entry, i64::from(exponent)).product(Scaled::new(unit, 0).over(delta)).value();
+        if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency: x.modulus() }) }
     }
 
     /// The response on a grid of the caller's, into memory of the caller's.

@@ -6,7 +6,6 @@ use super::field::Field;
 use super::forms::Form;
 use super::passes::Passes;
 use super::source::dual_of;
-use super::spread::Everything;
 use super::tree::{JudgedTree, Tree};
 use crate::characteristic::System;
 use crate::scalar::{Oscillation, Real, Scalar};
@@ -83,7 +82,7 @@ where
     let delta = |x: S| {
         let mut passes = Passes::from_tips(system, x, |_| true);
         passes.down_to(point);
-        passes.delta(point)
+        passes.meeting(point).delta()
     };
     let (away, own) = (x + x * S::from_f64(NEAR), delta(x));
     let ratio = delta(away).over(own).value();
@@ -108,9 +107,9 @@ where
         }
     });
     let Some((best, _)) = best else { return Err(MotionError::NotFinite { frequency }) };
-    let square = passes.square(best.step, best.coordinate);
+    let square = passes.meeting(best.step).square(best.coordinate);
     // by so much the states on both sides of the point differ, beside what is usual there
-    let jump = passes.delta(best.step).over(square);
+    let jump = passes.meeting(best.step).delta().over(square);
     let mismatch = jump.magnitude().value() / best.unit;
     if mismatch.is_nan() {
         return Err(MotionError::NotFinite { frequency });
@@ -119,8 +118,8 @@ where
     if mismatch > <Y::Parameter as Real>::EPSILON.sqrt() {
         return Err(MotionError::NotARoot { frequency, mismatch });
     }
-    let jump = passes.jump(best.step, dual_of(best.coordinate));
-    let spread = passes.spread(best.step, jump.upstream, jump.downstream, &Everything);
+    let jump = passes.meeting(best.step).jump(dual_of(best.coordinate));
+    let spread = passes.spread(best.step, jump.upstream, jump.downstream);
     let largest = spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max();
     let field = Field::of(system, x, &spread, -largest.unwrap_or(0));
     ModeShape::normalised(field).ok_or(MotionError::NotFinite { frequency })
@@ -129,7 +128,7 @@ where
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// The square of an entry as an energy, times Δ and a constant.
     pub(super) fn energy(&self, candidate: &Candidate) -> Magnitude {
-        let square = self.square(candidate.step, candidate.coordinate);
+        let square = self.meeting(candidate.step).square(candidate.coordinate);
         Scaled::new(square.mantissa().size() * candidate.unit, square.exponent()).into()
     }
 }

@@ -13,9 +13,11 @@ use crate::state::{Coordinate, Space};
 use crate::subspace::{Plane, Subspace};
 
 /// The subspaces that meet at a point, both as paths that arrive there.
-struct Meeting<S> {
-    upstream: Subspace<S>,
-    downstream: Subspace<S>,
+pub(crate) struct Meeting<S> {
+    pub(crate) upstream: Subspace<S>,
+    pub(crate) downstream: Subspace<S>,
+    /// Space of the state at the point.
+    pub(crate) space: Space,
 }
 
 /// The covectors of a jump, times Δ.
@@ -27,14 +29,21 @@ pub(crate) struct Jump<S> {
 }
 
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
-    fn meeting(&self, step: usize) -> Meeting<S> {
-        Meeting { upstream: self.upstream.as_ref()[step], downstream: self.downstream.as_ref()[step].mirrored() }
+    /// What meets behind a step.
+    pub(crate) fn meeting(&self, step: usize) -> Meeting<S> {
+        Meeting {
+            upstream: self.upstream.as_ref()[step],
+            downstream: self.downstream.as_ref()[step].mirrored(),
+            space: Y::scheme().behind(step),
+        }
     }
+}
 
+impl<S: Scalar> Meeting<S> {
     /// Δ at a point: up to its sign and a power of two the same at all points.
-    pub(crate) fn delta(&self, step: usize) -> Scaled<S> {
-        let Meeting { upstream, downstream } = self.meeting(step);
-        if Y::scheme().behind(step).is(Space::Bending) {
+    pub(crate) fn delta(&self) -> Scaled<S> {
+        let Meeting { upstream, downstream, space } = *self;
+        if space.is(Space::Bending) {
             let (p, r) = (upstream.plane(), downstream.plane());
             let value = match (upstream, downstream) {
                 (_, Subspace::Tip(support, _)) => p.minor_at(support),
@@ -48,9 +57,8 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     }
 
     /// The covectors of a jump by 1 in one entry.
-    pub(crate) fn jump(&self, step: usize, coordinate: Coordinate) -> Jump<S> {
-        let space = Y::scheme().behind(step);
-        let Meeting { upstream, downstream } = self.meeting(step);
+    pub(crate) fn jump(&self, coordinate: Coordinate) -> Jump<S> {
+        let Meeting { upstream, downstream, space } = *self;
         let is_force = matches!(coordinate, Coordinate::M | Coordinate::Q);
         let (upstream, downstream) = if space.is(Space::Bending) {
             let (p, r) = (upstream.plane(), downstream.plane());
@@ -70,9 +78,9 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     }
 
     /// The square of an entry of the motion that a jump in the dual entry causes there, times Δ.
-    pub(crate) fn square(&self, step: usize, coordinate: Coordinate) -> Scaled<S> {
-        let Meeting { upstream, downstream } = self.meeting(step);
-        let (value, exponents) = if Y::scheme().behind(step).is(Space::Bending) {
+    pub(crate) fn square(&self, coordinate: Coordinate) -> Scaled<S> {
+        let Meeting { upstream, downstream, space } = *self;
+        let (value, exponents) = if space.is(Space::Bending) {
             let (p, r) = (upstream.plane(), downstream.plane());
             let value = match coordinate {
                 Coordinate::Theta => p.y_theta * r.theta_q + p.theta_q * r.y_theta,
