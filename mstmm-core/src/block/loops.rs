@@ -67,10 +67,12 @@ pub(super) const KINDS: [Shape; 17] = {
     ]
 };
 
-/// The kinds of subspaces of a bending state; of a translation; of a rotation; planes; what ends in a root.
+/// The kinds of subspaces of a bending state; of a translation; of a rotation.
 pub(super) const BENDING: u32 = 0b1_1111_1111;
 pub(super) const TRANSLATION: u32 = 0b1111 << LINE;
 pub(super) const ROTATION: u32 = 0b1111 << TURN;
+
+/// The numbers of some kinds.
 pub(super) const PLANE: usize = 0;
 pub(super) const SPRINGS: usize = 6;
 pub(super) const SPRING: usize = 7;

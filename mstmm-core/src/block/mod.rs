@@ -7,6 +7,7 @@
 //! beside it, unless a minor under- or overflows.
 
 mod acts;
+mod connection;
 mod lanes;
 mod loops;
 mod many;

@@ -1,17 +1,16 @@
 //! The plane method over a block: a walker that keeps what is open in columns.
 
-use super::acts::{FIXED, GUIDED, Hold, Join, Moderate, Narrow, PINNED, Through, Widen};
+use super::acts::Through;
+use super::connection::connection;
 use super::lanes::{Frequencies, Lanes};
-use super::loops::{Act, GROUNDED, GROUNDED_TURN, LINE, PLANE, SPRING, SPRINGS, TURN, TURN_SPRING, Task, act, widest};
+use super::loops::{Task, act, widest};
 use super::root::{Values, at_root};
-use super::shapes::Shape;
 use super::tally::Tallies;
 use super::walk::{Walk, Walker};
 use super::{Straight, WIDTH};
 use crate::at::At;
-use crate::count::{Tally, Untallied};
+use crate::count::Tally;
 use crate::element::PlaneStep;
-use crate::join::{joined, moderated};
 use crate::scalar::{Frequency, InColumns};
 use crate::state::{Space, Support};
 use core::marker::PhantomData;
@@ -23,9 +22,9 @@ const OPEN: usize = 12;
 pub(super) struct BlockPass<S: InColumns, C> {
     at: Frequencies<S>,
     /// What is open in the first places, what is being made in the next.
-    lanes: [Lanes<S>; OPEN + 1],
+    lanes: [Lanes<S>; OPEN + 2],
     /// Where each open path is; behind them the free places.
-    places: [usize; OPEN + 1],
+    places: [usize; OPEN + 2],
     open: usize,
     /// Whether too many paths were open, or lanes differ in kind.
     is_lost: bool,
@@ -64,7 +63,7 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
     pub(super) fn new() -> Self {
         BlockPass {
             at: Frequencies::new(),
-            lanes: [Lanes::new(); OPEN + 1],
+            lanes: [Lanes::new(); OPEN + 2],
             places: core::array::from_fn(|place| place),
             open: 0,
             is_lost: false,
@@ -111,30 +110,6 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
             }
         }
     }
-
-    /// Acts on the last open path; nobody counts.
-    fn act<A: Act<S, Untallied>>(&mut self, task: &A) {
-        act_on_last(task, &mut self.lanes, &mut self.places, self.open, &mut Tallies::new());
-    }
-
-    /// The same, heard by the tallies.
-    fn act_heard<A: Act<S, C>>(&mut self, task: &A) {
-        act_on_last(task, &mut self.lanes, &mut self.places, self.open, &mut self.tallies);
-    }
-}
-
-/// Acts on the last of the open paths.
-fn act_on_last<S: InColumns, C: Copy, A: Act<S, C>>(
-    task: &A,
-    lanes: &mut [Lanes<S>; OPEN + 1],
-    places: &mut [usize; OPEN + 1],
-    open: usize,
-    tallies: &mut Tallies<C>,
-) {
-    let [top, free] = [places[open - 1], places[open]];
-    let Ok([input, output]) = lanes.get_disjoint_mut([top, free]) else { return };
-    act(task, input, output, tallies);
-    places.swap(open - 1, open);
 }
 
 impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
@@ -151,9 +126,11 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
         E: PlaneStep<S> + PlaneStep<Straight<S, false>> + PlaneStep<Straight<S, true>>,
     {
         if !self.is_lost {
-            let through = Through::<E, S> { built, at: &self.at };
-            act_on_last(&through, &mut self.lanes, &mut self.places, self.open, &mut self.tallies);
-            self.is_lost |= !self.lanes[self.places[self.open - 1]].is_uniform;
+            let [top, free] = [self.places[self.open - 1], self.places[self.open]];
+            let Ok([input, output]) = self.lanes.get_disjoint_mut([top, free]) else { return };
+            act(&Through::<E, S> { built, at: &self.at }, input, output, &mut self.tallies);
+            self.is_lost |= !output.is_uniform;
+            self.places.swap(self.open - 1, self.open);
         }
     }
 
@@ -161,43 +138,16 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
         if self.is_lost {
             return;
         }
-        let top = self.open;
-        let mut spare = self.places[top];
-        let (mut sum, mut paths) = (None, 0);
-        let (mut supports, mut held) = ([Support::Free; OPEN], 0);
-        for &input in inputs {
-            let path = self.places[top - 1 - input];
-            self.is_lost |= !self.lanes[path].is_uniform;
-            match (self.lanes[path].shape, sum) {
-                (Shape::Tip(support, _), _) => {
-                    supports[held] = support;
-                    held += 1;
-                    continue;
-                }
-                (_, None) => sum = Some(path),
-                (_, Some(first)) => {
-                    self.join(first, path, spare);
-                    (sum, spare) = (Some(spare), first);
-                }
-            }
-            paths += 1;
-        }
+        let (base, top) = (self.open - inputs.len(), self.open);
+        let paths = inputs.iter().map(|input| self.places[top - 1 - input]);
+        self.is_lost |= paths.clone().any(|path| !self.lanes[path].is_uniform);
+        let free = [self.places[top], self.places[top + 1]];
+        let sum = connection(&mut self.lanes, paths, output, free, &mut self.tallies);
         // what is left of the inputs is free again
-        let base = top - inputs.len();
-        let sum = sum.unwrap_or_else(|| {
-            // supports alone hold what goes on
-            self.lanes[spare].become_tip(Support::Free, output.unwrap_or(Space::Bending));
-            spare
-        });
-        if let Some(place) = self.places[base..=top].iter().position(|place| *place == sum) {
+        if let Some(place) = self.places[base..].iter().position(|place| *place == sum) {
             self.places.swap(base, base + place);
         }
         self.open = base + 1;
-        // springs are never shifted
-        if paths == 1 && matches!(self.lanes[sum].shape, Shape::Plane | Shape::OnPin | Shape::Line(_)) {
-            self.act(&Moderate(()));
-        }
-        self.go_on(&supports[..held], output);
     }
 
     fn root(&mut self, support: Support) {
@@ -206,53 +156,5 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
         }
         let last = &self.lanes[self.places[self.open - 1]];
         at_root(last, support, &mut self.tallies, &mut self.values);
-    }
-}
-
-impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
-    /// Joins a path to another.
-    fn join(&mut self, first: usize, path: usize, to: usize) {
-        let Ok([input, other, output]) = self.lanes.get_disjoint_mut([first, path, to]) else { return };
-        let (input, other): (&_, &_) = (input, other);
-        let tallies = &mut Tallies::new();
-        match other.shape {
-            Shape::Plane => act(&Join::<S, PLANE>(other), input, output, tallies),
-            Shape::Line(Space::Translation) => act(&Join::<S, LINE>(other), input, output, tallies),
-            Shape::Grounded(Space::Translation) => act(&Join::<S, GROUNDED>(other), input, output, tallies),
-            Shape::Line(_) => act(&Join::<S, TURN>(other), input, output, tallies),
-            Shape::Grounded(_) => act(&Join::<S, GROUNDED_TURN>(other), input, output, tallies),
-            Shape::Springs { y: true, theta: true } => act(&Join::<S, SPRINGS>(other), input, output, tallies),
-            Shape::Springs { y: true, .. } => act(&Join::<S, SPRING>(other), input, output, tallies),
-            Shape::Springs { theta: true, .. } => act(&Join::<S, TURN_SPRING>(other), input, output, tallies),
-            _ => {
-                for lane in 0..WIDTH {
-                    let sum = joined(moderated(input.lane(lane)), moderated(other.lane(lane)));
-                    if lane == 0 {
-                        output.begin(Shape::of(&sum));
-                    }
-                    output.set(lane, sum);
-                }
-            }
-        }
-    }
-
-    /// The end of a connection: the sum is widened, held by supports, and narrowed.
-    fn go_on(&mut self, supports: &[Support], output: Option<Space>) {
-        let own = self.lanes[self.places[self.open - 1]].shape.space();
-        if output.is_some_and(|output| !output.is(own)) {
-            self.act(&Widen(output));
-        }
-        for support in supports {
-            match *support {
-                Support::Fixed => self.act(&Hold::<FIXED>),
-                Support::Pinned => self.act(&Hold::<PINNED>),
-                Support::Guided => self.act(&Hold::<GUIDED>),
-                Support::Free | Support::Roller => {}
-            }
-        }
-        let own = self.lanes[self.places[self.open - 1]].shape.space();
-        if output.is_some_and(|output| !output.is(own)) {
-            self.act_heard(&Narrow(output));
-        }
     }
 }
