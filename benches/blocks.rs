@@ -1,10 +1,10 @@
-//! Time of Δ and of the count per frequency, alone and in blocks, on every instruction set of the machine, in one run.
+//! Time of Δ, of the count and of a response per frequency, alone and in blocks, on every instruction set of the machine, in one run.
 //! Prints a Markdown table.
 //!
 //! `cargo bench --bench blocks`. Times are the least of many rounds; quote the ratios.
 
 use mstmm::prelude::*;
-use mstmm::{InBlocks, Scaled, System};
+use mstmm::{InBlocks, Oscillation, Point, Scaled, System, TreeInBlocks};
 use mstmm_lanes::InstructionSet;
 use std::hint::black_box;
 use std::time::Instant;
@@ -50,7 +50,7 @@ fn print(name: &str, mut alone: impl FnMut(), mut together: impl FnMut()) {
     println!("{line}");
 }
 
-/// Δ of a system at frequencies between 0 and `end` times `unit`.
+/// Δ of a system, at shares of a range of frequencies.
 fn values<Y, S>(name: &str, system: &Y, at: impl Fn(f64) -> S) -> Result<(), Failure>
 where
     S: mstmm::Frequency<f64> + mstmm::InColumns,
@@ -100,6 +100,32 @@ fn counts<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(
     Ok(())
 }
 
+/// The response at a point to a force there, of a system, at shares of a range of frequencies.
+fn responses<Y, S>(name: &str, system: &Y, point: Point<Y::Model>, at: impl Fn(f64) -> S) -> Result<(), Failure>
+where
+    Y: TreeInBlocks<S> + System<Parameter = f64>,
+    S: Oscillation<f64> + mstmm::InColumns,
+{
+    let frequencies: Vec<S> = (1..=FREQUENCIES).map(|k| at((k as f64 - 0.3) / FREQUENCIES as f64)).collect();
+    let response = system.frequency_response(point.force(), point.deflection())?;
+    let (mut some, mut same) = ([S::zero(); FREQUENCIES], [S::zero(); FREQUENCIES]);
+    print(
+        name,
+        || {
+            for (value, &x) in some.iter_mut().zip(black_box(&frequencies)) {
+                *value = black_box(&response).at(x).unwrap_or_default();
+            }
+        },
+        || {
+            let _ = black_box(black_box(&response).on(black_box(&frequencies), &mut same));
+        },
+    );
+    if some != same {
+        return Err(format!("{name}: responses in blocks are not those alone").into());
+    }
+    Ok(())
+}
+
 fn main() -> Result<(), Failure> {
     print!("| | alone [ns] |");
     sets().for_each(|set| print!(" {set:?} [ns] | ratio |"));
@@ -119,5 +145,10 @@ fn main() -> Result<(), Failure> {
     counts("4.1a, count", &a, 1700.0)?;
     counts("4.2, count", &b, 3000.0)?;
     counts("4.3, count", &c, 2000.0)?;
-    counts("4.4, count", &d, 20_000.0)
+    counts("4.4, count", &d, 20_000.0)?;
+    responses("4.1a, response", &a, models::TipBody::body_2.output(), |share| 1700.0 * share)?;
+    responses("4.2, response", &b, models::RestrainedBeam::conn_4, |share| 3000.0 * share)?;
+    responses("4.3, response", &c, models::SpringAndMass::conn_5, |share| 2000.0 * share)?;
+    responses("4.4, response", &d, models::TwoSpans::conn_4, |share| 20_000.0 * share)?;
+    responses("4.5, response", &e, models::DampedOscillator::conn_5, |share| Complex::new(0.0, 12_000.0 * share))
 }

@@ -13,7 +13,8 @@ pub use mstmm_core::{
     MayDecay, Motion, MotionError, Motions, Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point,
     Real, RealFrequency, Requirement, Root, Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space,
     State, StateSpace, StepList, Straight, Subspace, Support, System, Tally, TransferMatrix, Translation, Tree,
-    Untallied, Visit, VisitAt, Walk, Walker, WaveFunctions, WaveProducts, determinant, elements, search,
+    TreeInBlocks, Untallied, Visit, VisitAt, VisitInBlock, Walk, Walker, WaveFunctions, WaveProducts, determinant,
+    elements, search,
 };
 
 /// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.

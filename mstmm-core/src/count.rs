@@ -64,12 +64,15 @@ impl<S: Scalar> Tally<S> for Untallied {
 }
 
 /// The number of natural frequencies below the frequency of a pass.
+pub type Count = CountOf<false>;
+
+/// The same, without branches in straight-line code (`IN_LINE`); for a frequency of its own those are faster.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Count {
+pub struct CountOf<const IN_LINE: bool> {
     below: u64,
 }
 
-impl Count {
+impl<const IN_LINE: bool> CountOf<IN_LINE> {
     /// The count so far; of all frequencies once the pass has reached the root.
     pub fn below(&self) -> u64 {
         self.below
@@ -90,8 +93,13 @@ impl Count {
 }
 
 /// Sign of the first number that is not zero: whether it is negative.
+fn negative<T: Real>(candidates: impl IntoIterator<Item = T>) -> bool {
+    candidates.into_iter().find(|x| !x.is_zero()).is_some_and(|x| x < T::zero())
+}
+
+/// The same without branches.
 #[inline(always)]
-fn negative<T: Real, const N: usize>(candidates: [T; N]) -> bool {
+fn negative_in_line<T: Real, const N: usize>(candidates: [T; N]) -> bool {
     candidates.into_iter().rev().fold(T::zero(), |next, x| if x.is_zero() { next } else { x }) < T::zero()
 }
 
@@ -105,7 +113,7 @@ fn line_negative<T: Real>(line: &Line<T>) -> bool {
     negative([line.y, -line.q])
 }
 
-impl<T: Real> Tally<T> for Count {
+impl<T: Real, const IN_LINE: bool> Tally<T> for CountOf<IN_LINE> {
     const COUNTS: bool = true;
 
     fn spring(&mut self, before: &Line<T>, after: &Line<T>) {
@@ -141,23 +149,29 @@ impl<T: Real> Tally<T> for Count {
     }
 
     fn plane_root(&mut self, plane: &Plane<T>, support: Support) {
-        let differs = |x: T| !x.is_zero() & ((x < T::zero()) != plane_negative(plane));
+        let differs = |x: T| !x.is_zero() && (x < T::zero()) != plane_negative(plane);
         match support {
             Support::Fixed | Support::Roller => {}
             Support::Pinned => self.add_if(differs(plane.y_m)),
             Support::Guided => self.add_if(differs(plane.theta_q)),
-            // without branches, as straight-line code asks for
-            Support::Free => {
-                let Plane { y_theta, theta_q, .. } = *plane;
+            Support::Free if IN_LINE => {
+                let Plane { y_theta, y_m, theta_q, m_q, .. } = *plane;
                 let zero = T::zero();
+                let is_negative = negative_in_line([y_theta, theta_q, y_m, m_q]);
+                let is_singular = m_q.is_zero();
+                let determinant_negative = !is_singular & ((m_q < zero) != is_negative);
                 let first_positive =
                     y_theta.is_zero() | ((theta_q > zero) & (y_theta > zero)) | ((theta_q < zero) & (y_theta < zero));
-                let is_singular = plane.m_q.is_zero();
-                let determinant_negative = differs(plane.m_q);
-                let one =
-                    is_singular & (negative([theta_q, plane.y_m]) != plane_negative(plane)) | determinant_negative;
+                let one = determinant_negative | (is_singular & (negative_in_line([theta_q, y_m]) != is_negative));
                 let two = !is_singular & !determinant_negative & !first_positive;
                 self.below = self.below.saturating_add(u64::from(one) + 2 * u64::from(two));
+            }
+            Support::Free if plane.m_q.is_zero() => {
+                self.add_if(negative([plane.theta_q, plane.y_m]) != plane_negative(plane));
+            }
+            Support::Free => {
+                let first_positive = plane.y_theta.is_zero() || plane.theta_q / plane.y_theta > T::zero();
+                self.negative_eigenvalues(differs(plane.m_q), first_positive);
             }
         }
     }

@@ -58,7 +58,7 @@ pub use list::List;
 pub use motion::{
     Covector, Ends, EnergyShares, Entry, Field, ForceHistory, FrequencyResponse, Inside, JudgedTree, Label, Load,
     ModalResponse, ModeShape, Motion, MotionError, Motions, Planned, Point, Root, Sample, Sensitivities, ShapeList,
-    Tree, Visit, VisitAt,
+    Tree, TreeInBlocks, Visit, VisitAt, VisitInBlock,
 };
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;

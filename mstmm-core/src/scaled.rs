@@ -37,12 +37,16 @@ impl<S: Scalar> Scaled<S> {
     #[inline]
     pub fn new(value: S, exponent: i64) -> Self {
         let biased = biased_exponent(value.size());
-        let is_extreme = (biased == 0) | (biased >= 0x7fe);
+        let is_extreme = !(1..0x7fe).contains(&biased);
         if is_extreme && S::BRANCHES == Branches::All {
             return Scaled::of_extreme(value, exponent);
         }
         let shift = biased - 1023;
-        let mantissa = value.provided(!is_extreme).times_normal_power_of_two(-shift);
+        let mantissa = if S::BRANCHES == Branches::All {
+            value.times_power_of_two(-shift)
+        } else {
+            value.provided(!is_extreme).times_normal_power_of_two(-shift)
+        };
         Scaled { mantissa, exponent: exponent.saturating_add(i64::from(shift)) }
     }
 

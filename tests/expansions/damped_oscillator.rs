@@ -1120,6 +1120,95 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl<T, S> mstmm::__private::TreeInBlocks<S> for DampedOscillatorSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::SpringDamper<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::SpringDamper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::TorsionSpring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::SpringDamper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::TorsionSpring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+    {
+        fn visit_in_block<C: mstmm::__private::VisitInBlock<S>>(
+            &self,
+            step: usize,
+            visitor: C,
+        ) {
+            match step {
+                1usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Beam<T>>(&self.element_1)
+                }
+                3usize => {
+                    visitor
+                        .element::<
+                            mstmm::__private::elements::Spring<T>,
+                        >(&self.element_3)
+                }
+                5usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Beam<T>>(&self.element_4)
+                }
+                7usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Mass<T>>(&self.element_7)
+                }
+                8usize => {
+                    visitor
+                        .element::<
+                            mstmm::__private::elements::SpringDamper<T>,
+                        >(&self.element_6)
+                }
+                10usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Beam<T>>(&self.element_8)
+                }
+                12usize => {
+                    visitor
+                        .element::<
+                            mstmm::__private::elements::TorsionSpring<T>,
+                        >(&self.element_10)
+                }
+                14usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Beam<T>>(&self.element_11)
+                }
+                _ => {}
+            }
+        }
+    }
+    #[automatically_derived]
     impl<T, S> mstmm::__private::Walk<S> for DampedOscillatorSystem<T>
     where
         T: mstmm::__private::Real,

@@ -602,6 +602,52 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl<T, S> mstmm::__private::TreeInBlocks<S> for RestrainedBeamSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::ElasticHinge<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::ElasticHinge<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+    {
+        fn visit_in_block<C: mstmm::__private::VisitInBlock<S>>(
+            &self,
+            step: usize,
+            visitor: C,
+        ) {
+            match step {
+                2usize => {
+                    visitor
+                        .element::<
+                            mstmm::__private::elements::ElasticHinge<T>,
+                        >(&self.element_1)
+                }
+                4usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Beam<T>>(&self.element_3)
+                }
+                6usize => {
+                    visitor
+                        .element::<
+                            mstmm::__private::elements::ElasticHinge<T>,
+                        >(&self.element_5)
+                }
+                _ => {}
+            }
+        }
+    }
+    #[automatically_derived]
     impl<T, S> mstmm::__private::Walk<S> for RestrainedBeamSystem<T>
     where
         T: mstmm::__private::Real,

@@ -464,6 +464,44 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl<T, S> mstmm::__private::TreeInBlocks<S> for TipBodySystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Body<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Body<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Body<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+    {
+        fn visit_in_block<C: mstmm::__private::VisitInBlock<S>>(
+            &self,
+            step: usize,
+            visitor: C,
+        ) {
+            match step {
+                1usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Beam<T>>(&self.element_1)
+                }
+                2usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Body<T>>(&self.element_2)
+                }
+                _ => {}
+            }
+        }
+    }
+    #[automatically_derived]
     impl<T, S> mstmm::__private::Walk<S> for TipBodySystem<T>
     where
         T: mstmm::__private::Real,

@@ -766,6 +766,65 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl<T, S> mstmm::__private::TreeInBlocks<S> for TwoSpansSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        mstmm::__private::elements::Beam<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+    {
+        fn visit_in_block<C: mstmm::__private::VisitInBlock<S>>(
+            &self,
+            step: usize,
+            visitor: C,
+        ) {
+            match step {
+                1usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Beam<T>>(&self.element_1)
+                }
+                4usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Beam<T>>(&self.element_3)
+                }
+                6usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Mass<T>>(&self.element_6)
+                }
+                7usize => {
+                    visitor
+                        .element::<
+                            mstmm::__private::elements::Spring<T>,
+                        >(&self.element_5)
+                }
+                9usize => {
+                    visitor
+                        .element::<mstmm::__private::elements::Beam<T>>(&self.element_7)
+                }
+                _ => {}
+            }
+        }
+    }
+    #[automatically_derived]
     impl<T, S> mstmm::__private::Walk<S> for TwoSpansSystem<T>
     where
         T: mstmm::__private::Real,

@@ -11,7 +11,7 @@ use mstmm::elements::{
 };
 use mstmm::{
     At, Complex, DoubleDouble, Element, Ends, FrequencyBounds, Layout, ListStep, Motion, PlaneStep, Planned, Real,
-    System, TransferMatrix, Visit, VisitAt,
+    System, TransferMatrix, TreeInBlocks, Visit, VisitAt, VisitInBlock,
 };
 use mstmm_core::{Chain, Fields, Scheme, Step};
 
@@ -235,6 +235,17 @@ macro_rules! tree {
                         let coefficients = <$kind<$parameter> as PlaneStep<$scalar>>::coefficients(built, at);
                         Some(visitor.element::<$kind<$parameter>>(built, &coefficients))
                     })*
+                    #[allow(unreachable_patterns, reason = "dampers have no real frequency")]
+                    other => panic!("{other:?} at a real frequency"),
+                }
+            }
+        }
+
+        impl<$($generic)*> TreeInBlocks<$scalar> for MovingTree<$parameter> {
+            fn visit_in_block<V: VisitInBlock<$scalar>>(&self, step: usize, visitor: V) {
+                match self.parts[step].as_ref() {
+                    None => {}
+                    $(Some(Moving::$kind(built)) => visitor.element::<$kind<$parameter>>(built),)*
                     #[allow(unreachable_patterns, reason = "dampers have no real frequency")]
                     other => panic!("{other:?} at a real frequency"),
                 }

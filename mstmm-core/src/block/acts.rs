@@ -1,7 +1,8 @@
 //! What steps do to the subspace of a lane: once written, for straight-line code and for a lane of its own.
 
 use super::Straight;
-use super::lanes::{Frequencies, Lanes};
+use super::frequencies::Frequencies;
+use super::lanes::Lanes;
 use super::loops::{Act, BENDING, KINDS, LINE, PLANE, ROTATION, Straightly, TRANSLATION, TURN};
 use super::tally::Plainly;
 use crate::count::{Tally, Untallied};

@@ -1,8 +1,7 @@
-//! Subspaces and frequencies of all lanes, a column for each number.
+//! Subspaces of all lanes, a column for each number.
 
 use super::WIDTH;
 use super::shapes::{Shape, numbers};
-use crate::at::At;
 use crate::scalar::{InColumns, Scalar, is_moderate};
 use crate::state::{Space, Support};
 use crate::subspace::{Plane, Subspace};
@@ -56,6 +55,16 @@ impl<S: InColumns> Lanes<S> {
         shape.subspace(|column| number(S::get(&self.columns[column], lane)), 0)
     }
 
+    /// The subspaces seen from the other side, as [`Subspace::mirrored`].
+    pub(super) fn mirror(&mut self) {
+        if let Shape::Plane | Shape::OnPin = self.shape {
+            let w = &mut self.columns[2];
+            for lane in 0..WIDTH {
+                (-S::get(w, lane)).put(w, lane);
+            }
+        }
+    }
+
     /// Sets the subspace in a lane.
     pub(super) fn set(&mut self, lane: usize, subspace: Subspace<S>) {
         self.is_uniform &= Shape::of(&subspace) == self.shape;
@@ -85,42 +94,6 @@ pub(super) fn is_fit<S: Scalar>(subspace: &Subspace<S>) -> bool {
             let Plane { y_theta, y_m, w, theta_q, m_q, .. } = *plane;
             // the third minor is between the others, but for what is not a number
             is_moderate((y_theta.size() + y_m.size()) + (theta_q.size() + m_q.size())) & !w.size().is_nan()
-        }
-    }
-}
-
-/// The frequencies of a block with their powers.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Frequencies<S: InColumns> {
-    x: S::Columns<WIDTH>,
-    powers: [S::Columns<WIDTH>; 9],
-}
-
-impl<S: InColumns> Frequencies<S> {
-    /// Room for them.
-    pub(super) fn new() -> Self {
-        Frequencies { x: S::zero().columns(), powers: [S::zero().columns(); 9] }
-    }
-
-    /// Sets the frequency in a lane, from another scalar.
-    #[inline(always)]
-    pub(super) fn set<X>(&mut self, lane: usize, at: At<X>, number: impl Fn(X) -> S) {
-        let At { x, lambda_squared, powers: [s, s2, s3, s4], inverse_powers: [i, i2, i3, i4] } = at;
-        number(x).put(&mut self.x, lane);
-        for (column, power) in self.powers.iter_mut().zip([lambda_squared, s, s2, s3, s4, i, i2, i3, i4]) {
-            number(power).put(column, lane);
-        }
-    }
-
-    /// The frequency in a lane, over another scalar.
-    #[inline(always)]
-    pub(super) fn lane<X>(&self, lane: usize, number: impl Fn(S) -> X) -> At<X> {
-        let power = |column: usize| number(S::get(&self.powers[column], lane));
-        At {
-            x: number(S::get(&self.x, lane)),
-            lambda_squared: power(0),
-            powers: [power(1), power(2), power(3), power(4)],
-            inverse_powers: [power(5), power(6), power(7), power(8)],
         }
     }
 }

@@ -1,16 +1,13 @@
 //! What users call: Δ and the count at many frequencies.
 
-use super::WIDTH;
 use super::pass::BlockPass;
 use super::walk::Walk;
+use super::{WIDTH, WORTHWHILE};
 use crate::characteristic::{Characteristic, System, count_and_value};
-use crate::count::{Count, Untallied};
+use crate::count::{CountOf, Untallied};
 use crate::error::SearchError;
 use crate::scalar::{Frequency, InColumns, Real};
 use crate::scaled::Scaled;
-
-/// Below so many frequencies a block costs more than each alone.
-const WORTHWHILE: usize = WIDTH / 3;
 
 /// A system that can be evaluated at one frequency, and at a block of them.
 pub trait InBlocks<S>: Characteristic<S> + Walk<S>
@@ -91,7 +88,7 @@ pub trait ManyFrequencies: System {
         Self::Parameter: InColumns,
     {
         check_room(omegas, counts)?;
-        let mut pass = BlockPass::<Self::Parameter, Count>::new();
+        let mut pass = BlockPass::<Self::Parameter, CountOf<true>>::new();
         for (some, counts) in omegas.chunks(WIDTH).zip(counts.chunks_mut(WIDTH)) {
             if some.len() >= WORTHWHILE && pass.run(self, some) {
                 let heard = pass.tallies.heard();

@@ -8,11 +8,13 @@
 
 mod acts;
 mod connection;
+mod frequencies;
 mod lanes;
 mod loops;
 mod many;
 mod operators;
 mod pass;
+mod passes;
 mod root;
 mod shapes;
 mod straight;
@@ -21,8 +23,12 @@ mod walk;
 
 pub(crate) use many::natural_count;
 pub use many::{InBlocks, ManyFrequencies};
+pub(crate) use passes::{BlockPasses, CarriedInBlock};
 pub use straight::Straight;
 pub use walk::{Walk, Walker};
 
 /// Frequencies in a block: enough to hide the latency of every operation, few enough for the nearest cache.
 pub(crate) const WIDTH: usize = 32;
+
+/// Below so many frequencies a block costs more than each alone.
+pub(crate) const WORTHWHILE: usize = WIDTH / 3;

@@ -1,19 +1,18 @@
 //! The plane method over a block: a walker that keeps what is open in columns.
 
+use super::Straight;
 use super::acts::Through;
 use super::connection::connection;
-use super::lanes::{Frequencies, Lanes};
-use super::loops::{Task, act, widest};
+use super::frequencies::Frequencies;
+use super::lanes::Lanes;
+use super::loops::act;
 use super::root::{Values, at_root};
 use super::tally::Tallies;
 use super::walk::{Walk, Walker};
-use super::{Straight, WIDTH};
-use crate::at::At;
 use crate::count::Tally;
 use crate::element::PlaneStep;
 use crate::scalar::{Frequency, InColumns};
 use crate::state::{Space, Support};
-use core::marker::PhantomData;
 
 /// Paths that may be open at once: branches within branches.
 const OPEN: usize = 12;
@@ -30,32 +29,6 @@ pub(super) struct BlockPass<S: InColumns, C> {
     is_lost: bool,
     pub(super) tallies: Tallies<C>,
     pub(super) values: Values<S>,
-}
-
-/// The powers of frequencies, in straight-line code.
-struct Powers<'a, S: InColumns, T> {
-    of: &'a [S; WIDTH],
-    to: &'a mut Frequencies<S>,
-    parameter: PhantomData<T>,
-}
-
-impl<T, S: Frequency<T> + InColumns> Task for Powers<'_, S, T>
-where
-    Straight<S, false>: Frequency<T>,
-{
-    /// Whether all frequencies have a root in straight-line code.
-    type Output = bool;
-
-    #[inline(always)]
-    fn run(self) -> bool {
-        let mut are_good = true;
-        for lane in 0..WIDTH {
-            let at = At::new::<T>(Straight::<S, false>(self.of[lane]), true);
-            are_good &= !at.powers[0].0.size().is_nan();
-            self.to.set(lane, at, |number| number.0);
-        }
-        are_good
-    }
 }
 
 impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
@@ -80,35 +53,13 @@ impl<S: InColumns, C: Tally<S> + Copy + Default> BlockPass<S, C> {
         Straight<S, false>: Frequency<T>,
         Y: Walk<S> + ?Sized,
     {
-        let Some(&last) = frequencies.last() else { return false };
-        let filled: [S; WIDTH];
-        let all = match frequencies.first_chunk() {
-            Some(all) => all,
-            None => {
-                filled = core::array::from_fn(|lane| frequencies.get(lane).copied().unwrap_or(last));
-                &filled
-            }
-        };
-        if !widest(Powers::<S, T> { of: all, to: &mut self.at, parameter: PhantomData }) {
-            self.take_roots_alone::<T>(all);
+        if !self.at.take::<T>(frequencies) {
+            return false;
         }
         (self.open, self.is_lost) = (0, false);
         self.tallies.heard_mut().fill(C::default());
         system.walk(self);
         !self.is_lost
-    }
-
-    /// Sets the frequencies of which straight-line code has no root.
-    #[cold]
-    fn take_roots_alone<T>(&mut self, all: &[S; WIDTH])
-    where
-        S: Frequency<T>,
-    {
-        for (lane, &x) in all.iter().enumerate() {
-            if self.at.lane(lane, |number| number).powers[0].size().is_nan() {
-                self.at.set(lane, At::new::<T>(x, true), |number| number);
-            }
-        }
     }
 }
 

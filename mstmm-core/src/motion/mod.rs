@@ -41,4 +41,6 @@ pub use response::FrequencyResponse;
 pub use root::Root;
 pub use sensitivity::Sensitivities;
 pub use shape::{ModeShape, ShapeList};
-pub use tree::{JudgedTree, Planned, Tree, Visit, VisitAt};
+pub(crate) use source::Meeting;
+pub use tree::{JudgedTree, Planned, Tree, TreeInBlocks, Visit, VisitAt, VisitInBlock};
+pub(crate) use way::{Crossing, Follow};

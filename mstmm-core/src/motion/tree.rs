@@ -2,7 +2,9 @@
 
 use super::Motion;
 use crate::at::At;
+use crate::block::Straight;
 use crate::characteristic::System;
+use crate::element::PlaneStep;
 use crate::layout::Scheme;
 use crate::scalar::{JudgeOf, Oscillation, Scalar};
 use core::fmt::Debug;
@@ -60,6 +62,25 @@ pub trait Tree<S: Scalar>: System + Planned {
 
     /// Visits the element of a step at the frequency of what was evaluated; `None` where the step is none.
     fn visit_at<V: VisitAt<S>>(&self, evaluated: &Self::Evaluated, step: usize, visitor: V) -> Option<V::Output>;
+}
+
+/// What is done with an element at the frequencies of a block.
+pub trait VisitInBlock<S: Scalar> {
+    /// Visits an element.
+    fn element<E>(self, built: &E::Built)
+    where
+        E: Motion<S> + PlaneStep<Straight<S, false>> + PlaneStep<Straight<S, true>>;
+}
+
+/// A tree whose elements take blocks of frequencies.
+#[diagnostic::on_unimplemented(
+    message = "the motions of `{Self}` are not known at frequencies of type `{S}`",
+    note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet; an element of your own \
+            implements `mstmm::PlaneStep<S>` and `mstmm::Motion<S>` for every `S`"
+)]
+pub trait TreeInBlocks<S: Scalar>: Tree<S> {
+    /// Visits the element of a step, if it is one.
+    fn visit_in_block<V: VisitInBlock<S>>(&self, step: usize, visitor: V);
 }
 
 /// A tree at frequencies of some type, and at those in the arithmetic that judges them.

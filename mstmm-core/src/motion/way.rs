@@ -55,7 +55,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
 }
 
 /// What follows a motion through a tree.
-pub(super) trait Follow {
+pub(crate) trait Follow {
     /// From behind the element of a step to before it, or `against` the transfer direction the other way.
     fn through(&mut self, step: usize, against: bool);
 
@@ -81,28 +81,28 @@ impl<Y: Tree<S> + ?Sized, S: Scalar> Follow for Carried<'_, '_, Y, S> {
 
 /// The way across the connection of a step, from one path to another; `None` is the path downstream.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Crossing {
-    pub(super) at: usize,
-    pub(super) from: Option<usize>,
-    pub(super) to: Option<usize>,
+pub(crate) struct Crossing {
+    pub(crate) at: usize,
+    pub(crate) from: Option<usize>,
+    pub(crate) to: Option<usize>,
 }
 
 impl Crossing {
     /// The other inputs.
-    pub(super) fn others<'a>(self, scheme: Scheme<'a>) -> impl Iterator<Item = usize> + Clone + use<'a> {
+    pub(crate) fn others<'a>(self, scheme: Scheme<'a>) -> impl Iterator<Item = usize> + Clone + use<'a> {
         let inputs = if let Step::Connection(inputs) = scheme.steps[self.at] { inputs } else { &[] };
         let Crossing { from, to, .. } = self;
         inputs.iter().copied().filter(move |input| Some(*input) != from && Some(*input) != to)
     }
 
     /// Whether the way is from input to input: the path downstream is one of the others then.
-    pub(super) fn is_between_inputs(self) -> bool {
+    pub(crate) fn is_between_inputs(self) -> bool {
         self.from.is_some() && self.to.is_some()
     }
 
     /// Carries a covector across, given the sum of all other paths in the space of the connection, and the space of the subspace
     /// downstream.
-    pub(super) fn carry<S: Scalar>(
+    pub(crate) fn carry<S: Scalar>(
         self,
         scheme: Scheme<'_>,
         covector: Covector<S>,

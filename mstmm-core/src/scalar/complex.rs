@@ -86,7 +86,7 @@ impl<T: Real> Scalar for Complex<T> {
         Complex::new(self.re.times_power_of_two(exponent), self.im.times_power_of_two(exponent))
     }
 
-    #[inline(always)]
+    #[inline]
     fn times_normal_power_of_two(self, exponent: i32) -> Self {
         Complex::new(self.re.times_normal_power_of_two(exponent), self.im.times_normal_power_of_two(exponent))
     }

@@ -212,7 +212,7 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.map(|part| part.times_power_of_two(exponent))
     }
 
-    #[inline(always)]
+    #[inline]
     fn times_normal_power_of_two(self, exponent: i32) -> Self {
         self.map(|part| part.times_normal_power_of_two(exponent))
     }

@@ -139,7 +139,7 @@ macro_rules! real {
                 scale(f64::from(self), exponent) as $type
             }
 
-            #[inline(always)]
+            #[inline]
             fn times_normal_power_of_two(self, exponent: i32) -> Self {
                 (f64::from(self) * power_of_two(exponent)) as $type
             }

@@ -1,5 +1,6 @@
 //! Emits what motions need: the labels of the model as values, and the system as a tree whose elements can be visited.
 
+use super::walk::straight_bounds;
 use super::{Names, bounds, element_field, first_of_each_type, implement};
 use crate::ast::{Label, Model};
 use crate::plan::{Plan, Step};
@@ -122,4 +123,22 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
         }
     };
     implement("Tree", bounds("Motion", plan, names), &body, names)
+}
+
+/// `impl TreeInBlocks<S>`: a visit per element, of those that take blocks of frequencies.
+pub(super) fn tree_in_blocks(plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let (private, frequency, visitor) = (&names.private, &names.frequency, &names.tally);
+    let visits = plan.elements.iter().enumerate().map(|(index, element)| {
+        let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
+        quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
+    });
+    let body = quote_spanned! {names.here=>
+        fn visit_in_block<#visitor: #private::VisitInBlock<#frequency>>(&self, step: usize, visitor: #visitor) {
+            match step {
+                #(#visits)*
+                _ => {}
+            }
+        }
+    };
+    implement("TreeInBlocks", [bounds("Motion", plan, names), straight_bounds(plan, names)].concat(), &body, names)
 }

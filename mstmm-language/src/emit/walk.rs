@@ -4,7 +4,7 @@ use super::{Names, bounds, element_field, first_of_each_type, implement};
 use crate::ast::Element;
 use crate::plan::{Plan, Step};
 use proc_macro2::{Literal, TokenStream};
-use quote::{quote, quote_spanned};
+use quote::quote_spanned;
 
 /// `impl Walk<S>`: a call per step, in the order of the plan.
 pub(super) fn walk(plan: &Plan<'_>, names: &Names) -> TokenStream {
@@ -42,17 +42,18 @@ pub(super) fn walk(plan: &Plan<'_>, names: &Names) -> TokenStream {
             #steps
         }
     };
-    let straight = [quote!(false), quote!(true)].map(|series| straight_bounds(&series, plan, names));
-    let bounds = [bounds("PlaneStep", plan, names)].into_iter().chain(straight).flatten().collect();
-    implement("Walk", bounds, &body, names)
+    implement("Walk", [bounds("PlaneStep", plan, names), straight_bounds(plan, names)].concat(), &body, names)
 }
 
-/// What a walk asks of the elements besides: steps over numbers of straight-line code.
-fn straight_bounds(series: &TokenStream, plan: &Plan<'_>, names: &Names) -> Vec<TokenStream> {
-    let bound = |element: &Element| {
-        let span = names.at_element(element);
-        let (kind, private, frequency) = (names.element(element), &names.private, &names.frequency);
-        quote_spanned!(span=> #kind: #private::PlaneStep<#private::Straight<#frequency, #series>>)
+/// What blocks of frequencies ask of the elements besides: steps over numbers of straight-line code.
+pub(super) fn straight_bounds(plan: &Plan<'_>, names: &Names) -> Vec<TokenStream> {
+    let bounds = |series: bool| {
+        let bound = move |element: &Element| {
+            let span = names.at_element(element);
+            let (kind, private, frequency) = (names.element(element), &names.private, &names.frequency);
+            quote_spanned!(span=> #kind: #private::PlaneStep<#private::Straight<#frequency, #series>>)
+        };
+        first_of_each_type(plan, names).into_iter().map(bound)
     };
-    first_of_each_type(plan, names).into_iter().map(bound).collect()
+    bounds(false).chain(bounds(true)).collect()
 }

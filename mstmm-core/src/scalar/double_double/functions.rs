@@ -153,7 +153,7 @@ impl Scalar for DoubleDouble {
         DoubleDouble { hi: self.hi.times_power_of_two(exponent), lo: self.lo.times_power_of_two(exponent) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn times_normal_power_of_two(self, exponent: i32) -> Self {
         DoubleDouble {
             hi: self.hi.times_normal_power_of_two(exponent),
