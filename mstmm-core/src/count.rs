@@ -108,6 +108,13 @@ fn plane_negative<T: Real>(p: &Plane<T>) -> bool {
     negative([p.y_theta, p.theta_q, p.y_m, p.m_q])
 }
 
+/// Whether the stiffness p_ΘQ/p_YΘ against deflection is positive, as that of stiff springs where p_YΘ is zero.
+#[inline(always)]
+fn is_stiff<T: Real>(p: &Plane<T>) -> bool {
+    let (y_theta, theta_q, zero) = (p.y_theta, p.theta_q, T::zero());
+    y_theta.is_zero() | ((theta_q > zero) & (y_theta > zero)) | ((theta_q < zero) & (y_theta < zero))
+}
+
 /// Sign of y, of the limit of a stiff spring where it is zero.
 fn line_negative<T: Real>(line: &Line<T>) -> bool {
     negative([line.y, -line.q])
@@ -160,24 +167,40 @@ impl<T: Real, const IN_LINE: bool> Tally<T> for CountOf<IN_LINE> {
                 let is_negative = negative_in_line([y_theta, theta_q, y_m, m_q]);
                 let is_singular = m_q.is_zero();
                 let determinant_negative = !is_singular & ((m_q < zero) != is_negative);
-                let first_positive =
-                    y_theta.is_zero() | ((theta_q > zero) & (y_theta > zero)) | ((theta_q < zero) & (y_theta < zero));
                 let one = determinant_negative | (is_singular & (negative_in_line([theta_q, y_m]) != is_negative));
-                let two = !is_singular & !determinant_negative & !first_positive;
+                let two = !is_singular & !determinant_negative & !is_stiff(plane);
                 self.below = self.below.saturating_add(u64::from(one) + 2 * u64::from(two));
             }
             Support::Free if plane.m_q.is_zero() => {
                 self.add_if(negative([plane.theta_q, plane.y_m]) != plane_negative(plane));
             }
-            Support::Free => {
-                let first_positive = plane.y_theta.is_zero() || plane.theta_q / plane.y_theta > T::zero();
-                self.negative_eigenvalues(differs(plane.m_q), first_positive);
-            }
+            Support::Free => self.negative_eigenvalues(differs(plane.m_q), is_stiff(plane)),
         }
     }
 
     fn line_root(&mut self, line: &Line<T>, support: Support) {
         // stiffness -q/y of the free end
         self.add_if(support != Support::Fixed && !line.q.is_zero() && (line.q < T::zero()) == line_negative(line));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All planes whose minors are positive, negative or zero, and some that are no numbers.
+    #[test]
+    fn rules_without_branches_are_the_others() {
+        let sizes = [-3.0, -0.0, 0.0, 2.0, f64::NAN, f64::INFINITY];
+        for place in 0..sizes.len().pow(4) {
+            let minor = |index: u32| sizes[place / sizes.len().pow(index) % sizes.len()];
+            let plane = Plane::unscaled([minor(0), minor(1), 1.0, minor(2), minor(3)], 0);
+            for support in [Support::Fixed, Support::Pinned, Support::Guided, Support::Free] {
+                let (mut alone, mut in_line) = (CountOf::<false>::default(), CountOf::<true>::default());
+                alone.plane_root(&plane, support);
+                in_line.plane_root(&plane, support);
+                assert_eq!(alone.below(), in_line.below(), "{plane:?} at {support:?}");
+            }
+        }
     }
 }
