@@ -93,11 +93,6 @@ impl<S: Scalar> Covector<S> {
         }
     }
 
-    /// A covector of nothing.
-    pub(crate) fn zero() -> Self {
-        Covector::Line(S::zero(), 0)
-    }
-
     /// The same with entries near 1 and the rest in the exponent.
     pub(crate) fn moderated(self) -> Self {
         match self {

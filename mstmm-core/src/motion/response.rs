@@ -10,7 +10,7 @@ use super::way::{Carried, Crossing, Follow};
 use crate::block::{BlockPasses, CarriedInBlock, WIDTH, WORTHWHILE};
 use crate::characteristic::System;
 use crate::layout::{Scheme, Step};
-use crate::scalar::{InColumns, Oscillation};
+use crate::scalar::{InColumns, Oscillation, Scalar};
 use crate::scaled::Scaled;
 use crate::state::{Coordinate, Space};
 use crate::subspace::Subspace;
@@ -126,7 +126,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         let step = self.load.step;
         let mut passes = Passes::from_tips(self.system, x, |step| !self.below.as_ref()[step]);
         passes.down_to(step);
-        let (covector, delta) = self.start(&passes.meeting(step), x)?;
+        let (covector, delta) = self.start(&passes.meeting(step));
         let mut motion = Carried { passes: &passes, covector };
         self.follow(&mut motion);
         let subspaces = if self.course == Course::Downstream { &passes.downstream } else { &passes.upstream };
@@ -134,17 +134,9 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     }
 
     /// The covector with which the motion leaves the load, times Δ, and Δ.
-    fn start<S>(&self, meeting: &Meeting<S>, x: S) -> Result<(Covector<S>, Scaled<S>), MotionError>
-    where
-        Y: System,
-        S: Oscillation<Y::Parameter>,
-    {
-        let delta = meeting.delta();
-        if delta.mantissa().is_zero() {
-            return Err(MotionError::Resonance { frequency: x.modulus() });
-        }
+    fn start<S: Scalar>(&self, meeting: &Meeting<S>) -> (Covector<S>, Scaled<S>) {
         let Jump { upstream, downstream } = meeting.jump(self.load.coordinate);
-        Ok((if self.course == Course::Upstream { upstream } else { downstream }, delta))
+        (if self.course == Course::Upstream { upstream } else { downstream }, meeting.delta())
     }
 
     /// Follows the motion from the load to the entry.
@@ -185,6 +177,9 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: System,
         S: Oscillation<Y::Parameter>,
     {
+        if delta.mantissa().is_zero() {
+            return Err(MotionError::Resonance { frequency: x.modulus() });
+        }
         let coordinate = self.entry.coordinate;
         let (entry, exponent) = covector.pick_entry(subspace, coordinate);
         // seen from downstream slope and shear force have the other sign
@@ -198,7 +193,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     /// The response on a grid of the caller's, into memory of the caller's: each value has the bits that it has alone.
     ///
     /// Systems of up to 64 steps take the grid in blocks of frequencies, which costs a fraction of the time; memory for that is on
-    /// the stack, some 3 kB per step for real frequencies.
+    /// the stack, some 3 kB per step for real frequencies, twice as much for complex ones.
     ///
     /// # Errors
     /// As [`at`](FrequencyResponse::at), for the first frequency where it fails; [`MotionError::Capacity`] where `values` is
@@ -242,20 +237,13 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
                 self.one_by_one(grid, values)?;
                 continue;
             }
-            let frequency = |lane: usize| grid[lane.min(grid.len() - 1)];
-            let starts: [_; WIDTH] =
-                core::array::from_fn(|lane| self.start(&passes.meeting(self.load.step, lane), frequency(lane)));
-            let covectors = core::array::from_fn(|lane| match &starts[lane] {
-                Ok((covector, _)) => *covector,
-                Err(_) => Covector::zero(),
-            });
-            let mut motion = CarriedInBlock { passes: &mut passes, covectors };
+            let starts: [_; WIDTH] = core::array::from_fn(|lane| self.start(&passes.meeting(self.load.step, lane)));
+            let mut motion = CarriedInBlock { passes: &mut passes, covectors: starts.map(|(covector, _)| covector) };
             self.follow(&mut motion);
             let covectors = motion.covectors;
-            for (lane, (value, start)) in values.iter_mut().zip(starts).enumerate().take(grid.len()) {
-                let (_, delta) = start?;
+            for (lane, (value, &x)) in values.iter_mut().zip(grid).enumerate() {
                 let subspace = passes.subspace(self.entry.step, self.course == Course::Downstream, lane);
-                *value = self.value(covectors[lane], &subspace, delta, grid[lane])?;
+                *value = self.value(covectors[lane], &subspace, starts[lane].1, x)?;
             }
         }
         Ok(())
