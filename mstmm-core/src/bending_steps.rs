@@ -67,7 +67,7 @@ impl<S: Scalar> BendingCoefficients<S> {
         };
         if C::COUNTS {
             let BendingCoefficients { z, e, b, .. } = *self;
-            let half_waves = S::whole(z.size() / core::f64::consts::PI);
+            let half_waves = S::whole(z.size() * core::f64::consts::FRAC_1_PI);
             let clamped_stiffness = self.factors[2] * b / e;
             tally.beam(&input.plane(), &after, BeamSigns { half_waves, one_minus_product: e, clamped_stiffness });
         }

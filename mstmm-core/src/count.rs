@@ -108,11 +108,12 @@ fn plane_negative<T: Real>(p: &Plane<T>) -> bool {
     negative([p.y_theta, p.theta_q, p.y_m, p.m_q])
 }
 
-/// Whether the stiffness p_ΘQ/p_YΘ against deflection is positive, as that of stiff springs where p_YΘ is zero.
+/// Whether the stiffness p_ΘQ/p_YΘ against deflection, with another beside it, is positive, as that of stiff springs where p_YΘ
+/// is zero. By signs, not by a quotient: it may underflow, and takes its time.
 #[inline(always)]
-fn is_stiff<T: Real>(p: &Plane<T>) -> bool {
-    let (y_theta, theta_q, zero) = (p.y_theta, p.theta_q, T::zero());
-    y_theta.is_zero() | ((theta_q > zero) & (y_theta > zero)) | ((theta_q < zero) & (y_theta < zero))
+fn is_stiff<T: Real>(p: &Plane<T>, beside: T) -> bool {
+    let (y_theta, force, zero) = (p.y_theta, p.theta_q + beside * p.y_theta, T::zero());
+    y_theta.is_zero() | ((force > zero) & (y_theta > zero)) | ((force < zero) & (y_theta < zero))
 }
 
 /// Sign of y, of the limit of a stiff spring where it is zero.
@@ -129,8 +130,7 @@ impl<T: Real, const IN_LINE: bool> Tally<T> for CountOf<IN_LINE> {
 
     fn hinge(&mut self, before: &Plane<T>, after: &Plane<T>, k_y: T) {
         let determinant_negative = plane_negative(before) != plane_negative(after);
-        let first_positive = before.y_theta.is_zero() || before.theta_q / before.y_theta + k_y > T::zero();
-        self.negative_eigenvalues(determinant_negative, first_positive);
+        self.negative_eigenvalues(determinant_negative, is_stiff(before, k_y));
     }
 
     fn beam(&mut self, before: &Plane<T>, after: &Plane<T>, signs: BeamSigns<T>) {
@@ -140,9 +140,7 @@ impl<T: Real, const IN_LINE: bool> Tally<T> for CountOf<IN_LINE> {
         let odd = half_waves % 2 == 1;
         self.below = self.below.saturating_add(half_waves.saturating_sub(u64::from(odd != product_negative)));
         let determinant_negative = plane_negative(before) != (plane_negative(after) != product_negative);
-        let first_positive =
-            before.y_theta.is_zero() || before.theta_q / before.y_theta + signs.clamped_stiffness > T::zero();
-        self.negative_eigenvalues(determinant_negative, first_positive);
+        self.negative_eigenvalues(determinant_negative, is_stiff(before, signs.clamped_stiffness));
     }
 
     fn line_waves(&mut self, before: &Line<T>, after: &Line<T>, held: u64, odd: bool) {
@@ -168,13 +166,13 @@ impl<T: Real, const IN_LINE: bool> Tally<T> for CountOf<IN_LINE> {
                 let is_singular = m_q.is_zero();
                 let determinant_negative = !is_singular & ((m_q < zero) != is_negative);
                 let one = determinant_negative | (is_singular & (negative_in_line([theta_q, y_m]) != is_negative));
-                let two = !is_singular & !determinant_negative & !is_stiff(plane);
+                let two = !is_singular & !determinant_negative & !is_stiff(plane, zero);
                 self.below = self.below.saturating_add(u64::from(one) + 2 * u64::from(two));
             }
             Support::Free if plane.m_q.is_zero() => {
                 self.add_if(negative([plane.theta_q, plane.y_m]) != plane_negative(plane));
             }
-            Support::Free => self.negative_eigenvalues(differs(plane.m_q), is_stiff(plane)),
+            Support::Free => self.negative_eigenvalues(differs(plane.m_q), is_stiff(plane, T::zero())),
         }
     }
 

@@ -120,7 +120,8 @@ pub trait Scalar:
         if is_moderate(size) {
             return (entries, 0);
         }
-        shifted(entries, size)
+        let shift = excess(size);
+        (entries.map(|entry| entry.times_power_of_two(-shift)), shift)
     }
 }
 
@@ -158,14 +159,6 @@ const SMALL: f64 = 1e-60;
 #[inline(always)]
 pub(crate) fn is_moderate(size: f64) -> bool {
     (SMALL < size) & (size < LARGE)
-}
-
-/// Entries without a power of two, and that power.
-#[cold]
-#[inline(never)]
-fn shifted<S: Scalar, const N: usize>(entries: [S; N], size: f64) -> ([S; N], i32) {
-    let shift = excess(size);
-    (entries.map(|entry| entry.times_power_of_two(-shift)), shift)
 }
 
 /// The power of two to take out of entries beyond the middle of the range; none out of zeros and what is not finite.
