@@ -1,5 +1,5 @@
-//! Time of Δ, of the count and of a response per frequency, alone and in blocks, on every instruction set of the machine, in one run.
-//! Prints a Markdown table.
+//! Time of Δ, of the count and of a response per frequency, alone and in blocks, on every instruction set of the machine, in one
+//! run. Prints a Markdown table.
 //!
 //! `cargo bench --bench blocks`. Times are the least of many rounds; quote the ratios.
 

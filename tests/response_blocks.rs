@@ -1,4 +1,5 @@
 //! Responses on a grid against responses alone: every bit, on every instruction set, whatever is beside a frequency.
+
 #[path = "../examples/paper/models.rs"]
 pub mod models;
 #[path = "support/moving_tree.rs"]

@@ -224,7 +224,8 @@ fn add_exponents<S: InColumns, C, A: Straightly<S, C, SERIES>, const SERIES: boo
     }
 }
 
-/// The loop itself, in which exponents are those that the act adds. What it writes are arguments of their own: then the compiler knows that they are apart.
+/// The loop itself, in which exponents are those that the act adds. What it writes are arguments of their own: then the compiler
+/// knows that they are apart.
 #[inline(always)]
 fn each_lane<S: InColumns, C: Copy, A: Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize>(
     act: A,
