@@ -32,14 +32,14 @@ pub trait Characteristic<S: Scalar>: System {
     }
 }
 
-/// The number of natural frequencies below ω, and Δ(ω) from the same pass.
+/// The count of natural frequencies below ω, and Δ(ω) from the same pass.
 #[inline]
-pub(crate) fn count_and_value<Y, S>(system: &Y, x: S) -> (u64, Scaled<S>)
+pub(crate) fn count_and_value<Y, S>(system: &Y, x: S) -> (Count, Scaled<S>)
 where
     S: Real,
     Y: Characteristic<S> + ?Sized,
 {
     let mut count = Count::default();
     let value = system.pass(x, &mut count);
-    (count.below(), value)
+    (count, value)
 }

@@ -24,21 +24,34 @@ pub struct BeamSigns<S> {
 pub trait Tally<S: Scalar> {
     /// Whether anything is received: a step may leave out what only the tally needs.
     const COUNTS: bool;
+    /// Whether sums that cancel are watched.
+    const WATCHES: bool = Self::COUNTS;
     /// A spring took a line from `before` to `after`.
-    fn spring(&mut self, before: &Line<S>, after: &Line<S>);
+    #[inline(always)]
+    fn spring(&mut self, _before: &Line<S>, _after: &Line<S>) {}
     /// A hinge with stiffness `k_y` took a plane from `before` to `after`.
-    fn hinge(&mut self, before: &Plane<S>, after: &Plane<S>, k_y: S);
+    #[inline(always)]
+    fn hinge(&mut self, _before: &Plane<S>, _after: &Plane<S>, _k_y: S) {}
     /// A beam took a plane from `before` to `after`.
-    fn beam(&mut self, before: &Plane<S>, after: &Plane<S>, signs: BeamSigns<S>);
+    #[inline(always)]
+    fn beam(&mut self, _before: &Plane<S>, _after: &Plane<S>, _signs: BeamSigns<S>) {}
     /// A wave element of one's own took a line from `before` to `after`; held at both ends it has `held` frequencies
     /// below this one.
-    fn line_waves(&mut self, before: &Line<S>, after: &Line<S>, held: u64, odd: bool);
+    #[inline(always)]
+    fn line_waves(&mut self, _before: &Line<S>, _after: &Line<S>, _held: u64, _odd: bool) {}
     /// A plane goes on as a line of `space`.
-    fn narrowing(&mut self, plane: &Plane<S>, space: Space);
+    #[inline(always)]
+    fn narrowing(&mut self, _plane: &Plane<S>, _space: Space) {}
     /// A plane ends in the root.
-    fn plane_root(&mut self, plane: &Plane<S>, support: Support);
+    #[inline(always)]
+    fn plane_root(&mut self, _plane: &Plane<S>, _support: Support) {}
     /// A line ends in the root.
-    fn line_root(&mut self, line: &Line<S>, support: Support);
+    #[inline(always)]
+    fn line_root(&mut self, _line: &Line<S>, _support: Support) {}
+
+    /// A sum lost more digits to cancellation than a certificate has room for, or all of them: then it was taken for zero.
+    #[inline(always)]
+    fn cancelled(&mut self, _completely: bool) {}
 }
 
 /// The tally that ignores everything: Δ alone.
@@ -47,20 +60,43 @@ pub struct Untallied;
 
 impl<S: Scalar> Tally<S> for Untallied {
     const COUNTS: bool = false;
+}
+
+/// What cancelled in a pass.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Cancelled {
+    /// Sums lost more digits than a certificate has room for.
+    pub(crate) partly: bool,
+    /// Sums lost all digits.
+    pub(crate) completely: bool,
+}
+
+impl Cancelled {
     #[inline(always)]
-    fn spring(&mut self, _: &Line<S>, _: &Line<S>) {}
+    fn add(&mut self, completely: bool) {
+        self.completely |= completely;
+        self.partly |= !completely;
+    }
+
+    /// Whether another arithmetic has to judge.
+    pub(crate) fn any(self) -> bool {
+        self.partly || self.completely
+    }
+}
+
+/// The tally that watches sums that cancel, and counts nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Watch {
+    pub(crate) cancelled: Cancelled,
+}
+
+impl<S: Scalar> Tally<S> for Watch {
+    const COUNTS: bool = false;
+    const WATCHES: bool = true;
     #[inline(always)]
-    fn hinge(&mut self, _: &Plane<S>, _: &Plane<S>, _: S) {}
-    #[inline(always)]
-    fn beam(&mut self, _: &Plane<S>, _: &Plane<S>, _: BeamSigns<S>) {}
-    #[inline(always)]
-    fn line_waves(&mut self, _: &Line<S>, _: &Line<S>, _: u64, _: bool) {}
-    #[inline(always)]
-    fn narrowing(&mut self, _: &Plane<S>, _: Space) {}
-    #[inline(always)]
-    fn plane_root(&mut self, _: &Plane<S>, _: Support) {}
-    #[inline(always)]
-    fn line_root(&mut self, _: &Line<S>, _: Support) {}
+    fn cancelled(&mut self, completely: bool) {
+        self.cancelled.add(completely);
+    }
 }
 
 /// The number of natural frequencies below the frequency of a pass.
@@ -70,12 +106,18 @@ pub type Count = CountOf<false>;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CountOf<const IN_LINE: bool> {
     below: u64,
+    cancelled: Cancelled,
 }
 
 impl<const IN_LINE: bool> CountOf<IN_LINE> {
     /// The count so far; of all frequencies once the pass has reached the root.
     pub fn below(&self) -> u64 {
         self.below
+    }
+
+    /// What cancelled on the way.
+    pub(crate) fn cancelled(&self) -> Cancelled {
+        self.cancelled
     }
 
     fn add_if(&mut self, condition: bool) {
@@ -174,6 +216,11 @@ impl<T: Real, const IN_LINE: bool> Tally<T> for CountOf<IN_LINE> {
             }
             Support::Free => self.negative_eigenvalues(differs(plane.m_q), is_stiff(plane, T::zero())),
         }
+    }
+
+    #[inline(always)]
+    fn cancelled(&mut self, completely: bool) {
+        self.cancelled.add(completely);
     }
 
     fn line_root(&mut self, line: &Line<T>, support: Support) {

@@ -78,14 +78,18 @@ fn called_root<E: PlaneStep<S>, S: Scalar, C: Tally<S>>(
 /// The join of the first two paths at a connection, in a pass; or of one more to their sum, which may have grown.
 #[doc(hidden)]
 #[inline(always)]
-pub fn join<S: Scalar, const FIRST_TWO: bool, const STEPS: usize>(sum: Subspace<S>, path: Subspace<S>) -> Subspace<S> {
+pub fn join<S: Scalar, C: Tally<S>, const FIRST_TWO: bool, const STEPS: usize>(
+    sum: Subspace<S>,
+    path: Subspace<S>,
+    tally: &mut C,
+) -> Subspace<S> {
     if STEPS > S::LONGEST_IN_LINE {
-        return called_join(sum, path);
+        return called_join(sum, path, tally);
     }
-    if FIRST_TWO { joined(sum, path) } else { joined_on(sum, path) }
+    if FIRST_TWO { joined(sum, path, tally) } else { joined_on(sum, path, tally) }
 }
 
 #[inline(never)]
-fn called_join<S: Scalar>(sum: Subspace<S>, path: Subspace<S>) -> Subspace<S> {
-    joined_on(sum, path)
+fn called_join<S: Scalar, C: Tally<S>>(sum: Subspace<S>, path: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    joined_on(sum, path, tally)
 }

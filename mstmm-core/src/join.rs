@@ -1,6 +1,7 @@
 //! Connections: joining subspaces, holding a point by a support, widening and narrowing.
 
 use crate::count::Tally;
+use crate::doubt::{ROUNDINGS, judge_sum};
 use crate::scalar::{Branches, Scalar};
 use crate::state::{Space, Support};
 use crate::subspace::{Line, Plane, Subspace};
@@ -53,45 +54,57 @@ impl<S: Scalar> Plane<S> {
 
     /// Joins another plane.
     #[inline(always)]
-    pub(crate) fn with_plane(self, r: Plane<S>) -> Self {
+    pub(crate) fn with_plane<C: Tally<S>>(self, r: Plane<S>, tally: &mut C) -> Self {
         let p = self;
         let minors = [
             p.y_theta * r.y_theta,
             p.y_m * r.y_theta + p.y_theta * r.y_m,
             p.w * r.y_theta + p.y_theta * r.w,
             p.theta_q * r.y_theta + p.y_theta * r.theta_q,
-            p.m_q_with(&r),
+            p.m_q_with(&r, tally),
         ];
         Plane::unscaled(minors, p.exponent.saturating_add(r.exponent))
     }
 
     /// p_MQ of two joined planes: zero where no forces are needed at the point.
-    #[inline(always)]
-    pub(crate) fn m_q_with(&self, r: &Plane<S>) -> S {
-        (self.m_q * r.y_theta + self.y_theta * r.m_q) + self.mixed_with(r)
-    }
-
-    /// The mixed part of p_MQ of two joined planes, `p_YM r_ΘQ + r_YM p_ΘQ - 2 w_p w_r`.
     ///
-    /// Where both planes are near a common clamped frequency or rigid-body mode these terms cancel. With
+    /// Its mixed part is `p_YM r_ΘQ + r_YM p_ΘQ - 2 w_p w_r`. Where both planes are near a common clamped frequency or rigid-body mode these terms cancel. With
     /// `w² = p_YM p_ΘQ - p_YΘ p_MQ` of either plane the same is, for `skew = p_YM w_r - r_YM w_p`,
     /// `skew²/(p_YM r_YM) + (r_YM/p_YM) p_YΘ p_MQ + (p_YM/r_YM) r_YΘ r_MQ`, in which every part is small itself.
     #[inline(always)]
-    fn mixed_with(&self, r: &Plane<S>) -> S {
+    pub(crate) fn m_q_with<C: Tally<S>>(&self, r: &Plane<S>, tally: &mut C) -> S {
         let ww = self.w * r.w;
         let plain = (self.y_m * r.theta_q + r.y_m * self.theta_q) - (ww + ww);
         let is_plain = (plain.size() * 16.0 >= ww.size()) | self.y_m.is_zero() | r.y_m.is_zero();
         if S::BRANCHES != Branches::All || is_plain {
-            return plain.provided(is_plain);
+            return (self.m_q * r.y_theta + self.y_theta * r.m_q) + plain.provided(is_plain);
         }
-        self.mixed_by_squares(r)
+        self.m_q_by_squares(r, tally)
     }
 
+    /// The same where the mixed part cancels; watches what its rounding leaves.
+    ///
+    /// A lever on a pin leaves a plane of a rigid constraint. Where a second one holds the same all minors of their sum vanish but
+    /// for rounding, which must not be taken for a clamp.
     #[cold]
-    fn mixed_by_squares(&self, r: &Plane<S>) -> S {
-        let skew = self.y_m * r.w - r.y_m * self.w;
-        let ratio = r.y_m / self.y_m;
-        skew / self.y_m * (skew / r.y_m) + ratio * self.y_theta * self.m_q + r.y_theta * r.m_q / ratio
+    fn m_q_by_squares<C: Tally<S>>(&self, r: &Plane<S>, tally: &mut C) -> S {
+        let p = self;
+        let products = [p.y_m * r.w, r.y_m * p.w];
+        let skew = products[0] - products[1];
+        let ratio = r.y_m / p.y_m;
+        let mixed = skew / p.y_m * (skew / r.y_m) + ratio * p.y_theta * p.m_q + r.y_theta * r.m_q / ratio;
+        let m_q = (p.m_q * r.y_theta + p.y_theta * r.m_q) + mixed;
+        // in its unit `w²/p_YΘ` and `p_YM p_ΘQ/p_YΘ` of the sum are sizes beside which it counts
+        let y_theta = (p.y_theta * r.y_theta).size();
+        let w = (p.w * r.y_theta + p.y_theta * r.w).size();
+        let diagonal = (p.y_m * r.y_theta + p.y_theta * r.y_m) * (p.theta_q * r.y_theta + p.y_theta * r.theta_q);
+        let beside = (w * w).max(diagonal.size());
+        let size = m_q.size().max(if beside > 0.0 { beside / y_theta } else { 0.0 });
+        let rounding = |units: f64| {
+            let of_skew = units * S::EPSILON * products[0].size();
+            of_skew * (2.0 * skew.size() + of_skew) / (p.y_m * r.y_m).size()
+        };
+        if judge_sum::<S, C>(size, rounding(1.0), rounding(ROUNDINGS), tally) { S::zero() } else { m_q }
     }
 
     /// Holds the point by a support: joins the support's own plane, most of whose minors are zero.
@@ -134,7 +147,7 @@ pub(crate) fn in_parallel<S: Scalar>(a: Option<S>, b: Option<S>) -> Option<S> {
 
 /// Joins two subspaces that are no supports.
 #[inline(always)]
-pub(crate) fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
+pub(crate) fn joined<S: Scalar, C: Tally<S>>(a: Subspace<S>, b: Subspace<S>, tally: &mut C) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
     // what a pin holds is an ordinary plane to others
     let ordinary = |subspace| if let Subspace::OnPin(plane) = subspace { OfPlane(plane) } else { subspace };
@@ -155,7 +168,7 @@ pub(crate) fn joined<S: Scalar>(a: Subspace<S>, b: Subspace<S>) -> Subspace<S> {
         }
         (OfPlane(p), Springs { y, theta }) | (Springs { y, theta }, OfPlane(p)) => OfPlane(p.with_springs(y, theta)),
         // behind springs and tips planes come without a look at their range, and here minors meet minors
-        (OfPlane(p), OfPlane(r)) => OfPlane(p.in_range().with_plane(r.in_range())),
+        (OfPlane(p), OfPlane(r)) => OfPlane(p.in_range().with_plane(r.in_range(), tally)),
         (OfPlane(p), Grounded(k, space)) | (Grounded(k, space), OfPlane(p)) => OfPlane(p.with_stiffness(k, space)),
         (OfPlane(p), OfLine(line, space)) | (OfLine(line, space), OfPlane(p)) => OfPlane(p.with_line(line, space)),
         (Grounded(k, Space::Translation), Grounded(j, Space::Rotation))
@@ -184,8 +197,8 @@ pub fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
 
 /// The join of one path more to a sum.
 #[inline(always)]
-pub(crate) fn joined_on<S: Scalar>(sum: Subspace<S>, path: Subspace<S>) -> Subspace<S> {
-    joined(moderated(sum), path)
+pub(crate) fn joined_on<S: Scalar, C: Tally<S>>(sum: Subspace<S>, path: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    joined(moderated(sum), path, tally)
 }
 
 /// Joins a line to the free bending state of a connection that goes on otherwise, before supports hold the point.
@@ -252,8 +265,8 @@ pub(crate) fn connection<S: Scalar, C: Tally<S>>(
     let is_tip = |input: &Subspace<S>| matches!(input, Subspace::Tip(..));
     let mut paths = inputs.clone().filter(|input| !is_tip(input)).map(moderated);
     let first = paths.next();
-    let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second)));
-    let sum = pair.map(|pair| paths.fold(pair, joined_on));
+    let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second, tally)));
+    let sum = pair.map(|pair| paths.fold(pair, |sum, path| joined_on(sum, path, tally)));
     // supports alone hold what goes on
     let alone = Subspace::Tip(Support::Free, output.unwrap_or(Space::Bending));
     let mut sum = sum.map_or(alone, |sum| widened(sum, output));

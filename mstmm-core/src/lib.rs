@@ -21,6 +21,7 @@ mod bounds;
 mod characteristic;
 mod count;
 mod determinant;
+mod doubt;
 mod element;
 pub mod elements;
 mod error;

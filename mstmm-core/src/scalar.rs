@@ -41,6 +41,9 @@ pub trait Scalar:
     /// Which of the formulas for waves are taken.
     const BRANCHES: Branches = Branches::All;
 
+    /// The unit in the last place of 1.
+    const EPSILON: f64;
+
     /// Beyond this size `exp(-2z)` does not count beside 1, while `exp(z)` is still far from overflow.
     const WAVE_LIMIT: f64;
 
@@ -177,9 +180,6 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
 
     /// Whether there is a judge.
     const HAS_JUDGE: bool = false;
-
-    /// The unit in the last place of 1.
-    const EPSILON: f64;
 
     /// Exponential function.
     fn exp(self) -> Self;

@@ -5,12 +5,12 @@ use super::frequencies::Frequencies;
 use super::lanes::Lanes;
 use super::loops::{Act, BENDING, KINDS, LINE, PLANE, ROTATION, Straightly, TRANSLATION, TURN};
 use super::tally::Plainly;
-use crate::count::{Tally, Untallied};
+use crate::count::{Tally, Untallied, Watch};
 use crate::element::{Element, PlaneStep};
 use crate::join::{held, joined, moderated, narrowed, widened};
-use crate::scalar::{Branches, InColumns};
+use crate::scalar::{Branches, InColumns, Scalar};
 use crate::state::{Space, StateSpace, Support};
-use crate::subspace::Subspace;
+use crate::subspace::{Plane, Subspace};
 
 /// Through an element.
 pub(super) struct Through<'a, E: Element, S: InColumns> {
@@ -80,7 +80,7 @@ impl<S: InColumns, const OTHER: usize> Act<S, Untallied> for Join<'_, S, OTHER> 
 
     #[inline(always)]
     fn alone(&self, lane: usize, input: Subspace<S>, _: &mut Untallied) -> Subspace<S> {
-        joined(moderated(input), moderated(self.0.lane(lane)))
+        joined_alone(input, self.0.lane(lane))
     }
 }
 
@@ -97,8 +97,16 @@ impl<S: InColumns, const OTHER: usize, const SERIES: bool> Straightly<S, Untalli
         input: Subspace<Straight<S, SERIES>>,
         _: &mut Untallied,
     ) -> Subspace<Straight<S, SERIES>> {
-        joined(moderated(input), moderated(self.0.known(KINDS[OTHER], lane, Straight)))
+        joined(moderated(input), moderated(self.0.known(KINDS[OTHER], lane, Straight)), &mut Untallied)
     }
+}
+
+/// The join of two paths in a lane of its own. A sum that cancels is no number here: nobody listens, and such a frequency is
+/// evaluated alone.
+pub(super) fn joined_alone<S: Scalar>(input: Subspace<S>, other: Subspace<S>) -> Subspace<S> {
+    let mut watch = Watch::default();
+    let sum = joined(moderated(input), moderated(other), &mut watch);
+    if watch.cancelled.any() { Subspace::Plane(Plane::unscaled([S::zero().or_nan(false); 5], 0)) } else { sum }
 }
 
 /// An act on one subspace by a function that is generic over scalars: what it is, its field, the kinds worth a loop, the

@@ -1,13 +1,12 @@
 //! Connections of a block: the sum of several paths in each lane.
 
 use super::WIDTH;
-use super::acts::{FIXED, GUIDED, Hold, Join, Moderate, Narrow, PINNED, Widen};
+use super::acts::{FIXED, GUIDED, Hold, Join, Moderate, Narrow, PINNED, Widen, joined_alone};
 use super::lanes::Lanes;
 use super::loops::{Act, GROUNDED, GROUNDED_TURN, LINE, PLANE, SPRING, SPRINGS, TURN, TURN_SPRING, act};
 use super::shapes::Shape;
 use super::tally::Tallies;
 use crate::count::{Tally, Untallied};
-use crate::join::{joined, moderated};
 use crate::scalar::InColumns;
 use crate::state::{Space, Support};
 
@@ -115,7 +114,7 @@ fn join<S: InColumns>(input: &Lanes<S>, other: &Lanes<S>, output: &mut Lanes<S>)
         Shape::Springs { theta: true, .. } => act(&Join::<S, TURN_SPRING>(other), input, output, nobody),
         _ => {
             for lane in 0..WIDTH {
-                let sum = joined(moderated(input.lane(lane)), moderated(other.lane(lane)));
+                let sum = joined_alone(input.lane(lane), other.lane(lane));
                 if lane == 0 {
                     output.begin(Shape::of(&sum));
                 }

@@ -3,11 +3,13 @@
 use super::pass::BlockPass;
 use super::walk::Walk;
 use super::{WIDTH, WORTHWHILE};
-use crate::characteristic::{Characteristic, System, count_and_value};
+use crate::characteristic::{Characteristic, System};
 use crate::count::{CountOf, Untallied};
 use crate::error::SearchError;
 use crate::scalar::{Frequency, InColumns, Real};
 use crate::scaled::Scaled;
+use crate::search::{COUNT_MARGIN, NaturalFrequencies, Undamped, agreed};
+use num_traits::Zero;
 
 /// A system that can be evaluated at one frequency, and at a block of them.
 pub trait InBlocks<S>: Characteristic<S> + Walk<S>
@@ -45,10 +47,10 @@ where
 /// cantilever.characteristics(&omegas, &mut values).unwrap();
 /// assert_eq!(values[42], cantilever.characteristic(omegas[42]));
 ///
-/// let mut counts = [0; 100];
+/// let mut counts = [Ok(0); 100];
 /// cantilever.counts_below(&omegas, &mut counts).unwrap();
 /// // modes 1 to 4 are at 7.03, 44.1, 123 and 242 rad/s
-/// assert_eq!((counts[0], counts[1], counts[10], counts[50]), (0, 1, 2, 4));
+/// assert_eq!([counts[0], counts[1], counts[10], counts[50]], [Ok(0), Ok(1), Ok(2), Ok(4)]);
 /// # Ok::<(), mstmm_core::InvalidParameter>(())
 /// ```
 pub trait ManyFrequencies: System {
@@ -65,8 +67,12 @@ pub trait ManyFrequencies: System {
         let mut pass = BlockPass::<S, Untallied>::new();
         for (some, values) in frequencies.chunks(WIDTH).zip(values.chunks_mut(WIDTH)) {
             if some.len() >= WORTHWHILE && pass.run(self, some) {
-                for (lane, (value, _)) in values.iter_mut().zip(some).enumerate() {
+                for (lane, (value, &x)) in values.iter_mut().zip(some).enumerate() {
                     *value = pass.values.lane(lane);
+                    // where sums cancel nothing is made of them in a block
+                    if !value.mantissa().size().is_finite() {
+                        *value = Characteristic::<S>::characteristic(self, x);
+                    }
                 }
                 continue;
             }
@@ -81,40 +87,58 @@ pub trait ManyFrequencies: System {
     /// [`count_below`](crate::search::NaturalFrequencies::count_below) returns for them one by one.
     ///
     /// # Errors
-    /// [`SearchError::Capacity`] where `counts` is shorter than `omegas`.
-    fn counts_below(&self, omegas: &[Self::Parameter], counts: &mut [u64]) -> Result<(), SearchError>
+    /// [`SearchError::Capacity`] where `counts` is shorter than `omegas`; each entry has an error of its own.
+    fn counts_below(
+        &self,
+        omegas: &[Self::Parameter],
+        counts: &mut [Result<u64, SearchError>],
+    ) -> Result<(), SearchError>
     where
-        Self: InBlocks<<Self as System>::Parameter>,
+        Self: InBlocks<<Self as System>::Parameter> + Undamped,
         Self::Parameter: InColumns,
     {
         check_room(omegas, counts)?;
         let mut pass = BlockPass::<Self::Parameter, CountOf<true>>::new();
         for (some, counts) in omegas.chunks(WIDTH).zip(counts.chunks_mut(WIDTH)) {
-            if some.len() >= WORTHWHILE && pass.run(self, some) {
-                let heard = pass.tallies.heard();
-                for (lane, (count, &omega)) in counts.iter_mut().zip(some).enumerate() {
-                    *count = natural_count(omega, heard[lane].below(), pass.values.lane(lane));
-                }
-                continue;
-            }
-            for (count, &omega) in counts.iter_mut().zip(some) {
-                let (below, value) = count_and_value(self, omega);
-                *count = natural_count(omega, below, value);
+            let both = [-COUNT_MARGIN, COUNT_MARGIN].map(|margin| count_block(self, &mut pass, some, margin));
+            for (lane, (count, &omega)) in counts.iter_mut().zip(some).enumerate() {
+                let pair = both[0].as_ref().zip(both[1].as_ref()).map(|(below, above)| [below[lane], above[lane]]);
+                *count = match pair.map(|pair| agreed(omega, pair)) {
+                    Some(Ok(Some(below))) if omega > Self::Parameter::zero() => Ok(below),
+                    _ => self.count_below(omega),
+                };
             }
         }
         Ok(())
     }
 }
 
-impl<Y: System + ?Sized> ManyFrequencies for Y {}
+/// Counts and Δ in the lanes of a block.
+type CountsOfBlock<T> = [(CountOf<true>, Scaled<T>); WIDTH];
 
-/// The count as users see it: nothing is below zero, and where the arithmetic overflows nobody can tell.
-pub(crate) fn natural_count<T: Real>(omega: T, below: u64, value: Scaled<T>) -> u64 {
-    if omega.partial_cmp(&T::zero()) != Some(core::cmp::Ordering::Greater) {
-        return 0;
+/// Counts and Δ at a distance from the frequencies of a block; `None` where they have to go alone.
+fn count_block<Y, T>(
+    system: &Y,
+    pass: &mut BlockPass<T, CountOf<true>>,
+    omegas: &[T],
+    margin: f64,
+) -> Option<CountsOfBlock<T>>
+where
+    T: Real + InColumns,
+    Y: InBlocks<T> + System<Parameter = T> + ?Sized,
+{
+    let mut beside = [T::zero(); WIDTH];
+    let beside = beside.get_mut(..omegas.len())?;
+    for (beside, &omega) in beside.iter_mut().zip(omegas) {
+        *beside = omega + omega * T::from_f64(margin);
     }
-    if value.mantissa().size().is_finite() { below } else { u64::MAX }
+    if omegas.len() < WORTHWHILE || !pass.run(system, beside) {
+        return None;
+    }
+    Some(core::array::from_fn(|lane| (pass.tallies.heard()[lane], pass.values.lane(lane))))
 }
+
+impl<Y: System + ?Sized> ManyFrequencies for Y {}
 
 fn check_room<X, V>(frequencies: &[X], values: &[V]) -> Result<(), SearchError> {
     if values.len() < frequencies.len() { Err(SearchError::Capacity { capacity: values.len() }) } else { Ok(()) }

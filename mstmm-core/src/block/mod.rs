@@ -21,7 +21,6 @@ mod straight;
 mod tally;
 mod walk;
 
-pub(crate) use many::natural_count;
 pub use many::{InBlocks, ManyFrequencies};
 pub(crate) use passes::{BlockPasses, CarriedInBlock};
 pub use straight::Straight;

@@ -10,6 +10,7 @@ pub struct Straight<S, const SERIES: bool>(pub(crate) S);
 
 impl<S: Scalar, const SERIES: bool> Scalar for Straight<S, SERIES> {
     const BRANCHES: Branches = if SERIES { Branches::Series } else { Branches::Waves };
+    const EPSILON: f64 = S::EPSILON;
     const WAVE_LIMIT: f64 = S::WAVE_LIMIT;
     const SERIES_TERMS: usize = S::SERIES_TERMS;
     const LONGEST_IN_LINE: usize = usize::MAX;

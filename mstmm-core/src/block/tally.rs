@@ -61,6 +61,12 @@ fn plane<S: Scalar, const SERIES: bool>(plane: &Plane<Straight<S, SERIES>>) -> P
 
 impl<S: Scalar, C: Tally<S>, const SERIES: bool> Tally<Straight<S, SERIES>> for Plainly<'_, C> {
     const COUNTS: bool = C::COUNTS;
+    const WATCHES: bool = C::WATCHES;
+
+    #[inline(always)]
+    fn cancelled(&mut self, completely: bool) {
+        self.0.cancelled(completely);
+    }
 
     #[inline(always)]
     fn spring(&mut self, before: &Line<Straight<S, SERIES>>, after: &Line<Straight<S, SERIES>>) {

@@ -11,7 +11,10 @@ use crate::scalar::{Frequency, Oscillation, Real};
 use crate::scaled::Scaled;
 use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
+use lever::{Lever, exact};
 use nalgebra::Matrix4;
+
+mod lever;
 
 /// Rigid body with one input and one output end in a bending path; small motions, no longitudinal displacement.
 ///
@@ -40,52 +43,83 @@ pub struct Body<T> {
     pub centre_x: T,
 }
 
+/// A body with what does not depend on the frequency: its inertia about the mass centre, from which nothing is subtracted again.
+#[derive(Clone, Copy, Debug)]
+pub struct BuiltBody<T> {
+    mass: T,
+    /// `J_C = J_I - m c1²`; where the rounding of J_I has put it below zero, it is.
+    central_inertia: T,
+    /// b1.
+    output: Lever<T>,
+    /// c1.
+    centre: Lever<T>,
+    /// `b1 - c1`.
+    centre_to_output: Lever<T>,
+}
+
+impl<T: Real> Body<T> {
+    /// `J_I - m c1²`. The product must be exact: beside a mass on a long arm what is left may be all rounding.
+    fn central_inertia(&self) -> T {
+        let Body { mass, inertia, centre_x, .. } = *self;
+        if T::HAS_JUDGE {
+            T::from_judge(exact(inertia) - exact(mass) * exact(centre_x) * exact(centre_x))
+        } else {
+            inertia - mass * centre_x * centre_x
+        }
+    }
+}
+
 impl<T: Real> Element for Body<T> {
     type State = Bending;
-    type Built = Self;
+    type Built = BuiltBody<T>;
 
-    fn build(self) -> Result<Self, InvalidParameter> {
+    fn build(self) -> Result<BuiltBody<T>, InvalidParameter> {
         Requirement::NonNegative.check("mass", self.mass)?;
         Requirement::Finite.check("output_x", self.output_x)?;
         Requirement::Finite.check("centre_x", self.centre_x)?;
         let about_centre = self.mass * self.centre_x * self.centre_x;
         Requirement::at_least(about_centre, "mass * centre_x²").check("inertia", self.inertia)?;
-        Ok(self)
+        Ok(BuiltBody {
+            mass: self.mass,
+            central_inertia: self.central_inertia(),
+            output: Lever::new(self.output_x),
+            centre: Lever::new(self.centre_x),
+            centre_to_output: Lever::between(self.centre_x, self.output_x),
+        })
     }
 
-    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
+    fn bound(built: &BuiltBody<T>, bounds: &mut FrequencyBounds) {
         bounds.mass(built.mass.to_f64());
-        bounds.length(built.output_x.to_f64());
-        bounds.length(built.centre_x.to_f64());
-        bounds.moment_of_inertia(built.inertia.to_f64());
+        bounds.length(built.output.length.to_f64());
+        bounds.length(built.centre.length.to_f64());
+        bounds.moment_of_inertia((built.central_inertia + built.centre.times(built.centre.times(built.mass))).to_f64());
     }
 }
 
 impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Body<T> {
     #[rustfmt::skip]
-    fn transfer_matrix(built: &Self, x: S) -> Matrix4<S> {
+    fn transfer_matrix(built: &BuiltBody<T>, x: S) -> Matrix4<S> {
         let (zero, one) = (S::zero(), S::one());
-        let b1 = S::from_parameter(built.output_x);
-        let lambda_squared = x.lambda_squared();
-        let a = lambda_squared * built.mass;
-        let b = lambda_squared * (built.mass * built.centre_x);
-        let j = lambda_squared * built.inertia;
+        let BodyCoefficients { a, j, to_output, output, centre, .. } = BodyCoefficients::new(built, x.lambda_squared());
+        let b1 = output.times(one);
         Matrix4::new(
-            one,          b1,         zero, zero,
-            zero,         one,        zero, zero,
-            b - a * b1,   j - b * b1, one,  b1,
-            -a,           -b,         zero, one,
+            one,        b1,                          zero, zero,
+            zero,       one,                         zero, zero,
+            -to_output, j - centre.times(to_output), one,  b1,
+            -a,         -centre.times(a),            zero, one,
         )
     }
 }
 
-/// `a = mλ²`, `b = m c1 λ²`, `j = J_I λ²` and the shift b1 to the output end.
+/// `a = mλ²` and `j = J_C λ²`, `a (b1 - c1)` and `j + a (b1 - c1)²`, and the levers from the input end.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyCoefficients<T, S> {
     a: S,
-    b: S,
     j: S,
-    shift: T,
+    to_output: S,
+    about_output: S,
+    centre: Lever<T>,
+    output: Lever<T>,
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
@@ -93,17 +127,22 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
     type Coefficients = BodyCoefficients<T, S>;
 
     #[inline(always)]
-    fn coefficients(built: &Self, at: &At<S>) -> BodyCoefficients<T, S> {
-        let a = at.lambda_squared * built.mass;
-        BodyCoefficients { a, b: a * built.centre_x, j: at.lambda_squared * built.inertia, shift: built.output_x }
+    fn coefficients(built: &BuiltBody<T>, at: &At<S>) -> BodyCoefficients<T, S> {
+        BodyCoefficients::new(built, at.lambda_squared)
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
-        let (p, shift) = (coefficients.at_input(input), coefficients.shift);
-        let moved = p.theta_q * shift;
-        let y_m = p.y_m + (p.w + p.w + moved) * shift;
-        Subspace::Plane(Plane::new([p.y_theta, y_m, p.w + moved, p.theta_q, p.m_q], p.exponent))
+    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        let BodyCoefficients { a, j, to_output, about_output, output, .. } = *coefficients;
+        if let Subspace::Tip(Support::Free, _) = input {
+            return Subspace::Plane(Plane::new([S::one(), about_output, to_output, a, a * j], 0));
+        }
+        let p = input.plane();
+        let inertia = about_output * p.y_theta;
+        // from the input to the output at once: by way of the mass centre a lever there and back would leave rounding
+        let [y_m, w] = output.far_end(&p, || inertia.size(), tally);
+        let (theta_q, m_q) = coefficients.forces(&p, tally);
+        Subspace::Plane(Plane::new([p.y_theta, y_m + inertia, w + to_output * p.y_theta, theta_q, m_q], p.exponent))
     }
 
     #[inline(always)]
@@ -118,29 +157,28 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
         }
         // the shift to the output end does not change p_MQ
         let p = input.plane();
-        Scaled::new(coefficients.m_q(&p), i64::from(p.exponent))
+        let (_, m_q) = coefficients.forces(&p, tally);
+        Scaled::new(m_q, i64::from(p.exponent))
     }
 }
 
 impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
-    /// The plane behind the body's inertia, still at the input end.
     #[inline(always)]
-    fn at_input(&self, input: Subspace<S>) -> Plane<S> {
-        let BodyCoefficients { a, b, j, .. } = *self;
-        if let Subspace::Tip(Support::Free, _) = input {
-            return Plane::unscaled([S::one(), j, -b, a, j * a - b * b], 0);
-        }
-        let p = input.plane();
-        let minors = [p.y_theta, p.y_m + j * p.y_theta, p.w - b * p.y_theta, p.theta_q + a * p.y_theta, self.m_q(&p)];
-        Plane::unscaled(minors, p.exponent)
+    fn new(built: &BuiltBody<T>, lambda_squared: S) -> Self {
+        let BuiltBody { mass, central_inertia, output, centre, centre_to_output } = *built;
+        let (a, j) = (lambda_squared * mass, lambda_squared * central_inertia);
+        let to_output = centre_to_output.times(a);
+        BodyCoefficients { a, j, to_output, about_output: j + centre_to_output.times(to_output), centre, output }
     }
 
-    /// `p_MQ` behind the body.
+    /// `p_ΘQ` and `p_MQ` behind the body, `p_ΘQ + a p_YΘ` and with it `p_MQ + a p_YM + j p_ΘQ`, with p_YM of the mass centre.
     #[inline(always)]
-    fn m_q(&self, p: &Plane<S>) -> S {
-        let BodyCoefficients { a, b, j, .. } = *self;
-        let bw = b * p.w;
-        p.m_q + a * p.y_m + j * p.theta_q + (bw + bw) + (j * a - b * b) * p.y_theta
+    fn forces<C: Tally<S>>(&self, p: &Plane<S>, tally: &mut C) -> (S, S) {
+        let theta_q = p.theta_q + self.a * p.y_theta;
+        let turning = self.j * theta_q;
+        let beside = || (p.m_q.size() + turning.size()) / self.a.size();
+        let [y_m, _] = self.centre.far_end(p, beside, tally);
+        (theta_q, p.m_q + self.a * y_m + turning)
     }
 }
 
@@ -149,48 +187,45 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Body<T> {
     type Gradient = Body<S>;
     const SYMMETRIC: bool = false;
 
-    /// The same body about its output end: `J_I + m b1 (b1 - 2 c1)` and `b1 - c1`.
-    fn reversed(built: &Self) -> Self {
-        let Body { mass, inertia, output_x, centre_x } = *built;
-        let to_centre = output_x - centre_x;
-        let inertia = inertia + mass * output_x * (to_centre - centre_x);
-        Body { mass, inertia, output_x, centre_x: to_centre }
+    /// The same body about its output end: the levers from its mass centre change places.
+    fn reversed(built: &BuiltBody<T>) -> BuiltBody<T> {
+        BuiltBody { centre: built.centre_to_output, centre_to_output: built.centre, ..*built }
     }
 
-    fn links(built: &Self, at: &At<S>) -> BodyCoefficients<T, S> {
+    fn links(built: &BuiltBody<T>, at: &At<S>) -> BodyCoefficients<T, S> {
         Self::coefficients(built, at)
     }
 
     fn pull_back(links: &BodyCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
-        let BodyCoefficients { a, b, j, shift } = *links;
-        let q_in = q + m * shift;
-        let entries = [y + b * m - a * q_in, theta + y * shift + j * m - b * q_in, m, q_in];
+        let BodyCoefficients { a, j, to_output, centre, output, .. } = *links;
+        let force = a * q + to_output * m;
+        let entries = [y - force, theta + output.times(y) + j * m - centre.times(force), m, q + output.times(m)];
         Covector::Plane(entries, exponent)
     }
 
-    fn units(built: &Self, at: &At<S>) -> [f64; 2] {
-        let BodyCoefficients { a, j, .. } = Self::coefficients(built, at);
-        [S::size(a), S::size(j)]
+    fn units(built: &BuiltBody<T>, at: &At<S>) -> [f64; 2] {
+        let BodyCoefficients { a, j, centre, .. } = Self::coefficients(built, at);
+        [S::size(a), S::size(j + centre.times(centre.times(a)))]
     }
 
-    /// `m (Y₁ Y₂ + c1 (Y₁ Θ₂ + Θ₁ Y₂)) + J_I Θ₁ Θ₂`
-    fn mass_form(built: &Self, first: &Ends<S>, second: &Ends<S>) -> S {
+    /// `m Y₁ Y₂ + J_C Θ₁ Θ₂` with the deflections of the mass centre.
+    fn mass_form(built: &BuiltBody<T>, first: &Ends<S>, second: &Ends<S>) -> S {
         let (first, second) = (first.input, second.input);
-        let lever = (first.y * second.theta + first.theta * second.y) * built.centre_x;
-        (first.y * second.y + lever) * built.mass + first.theta * second.theta * built.inertia
+        let [one, other] = [first, second].map(|end| end.y + built.centre.times(end.theta));
+        one * other * built.mass + first.theta * second.theta * built.central_inertia
     }
 
-    fn stiffness_form(_built: &Self, _first: &Ends<S>, _second: &Ends<S>) -> S {
+    fn stiffness_form(_built: &BuiltBody<T>, _first: &Ends<S>, _second: &Ends<S>) -> S {
         S::zero()
     }
 
     /// The shift of the output end moves what is downstream by Θ: its derivative is the work `Q_O Θ`.
-    fn gradient(built: &Self, ends: &Ends<S>) -> Body<S> {
+    fn gradient(built: &BuiltBody<T>, ends: &Ends<S>) -> Body<S> {
         let (lambda_squared, input) = (ends.x.lambda_squared(), ends.input);
         let lever = input.y * input.theta;
         Body {
-            mass: lambda_squared * (half(input.y * input.y) + lever * built.centre_x),
+            mass: lambda_squared * (half(input.y * input.y) + built.centre.times(lever)),
             inertia: lambda_squared * half(input.theta * input.theta),
             output_x: ends.output.q * input.theta,
             centre_x: lambda_squared * lever * built.mass,

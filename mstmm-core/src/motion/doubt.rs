@@ -9,14 +9,10 @@ use super::field::Field;
 use super::shape::ModeShape;
 use super::tree::Tree;
 use crate::at::At;
+use crate::doubt::{MISFIT, REFUSED_MISFIT};
 use crate::layout::Step;
 use crate::scalar::{Oscillation, Scalar};
 use crate::state::{Coordinate, State};
-
-/// Misfit in units of rounding from which on a motion is computed again in the arithmetic that judges it.
-const DOUBT: f64 = 5e3;
-/// Misfit in units of rounding with which a motion is not returned.
-const REFUSAL: f64 = 5e6;
 
 impl<Y, S> Field<'_, Y, S>
 where
@@ -88,7 +84,7 @@ where
     /// Whether its states do not fit together as well as they could.
     pub(super) fn is_doubtful(&self) -> bool {
         let misfit = self.misfit();
-        misfit.is_nan() || misfit > DOUBT * S::EPSILON
+        misfit.is_nan() || misfit > MISFIT * S::EPSILON
     }
 
     /// Refuses a shape whose states do not fit together. One that is not doubtful is not refused.
@@ -99,7 +95,7 @@ where
     /// Whether its states fit together.
     pub(super) fn check(&self) -> Result<(), MotionError> {
         let misfit = self.misfit();
-        if misfit <= REFUSAL * S::EPSILON {
+        if misfit <= REFUSED_MISFIT * S::EPSILON {
             return Ok(());
         }
         Err(MotionError::Unresolved { root: self.x.modulus(), misfit })

@@ -10,7 +10,7 @@ use super::passes::Passes;
 use super::shape::ModeShape;
 use super::source::dual_of;
 use super::tree::Tree;
-use crate::scalar::{Oscillation, Real, Scalar};
+use crate::scalar::{Oscillation, Scalar};
 use crate::scaled::Scaled;
 use crate::state::Coordinate;
 
@@ -131,7 +131,7 @@ where
         let rounding = S::EPSILON * scale;
         // the roots themselves are rounded, and lie off the middle of the ring
         let of_root = |distance: f64| {
-            let away = SPREAD * <Y::Parameter as Real>::EPSILON * scale / distance;
+            let away = SPREAD * <Y::Parameter as Scalar>::EPSILON * scale / distance;
             let squared = away * away;
             squared * squared * squared * squared
         };

@@ -8,7 +8,7 @@ use super::passes::Passes;
 use super::source::dual_of;
 use super::tree::{JudgedTree, Tree};
 use crate::characteristic::System;
-use crate::scalar::{Oscillation, Real, Scalar};
+use crate::scalar::{Oscillation, Scalar};
 use crate::scaled::{Magnitude, Scaled};
 use core::ops::Deref;
 
@@ -115,7 +115,7 @@ where
         return Err(MotionError::NotFinite { frequency });
     }
     // a root known to rounding, in a shape whose energy is spread over a thousand waves, gives less than half of the digits
-    if mismatch > <Y::Parameter as Real>::EPSILON.sqrt() {
+    if mismatch > <Y::Parameter as Scalar>::EPSILON.sqrt() {
         return Err(MotionError::NotARoot { frequency, mismatch });
     }
     let jump = passes.meeting(best.step).jump(dual_of(best.coordinate));

@@ -7,6 +7,7 @@
 use super::covector::Covector;
 use super::passes::Passes;
 use super::tree::Tree;
+use crate::count::Untallied;
 use crate::scalar::Scalar;
 use crate::scaled::Scaled;
 use crate::state::{Coordinate, Space};
@@ -48,7 +49,7 @@ impl<S: Scalar> Meeting<S> {
             let value = match (upstream, downstream) {
                 (_, Subspace::Tip(support, _)) => p.minor_at(support),
                 (Subspace::Tip(support, _), _) => r.minor_at(support),
-                _ => p.m_q_with(&r),
+                _ => p.m_q_with(&r, &mut Untallied),
             };
             return Scaled::new(value, i64::from(p.exponent) + i64::from(r.exponent));
         }

@@ -6,6 +6,7 @@ use num_complex::Complex;
 use num_traits::Zero;
 
 impl<T: Real> Scalar for Complex<T> {
+    const EPSILON: f64 = T::EPSILON;
     const WAVE_LIMIT: f64 = T::WAVE_LIMIT;
     const SERIES_TERMS: usize = T::SERIES_TERMS;
     const LONGEST_IN_LINE: usize = T::LONGEST_IN_LINE;

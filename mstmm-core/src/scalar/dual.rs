@@ -147,6 +147,7 @@ impl<S: Scalar> One for Dual<S> {
 }
 
 impl<S: Scalar> Scalar for Dual<S> {
+    const EPSILON: f64 = S::EPSILON;
     const WAVE_LIMIT: f64 = S::WAVE_LIMIT;
     const SERIES_TERMS: usize = S::SERIES_TERMS;
     const LONGEST_IN_LINE: usize = S::LONGEST_IN_LINE;
@@ -303,8 +304,6 @@ impl<T: Real> Num for Dual<T> {
 
 impl<T: Real> Real for Dual<T> {
     type Judge = Self;
-
-    const EPSILON: f64 = T::EPSILON;
 
     fn to_f64(self) -> f64 {
         self.value.to_f64()

@@ -14,9 +14,6 @@ pub trait Oscillation<T: Real>: Frequency<T> {
     /// Whether there is a judge.
     const HAS_JUDGE: bool;
 
-    /// The unit in the last place of 1.
-    const EPSILON: f64;
-
     /// The number in the judging arithmetic.
     fn to_judge(self) -> Self::Judge;
 
@@ -57,7 +54,6 @@ pub trait Oscillation<T: Real>: Frequency<T> {
 impl<T: Real> Oscillation<T> for T {
     type Judge = T::Judge;
     const HAS_JUDGE: bool = T::HAS_JUDGE;
-    const EPSILON: f64 = <T as Real>::EPSILON;
 
     fn to_judge(self) -> T::Judge {
         <T::Judge as Frequency<T>>::from_parameter(self)
@@ -108,7 +104,6 @@ impl<T: Real> Oscillation<T> for T {
 impl<T: Real> Oscillation<T> for Complex<T> {
     type Judge = Self;
     const HAS_JUDGE: bool = false;
-    const EPSILON: f64 = T::EPSILON;
 
     fn to_judge(self) -> Self {
         self

@@ -85,6 +85,7 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
 macro_rules! real {
     ($type:ty, $judge:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, $($kernel:item)*)?) => {
         impl Scalar for $type {
+            const EPSILON: f64 = <$type>::EPSILON as f64;
             const WAVE_LIMIT: f64 = $limit;
             const SERIES_TERMS: usize = $terms;
 
@@ -167,8 +168,6 @@ macro_rules! real {
             type Judge = $judge;
 
             $($($kernel)*)?
-
-            const EPSILON: f64 = <$type>::EPSILON as f64;
 
             #[inline]
             fn to_f64(self) -> f64 {

@@ -3,9 +3,11 @@
 use super::natural::{FrequencyList, NaturalFrequency};
 use super::polish::Slope;
 use crate::characteristic::{Characteristic, System, count_and_value};
+use crate::count::Cancelled;
+use crate::doubt::{NEARLY_ZERO_EXPONENT, TOUCHING, ZEROS};
 use crate::error::SearchError;
 use crate::list::List;
-use crate::scalar::{Dual, Real};
+use crate::scalar::{Dual, Real, Scalar};
 use crate::scaled::Scaled;
 
 /// Half the relative width of a certified interval, in units of eps: room for the roundings of z = βl (about four,
@@ -21,15 +23,14 @@ const WAITING: usize = 128;
 /// Factor between the lowest estimate of a frequency and what is taken to be just above zero.
 const ZERO_EXPONENT: i32 = 30;
 
-/// Relative distance of roots below which rounding may have made two of one of multiplicity 2 or 3.
-const TOUCHING: f64 = 1e-5;
+/// Factor below that at which a frequency that is no zero would still be above it.
+const DEEPER_EXPONENT: i32 = 100;
 
-/// Factor below the lowest estimate of a frequency at which rounding may have made a frequency of a zero.
-const NEARLY_ZERO_EXPONENT: i32 = 20;
+/// Logarithm to base 2 of a frequency whose powers are far from the end of the range.
+const LEAST_EXPONENT: i32 = -200;
 
-/// Frequencies far from each other at which Δ may vanish in a row by accident; more of them, and it vanishes identically:
-/// a degree of freedom is held twice, or nothing holds a massless one.
-const ZEROS: usize = 4;
+/// Factor between frequencies at which Δ does not vanish by one accident.
+const FAR_APART: f64 = 3.0;
 
 /// After so many splits in a row that separate nothing, roots are taken for a cluster, which halving would reach too slowly.
 const CLUSTER: u32 = 2;
@@ -60,10 +61,6 @@ pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     pub(super) is_doubtful: bool,
     /// Splits in a row that left all roots of a bracket on one side.
     idle_splits: u32,
-    /// Samples in a row at which Δ vanished.
-    zeros: usize,
-    /// The last of them.
-    last_zero: T,
 }
 
 impl<'a, T, Y> Isolation<'a, Y, T>
@@ -73,7 +70,7 @@ where
 {
     /// A search in arithmetic of type `T`, to the precision of the system's parameters.
     pub(super) fn new(system: &'a Y) -> Self {
-        let precision = Y::Parameter::EPSILON;
+        let precision = <Y::Parameter as Scalar>::EPSILON;
         let waves = f64::from(system.bounds().wave_count());
         let half_width = T::from_f64(HALF_WIDTH * precision * (1.0 + waves / BEAMS_PER_WIDTH));
         Isolation {
@@ -83,46 +80,71 @@ where
             evaluations: 0,
             is_doubtful: false,
             idle_splits: 0,
-            zeros: 0,
-            last_zero: T::zero(),
         }
     }
 
     /// Count and Δ at a frequency.
     pub(super) fn sample(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
         self.evaluations += 1;
-        let (below, value) = count_and_value(self.system, omega);
+        let (count, value) = count_and_value(self.system, omega);
         if !value.mantissa().size().is_finite() {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
-        self.look_for_zeros(omega, value.mantissa().is_zero())?;
-        Ok(Sample { omega, below, value })
+        self.look_at(count.cancelled(), omega)?;
+        if value.mantissa().is_zero() {
+            self.look_for_zeros(omega)?;
+        }
+        Ok(Sample { omega, below: count.below(), value })
     }
 
-    /// Gives up where Δ vanishes at several frequencies far from each other; near a root it may do so at several points.
-    fn look_for_zeros(&mut self, omega: T, is_zero: bool) -> Result<(), SearchError> {
-        if !is_zero {
-            self.zeros = 0;
-        } else if self.zeros == 0 || omega > self.last_zero + self.last_zero || omega + omega < self.last_zero {
-            (self.zeros, self.last_zero) = (self.zeros + 1, omega);
+    /// Doubts a pass in which sums cancelled. One that judges has no other to ask.
+    fn look_at(&mut self, cancelled: Cancelled, omega: T) -> Result<(), SearchError> {
+        self.is_doubtful |= cancelled.any();
+        let is_last = T::EPSILON < self.precision || !Y::Parameter::HAS_JUDGE;
+        if cancelled.partly && is_last {
+            return Err(SearchError::Unresolved { near: omega.to_f64() });
         }
-        if self.zeros > ZEROS { Err(SearchError::Zero { points: self.zeros }) } else { Ok(()) }
+        Ok(())
+    }
+
+    /// Gives up where Δ vanishes at one frequency, and at others far from it.
+    #[cold]
+    fn look_for_zeros(&mut self, omega: T) -> Result<(), SearchError> {
+        let mut x = omega;
+        for _ in 1..ZEROS {
+            x *= T::from_f64(FAR_APART);
+            self.evaluations += 1;
+            if !self.system.characteristic(x).mantissa().is_zero() {
+                return Ok(());
+            }
+        }
+        Err(SearchError::Zero { points: ZEROS })
     }
 
     /// Count, Δ and its derivative at a frequency.
     pub(super) fn slope(&mut self, omega: T) -> Result<Slope<T>, SearchError> {
         self.evaluations += 2;
-        let (below, dual) = count_and_value(self.system, Dual::variable(omega));
+        let (count, dual) = count_and_value(self.system, Dual::variable(omega));
         let Dual { value, derivative } = dual.mantissa();
         if !(value.size().is_finite() && derivative.size().is_finite()) {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
-        Ok(Slope { omega, below, value, derivative, exponent: dual.exponent() })
+        self.look_at(count.cancelled(), omega)?;
+        Ok(Slope { omega, below: count.below(), value, derivative, exponent: dual.exponent() })
     }
 
     /// Just above zero: below every frequency but those that are zero.
-    fn just_above_zero(&self) -> T {
-        T::one().times_power_of_two(self.system.bounds().lowest_exponent() - ZERO_EXPONENT)
+    ///
+    /// Where some seem to be, a frequency far below tells whether they are; then the samples are those of both, else the same twice.
+    fn just_above_zero(&mut self) -> Result<[Sample<T>; 2], SearchError> {
+        let exponent = self.system.bounds().lowest_exponent() - ZERO_EXPONENT;
+        let sample = self.sample(T::one().times_power_of_two(exponent))?;
+        let deeper = (exponent - DEEPER_EXPONENT).max(LEAST_EXPONENT);
+        if sample.below == 0 || deeper >= exponent {
+            return Ok([sample; 2]);
+        }
+        let below = self.sample(T::one().times_power_of_two(deeper))?;
+        Ok([if below.below < sample.below { below } else { sample }, sample])
     }
 
     /// All frequencies of a range.
@@ -136,16 +158,25 @@ where
             return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
         }
         let mut found = List::new();
-        let zero = self.just_above_zero();
-        let margin = self.half_width + self.half_width;
-        let first = if start > zero { start - start * margin } else { zero };
-        let mut lower = self.sample(first)?;
-        if start.is_zero() {
-            Self::push(&mut found, Self::rigid_body_modes(&lower))?;
-        }
         let mut waiting = List::<Sample<T>, WAITING>::new();
-        if end > lower.omega {
-            Self::wait(&mut waiting, self.sample(end + end * margin)?)?;
+        let margin = self.half_width + self.half_width;
+        let last = end + end * margin;
+        let mut lower;
+        if start > T::one().times_power_of_two(self.system.bounds().lowest_exponent() - ZERO_EXPONENT) {
+            lower = self.sample(start - start * margin)?;
+            Self::wait(&mut waiting, self.sample(last)?)?;
+        } else {
+            let [zero, above] = self.just_above_zero()?;
+            lower = zero;
+            if start.is_zero() {
+                Self::push(&mut found, Self::rigid_body_modes(&lower))?;
+            }
+            if last > lower.omega {
+                Self::wait(&mut waiting, self.sample(last)?)?;
+            }
+            if above.omega > lower.omega && last > above.omega {
+                Self::wait(&mut waiting, above)?;
+            }
         }
         while let Some(root) = self.next(&mut lower, &mut waiting)? {
             self.doubt(&root, found.last());
@@ -161,13 +192,15 @@ where
         let wanted = N as u64;
         let bounds = self.system.bounds();
         let mut found = List::new();
-        let mut lower = self.sample(self.just_above_zero())?;
+        let [mut lower, mut highest] = self.just_above_zero()?;
         Self::push(&mut found, Self::rigid_body_modes(&lower))?;
         let mut settled = lower.below;
         // upper ends in ascending order first, to be turned round
         let mut waiting = List::<Sample<T>, WAITING>::new();
+        if highest.omega > lower.omega {
+            Self::wait(&mut waiting, highest)?;
+        }
         let mut exponent = bounds.lowest_exponent() + 1;
-        let mut highest = lower;
         while highest.below < wanted {
             if !bounds.is_continuous() && exponent > bounds.highest_exponent() + ZERO_EXPONENT {
                 return Err(SearchError::TooFewRoots { found: highest.below });

@@ -1,13 +1,15 @@
 //! Natural frequencies of undamped systems: what users call.
 
 use super::certified::Isolation;
-use crate::block::natural_count;
 use crate::characteristic::{Characteristic, System, count_and_value};
+use crate::count::CountOf;
 use crate::error::SearchError;
 use crate::list::List;
 use crate::scalar::{Dual, Real, Scalar};
+use crate::scaled::Scaled;
 use core::fmt;
 use core::ops::{Deref, RangeInclusive};
+use num_traits::Zero;
 
 /// A natural frequency, certified by the count just below and just above it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -98,22 +100,30 @@ impl<Y> Undamped for Y where
 /// Where a result looks as if rounding had a hand in it (roots that coincide or nearly do, slopes that do not fit), the
 /// search is made again in the arithmetic that judges the first: double-double for `f64`.
 pub trait NaturalFrequencies: System {
-    /// Number of natural frequencies below `omega` [rad/s], with multiplicity; rigid-body modes count from ω > 0 on.
+    /// Number of natural frequencies below `omega` [rad/s], with multiplicity; rigid-body modes count from ω > 0 on. No frequency is
+    /// below zero, or a negative number.
     ///
-    /// One evaluation, not judged: within 1e-12 of a frequency, relatively, or within 1e-7 of one that several paths share,
-    /// rounding may put the count on the other side. The searches do not rest on a single count.
+    /// Two evaluations, a relative 4e-6 below and above `omega`. Where their counts differ, or sums cancel in one of them, the
+    /// arithmetic judges that has twice as many digits, within 9e-16.
     ///
-    /// No frequency is below zero, a negative number or a NaN; at an `omega` so large that the arithmetic overflows, the
-    /// count is `u64::MAX`.
+    /// # Errors
+    /// [`SearchError::Unresolved`] where not even that one can tell, as at a frequency itself; [`SearchError::Zero`] for a model
+    /// in which something is held twice; [`SearchError::NotANumber`] for a NaN, or an `omega` so large that the arithmetic
+    /// overflows.
     ///
     /// # Source
     /// Wittrick and Williams along the tree of transfer paths.
-    fn count_below(&self, omega: Self::Parameter) -> u64
+    fn count_below(&self, omega: Self::Parameter) -> Result<u64, SearchError>
     where
-        Self: Characteristic<<Self as System>::Parameter>,
+        Self: Undamped,
     {
-        let (below, value) = count_and_value(self, omega);
-        natural_count(omega, below, value)
+        if omega <= Self::Parameter::zero() {
+            return Ok(0);
+        }
+        match count_beside(self, omega, COUNT_MARGIN)? {
+            Some(below) => Ok(below),
+            None => judged_count(self, omega),
+        }
     }
 
     /// Every natural frequency in a range [rad/s], each certified, with multiplicity.
@@ -157,6 +167,58 @@ pub trait NaturalFrequencies: System {
 }
 
 impl<Y: System + ?Sized> NaturalFrequencies for Y {}
+
+/// Relative distance from a frequency at which its count is taken on both sides: where several paths share one, rounding may
+/// put counts on the other side within a tenth of it.
+pub(crate) const COUNT_MARGIN: f64 = 1.0 / 262_144.0;
+
+/// The same for the arithmetic that judges: four units in the last place of a parameter.
+const JUDGED_MARGIN: f64 = 4.0 * f64::EPSILON;
+
+/// The count on both sides of a frequency, if it is the same and no sum cancelled.
+fn count_beside<Y, T>(system: &Y, omega: T, margin: f64) -> Result<Option<u64>, SearchError>
+where
+    T: Real,
+    Y: Characteristic<T> + ?Sized,
+{
+    let away = omega * T::from_f64(margin);
+    let both = [omega - away, omega + away].map(|x| count_and_value(system, x));
+    agreed(omega, both)
+}
+
+/// The count that two passes beside a frequency agree on.
+pub(crate) fn agreed<T: Real, const IN_LINE: bool>(
+    omega: T,
+    [(below, at_below), (above, at_above)]: [(CountOf<IN_LINE>, Scaled<T>); 2],
+) -> Result<Option<u64>, SearchError> {
+    let [lower, upper] = [at_below, at_above].map(|value| value.mantissa());
+    if !(lower.size().is_finite() && upper.size().is_finite()) {
+        return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
+    }
+    let is_clear = !(lower.is_zero() || upper.is_zero() || below.cancelled().any() || above.cancelled().any());
+    Ok((is_clear && below.below() == above.below()).then_some(below.below()))
+}
+
+/// The count by the arithmetic that judges.
+#[cold]
+#[inline(never)]
+fn judged_count<Y, T>(system: &Y, omega: T) -> Result<u64, SearchError>
+where
+    T: Real,
+    Y: Characteristic<T::Judge> + System<Parameter = T> + ?Sized,
+{
+    let x = <T::Judge as Scalar>::from_f64(omega.to_f64());
+    let away = x * <T::Judge as Scalar>::from_f64(JUDGED_MARGIN);
+    let [below, above] = [x - away, x + away].map(|x| count_and_value(system, x));
+    if below.1.mantissa().is_zero() && above.1.mantissa().is_zero() {
+        return Err(SearchError::Zero { points: 2 });
+    }
+    let is_clear = !(below.0.cancelled().partly || above.0.cancelled().partly);
+    if is_clear && below.0.below() == above.0.below() {
+        return Ok(below.0.below());
+    }
+    Err(SearchError::Unresolved { near: omega.to_f64() })
+}
 
 /// What was found, or where that is doubtful what the judging arithmetic finds.
 fn judged<Y: System + ?Sized, const CAP: usize>(

@@ -3,6 +3,7 @@
 use super::certified::{Isolation, Sample, middle};
 use super::natural::NaturalFrequency;
 use crate::characteristic::{Characteristic, System};
+use crate::doubt::STRAIGHT;
 use crate::error::SearchError;
 use crate::scalar::{Dual, Real};
 use crate::scaled::Scaled;
@@ -148,7 +149,8 @@ fn is_straight<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>
     };
     let growth = at_scale(above.value) - at_scale(below.value);
     let ratio = growth / (nearest.derivative * (above.omega - below.omega));
-    ratio > T::from_f64(0.5) && ratio < T::from_f64(2.0)
+    let (least, greatest) = STRAIGHT;
+    ratio > T::from_f64(least) && ratio < T::from_f64(greatest)
 }
 
 /// Where to begin: the zero of the chord if the bracket is not wide, else its middle.

@@ -80,10 +80,12 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) ->
             Step::Connection { .. } => quote_spanned!(names.here=> #private::moderated(#subspace)),
             _ => subspace.into_token_stream(),
         };
-        let (frequency, first_two) = (&names.frequency, rank == 1);
+        let (frequency, tally, first_two) = (&names.frequency, &names.tally, rank == 1);
         joined.extend(match rank {
             0 => quote_spanned!(names.here=> let #own = #path;),
-            _ => quote_spanned!(names.here=> let #own = #private::join::<#frequency, #first_two, STEPS>(#own, #path);),
+            _ => quote_spanned! {names.here=>
+                let #own = #private::join::<#frequency, #tally, #first_two, STEPS>(#own, #path, tally);
+            },
         });
     }
     if joined.is_empty() {

@@ -17,6 +17,7 @@ impl Counted {
 }
 
 impl Scalar for Counted {
+    const EPSILON: f64 = <f64 as Scalar>::EPSILON;
     const WAVE_LIMIT: f64 = f64::WAVE_LIMIT;
     const SERIES_TERMS: usize = f64::SERIES_TERMS;
 
@@ -70,7 +71,6 @@ impl Scalar for Counted {
 
 impl Real for Counted {
     type Judge = Self;
-    const EPSILON: f64 = <f64 as Real>::EPSILON;
 
     fn to_f64(self) -> f64 {
         tape::look_at(self.origin);

@@ -77,6 +77,8 @@ fn nearest_integer(value: f64) -> f64 {
 }
 
 impl Scalar for DoubleDouble {
+    /// 2^-104: what a handful of roundings may leave, each being up to `5 · 2^-106`.
+    const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
     const WAVE_LIMIT: f64 = 100.0;
     const SERIES_TERMS: usize = 10;
     // the judge is seldom asked, and long in line
@@ -182,9 +184,6 @@ impl InColumns for DoubleDouble {
 
 impl Real for DoubleDouble {
     type Judge = Self;
-
-    /// 2^-104: what a handful of roundings may leave, each being up to `5 · 2^-106`.
-    const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
 
     #[inline]
     fn to_f64(self) -> f64 {

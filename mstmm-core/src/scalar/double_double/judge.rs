@@ -7,7 +7,6 @@ use num_complex::Complex;
 impl Oscillation<f64> for DoubleDouble {
     type Judge = Self;
     const HAS_JUDGE: bool = false;
-    const EPSILON: f64 = <DoubleDouble as Real>::EPSILON;
 
     fn to_judge(self) -> Self {
         self

@@ -1,0 +1,56 @@
+//! When a result is doubtful: all limits beyond which rounding may have had a hand in it.
+//!
+//! Sums that cancel are watched by the pass itself, roots that touch by the searches, states that do not fit by the motions.
+//! What is doubtful is computed again in the arithmetic that judges the first, or refused where there is none.
+
+use crate::count::Tally;
+use crate::scalar::Scalar;
+
+/// Relative loss of a sum beyond which a pass is doubtful, in units of rounding: as wide as a certified interval.
+const LOSS: f64 = 32.0;
+
+/// Roundings that the terms of a sum carry: what is left of them below so many is rounding alone, and taken for zero.
+pub(crate) const ROUNDINGS: f64 = 16.0;
+
+/// Relative distance of roots below which rounding may have made two of one of multiplicity 2 or 3.
+pub(crate) const TOUCHING: f64 = 1e-5;
+
+/// Factor below the lowest estimate of a frequency, as a power of two, at which rounding may have made a frequency of a zero.
+pub(crate) const NEARLY_ZERO_EXPONENT: i32 = 20;
+
+/// Frequencies far from each other at which Δ vanishes by no accident any more but identically: a degree of freedom is held
+/// twice, or nothing holds a massless one.
+pub(crate) const ZEROS: usize = 5;
+
+/// Least and largest growth of Δ across a root, by its slope beside it, that rounding leaves alone.
+pub(crate) const STRAIGHT: (f64, f64) = (0.5, 2.0);
+
+/// Misfit of the states of a motion, in units of rounding, from which on it is computed again in the arithmetic that judges it.
+pub(crate) const MISFIT: f64 = 5e3;
+
+/// Misfit, in units of rounding, with which a motion is not returned.
+pub(crate) const REFUSED_MISFIT: f64 = 5e6;
+
+/// Relative loss of a sum that a certificate has room for: that of the arithmetic, or of the one that it judges.
+#[inline(always)]
+fn largest_loss<S: Scalar>() -> f64 {
+    LOSS * if S::EPSILON < f64::EPSILON { f64::EPSILON } else { S::EPSILON }
+}
+
+/// Tells a tally what rounding leaves of a sum that cancels: `size` is its own or that of what else decides about the subspace in
+/// its unit, `rounding` that of a last place of its terms, and `bound` all that they may have gathered. Returns whether nothing is
+/// left.
+#[cold]
+pub(crate) fn judge_sum<S: Scalar, C: Tally<S>>(size: f64, rounding: f64, bound: f64, tally: &mut C) -> bool {
+    let is_nothing = size <= bound;
+    if is_nothing || rounding > largest_loss::<S>() * size {
+        tally.cancelled(is_nothing);
+    }
+    is_nothing
+}
+
+/// Whether a sum may have lost more than it should to rounding: a first look, which asks for a closer one.
+#[inline(always)]
+pub(crate) fn may_be_lost<S: Scalar>(terms: f64, sum: S) -> bool {
+    S::EPSILON * terms > largest_loss::<S>() * sum.size()
+}

@@ -1,0 +1,94 @@
+//! Levers of rigid bodies: exact differences of lengths, and planes seen from the far end.
+
+use crate::count::Tally;
+use crate::doubt::{ROUNDINGS, judge_sum, may_be_lost};
+use crate::scalar::{Branches, Frequency, Oscillation, Real};
+use crate::subspace::Plane;
+
+/// A length, and what its rounding left out.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lever<T> {
+    pub(super) length: T,
+    rest: T,
+}
+
+/// A parameter in the arithmetic that judges its own.
+pub(super) fn exact<T: Real>(parameter: T) -> T::Judge {
+    <T::Judge as Frequency<T>>::from_parameter(parameter)
+}
+
+impl<T: Real> Lever<T> {
+    /// A lever of a length.
+    pub(super) fn new(length: T) -> Self {
+        Lever { length, rest: T::zero() }
+    }
+
+    /// The lever from one point to another, given their coordinates.
+    pub(super) fn between(from: T, to: T) -> Self {
+        let length = to - from;
+        if !T::HAS_JUDGE {
+            return Lever::new(length);
+        }
+        Lever { length, rest: T::from_judge(exact(to) - exact(from) - exact(length)) }
+    }
+
+    /// The product with the lever; a judge takes it with what rounding left out.
+    #[inline(always)]
+    pub(super) fn times<S: Frequency<T>>(self, value: S) -> S {
+        if S::JUDGES {
+            return value * (S::from_parameter(self.length) + S::from_parameter(self.rest));
+        }
+        value * self.length
+    }
+
+    /// `p_YM` and `w` of a plane at the far end; beside the first stands something else of a size in its unit.
+    #[inline(always)]
+    pub(super) fn far_end<S: Frequency<T>, C: Tally<S>>(
+        self,
+        p: &Plane<S>,
+        beside: impl Fn() -> f64,
+        tally: &mut C,
+    ) -> [S; 2] {
+        let moved = self.times(p.theta_q);
+        let minors = [p.y_m + self.times(p.w + p.w + moved), p.w + moved];
+        if !C::WATCHES {
+            return minors;
+        }
+        let terms = p.y_m.size() + (2.0 * p.w.size() + moved.size()) * self.length.size();
+        let is_kept = !may_be_lost(terms, minors[0]);
+        if S::BRANCHES != Branches::All {
+            return minors.map(|minor| minor.provided(is_kept));
+        }
+        if is_kept { minors } else { self.settled(p, minors, beside(), tally) }
+    }
+
+    /// The same where `p_YM` cancels: as it does by chance, or where levers lead back to the place from which they came and
+    /// leave rounding. A judge takes what is left from the other minors, `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
+    #[cold]
+    fn settled<S: Frequency<T>, C: Tally<S>>(
+        self,
+        p: &Plane<S>,
+        [y_m, w]: [S; 2],
+        beside: f64,
+        tally: &mut C,
+    ) -> [S; 2] {
+        let (arm, theta_q) = (self.length.size(), p.theta_q.size());
+        let product = p.y_theta * p.m_q;
+        let plain = |units: f64| units * S::EPSILON * (p.y_m.size() + (2.0 * p.w.size() + theta_q * arm) * arm);
+        let by_others = |units: f64| {
+            let of_w = units * S::EPSILON * (p.w.size() + theta_q * arm);
+            let of_squares = units * S::EPSILON * (w.size() * w.size() + product.size());
+            (of_w * (2.0 * w.size() + of_w) + of_squares) / theta_q
+        };
+        let is_by_others = S::JUDGES && by_others(1.0) < plain(1.0);
+        let (y_m, roundings) = if is_by_others {
+            ((w * w + product) / p.theta_q, [1.0, ROUNDINGS].map(by_others))
+        } else {
+            (y_m, [1.0, ROUNDINGS].map(plain))
+        };
+        // beside `w²/p_ΘQ`, which is a length squared in the same unit, a chance zero of p_YM does not count
+        let size = y_m.size().max(beside).max(w.size() * w.size() / theta_q);
+        let is_nothing = judge_sum::<S, C>(size, roundings[0], roundings[1], tally);
+        if is_nothing && S::JUDGES { [S::zero(); 2] } else { [y_m, w] }
+    }
+}
