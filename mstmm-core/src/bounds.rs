@@ -1,5 +1,7 @@
 //! Rough bounds of a system's frequencies, from which searches take their first steps.
 
+use crate::scalar::elementary;
+
 /// Extreme stiffnesses and inertias of a system, translation and rotation apart.
 ///
 /// Nothing is certified by these: they only say where to start counting.
@@ -10,6 +12,8 @@ pub struct FrequencyBounds {
     damping: [Range; 2],
     waves: Range,
     wave_count: u32,
+    /// Sum of `z/sqrt(ω)` of all continuous elements.
+    wave_sum: f64,
     /// Sum of all lengths: no lever is longer.
     reach: f64,
 }
@@ -40,6 +44,7 @@ impl Default for FrequencyBounds {
             damping: [Range::EMPTY; 2],
             waves: Range::EMPTY,
             wave_count: 0,
+            wave_sum: 0.0,
             reach: 0.0,
         }
     }
@@ -80,6 +85,7 @@ impl FrequencyBounds {
     pub fn waves(&mut self, omega: f64) {
         self.waves.include(omega);
         self.wave_count = self.wave_count.saturating_add(1);
+        self.wave_sum += elementary!(f64::sqrt, libm::sqrt, omega.recip());
     }
 
     /// A length along a path \[m\]: masses may turn about the far end of a lever that long.
@@ -90,6 +96,11 @@ impl FrequencyBounds {
     /// Number of continuous elements.
     pub(crate) fn wave_count(&self) -> u32 {
         self.wave_count
+    }
+
+    /// Sum of `z/sqrt(ω)` of all continuous elements.
+    pub(crate) fn wave_sum(&self) -> f64 {
+        self.wave_sum
     }
 
     /// Whether some element has infinitely many frequencies.

@@ -15,6 +15,9 @@ pub(crate) const ROUNDINGS: f64 = 16.0;
 /// Relative distance of roots below which rounding may have made two of one of multiplicity 2 or 3.
 pub(crate) const TOUCHING: f64 = 1e-5;
 
+/// Radius of the circle around an eigenvalue, in units of rounding of its modulus, beyond which rounding has widened it.
+pub(crate) const USUAL_ERROR: f64 = 20.0;
+
 /// Factor below the lowest estimate of a frequency, as a power of two, at which rounding may have made a frequency of a zero.
 pub(crate) const NEARLY_ZERO_EXPONENT: i32 = 20;
 

@@ -168,6 +168,14 @@ pub enum SearchError {
         /// How many it has.
         found: u64,
     },
+    /// The search was given up: it took too many evaluations for the roots that it found. The region is too large, or too narrow
+    /// beside roots on its edges.
+    Effort {
+        /// Evaluations so far.
+        evaluations: usize,
+        /// Eigenvalues that were found, in the region or close to it, of each pair one.
+        found: usize,
+    },
     /// Brackets could not be told apart: the counts contradict each other. Nothing is certified, so nothing is returned.
     Unresolved {
         /// Frequency near which this happened.
@@ -201,6 +209,10 @@ impl fmt::Display for SearchError {
             }
             SearchError::TooFewRoots { found } => {
                 write!(f, "no more than {found} of the roots asked for were found up to the highest estimate")
+            }
+            SearchError::Effort { evaluations, found } => {
+                write!(f, "the search was given up after {evaluations} evaluations, with {found} eigenvalues found; ")?;
+                write!(f, "search a smaller region, or one whose edges keep away from eigenvalues")
             }
             SearchError::Unresolved { near } => {
                 write!(f, "the roots near {near} cannot be certified: their counts contradict each other")

@@ -1,12 +1,13 @@
 //! The argument principle: how many eigenvalues a contour encloses.
 
 use super::eigenvalue_search::EigenvalueSearch;
+use super::growth::Growth;
 use super::known::{divided, turning};
 use super::rectangle::Rectangle;
 use super::region::Eigenvalue;
 use crate::characteristic::{Characteristic, System};
 use crate::error::SearchError;
-use crate::scalar::{Dual, Real, Scalar, argument, modulus};
+use crate::scalar::{Dual, Real, argument, modulus};
 use crate::scaled::Scaled;
 use num_complex::Complex;
 
@@ -38,7 +39,7 @@ const HELD_UP: f64 = 0.9 * STEP_BOUND;
 /// or where it exceeds this, wherever it lies.
 const CLOSE: f64 = 8.0;
 
-/// Where Δ is known, or what is left of it when roots are divided out.
+/// Where Δ is known, or what is left of it when roots and its growth are divided out.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point<T> {
     pub(super) lambda: Complex<T>,
@@ -62,11 +63,6 @@ impl<T: Real> Point<T> {
     }
 }
 
-/// Evaluates a system on the complex plane and counts the evaluations.
-pub(super) struct Evaluation<'a, Y: System + ?Sized> {
-    system: &'a Y,
-    pub(super) evaluations: usize,
-}
 
 /// What a walk along a contour found.
 pub(super) enum Walk {
@@ -84,6 +80,8 @@ pub(super) struct Way<'w, T: Real> {
     pub(super) steps: [f64; 3],
     /// The rectangle whose contour it is: then roots that hold up the walk are sought, and divided out.
     pub(super) rectangle: Option<&'w Rectangle<T>>,
+    /// What Δ is divided by from the beginning.
+    pub(super) growth: Growth<T>,
 }
 
 impl<T: Real> Way<'_, T> {
@@ -131,34 +129,10 @@ impl<T: Real> Walker<'_, T> {
     }
 }
 
-impl<'a, T, Y> Evaluation<'a, Y>
-where
-    T: Real,
-    Y: System<Parameter = T> + Characteristic<Dual<Complex<T>>> + ?Sized,
-{
-    pub(super) fn new(system: &'a Y) -> Self {
-        Evaluation { system, evaluations: 0 }
-    }
-
-    /// Δ and its logarithmic derivative. On the real axis Δ is real, whatever the rounding.
-    pub(super) fn at(&mut self, lambda: Complex<T>) -> Result<Point<T>, SearchError> {
-        self.evaluations += 2;
-        let dual = self.system.characteristic(Dual::variable(lambda));
-        let Dual { value, derivative } = dual.mantissa();
-        let rate = derivative / value;
-        let is_root = !rate.size().is_finite();
-        if !value.size().is_finite() || !derivative.size().is_finite() {
-            return Err(SearchError::NotANumber { x: lambda.re.to_f64(), y: lambda.im.to_f64() });
-        }
-        let value = if lambda.im.is_zero() { Complex::new(value.re, T::zero()) } else { value };
-        Ok(Point { lambda, value: Scaled::new(value, dual.exponent()), rate, is_root })
-    }
-}
-
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System<Parameter = T> + Characteristic<Dual<Complex<T>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + ?Sized,
 {
     /// Growth of the argument of Δ along a polygon. Every point on the way is shown to `visit`.
     pub(super) fn walk(&mut self, way: &Way<'_, T>, mut visit: impl FnMut(&Point<T>)) -> Result<Walk, SearchError> {
@@ -170,7 +144,8 @@ where
         if known.iter().any(|root| way.meets(root, shortest)) {
             return Ok(Walk::MeetsRoot);
         }
-        let angle = known.iter().map(|root| turning(root, polygon.clone())).sum();
+        let angle =
+            way.growth.turning(polygon.clone()) + known.iter().map(|root| turning(root, polygon.clone())).sum::<f64>();
         let start = self.evaluation.at(first)?;
         let here = self.left(&start, way);
         let mut walker = Walker { way, next: 1, start, here, shortest, longest, angle, patience: 0, is_stuck: false };
@@ -181,6 +156,7 @@ where
                 continue;
             }
             steps += 1;
+            self.evaluation.check_effort(self.known.roots().len())?;
             if walker.here.is_root || steps > STEPS || !self.step(&mut walker, corner)? {
                 return Ok(Walk::MeetsRoot);
             }
@@ -195,7 +171,10 @@ where
 
     /// What is left of Δ along a way.
     fn left(&self, point: &Point<T>, way: &Way<'_, T>) -> Point<T> {
-        if way.rectangle.is_some() { divided(point, self.known.roots()) } else { *point }
+        if way.rectangle.is_none() {
+            return *point;
+        }
+        divided(&way.growth.taken_from(point), self.known.roots())
     }
 
     /// A step towards a corner; false if steps become too short.

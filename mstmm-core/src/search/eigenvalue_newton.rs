@@ -2,6 +2,7 @@
 
 use super::contour::{Point, Walk, Way, larger};
 use super::eigenvalue_search::EigenvalueSearch;
+use super::growth::Growth;
 use super::known::divided;
 use super::rectangle::{Rectangle, whole};
 use super::region::Eigenvalue;
@@ -128,13 +129,13 @@ fn hermite<T: Real>(previous: &Point<T>, here: &Point<T>) -> Option<Complex<T>> 
 fn settled<T: Real>(estimate: Complex<T>, radius: T) -> Complex<T> {
     let is_real = estimate.im.abs() <= radius;
     let re = if estimate.re.abs() <= radius { T::zero() } else { estimate.re };
-    if is_real { Complex::from(re) } else { estimate }
+    Complex::new(re, if is_real { T::zero() } else { estimate.im })
 }
 
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System<Parameter = T> + Characteristic<Dual<Complex<T>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + ?Sized,
 {
     /// A root that is not yet known near a point, where those are divided out: certified, and known from now on.
     pub(super) fn find(
@@ -168,7 +169,7 @@ where
     ) -> Result<Option<Estimate<T>>, SearchError> {
         let (mut here, mut nearest) = (*start, None);
         let mut sequence = Sequence { previous: None, last: T::zero(), is_slow: false, cubic };
-        let (eps, coarse) = (T::from_f64(0.5 * T::EPSILON), T::from_f64(T::EPSILON).sqrt());
+        let (eps, coarse) = (T::from_f64(0.5 * self.precision), T::from_f64(T::EPSILON).sqrt());
         for _ in 0..NEWTON_STEPS {
             if here.is_root {
                 return Ok(Some(Estimate { lambda: here.lambda, nearest: None, last: here }));
@@ -228,7 +229,7 @@ where
         let Some(nearest) = &estimate.nearest else { return Ok(None) };
         let mut centre = estimate.lambda;
         for _ in 0..2 {
-            let radius = larger(modulus(centre), self.smallest) * T::from_f64(RADIUS * T::EPSILON);
+            let radius = larger(modulus(centre), self.smallest) * T::from_f64(RADIUS * self.precision);
             let lambda = settled(centre, radius);
             let rim = Complex::from(radius);
             let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
@@ -255,11 +256,11 @@ where
 
     fn circle(&mut self, estimate: Complex<T>) -> Result<Option<Eigenvalue<T>>, SearchError> {
         let scale = larger(modulus(estimate), self.smallest);
-        let mut radius = scale * T::from_f64(RADIUS * T::EPSILON);
+        let mut radius = scale * T::from_f64(RADIUS * self.precision);
         while radius < scale * T::from_f64(LARGEST_RADIUS) {
             let lambda = settled(estimate, radius);
             let corner = |(re, im): (f64, f64)| lambda + Complex::new(T::from_f64(re), T::from_f64(im)) * radius;
-            let way = Way { corners: &OCTAGON.map(corner), steps: STEPS_AROUND, rectangle: None };
+            let way = Way { corners: &OCTAGON.map(corner), steps: STEPS_AROUND, rectangle: None, growth: Growth::none() };
             if let Walk::Argument(argument) = self.walk(&way, |_| ())?
                 && let Some(multiplicity @ 1..) = whole(argument / core::f64::consts::TAU)
             {

@@ -1,15 +1,18 @@
 //! Eigenvalues in regions: counted by the argument principle, found by Newton's method; a rectangle in which not all of
 //! them are found is cut in two.
 
-use super::contour::{Evaluation, Point, Walk, Way};
+use super::contour::{Point, Walk, Way, larger};
+use super::evaluation::Evaluation;
+use super::growth::Growth;
 use super::known::{Known, ROOM, divided, with_image};
 use super::rectangle::Rectangle;
 use super::region::{Eigenvalue, EigenvalueList, Region};
 use crate::bounds::FrequencyBounds;
 use crate::characteristic::{Characteristic, System};
+use crate::doubt::{TOUCHING, USUAL_ERROR};
 use crate::error::SearchError;
 use crate::list::List;
-use crate::scalar::{Dual, Real, modulus};
+use crate::scalar::{Dual, Real, Scalar, modulus};
 use num_complex::Complex;
 
 /// Room for rectangles that wait: each is at most cut about 64 times.
@@ -18,6 +21,9 @@ const WAITING: usize = 128;
 /// Where steps would be shorter than the first of these as part of the shorter side, the contour passes so close to a root
 /// that it is moved; the others, parts of the longer side, bound the first two steps.
 const STEPS: [f64; 3] = [1e-7, 1e-6, 0.05];
+
+/// Of a rectangle more slender than that the first steps are parts of the shorter side.
+const SLENDER: f64 = 1.0 / 16.0;
 
 /// Shares by which a contour that meets a root is moved outwards, one after the other.
 const MOVES: [f64; 5] = [0.0, 1e-5, 2.7e-4, 3.1e-3, 1.3e-2];
@@ -35,13 +41,15 @@ const BLUR: f64 = 64.0;
 const NEAR: f64 = 8.0;
 
 /// A search in progress.
-pub(super) struct EigenvalueSearch<'a, Y: System<Parameter = T> + ?Sized, T: Real> {
+pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized, T: Real> {
     pub(super) evaluation: Evaluation<'a, Y>,
     /// The eigenvalues found so far, wherever they lie.
     pub(super) known: Known<T>,
     bounds: FrequencyBounds,
     /// Frequencies of this size are as good as zero.
     pub(super) smallest: T,
+    /// The unit in the last place that results are good to: that of the parameters.
+    pub(super) precision: f64,
 }
 
 /// A rectangle, the number of its roots, and points from which some of them seem near.
@@ -82,16 +90,40 @@ impl<T: Real> Starts<T> {
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System<Parameter = T> + Characteristic<Dual<Complex<T>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + ?Sized,
 {
     pub(super) fn new(system: &'a Y) -> Self {
         let bounds = system.bounds();
         let smallest = T::one().times_power_of_two(bounds.negligible_exponent());
-        EigenvalueSearch { evaluation: Evaluation::new(system), known: Known::new(), bounds, smallest }
+        let precision = <Y::Parameter as Scalar>::EPSILON;
+        EigenvalueSearch { evaluation: Evaluation::new(system), known: Known::new(), bounds, smallest, precision }
+    }
+
+    /// Whether something looked like rounding: sums that cancelled, roots that coincide or nearly do, wide circles.
+    pub(super) fn is_doubtful(&self) -> bool {
+        let roots = self.known.roots();
+        let scale = |root: &Eigenvalue<T>| larger(modulus(root.lambda), self.smallest);
+        let is_blurred = |root: &Eigenvalue<T>| {
+            root.multiplicity > 1 || root.error > scale(root) * T::from_f64(USUAL_ERROR * self.precision)
+        };
+        let touches = |root: &Eigenvalue<T>, other: &Eigenvalue<T>| {
+            modulus(root.lambda - other.lambda) <= scale(root) * T::from_f64(TOUCHING)
+        };
+        let is_close = |(place, root): (usize, &Eigenvalue<T>)| {
+            let image = Eigenvalue { lambda: root.lambda.conj(), ..*root };
+            let has_image = !root.lambda.im.is_zero();
+            roots[..place].iter().any(|other| touches(root, other)) || (has_image && touches(root, &image))
+        };
+        self.evaluation.is_doubtful || roots.iter().any(is_blurred) || roots.iter().enumerate().any(is_close)
+    }
+
+    /// Whether the arithmetic that judges this one has to be asked.
+    pub(super) fn asks_judge(&self) -> bool {
+        Y::Parameter::HAS_JUDGE && T::EPSILON >= self.precision && self.is_doubtful()
     }
 
     /// Number of eigenvalues in a closed region.
-    pub(super) fn count(mut self, region: &Region<T>) -> Result<u64, SearchError> {
+    pub(super) fn count(&mut self, region: &Region<T>) -> Result<u64, SearchError> {
         let rectangle = enclosing(region)?;
         let exact = rectangle.low == *region.im.start() && rectangle.high == *region.im.end();
         if exact && let Some(counted) = self.counted(rectangle)? {
@@ -104,7 +136,7 @@ where
 
     /// All eigenvalues in a closed region.
     pub(super) fn in_region<const CAP: usize>(
-        mut self,
+        &mut self,
         region: &Region<T>,
     ) -> Result<EigenvalueList<T, CAP>, SearchError> {
         let rectangle = enclosing(region)?;
@@ -122,7 +154,10 @@ where
     }
 
     /// The eigenvalues of least modulus in the closed upper half plane.
-    pub(super) fn first<const N: usize>(mut self) -> Result<EigenvalueList<T, N>, SearchError> {
+    pub(super) fn first<const N: usize>(&mut self) -> Result<EigenvalueList<T, N>, SearchError> {
+        if N > ROOM {
+            return Err(SearchError::Capacity { capacity: ROOM });
+        }
         let wanted = N as u64;
         let mut exponent = self.bounds.lowest_exponent() + 3;
         let (mut radius, mut most) = (T::one().times_power_of_two(exponent), 0);
@@ -134,9 +169,11 @@ where
                 (radius, most) = (next, count);
             }
             let is_last = !self.bounds.is_continuous() && exponent > self.bounds.highest_exponent() + 30;
+            // a square holds roots beyond its radius in its corners: those the next one has within
+            let is_new = radius == next || radius + radius == next;
             // each but the real ones has a mirror image
-            if is_last || (count == most && most >= 2 * wanted && radius == next) {
-                let eigenvalues = self.within(radius)?;
+            if is_last || (is_new && most >= 2 * wanted) {
+                let eigenvalues = self.within(if is_last { radius + radius } else { next })?;
                 let found = eigenvalues.iter().map(|root: &Eigenvalue<T>| root.multiplicity).sum();
                 if found >= wanted {
                     return Ok(EigenvalueList { eigenvalues, evaluations: self.evaluation.evaluations });
@@ -199,8 +236,11 @@ where
 
     /// A rectangle with the number of its roots; `None` if its contour meets one.
     fn counted(&mut self, rectangle: Rectangle<T>) -> Result<Option<Counted<T>>, SearchError> {
-        let steps = [STEPS[0] * rectangle.slenderness(), STEPS[1], STEPS[2]];
-        let way = Way { corners: &rectangle.contour(), steps, rectangle: Some(&rectangle) };
+        let slenderness = rectangle.slenderness();
+        let first = if slenderness < SLENDER { slenderness } else { 1.0 };
+        let steps = [STEPS[0] * slenderness, STEPS[1] * first, STEPS[2] * first];
+        let growth = Growth::along(&rectangle, T::from_f64(self.bounds.wave_sum()));
+        let way = Way { corners: &rectangle.contour(), steps, rectangle: Some(&rectangle), growth };
         for _ in 0..2 {
             let mut starts = Starts::default();
             let walk = self.walk(&way, |point| starts.visit(point))?;
@@ -249,6 +289,10 @@ where
                 let root = Eigenvalue { lambda, error, multiplicity };
                 return self.known.push(root).map(|()| true).map_err(|_| SearchError::Capacity { capacity: ROOM });
             }
+            if self.known.is_full() {
+                return Err(SearchError::Capacity { capacity: ROOM });
+            }
+            self.evaluation.check_effort(self.known.roots().len())?;
             let point = self.evaluation.at(start)?;
             self.find(&divided(&point, self.known.roots()), rectangle)?;
         }
@@ -258,15 +302,15 @@ where
     /// Whether a circle with several roots is so wide that rounding alone need not have blurred a double one, while the
     /// rectangle is wide beside it: from nearer by, the roots may be told apart.
     pub(super) fn may_be_a_cluster(&self, root: &Eigenvalue<T>, rectangle: &Rectangle<T>) -> bool {
-        let scale = super::contour::larger(modulus(root.lambda), self.smallest);
+        let scale = larger(modulus(root.lambda), self.smallest);
         let is_wide = root.multiplicity > 1 && root.error > scale * T::from_f64(BLUR) * T::from_f64(T::EPSILON).sqrt();
         is_wide && rectangle.size() > root.error * T::from_f64(NEAR)
     }
 
     /// Whether a rectangle is as small as a certified circle: what it holds cannot be told apart.
     fn is_tiny(&self, rectangle: &Rectangle<T>) -> bool {
-        let scale = super::contour::larger(modulus(rectangle.centre()), self.smallest);
-        rectangle.size() <= scale * T::from_f64(64.0 * T::EPSILON)
+        let scale = larger(modulus(rectangle.centre()), self.smallest);
+        rectangle.size() <= scale * T::from_f64(64.0 * self.precision)
     }
 }
 
@@ -289,7 +333,7 @@ fn enclosing<T: Real>(region: &Region<T>) -> Result<Rectangle<T>, SearchError> {
     if low > T::zero() || high < T::zero() {
         return Ok(Rectangle { left, right, low, high });
     }
-    let high = super::contour::larger(-low, high);
+    let high = larger(-low, high);
     Ok(Rectangle { left, right, low: -high, high })
 }
 

@@ -14,6 +14,9 @@ pub(super) struct Rectangle<T> {
     pub(super) high: T,
 }
 
+/// A rectangle so many times as long as high is cut otherwise than into halves.
+const LONG: f64 = 8.0;
+
 /// The whole number that a count of turns stands for; `None` if it is none.
 pub(super) fn whole(turns: f64) -> Option<u64> {
     let count = (turns + 0.5) as u64;
@@ -87,9 +90,32 @@ impl<T: Real> Rectangle<T> {
         (smaller(self.width(), self.height()) / self.size()).to_f64()
     }
 
+    /// Where a rectangle is cut that reaches far to one side of the imaginary axis, beside which most roots are: there about a
+    /// square is cut off, farther away at the geometric mean of the distances of both ends.
+    fn cut_of_long(&self, share: f64) -> Option<T> {
+        let height = if self.is_symmetric() { self.high } else { self.height() };
+        let (far, near, side) = if -self.left > self.right {
+            (-self.left, -self.right, -T::one())
+        } else {
+            (self.right, self.left, T::one())
+        };
+        if far < height * T::from_f64(LONG) || self.width() < height * T::from_f64(LONG) {
+            return None;
+        }
+        let square = height + height;
+        if near < square {
+            return Some(side * (larger(near, T::zero()) + square * T::from_f64(share + share)));
+        }
+        // the share moves the cut by a part of the way
+        Some(side * (near * far).sqrt() * T::from_f64(0.5 + share))
+    }
+
     /// Two parts, cut across the longer side near a share of it. A symmetric one is cut into two symmetric ones, or into
     /// an upper part, whose mirror image is understood, and a symmetric one.
     pub(super) fn parts(&self, share: f64) -> [Self; 2] {
+        if let Some(cut) = self.cut_of_long(share) {
+            return [Rectangle { right: cut, ..*self }, Rectangle { left: cut, ..*self }];
+        }
         let share = T::from_f64(share);
         if self.width() >= self.height() * T::from_f64(if self.is_symmetric() { 0.5 } else { 1.0 }) {
             let cut = self.left + self.width() * share;

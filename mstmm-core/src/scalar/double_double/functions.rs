@@ -1,8 +1,10 @@
 //! The elementary functions: reduction of the argument, then a Taylor series.
 
 use super::DoubleDouble;
-use crate::scalar::{Dual, Frequency, InColumns, Real, RealFrequency, Scalar, WaveProducts};
+use crate::scalar::{ComplexEigenvalue, Dual, Frequency, InColumns, Real, RealFrequency, Scalar, WaveProducts};
 use core::f64::consts;
+use core::ops::Mul;
+use num_complex::Complex;
 
 /// `π/2` in four parts of 53 bits: the multiples below 2^51 keep 106 bits even where the reduced argument is small.
 const HALF_PI: [f64; 4] =
@@ -262,5 +264,34 @@ impl Frequency<f64> for Dual<DoubleDouble> {
     #[inline]
     fn from_parameter(parameter: f64) -> Self {
         Dual::constant(DoubleDouble::from_f64(parameter))
+    }
+}
+
+impl Mul<f64> for Dual<Complex<DoubleDouble>> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        self * DoubleDouble::from_f64(factor)
+    }
+}
+
+impl Frequency<f64> for Dual<Complex<DoubleDouble>> {
+    type Meaning = ComplexEigenvalue;
+    const JUDGES: bool = true;
+
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        self * self
+    }
+
+    #[inline]
+    fn omega(self) -> Self {
+        Frequency::<DoubleDouble>::omega(self)
+    }
+
+    #[inline]
+    fn from_parameter(parameter: f64) -> Self {
+        Frequency::<DoubleDouble>::from_parameter(DoubleDouble::from_f64(parameter))
     }
 }
