@@ -46,6 +46,12 @@ pub(crate) struct Plan<'a> {
 }
 
 impl<'a> Plan<'a> {
+    /// How many elements of the model are the one at an index into `elements`.
+    pub(crate) fn uses_of(&self, index: usize) -> usize {
+        let is_use = |step: &&Step<'_>| matches!(step, Step::Element { evaluated, .. } if *evaluated == index);
+        self.steps.iter().filter(is_use).count()
+    }
+
     /// Plans a checked tree: depth first from the root, inputs in source order, so that inputs precede outputs.
     pub(crate) fn of(tree: &Tree<'_, 'a>) -> Self {
         let mut plan = Plan { steps: Vec::new(), elements: Vec::new() };

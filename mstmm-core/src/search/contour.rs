@@ -78,7 +78,8 @@ pub(super) struct Way<'w, T: Real> {
     /// As parts of the polygon's size: where steps would have to be shorter than the first of these, the polygon meets a
     /// root; the first step, before anything is known about the way, is no longer than the second, the next than the third.
     pub(super) steps: [f64; 3],
-    /// The rectangle whose contour it is: then roots that hold up the walk are sought, and divided out.
+    /// The rectangle whose contour it is: then roots that hold up the walk are sought, and divided out. None far from the
+    /// imaginary axis, where the growth of Δ stands for all roots beside it.
     pub(super) rectangle: Option<&'w Rectangle<T>>,
     /// What Δ is divided by from the beginning.
     pub(super) growth: Growth<T>,
@@ -171,10 +172,8 @@ where
 
     /// What is left of Δ along a way.
     fn left(&self, point: &Point<T>, way: &Way<'_, T>) -> Point<T> {
-        if way.rectangle.is_none() {
-            return *point;
-        }
-        divided(&way.growth.taken_from(point), self.known.roots())
+        let point = way.growth.taken_from(point);
+        if way.rectangle.is_some() { divided(&point, self.known.roots()) } else { point }
     }
 
     /// A step towards a corner; false if steps become too short.

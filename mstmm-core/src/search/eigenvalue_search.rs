@@ -126,12 +126,24 @@ where
     pub(super) fn count(&mut self, region: &Region<T>) -> Result<u64, SearchError> {
         let rectangle = enclosing(region)?;
         let exact = rectangle.low == *region.im.start() && rectangle.high == *region.im.end();
-        if exact && let Some(counted) = self.counted(rectangle)? {
-            return Ok(counted.roots);
+        if exact && let Some(roots) = self.counted_in_pieces(&rectangle)? {
+            return Ok(roots);
         }
         self.find_in(rectangle)?;
         let found = self.known.roots().iter().flat_map(with_image);
         Ok(found.filter(|root| belongs(root, region)).map(|root| root.multiplicity).sum())
+    }
+
+    /// The number of roots in a rectangle, piece by piece; `None` if a contour meets one.
+    fn counted_in_pieces(&mut self, rectangle: &Rectangle<T>) -> Result<Option<u64>, SearchError> {
+        let mut roots = 0;
+        for piece in rectangle.pieces() {
+            match self.counted(piece)? {
+                Some(counted) => roots += counted.roots,
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(roots))
     }
 
     /// All eigenvalues in a closed region.
@@ -209,6 +221,10 @@ where
 
     /// Makes all eigenvalues in a rectangle or close to its contour known.
     fn find_in(&mut self, rectangle: Rectangle<T>) -> Result<(), SearchError> {
+        rectangle.pieces().try_for_each(|piece| self.find_in_piece(piece))
+    }
+
+    fn find_in_piece(&mut self, rectangle: Rectangle<T>) -> Result<(), SearchError> {
         for share in MOVES {
             if let Some(counted) = self.counted(rectangle.grown(share))? {
                 return if self.find_all(&counted)? { Ok(()) } else { self.find_in_parts(&counted) };
@@ -239,8 +255,9 @@ where
         let slenderness = rectangle.slenderness();
         let first = if slenderness < SLENDER { slenderness } else { 1.0 };
         let steps = [STEPS[0] * slenderness, STEPS[1] * first, STEPS[2] * first];
-        let growth = Growth::along(&rectangle, T::from_f64(self.bounds.wave_sum()));
-        let way = Way { corners: &rectangle.contour(), steps, rectangle: Some(&rectangle), growth };
+        let growth = Growth::far_from_axis(&rectangle, T::from_f64(self.bounds.wave_sum()));
+        let passed = rectangle.far_side().is_none().then_some(&rectangle);
+        let way = Way { corners: &rectangle.contour(), steps, rectangle: passed, growth };
         for _ in 0..2 {
             let mut starts = Starts::default();
             let walk = self.walk(&way, |point| starts.visit(point))?;

@@ -1,18 +1,15 @@
 //! How Δ grows far from its roots, divided out so that steps along a contour may grow with the distance.
 
 use super::contour::Point;
-use super::rectangle::Rectangle;
+use super::rectangle::{Rectangle, Side};
 use crate::scalar::{Real, Scalar};
 use crate::scaled::Scaled;
 use num_complex::Complex;
 
-/// A rectangle so many times as long as high reaches far to one side of the imaginary axis.
-const LONG: f64 = 8.0;
-
 /// The growth `e^g` of Δ on one side of the imaginary axis, `g = (1 ∓ i) Σz` with `z = βl` of all beams: there one of the
 /// exponentials in `ch z cos z` is beyond all others. It has no zero, and its argument is known along every contour.
 ///
-/// Where no beam is, and along contours that do not reach far to one side, nothing is divided out.
+/// Near the axis, and where no beam is, nothing is divided out.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Growth<T> {
     /// `(1 ∓ i) Σ z/sqrt(ω)`.
@@ -25,17 +22,12 @@ impl<T: Real> Growth<T> {
         Growth { factor: Complex::from(T::zero()) }
     }
 
-    /// That along the contour of a rectangle, given the sum of `z/sqrt(ω)`.
-    pub(super) fn along(rectangle: &Rectangle<T>, waves: T) -> Self {
-        let height = if rectangle.is_symmetric() { rectangle.high } else { rectangle.height() };
-        let (left, right) = (-rectangle.left, rectangle.right);
-        let far = height * T::from_f64(LONG);
-        if left > far && left > right {
-            Growth { factor: Complex::new(waves, -waves) }
-        } else if right > far {
-            Growth { factor: Complex::new(waves, waves) }
-        } else {
-            Growth::none()
+    /// That of a rectangle far from the imaginary axis, given the sum of `z/sqrt(ω)`.
+    pub(super) fn far_from_axis(rectangle: &Rectangle<T>, waves: T) -> Self {
+        match rectangle.far_side() {
+            Some(Side::Left) => Growth { factor: Complex::new(waves, -waves) },
+            Some(Side::Right) => Growth { factor: Complex::new(waves, waves) },
+            None => Growth::none(),
         }
     }
 
@@ -84,9 +76,8 @@ mod tests {
     #[test]
     fn what_is_left_of_a_beam_far_from_the_imaginary_axis_is_a_constant() {
         for (re, im) in [(-3e3, 20.0), (-900.0, 0.0), (2e3, 15.0), (-3e3, -20.0)] {
-            let high = 30.0;
-            let (left, right) = if re < 0.0 { (-4e3, 1.0) } else { (-1.0, 4e3) };
-            let growth = Growth::along(&Rectangle { left, right, low: -high, high }, 1.0);
+            let (left, right) = if re < 0.0 { (-4e3, -500.0) } else { (500.0, 4e3) };
+            let growth = Growth::far_from_axis(&Rectangle { left, right, low: -30.0, high: 30.0 }, 1.0);
             let lambda: Complex<f64> = Complex::new(re, im);
             let z = Complex::new(lambda.im, -lambda.re).sqrt();
             let value = Scaled::new(z.cosh() * z.cos(), 0);

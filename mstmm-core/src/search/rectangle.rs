@@ -14,8 +14,15 @@ pub(super) struct Rectangle<T> {
     pub(super) high: T,
 }
 
-/// A rectangle so many times as long as high is cut otherwise than into halves.
-const LONG: f64 = 8.0;
+/// So many heights from the imaginary axis a rectangle is far from it.
+const FAR: f64 = 8.0;
+
+/// A side of the imaginary axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    Left,
+    Right,
+}
 
 /// The whole number that a count of turns stands for; `None` if it is none.
 pub(super) fn whole(turns: f64) -> Option<u64> {
@@ -90,33 +97,49 @@ impl<T: Real> Rectangle<T> {
         (smaller(self.width(), self.height()) / self.size()).to_f64()
     }
 
-    /// Where a rectangle is cut that reaches far to one side of the imaginary axis, beside which most roots are: there about a
-    /// square is cut off, farther away at the geometric mean of the distances of both ends.
-    fn cut_of_long(&self, share: f64) -> Option<T> {
-        let height = if self.is_symmetric() { self.high } else { self.height() };
-        let (far, near, side) = if -self.left > self.right {
-            (-self.left, -self.right, -T::one())
+    /// Height above the real axis, or the whole.
+    fn own_height(&self) -> T {
+        if self.is_symmetric() { self.high } else { self.height() }
+    }
+
+    /// The side of the imaginary axis on which the rectangle lies far from it beside its height.
+    pub(super) fn far_side(&self) -> Option<Side> {
+        let far = self.own_height() * T::from_f64(FAR);
+        if self.right <= -far {
+            Some(Side::Left)
+        } else if self.left >= far {
+            Some(Side::Right)
         } else {
-            (self.right, self.left, T::one())
+            None
+        }
+    }
+
+    /// A rectangle that reaches far to a side of the imaginary axis as the part beside the axis and those far from it.
+    pub(super) fn pieces(&self) -> impl Iterator<Item = Self> + use<T> {
+        let far = self.own_height() * T::from_f64(FAR);
+        let reaches = |end: T| end > far + far;
+        let left = (reaches(-self.left) && self.right > -far).then_some(Rectangle { right: -far, ..*self });
+        let right = (reaches(self.right) && self.left < far).then_some(Rectangle { left: far, ..*self });
+        let near = Rectangle {
+            left: if left.is_some() { -far } else { self.left },
+            right: if right.is_some() { far } else { self.right },
+            ..*self
         };
-        if far < height * T::from_f64(LONG) || self.width() < height * T::from_f64(LONG) {
-            return None;
-        }
-        let square = height + height;
-        if near < square {
-            return Some(side * (larger(near, T::zero()) + square * T::from_f64(share + share)));
-        }
-        // the share moves the cut by a part of the way
-        Some(side * (near * far).sqrt() * T::from_f64(0.5 + share))
+        [Some(near), left, right].into_iter().flatten()
     }
 
     /// Two parts, cut across the longer side near a share of it. A symmetric one is cut into two symmetric ones, or into
     /// an upper part, whose mirror image is understood, and a symmetric one.
     pub(super) fn parts(&self, share: f64) -> [Self; 2] {
-        if let Some(cut) = self.cut_of_long(share) {
-            return [Rectangle { right: cut, ..*self }, Rectangle { left: cut, ..*self }];
-        }
         let share = T::from_f64(share);
+        if let Some(side) = self.far_side() {
+            // far from the axis roots are as far from each other
+            let mean = (self.left * self.right).sqrt() * (share + T::from_f64(0.5));
+            let cut = if side == Side::Left { -mean } else { mean };
+            if cut > self.left && cut < self.right && self.width() > self.own_height() {
+                return [Rectangle { right: cut, ..*self }, Rectangle { left: cut, ..*self }];
+            }
+        }
         if self.width() >= self.height() * T::from_f64(if self.is_symmetric() { 0.5 } else { 1.0 }) {
             let cut = self.left + self.width() * share;
             return [Rectangle { right: cut, ..*self }, Rectangle { left: cut, ..*self }];

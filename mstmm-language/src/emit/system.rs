@@ -12,10 +12,15 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
     let definition = definition(model, plan, keeps_fields, names);
     let build = build(model, plan, keeps_fields, names);
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
-    let bounds = plan.elements.iter().map(|element| {
+    let bounds = plan.elements.iter().enumerate().map(|(index, element)| {
         let (span, element_field, kind) =
             (names.at_element(element), element_field(element, names), names.element_as(element, "Element"));
-        quote_spanned!(span=> #kind::bound(&self.#element_field, &mut bounds);)
+        let bound = quote_spanned!(span=> #kind::bound(&self.#element_field, &mut bounds););
+        // equal elements are built once, but each adds its length
+        match plan.uses_of(index) {
+            1 => bound,
+            uses => quote_spanned!(span=> for _ in 0..#uses { #bound }),
+        }
     });
     quote_spanned! {names.here=>
         #definition
