@@ -82,7 +82,7 @@ fn counts<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(
     end: f64,
 ) -> Result<(), Failure> {
     let frequencies: Vec<f64> = (1..=FREQUENCIES).map(|k| end * k as f64 / FREQUENCIES as f64).collect();
-    let (mut some, mut same) = ([0; FREQUENCIES], [0; FREQUENCIES]);
+    let (mut some, mut same) = ([Ok(0); FREQUENCIES], [Ok(0); FREQUENCIES]);
     print(
         name,
         || {

@@ -70,7 +70,7 @@ system! {{ {model} }}
 fn main() -> Result<(), Box<dyn std::error::Error>> {{
     let model = Model {{ length: 0.1, bending_stiffness: 1.0, mass_per_length: 1.0, mass: 1.0, stiffness: 1.0 }};
     let system = model.build()?;
-    println!(\"{{}} below 1 rad/s\", system.count_below(1.0));
+    println!(\"{{}} below 1 rad/s\", system.count_below(1.0)?);
     println!(\"{{:?}}\", system.first_frequencies::<3>()?);
     println!(\"{{:?}}\", system.natural_frequencies::<64>(0.0..=1.0)?);
     println!(\"{{:?}}\", system.eigenvalues::<64>(Region {{ re: -1.0..=1.0, im: -1.0..=1.0 }})?);

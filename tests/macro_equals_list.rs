@@ -30,7 +30,7 @@ use damped_models::for_each_damped;
 use finite_elements::Model;
 use legendre_beam::LegendreBeam;
 use list_of_tree::{any_steps, undamped_steps};
-use mstmm::search::NaturalFrequencies;
+use mstmm::search::{NaturalFrequencies, Undamped};
 use mstmm::{
     Characteristic, Complex, Evaluate, InBlocks, ListStep, ManyFrequencies, ParameterError, SMatrix, Scalar, Scaled,
     Space, StepList, System,
@@ -141,7 +141,7 @@ where
 fn undamped_models_equal_their_lists() {
     fn check<Y, const N: usize>(seed: u64, system: Result<Y, ParameterError>)
     where
-        Y: InBlocks<f64> + Characteristic<C> + System<Parameter = f64> + Evaluate<C, Matrix = SMatrix<C, N, N>>,
+        Y: InBlocks<f64> + Undamped + Characteristic<C> + System<Parameter = f64> + Evaluate<C, Matrix = SMatrix<C, N, N>>,
     {
         let (system, tree) = (system.unwrap(), random_tree(seed, BEAMS, false));
         let steps = undamped_steps(&tree);

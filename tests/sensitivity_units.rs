@@ -2,7 +2,7 @@
 #![allow(missing_docs, reason = "models of a test")]
 
 use mstmm::prelude::*;
-use mstmm::{DoubleDouble, Real};
+use mstmm::{DoubleDouble, Real, Scalar};
 
 system! {
     /// A frame of three equal arms, two of them elastic, with a body in the middle of its trunk.
@@ -79,7 +79,7 @@ macro_rules! assert_units {
                 let sum: f64 = terms.iter().sum();
                 let size: f64 = terms.iter().map(|term| term.abs()).sum();
                 // fourteen elements of some forty roundings each, and z waves
-                let eps = <$scalar as Real>::EPSILON.max(f64::EPSILON);
+                let eps = <$scalar as Scalar>::EPSILON.max(f64::EPSILON);
                 let limit = 64.0 * eps * (size + omega) * (1.0 + $modes as f64);
                 assert!((sum - expected * omega).abs() <= limit, "{omega}, unit {unit}: {sum} {terms:?}");
             }

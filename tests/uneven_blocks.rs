@@ -88,7 +88,7 @@ system! {
 fn lanes_of_different_kinds_are_evaluated_alone() {
     let system = Latched {}.build().unwrap();
     let omegas: [f64; 64] = core::array::from_fn(|k| 0.1 * (k + 1) as f64);
-    let (mut values, mut counts) = ([Scaled::new(0.0, 0); 64], [0; 64]);
+    let (mut values, mut counts) = ([Scaled::new(0.0, 0); 64], [Ok(0); 64]);
     system.characteristics(&omegas, &mut values).unwrap();
     system.counts_below(&omegas, &mut counts).unwrap();
     for ((value, count), omega) in values.into_iter().zip(counts).zip(omegas) {

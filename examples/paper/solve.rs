@@ -7,7 +7,7 @@ use crate::models::{
 use crate::reference::{Example, Failure, Search};
 use core::time::Duration;
 use mstmm::prelude::*;
-use mstmm::{Dual, System};
+use mstmm::System;
 use std::time::Instant;
 
 /// Room for the minima of one search, ends and edges of its range included.
@@ -110,7 +110,7 @@ where
 /// The certified search for damped systems, in the paper's rectangle.
 fn certified_rectangle<S>(system: &S, search: &Search) -> Result<Solution, Failure>
 where
-    S: Eigenvalues<Parameter = f64> + Characteristic<Dual<Complex<f64>>>,
+    S: Eigenvalues<Parameter = f64> + Spectrum,
 {
     let Search::Rectangle { ranges: [omega, delta], .. } = search else {
         return Err("a damped system is searched on a rectangle".into());

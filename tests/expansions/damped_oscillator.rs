@@ -830,7 +830,7 @@ const _: () = {
                 STEPS,
             >(&k_3, s2, tally);
             let s4 = s1;
-            let s4 = mstmm::__private::join::<S, true, STEPS>(s4, s3);
+            let s4 = mstmm::__private::join::<S, C, true, STEPS>(s4, s3, tally);
             let s4 = mstmm::__private::widened(s4, const { LAYOUT.output(4usize) });
             let s4 = mstmm::__private::narrowed(
                 s4,
@@ -860,7 +860,7 @@ const _: () = {
                 STEPS,
             >(&k_6, s7, tally);
             let s9 = s5;
-            let s9 = mstmm::__private::join::<S, true, STEPS>(s9, s8);
+            let s9 = mstmm::__private::join::<S, C, true, STEPS>(s9, s8, tally);
             let s9 = mstmm::__private::widened(s9, const { LAYOUT.output(9usize) });
             let s9 = mstmm::__private::narrowed(
                 s9,
@@ -884,7 +884,7 @@ const _: () = {
                 STEPS,
             >(&k_10, s11, tally);
             let s13 = s10;
-            let s13 = mstmm::__private::join::<S, true, STEPS>(s13, s12);
+            let s13 = mstmm::__private::join::<S, C, true, STEPS>(s13, s12, tally);
             let s13 = mstmm::__private::widened(s13, const { LAYOUT.output(13usize) });
             let s13 = mstmm::__private::narrowed(
                 s13,

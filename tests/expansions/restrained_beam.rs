@@ -473,7 +473,7 @@ const _: () = {
                 STEPS,
             >(&k_5, s5, tally);
             let s7 = s4;
-            let s7 = mstmm::__private::join::<S, true, STEPS>(s7, s6);
+            let s7 = mstmm::__private::join::<S, C, true, STEPS>(s7, s6, tally);
             let s7 = mstmm::__private::widened(s7, const { LAYOUT.output(7usize) });
             let s7 = mstmm::__private::narrowed(
                 s7,

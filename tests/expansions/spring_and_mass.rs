@@ -575,7 +575,7 @@ const _: () = {
                 STEPS,
             >(&k_3, s2, tally);
             let s4 = s1;
-            let s4 = mstmm::__private::join::<S, true, STEPS>(s4, s3);
+            let s4 = mstmm::__private::join::<S, C, true, STEPS>(s4, s3, tally);
             let s4 = mstmm::__private::widened(s4, const { LAYOUT.output(4usize) });
             let s4 = mstmm::__private::narrowed(
                 s4,
@@ -599,7 +599,7 @@ const _: () = {
                 STEPS,
             >(&k_6, s6, tally);
             let s8 = s5;
-            let s8 = mstmm::__private::join::<S, true, STEPS>(s8, s7);
+            let s8 = mstmm::__private::join::<S, C, true, STEPS>(s8, s7, tally);
             let s8 = mstmm::__private::widened(s8, const { LAYOUT.output(8usize) });
             let s8 = mstmm::__private::narrowed(
                 s8,

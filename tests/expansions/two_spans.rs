@@ -593,7 +593,7 @@ const _: () = {
                 STEPS,
             >(&k_5, s6, tally);
             let s8 = s4;
-            let s8 = mstmm::__private::join::<S, true, STEPS>(s8, s7);
+            let s8 = mstmm::__private::join::<S, C, true, STEPS>(s8, s7, tally);
             let s8 = mstmm::__private::widened(s8, const { LAYOUT.output(8usize) });
             let s8 = mstmm::__private::narrowed(
                 s8,

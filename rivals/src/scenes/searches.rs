@@ -7,7 +7,7 @@ use crate::plain;
 use crate::structure::Structure;
 use core::ops::RangeInclusive;
 use mstmm::prelude::*;
-use mstmm::{Dual, SMatrix, System};
+use mstmm::{SMatrix, System};
 
 /// Room for the minima of a scan, ends and edges of its range included.
 const MINIMA: usize = 32;
@@ -83,7 +83,7 @@ where
 pub(super) fn damped<Y>(name: &'static str, system: Y, exact: Vec<Complex<f64>>, structure: Structure) -> Scene
 where
     Y: Evaluate<Complex<f64>, Matrix = SMatrix<Complex<f64>, 7, 7>>
-        + Characteristic<Dual<Complex<f64>>>
+        + Spectrum
         + System<Parameter = f64>
         + Clone
         + 'static,

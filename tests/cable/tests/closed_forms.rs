@@ -177,7 +177,7 @@ fn many_frequencies_at_once() {
     let model = LoadedString { length: 2.0, tension: 3.0, mass_per_length: 0.5, mass: 0.7 };
     let system = model.build().unwrap();
     let omegas: [f64; 100] = core::array::from_fn(|k| 1e-3 * 1.2f64.powi(k as i32));
-    let (mut values, mut counts) = ([mstmm::Scaled::new(0.0, 0); 100], [0; 100]);
+    let (mut values, mut counts) = ([mstmm::Scaled::new(0.0, 0); 100], [Ok(0); 100]);
     system.characteristics(&omegas, &mut values).unwrap();
     system.counts_below(&omegas, &mut counts).unwrap();
     for ((value, count), omega) in values.into_iter().zip(counts).zip(omegas) {
