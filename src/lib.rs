@@ -119,7 +119,9 @@ pub use mstmm_core::ModalResponse;
 
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {
-    pub use crate::search::{Eigenvalue, Eigenvalues, NaturalFrequencies, NaturalFrequency, Region, Spectrum, Undamped};
+    pub use crate::search::{
+        Eigenvalue, Eigenvalues, NaturalFrequencies, NaturalFrequency, Region, Spectrum, Undamped,
+    };
     pub use crate::search::{fmin1d, fmin2d};
     pub use crate::{Characteristic, Complex, Evaluate, ManyFrequencies, Motions, system};
 }

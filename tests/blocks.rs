@@ -231,6 +231,9 @@ fn results_need_room() {
     let mut values = [Scaled::new(0.0, 0); 2];
     let error = system.characteristics(&[1.0, 2.0, 3.0], &mut values).unwrap_err();
     assert_eq!(error, SearchError::Capacity { capacity: 2 });
-    assert_eq!(system.counts_below(&[1.0, 2.0, 3.0], &mut [Ok(0); 2]).unwrap_err(), SearchError::Capacity { capacity: 2 });
+    assert_eq!(
+        system.counts_below(&[1.0, 2.0, 3.0], &mut [Ok(0); 2]).unwrap_err(),
+        SearchError::Capacity { capacity: 2 }
+    );
     assert_eq!(system.characteristics(&[], &mut values), Ok(()));
 }

@@ -141,7 +141,11 @@ where
 fn undamped_models_equal_their_lists() {
     fn check<Y, const N: usize>(seed: u64, system: Result<Y, ParameterError>)
     where
-        Y: InBlocks<f64> + Undamped + Characteristic<C> + System<Parameter = f64> + Evaluate<C, Matrix = SMatrix<C, N, N>>,
+        Y: InBlocks<f64>
+            + Undamped
+            + Characteristic<C>
+            + System<Parameter = f64>
+            + Evaluate<C, Matrix = SMatrix<C, N, N>>,
     {
         let (system, tree) = (system.unwrap(), random_tree(seed, BEAMS, false));
         let steps = undamped_steps(&tree);

@@ -91,7 +91,11 @@ fn assert_certified(
     let width = (upper - lower) / omega;
     assert!(width <= WIDTH * condition, "{id}, mode {index}: width {width:e}, condition {condition}");
     assert_eq!(multiplicity, 1, "{id}, mode {index}");
-    assert_eq!((system.count_below(lower), system.count_below(upper)), (Ok(index - 1), Ok(index)), "{id}, mode {index}");
+    assert_eq!(
+        (system.count_below(lower), system.count_below(upper)),
+        (Ok(index - 1), Ok(index)),
+        "{id}, mode {index}"
+    );
 }
 
 /// Every mode of a case, its system built from the values of its parameters.

@@ -1,7 +1,7 @@
 //! What a built system offers to the searches: Δ by the plane method, with a tally.
 
 use crate::bounds::FrequencyBounds;
-use crate::count::{Count, Tally, Untallied};
+use crate::count::{CountOf, Tally, Untallied};
 use crate::scalar::{Real, Scalar};
 use crate::scaled::Scaled;
 
@@ -32,14 +32,14 @@ pub trait Characteristic<S: Scalar>: System {
     }
 }
 
-/// The count of natural frequencies below ω, and Δ(ω) from the same pass.
+/// The count of natural frequencies below ω, and Δ(ω) from the same pass, which watches sums that cancel or does not.
 #[inline]
-pub(crate) fn count_and_value<Y, S>(system: &Y, x: S) -> (Count, Scaled<S>)
+pub(crate) fn count_and_value<const WATCHES: bool, Y, S>(system: &Y, x: S) -> (CountOf<false, WATCHES>, Scaled<S>)
 where
     S: Real,
     Y: Characteristic<S> + ?Sized,
 {
-    let mut count = Count::default();
+    let mut count = CountOf::default();
     let value = system.pass(x, &mut count);
     (count, value)
 }

@@ -102,14 +102,15 @@ impl<S: Scalar> Tally<S> for Watch {
 /// The number of natural frequencies below the frequency of a pass.
 pub type Count = CountOf<false>;
 
-/// The same, without branches in straight-line code (`IN_LINE`); for a frequency of its own those are faster.
+/// The same, without branches in straight-line code (`IN_LINE`), which are faster for a frequency of its own; and without a look
+/// at sums that cancel, for passes beside others that look (`WATCHES`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct CountOf<const IN_LINE: bool> {
+pub struct CountOf<const IN_LINE: bool, const WATCHES: bool = true> {
     below: u64,
     cancelled: Cancelled,
 }
 
-impl<const IN_LINE: bool> CountOf<IN_LINE> {
+impl<const IN_LINE: bool, const WATCHES: bool> CountOf<IN_LINE, WATCHES> {
     /// The count so far; of all frequencies once the pass has reached the root.
     pub fn below(&self) -> u64 {
         self.below
@@ -163,8 +164,9 @@ fn line_negative<T: Real>(line: &Line<T>) -> bool {
     negative([line.y, -line.q])
 }
 
-impl<T: Real, const IN_LINE: bool> Tally<T> for CountOf<IN_LINE> {
+impl<T: Real, const IN_LINE: bool, const WATCHES: bool> Tally<T> for CountOf<IN_LINE, WATCHES> {
     const COUNTS: bool = true;
+    const WATCHES: bool = WATCHES;
 
     fn spring(&mut self, before: &Line<T>, after: &Line<T>) {
         self.add_if(line_negative(before) != line_negative(after));

@@ -192,10 +192,7 @@ fn undamped_trees() {
 }
 
 /// The eigenvalues in a rectangle.
-fn eigenvalues<M>(
-    _: &M,
-    system: &(impl Eigenvalues<Parameter = f64> + Spectrum),
-) -> Vec<Eigenvalue> {
+fn eigenvalues<M>(_: &M, system: &(impl Eigenvalues<Parameter = f64> + Spectrum)) -> Vec<Eigenvalue> {
     system.eigenvalues::<64>(Region { re: -6.0..=0.5, im: 0.0..=6.0 }).unwrap().to_vec()
 }
 

@@ -11,7 +11,7 @@ use crate::scalar::{Frequency, Oscillation, Real};
 use crate::scaled::Scaled;
 use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
-use lever::{Lever, exact};
+use lever::{Lever, Levers, exact};
 use nalgebra::Matrix4;
 
 mod lever;
@@ -49,10 +49,8 @@ pub struct BuiltBody<T> {
     mass: T,
     /// `J_C = J_I - m c1²`; where the rounding of J_I has put it below zero, it is.
     central_inertia: T,
-    /// b1.
-    output: Lever<T>,
-    /// c1.
-    centre: Lever<T>,
+    /// b1 and c1.
+    levers: Levers<T>,
     /// `b1 - c1`.
     centre_to_output: Lever<T>,
 }
@@ -82,17 +80,17 @@ impl<T: Real> Element for Body<T> {
         Ok(BuiltBody {
             mass: self.mass,
             central_inertia: self.central_inertia(),
-            output: Lever::new(self.output_x),
-            centre: Lever::new(self.centre_x),
+            levers: Levers::new(Lever::new(self.output_x), Lever::new(self.centre_x)),
             centre_to_output: Lever::between(self.centre_x, self.output_x),
         })
     }
 
     fn bound(built: &BuiltBody<T>, bounds: &mut FrequencyBounds) {
         bounds.mass(built.mass.to_f64());
-        bounds.length(built.output.length.to_f64());
-        bounds.length(built.centre.length.to_f64());
-        bounds.moment_of_inertia((built.central_inertia + built.centre.times(built.centre.times(built.mass))).to_f64());
+        let Levers { output, centre, .. } = built.levers;
+        bounds.length(output.length.to_f64());
+        bounds.length(centre.length.to_f64());
+        bounds.moment_of_inertia((built.central_inertia + centre.times(centre.times(built.mass))).to_f64());
     }
 }
 
@@ -100,7 +98,8 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Body<T> {
     #[rustfmt::skip]
     fn transfer_matrix(built: &BuiltBody<T>, x: S) -> Matrix4<S> {
         let (zero, one) = (S::zero(), S::one());
-        let BodyCoefficients { a, j, to_output, output, centre, .. } = BodyCoefficients::new(built, x.lambda_squared());
+        let BodyCoefficients { a, j, to_output, levers, .. } = BodyCoefficients::new(built, x.lambda_squared());
+        let Levers { output, centre, .. } = levers;
         let b1 = output.times(one);
         Matrix4::new(
             one,        b1,                          zero, zero,
@@ -118,8 +117,7 @@ pub struct BodyCoefficients<T, S> {
     j: S,
     to_output: S,
     about_output: S,
-    centre: Lever<T>,
-    output: Lever<T>,
+    levers: Levers<T>,
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
@@ -133,15 +131,13 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
 
     #[inline(always)]
     fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
-        let BodyCoefficients { a, j, to_output, about_output, output, .. } = *coefficients;
+        let BodyCoefficients { a, j, to_output, about_output, .. } = *coefficients;
         if let Subspace::Tip(Support::Free, _) = input {
             return Subspace::Plane(Plane::new([S::one(), about_output, to_output, a, a * j], 0));
         }
         let p = input.plane();
         let inertia = about_output * p.y_theta;
-        // from the input to the output at once: by way of the mass centre a lever there and back would leave rounding
-        let [y_m, w] = output.far_end(&p, || inertia.size(), tally);
-        let (theta_q, m_q) = coefficients.forces(&p, tally);
+        let Behind { y_m, w, theta_q, m_q } = coefficients.behind(&p, inertia, tally);
         Subspace::Plane(Plane::new([p.y_theta, y_m + inertia, w + to_output * p.y_theta, theta_q, m_q], p.exponent))
     }
 
@@ -157,28 +153,37 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
         }
         // the shift to the output end does not change p_MQ
         let p = input.plane();
-        let (_, m_q) = coefficients.forces(&p, tally);
+        let Behind { m_q, .. } = coefficients.behind(&p, S::zero(), tally);
         Scaled::new(m_q, i64::from(p.exponent))
     }
+}
+
+/// Minors behind a body: p_YM and w as if it were massless, p_ΘQ and p_MQ with its inertia.
+struct Behind<S> {
+    y_m: S,
+    w: S,
+    theta_q: S,
+    m_q: S,
 }
 
 impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
     #[inline(always)]
     fn new(built: &BuiltBody<T>, lambda_squared: S) -> Self {
-        let BuiltBody { mass, central_inertia, output, centre, centre_to_output } = *built;
+        let BuiltBody { mass, central_inertia, levers, centre_to_output } = *built;
         let (a, j) = (lambda_squared * mass, lambda_squared * central_inertia);
         let to_output = centre_to_output.times(a);
-        BodyCoefficients { a, j, to_output, about_output: j + centre_to_output.times(to_output), centre, output }
+        BodyCoefficients { a, j, to_output, about_output: j + centre_to_output.times(to_output), levers }
     }
 
-    /// `p_ΘQ` and `p_MQ` behind the body, `p_ΘQ + a p_YΘ` and with it `p_MQ + a p_YM + j p_ΘQ`, with p_YM of the mass centre.
+    /// `p_ΘQ + a p_YΘ`, with it `p_MQ + a p_YM + j p_ΘQ` with p_YM of the mass centre, and what the shift to the output end makes
+    /// of the others; at once, since by way of the mass centre a lever there and back would leave rounding.
     #[inline(always)]
-    fn forces<C: Tally<S>>(&self, p: &Plane<S>, tally: &mut C) -> (S, S) {
+    fn behind<C: Tally<S>>(&self, p: &Plane<S>, inertia: S, tally: &mut C) -> Behind<S> {
         let theta_q = p.theta_q + self.a * p.y_theta;
         let turning = self.j * theta_q;
-        let beside = || (p.m_q.size() + turning.size()) / self.a.size();
-        let [y_m, _] = self.centre.far_end(p, beside, tally);
-        (theta_q, p.m_q + self.a * y_m + turning)
+        let beside = || [inertia.size(), (p.m_q.size() + turning.size()) / self.a.size()];
+        let [[y_m, w], [at_centre, _]] = self.levers.far_ends(p, beside, tally);
+        Behind { y_m, w, theta_q, m_q: p.m_q + self.a * at_centre + turning }
     }
 }
 
@@ -189,7 +194,8 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Body<T> {
 
     /// The same body about its output end: the levers from its mass centre change places.
     fn reversed(built: &BuiltBody<T>) -> BuiltBody<T> {
-        BuiltBody { centre: built.centre_to_output, centre_to_output: built.centre, ..*built }
+        let Levers { output, centre, .. } = built.levers;
+        BuiltBody { levers: Levers::new(output, built.centre_to_output), centre_to_output: centre, ..*built }
     }
 
     fn links(built: &BuiltBody<T>, at: &At<S>) -> BodyCoefficients<T, S> {
@@ -198,21 +204,21 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Body<T> {
 
     fn pull_back(links: &BodyCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
-        let BodyCoefficients { a, j, to_output, centre, output, .. } = *links;
+        let BodyCoefficients { a, j, to_output, levers: Levers { output, centre, .. }, .. } = *links;
         let force = a * q + to_output * m;
         let entries = [y - force, theta + output.times(y) + j * m - centre.times(force), m, q + output.times(m)];
         Covector::Plane(entries, exponent)
     }
 
     fn units(built: &BuiltBody<T>, at: &At<S>) -> [f64; 2] {
-        let BodyCoefficients { a, j, centre, .. } = Self::coefficients(built, at);
+        let BodyCoefficients { a, j, levers: Levers { centre, .. }, .. } = Self::coefficients(built, at);
         [S::size(a), S::size(j + centre.times(centre.times(a)))]
     }
 
     /// `m Y₁ Y₂ + J_C Θ₁ Θ₂` with the deflections of the mass centre.
     fn mass_form(built: &BuiltBody<T>, first: &Ends<S>, second: &Ends<S>) -> S {
         let (first, second) = (first.input, second.input);
-        let [one, other] = [first, second].map(|end| end.y + built.centre.times(end.theta));
+        let [one, other] = [first, second].map(|end| end.y + built.levers.centre.times(end.theta));
         one * other * built.mass + first.theta * second.theta * built.central_inertia
     }
 
@@ -225,7 +231,7 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Body<T> {
         let (lambda_squared, input) = (ends.x.lambda_squared(), ends.input);
         let lever = input.y * input.theta;
         Body {
-            mass: lambda_squared * (half(input.y * input.y) + built.centre.times(lever)),
+            mass: lambda_squared * (half(input.y * input.y) + built.levers.centre.times(lever)),
             inertia: lambda_squared * half(input.theta * input.theta),
             output_x: ends.output.q * input.theta,
             centre_x: lambda_squared * lever * built.mass,

@@ -73,20 +73,13 @@ where
         let precision = <Y::Parameter as Scalar>::EPSILON;
         let waves = f64::from(system.bounds().wave_count());
         let half_width = T::from_f64(HALF_WIDTH * precision * (1.0 + waves / BEAMS_PER_WIDTH));
-        Isolation {
-            system,
-            half_width,
-            precision,
-            evaluations: 0,
-            is_doubtful: false,
-            idle_splits: 0,
-        }
+        Isolation { system, half_width, precision, evaluations: 0, is_doubtful: false, idle_splits: 0 }
     }
 
     /// Count and Δ at a frequency.
     pub(super) fn sample(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
         self.evaluations += 1;
-        let (count, value) = count_and_value(self.system, omega);
+        let (count, value) = count_and_value::<true, _, _>(self.system, omega);
         if !value.mantissa().size().is_finite() {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
@@ -124,12 +117,12 @@ where
     /// Count, Δ and its derivative at a frequency.
     pub(super) fn slope(&mut self, omega: T) -> Result<Slope<T>, SearchError> {
         self.evaluations += 2;
-        let (count, dual) = count_and_value(self.system, Dual::variable(omega));
+        // what cancels here does so in the samples of the bracket
+        let (count, dual) = count_and_value::<false, _, _>(self.system, Dual::variable(omega));
         let Dual { value, derivative } = dual.mantissa();
         if !(value.size().is_finite() && derivative.size().is_finite()) {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
-        self.look_at(count.cancelled(), omega)?;
         Ok(Slope { omega, below: count.below(), value, derivative, exponent: dual.exponent() })
     }
 

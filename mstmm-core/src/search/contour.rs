@@ -63,7 +63,6 @@ impl<T: Real> Point<T> {
     }
 }
 
-
 /// What a walk along a contour found.
 pub(super) enum Walk {
     /// By how much the argument of Δ grew.

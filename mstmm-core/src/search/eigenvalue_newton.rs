@@ -260,7 +260,8 @@ where
         while radius < scale * T::from_f64(LARGEST_RADIUS) {
             let lambda = settled(estimate, radius);
             let corner = |(re, im): (f64, f64)| lambda + Complex::new(T::from_f64(re), T::from_f64(im)) * radius;
-            let way = Way { corners: &OCTAGON.map(corner), steps: STEPS_AROUND, rectangle: None, growth: Growth::none() };
+            let way =
+                Way { corners: &OCTAGON.map(corner), steps: STEPS_AROUND, rectangle: None, growth: Growth::none() };
             if let Walk::Argument(argument) = self.walk(&way, |_| ())?
                 && let Some(multiplicity @ 1..) = whole(argument / core::f64::consts::TAU)
             {

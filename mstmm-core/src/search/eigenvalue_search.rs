@@ -23,7 +23,7 @@ const WAITING: usize = 128;
 const STEPS: [f64; 3] = [1e-7, 1e-6, 0.05];
 
 /// Of a rectangle more slender than that the first steps are parts of the shorter side.
-const SLENDER: f64 = 1.0 / 16.0;
+const SLENDER: f64 = 1e-2;
 
 /// Shares by which a contour that meets a root is moved outwards, one after the other.
 const MOVES: [f64; 5] = [0.0, 1e-5, 2.7e-4, 3.1e-3, 1.3e-2];

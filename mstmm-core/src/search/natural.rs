@@ -182,7 +182,7 @@ where
     Y: Characteristic<T> + ?Sized,
 {
     let away = omega * T::from_f64(margin);
-    let both = [omega - away, omega + away].map(|x| count_and_value(system, x));
+    let both = [omega - away, omega + away].map(|x| count_and_value::<true, _, _>(system, x));
     agreed(omega, both)
 }
 
@@ -209,7 +209,7 @@ where
 {
     let x = <T::Judge as Scalar>::from_f64(omega.to_f64());
     let away = x * <T::Judge as Scalar>::from_f64(JUDGED_MARGIN);
-    let [below, above] = [x - away, x + away].map(|x| count_and_value(system, x));
+    let [below, above] = [x - away, x + away].map(|x| count_and_value::<true, _, _>(system, x));
     if below.1.mantissa().is_zero() && above.1.mantissa().is_zero() {
         return Err(SearchError::Zero { points: 2 });
     }

@@ -5,6 +5,49 @@ use crate::doubt::{ROUNDINGS, judge_sum, may_be_lost};
 use crate::scalar::{Branches, Frequency, Oscillation, Real};
 use crate::subspace::Plane;
 
+/// The two levers of a body, to its output end and to its mass centre.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Levers<T> {
+    pub(super) output: Lever<T>,
+    pub(super) centre: Lever<T>,
+    /// The length of the longer one.
+    reach: T,
+}
+
+impl<T: Real> Levers<T> {
+    pub(super) fn new(output: Lever<T>, centre: Lever<T>) -> Self {
+        let [one, other] = [output, centre].map(|lever| lever.length.abs());
+        Levers { output, centre, reach: if one > other { one } else { other } }
+    }
+
+    /// `p_YM` and `w` of a plane at the far end of either lever; beside each `p_YM` stands something else of a size in its unit.
+    #[inline(always)]
+    pub(super) fn far_ends<S: Frequency<T>, C: Tally<S>>(
+        self,
+        p: &Plane<S>,
+        beside: impl Fn() -> [f64; 2],
+        tally: &mut C,
+    ) -> [[S; 2]; 2] {
+        let levers = [self.output, self.centre];
+        let ends = levers.map(|lever| lever.far_end(p));
+        if !C::WATCHES {
+            return ends;
+        }
+        let reach = self.reach.size();
+        let terms = p.y_m.size() + (p.w.size() + p.w.size() + p.theta_q.size() * reach) * reach;
+        let is_kept = !(may_be_lost(terms, ends[0][0]) | may_be_lost(terms, ends[1][0]));
+        if S::BRANCHES != Branches::All {
+            return ends.map(|end| end.map(|minor| minor.provided(is_kept)));
+        }
+        if is_kept { ends } else { self.settled(p, beside(), tally) }
+    }
+
+    #[cold]
+    fn settled<S: Frequency<T>, C: Tally<S>>(self, p: &Plane<S>, beside: [f64; 2], tally: &mut C) -> [[S; 2]; 2] {
+        [self.output.settled(p, beside[0], tally), self.centre.settled(p, beside[1], tally)]
+    }
+}
+
 /// A length, and what its rounding left out.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lever<T> {
@@ -41,37 +84,17 @@ impl<T: Real> Lever<T> {
         value * self.length
     }
 
-    /// `p_YM` and `w` of a plane at the far end; beside the first stands something else of a size in its unit.
+    /// `p_YM` and `w` of a plane at the far end.
     #[inline(always)]
-    pub(super) fn far_end<S: Frequency<T>, C: Tally<S>>(
-        self,
-        p: &Plane<S>,
-        beside: impl Fn() -> f64,
-        tally: &mut C,
-    ) -> [S; 2] {
+    fn far_end<S: Frequency<T>>(self, p: &Plane<S>) -> [S; 2] {
         let moved = self.times(p.theta_q);
-        let minors = [p.y_m + self.times(p.w + p.w + moved), p.w + moved];
-        if !C::WATCHES {
-            return minors;
-        }
-        let terms = p.y_m.size() + (2.0 * p.w.size() + moved.size()) * self.length.size();
-        let is_kept = !may_be_lost(terms, minors[0]);
-        if S::BRANCHES != Branches::All {
-            return minors.map(|minor| minor.provided(is_kept));
-        }
-        if is_kept { minors } else { self.settled(p, minors, beside(), tally) }
+        [p.y_m + self.times(p.w + p.w + moved), p.w + moved]
     }
 
-    /// The same where `p_YM` cancels: as it does by chance, or where levers lead back to the place from which they came and
+    /// The same where `p_YM` may cancel, with something else of a size beside it: as it does by chance, or where levers lead back to the place from which they came and
     /// leave rounding. A judge takes what is left from the other minors, `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
-    #[cold]
-    fn settled<S: Frequency<T>, C: Tally<S>>(
-        self,
-        p: &Plane<S>,
-        [y_m, w]: [S; 2],
-        beside: f64,
-        tally: &mut C,
-    ) -> [S; 2] {
+    fn settled<S: Frequency<T>, C: Tally<S>>(self, p: &Plane<S>, beside: f64, tally: &mut C) -> [S; 2] {
+        let [y_m, w] = self.far_end(p);
         let (arm, theta_q) = (self.length.size(), p.theta_q.size());
         let product = p.y_theta * p.m_q;
         let plain = |units: f64| units * S::EPSILON * (p.y_m.size() + (2.0 * p.w.size() + theta_q * arm) * arm);
