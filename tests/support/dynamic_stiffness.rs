@@ -110,6 +110,12 @@ impl Stiffness {
         }
     }
 
+    /// The same, for a model that holds something twice and says no more than this one.
+    #[allow(dead_code, reason = "not every test has such models")]
+    pub(crate) fn held_twice(self) -> Self {
+        Stiffness { is_held_twice: true, ..self }
+    }
+
     /// The beams at a frequency, those of `is_cut` in two halves each: with every half's share of the matrix.
     fn pieces<S: Field>(
         &self,
