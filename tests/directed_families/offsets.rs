@@ -14,7 +14,7 @@ pub(crate) const DECADES: core::ops::RangeInclusive<i32> = 2..=10;
 /// What is between the levers: nothing, a mass far away, a hinge, a pin.
 const KINDS: u64 = 4;
 
-fn lever(decade: i32, seed: u64) -> Tree {
+pub(crate) fn lever(decade: i32, seed: u64) -> Tree {
     let random = &mut Random(seed + 1000 * decade.unsigned_abs() as u64);
     let mut number = |from, to| decimal(random, from, to);
     let offset = number(0.5, 2.0) * 10f64.powi(decade);

@@ -7,6 +7,8 @@
 mod beam_matrix;
 #[path = "dynamic_stiffness/constraints.rs"]
 mod constraints;
+#[path = "dynamic_stiffness/determinant.rs"]
+mod determinant;
 #[path = "dynamic_stiffness/freedoms.rs"]
 mod freedoms;
 #[path = "dynamic_stiffness/intervals.rs"]

@@ -7,7 +7,7 @@ use mstmm::{DoubleDouble, Real, Scalar};
 const THRESHOLD: f64 = 0.640_388_203_202_207_6;
 
 /// Roundings in an entry: the wave number of a beam, its functions, the quotient and the sum.
-const ROUNDINGS: f64 = 16.0;
+pub(super) const ROUNDINGS: f64 = 16.0;
 
 /// An entry and a bound of its rounding.
 type Entry = (DoubleDouble, f64);
@@ -68,14 +68,18 @@ pub(super) fn negative(matrix: Assembled<DoubleDouble>) -> Option<u64> {
     Some(negative)
 }
 
-/// The entries with rows and columns in units that make the terms of the diagonal about one: powers of two.
-fn in_units(matrix: &Assembled<DoubleDouble>) -> Vec<Vec<Entry>> {
-    let n = matrix.entries.len();
+/// Powers of two for rows and columns that make the terms of the diagonal about one.
+pub(super) fn units<S>(matrix: &Assembled<S>) -> Vec<i32> {
     let exponent = |i: usize| {
         let size = matrix.sizes[i][i];
         if size > 0.0 && size.is_finite() { -(size.log2() / 2.0).round() as i32 } else { 0 }
     };
-    let units: Vec<i32> = (0..n).map(exponent).collect();
+    (0..matrix.sizes.len()).map(exponent).collect()
+}
+
+/// The entries in these units.
+fn in_units(matrix: &Assembled<DoubleDouble>) -> Vec<Vec<Entry>> {
+    let (n, units) = (matrix.entries.len(), units(matrix));
     let entry = |i: usize, j: usize| {
         let unit = units[i] + units[j];
         let bound = ROUNDINGS * UNIT * matrix.sizes[i][j] * 2f64.powi(unit);

@@ -1,14 +1,18 @@
 //! Eigenvalues as zeros of the determinant of the dynamic stiffness: whether a disc holds as many as it says.
 
 use super::beam_matrix::BeamMatrix;
+use super::determinant::{Determinant, determinant};
 use super::{Stiffness, Verdict};
 use mstmm::search::Eigenvalue;
-use mstmm::{Complex, DoubleDouble, Real, Scalar};
+use mstmm::{Complex, DoubleDouble, Real};
 
 type C = Complex<DoubleDouble>;
 
-/// Room for the rounding of a distance in `f64`.
-const EDGE: f64 = 1.0 + 1e-9;
+/// Relative error of a determinant half a radius from its zero, which then is sure to this part of the radius.
+const SURE: f64 = 1e-3;
+
+/// Relative error of a determinant whose argument is sure.
+const SURE_TURN: f64 = 0.1;
 
 /// Part of a radius to which an eigenvalue is made out.
 const SETTLED: f64 = 1e-4;
@@ -16,28 +20,6 @@ const SETTLED: f64 = 1e-4;
 /// Part of the next eigenvalue within which eigenvalues that are said to be zero are sought: what is left of their
 /// stiffness there, a 1e-12th of that eigenvalue's, is far above rounding.
 const AT_REST: f64 = 1e-6;
-
-/// A number with an exponent of its own.
-#[derive(Clone, Copy)]
-struct Determinant {
-    mantissa: C,
-    exponent: i64,
-}
-
-impl Determinant {
-    fn times(self, factor: C) -> Self {
-        let product = self.mantissa * factor;
-        let size = Scalar::size(product);
-        let shift = if size > 0.0 && size.is_finite() { size.log2() as i32 } else { 0 };
-        Determinant { mantissa: product.times_power_of_two(-shift), exponent: self.exponent + i64::from(shift) }
-    }
-
-    /// The number over `2^exponent`.
-    fn over_power(self, exponent: i64) -> C {
-        let shift = (self.exponent - exponent).clamp(-900, 900);
-        self.mantissa.times_power_of_two(shift as i32)
-    }
-}
 
 fn complex(z: Complex<f64>) -> C {
     C::new(DoubleDouble::from(z.re), DoubleDouble::from(z.im))
@@ -55,36 +37,11 @@ impl Stiffness {
 
     fn determinant(&self, lambda: C, cuts: &[bool]) -> Determinant {
         let (size, pieces) = self.pieces(lambda, |_, index| cuts[index]);
-        let sum = self.assembled(lambda, size, &pieces);
-        let unit = |i: usize| {
-            let size = sum.sizes[i][i];
-            if size > 0.0 && size.is_finite() { -(size.log2() / 2.0).round() as i32 } else { 0 }
-        };
-        let units: Vec<i32> = (0..size).map(unit).collect();
-        let entry = |i: usize, j: usize| sum.entries[i][j].times_power_of_two(units[i] + units[j]);
-        let mut a: Vec<Vec<C>> = (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect();
-        let exponent = -2 * units.iter().map(|&unit| i64::from(unit)).sum::<i64>();
-        let mut product = Determinant { mantissa: C::new(DoubleDouble::from(1.0), DoubleDouble::from(0.0)), exponent };
-        while let Some(column) = a.len().checked_sub(1) {
-            let by_size = |&i: &usize, &j: &usize| a[i][column].size().total_cmp(&a[j][column].size());
-            let row = (0..=column).max_by(by_size).unwrap_or(0);
-            let pivot_row = a.swap_remove(row);
-            let pivot = pivot_row[column];
-            // an exchange of rows changes the sign
-            product = product.times(if row == column { pivot } else { -pivot });
-            if pivot.size() == 0.0 {
-                return product;
-            }
-            for other in &mut a {
-                let factor = other[column] / pivot;
-                other.iter_mut().zip(&pivot_row).take(column).for_each(|(entry, &above)| *entry -= factor * above);
-                other.truncate(column);
-            }
-        }
-        product
+        determinant(&self.assembled(lambda, size, &pieces))
     }
 
-    /// The eigenvalue to which Newton's method leads from λ, to a small part of a radius.
+    /// The eigenvalue to which Newton's method leads from λ, to a small part of a radius; `None` if it leads nowhere or
+    /// rounding hides where.
     pub(crate) fn nearest(&self, start: C, radius: f64) -> Option<C> {
         let cuts = self.cuts(start);
         let mut lambda = start;
@@ -99,7 +56,7 @@ impl Stiffness {
             }
             lambda -= step;
             if modulus(step) < SETTLED * radius {
-                return Some(lambda);
+                return (before.error < SURE && after.error < SURE).then_some(lambda);
             }
         }
         None
@@ -112,9 +69,13 @@ impl Stiffness {
         while points <= 1024 {
             let value = |k: u32| {
                 let angle = core::f64::consts::TAU * (f64::from(k) + 0.3) / f64::from(points);
-                self.determinant(centre + complex(Complex::from_polar(radius, angle)), &cuts).mantissa
+                self.determinant(centre + complex(Complex::from_polar(radius, angle)), &cuts)
             };
-            let values: Vec<C> = (0..points).map(value).collect();
+            let determinants: Vec<Determinant> = (0..points).map(value).collect();
+            if determinants.iter().any(|value| value.error > SURE_TURN || value.error.is_nan()) {
+                return None;
+            }
+            let values: Vec<C> = determinants.iter().map(|value| value.mantissa).collect();
             let turn = |k: usize| {
                 let quotient = values[(k + 1) % values.len()] / values[k];
                 quotient.im.to_f64().atan2(quotient.re.to_f64())
@@ -131,24 +92,25 @@ impl Stiffness {
 
     /// Whether the disc of an eigenvalue that is not zero holds it.
     fn judge(&self, root: &Eigenvalue) -> Verdict {
-        let (centre, radius) = (complex(root.lambda), root.error * EDGE);
-        if root.multiplicity == 1 {
-            let Some(nearest) = self.nearest(centre, root.error) else { return self.judge_by_turns(root) };
-            let distance = modulus(nearest - centre);
-            if distance <= radius {
-                return Verdict::Holds;
-            }
-            // in a cluster, the method may have left the disc
-            return match self.winding(centre, radius) {
-                Some(1) => Verdict::Holds,
-                _ => Verdict::Misses(distance / root.error),
-            };
+        if root.multiplicity > 1 {
+            return self.judge_by_turns(root);
         }
-        self.judge_by_turns(root)
+        let centre = complex(root.lambda);
+        let Some(nearest) = self.nearest(centre, root.error) else { return self.judge_by_turns(root) };
+        let radii = modulus(nearest - centre) / root.error;
+        if radii <= 1.0 {
+            return Verdict::Holds;
+        }
+        // in a cluster, the method may have left the disc
+        match self.winding(centre, root.error) {
+            Some(1) => Verdict::Holds,
+            _ if radii < 1.0 + 2.0 * SURE => Verdict::CannotTell,
+            _ => Verdict::Misses(radii),
+        }
     }
 
     fn judge_by_turns(&self, root: &Eigenvalue) -> Verdict {
-        let (centre, mut radius) = (complex(root.lambda), root.error * EDGE);
+        let (centre, mut radius) = (complex(root.lambda), root.error);
         for doublings in 0..40 {
             match self.winding(centre, radius) {
                 None => return Verdict::CannotTell,
