@@ -60,7 +60,7 @@ fn counts_change_at(tip: Support, root: Support, omega: DoubleDouble, below: u64
     assert_eq!(counts, [Some(below), Some(below + 1)], "{tip:?} {root:?} at {omega}");
     // the nearest zero for complex λ, without bounds
     let start = Complex::new(double(1e-13 * omega.to_f64()), double(omega.to_f64()));
-    let found = model.nearest(start, 1e-14 * omega.to_f64()).unwrap();
+    let found = model.eigenvalue_near(start, 1e-14 * omega.to_f64()).unwrap();
     let error = found.re.abs().to_f64().max((found.im - omega).abs().to_f64()) / omega.to_f64();
     assert!(error < 1e-28, "{tip:?} {root:?}: {error:e} of {omega}");
 }

@@ -65,10 +65,13 @@ impl Tally {
         *self.refusals.entry(name.to_owned()).or_default() += 1;
     }
 
-    /// Prints a row of the table.
+    /// Prints a row of the table, and the first miss.
     pub(crate) fn print(&self, family: &str) {
-        let Tally { models, entries, misses, worst, unsure, refusals, .. } = self;
+        let Tally { models, entries, misses, worst, unsure, refusals, first } = self;
         println!("| {family} | {models} | {entries} | {misses} | {worst:.3e} | {unsure} | {refusals:?} |");
+        if let Some(first) = first {
+            println!("  {first}");
+        }
     }
 
     /// No answer is wrong.

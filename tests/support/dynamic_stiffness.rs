@@ -15,13 +15,19 @@ mod freedoms;
 mod intervals;
 #[path = "dynamic_stiffness/pivots.rs"]
 mod pivots;
+#[path = "dynamic_stiffness/weights.rs"]
+mod weights;
 #[path = "dynamic_stiffness/zeros.rs"]
 mod zeros;
 
 use crate::tree::Tree;
 use beam_matrix::{BeamMatrix, Field};
-use freedoms::Parts;
+use constraints::Independent;
+use freedoms::{Parts, sum};
+use mstmm::elements::Beam;
 use mstmm::{DoubleDouble, Real};
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// A linear form of degrees of freedom: index and factor of what is not zero.
 type Form = Vec<(usize, DoubleDouble)>;
@@ -52,23 +58,29 @@ struct Inertia {
     mass: DoubleDouble,
 }
 
-/// A beam between two points: `[Y, Θ]` at both.
+/// A beam between two points: `[Y, Θ]` at both, and what the output end is off a rigid continuation of the input.
 #[derive(Clone)]
 struct BeamEnds {
     ends: [Form; 4],
-    length: f64,
-    bending_stiffness: f64,
-    mass_per_length: f64,
+    bending: [Form; 2],
+    beam: Beam<f64>,
 }
 
 /// The degrees of freedom of a tree and what joins them.
 pub(crate) struct Stiffness {
+    parts: Parts,
+    /// The last frequency at which the constraints were eliminated, and what was left.
+    last: RefCell<Option<(f64, Rc<Reduced>)>>,
+    /// Whether a displacement is held by two constraints of which one follows from the others.
+    pub(crate) is_held_twice: bool,
+}
+
+/// The same in terms of independent degrees of freedom that suit a frequency.
+struct Reduced {
     size: usize,
     links: Vec<Link>,
     masses: Vec<Inertia>,
     beams: Vec<BeamEnds>,
-    /// Whether a displacement is held by two constraints of which one follows from the others.
-    pub(crate) is_held_twice: bool,
 }
 
 /// A symmetric matrix, and for each entry the sum of the sizes of what was added.
@@ -98,18 +110,9 @@ impl Stiffness {
     /// The model of a tree.
     pub(crate) fn of(tree: &Tree) -> Self {
         let parts = Parts::of(tree);
-        let (independent, is_held_twice) = constraints::independent(parts.size, &parts.constraints);
-        let reduced = |form: &Form| constraints::reduced(form, &independent);
-        let link = |link: &Link| Link { form: reduced(&link.form), ..*link };
-        let mass = |mass: &Inertia| Inertia { form: reduced(&mass.form), ..*mass };
-        let beam = |beam: &BeamEnds| BeamEnds { ends: beam.ends.each_ref().map(reduced), ..*beam };
-        Stiffness {
-            size: independent.first().map_or(0, Vec::len),
-            links: parts.links.iter().map(link).collect(),
-            masses: parts.masses.iter().map(mass).collect(),
-            beams: parts.beams.iter().map(beam).collect(),
-            is_held_twice,
-        }
+        let weights = vec![1.0; parts.weights.len()];
+        let is_held_twice = Independent::of(&parts.constraints, &weights).is_held_twice;
+        Stiffness { parts, last: RefCell::new(None), is_held_twice }
     }
 
     /// The same, for a model that holds something twice and says no more than this one.
@@ -118,6 +121,50 @@ impl Stiffness {
         Stiffness { is_held_twice: true, ..self }
     }
 
+    /// The model in terms of degrees of freedom that weigh most at a frequency, or did at one near by.
+    fn at(&self, omega: f64) -> Rc<Reduced> {
+        let mut last = self.last.borrow_mut();
+        if let Some((other, reduced)) = &*last
+            && (0.5..2.0).contains(&(omega / other))
+        {
+            return Rc::clone(reduced);
+        }
+        let reduced = Rc::new(self.reduced(omega));
+        *last = Some((omega, Rc::clone(&reduced)));
+        reduced
+    }
+
+    fn reduced(&self, omega: f64) -> Reduced {
+        let Parts { weights, constraints, links, masses, beams } = &self.parts;
+        let weights: Vec<f64> = weights.iter().map(|weight| weight.at(omega)).collect();
+        let independent = Independent::of(constraints, &weights);
+        let reduced = |form: &Form| independent.reduced(form);
+        let link = |link: &Link| Link { form: reduced(&link.form), ..*link };
+        let mass = |mass: &Inertia| Inertia { form: reduced(&mass.form), ..*mass };
+        let beam = |beam: &BeamEnds| BeamEnds {
+            ends: beam.ends.each_ref().map(reduced),
+            bending: beam.bending.each_ref().map(reduced),
+            ..*beam
+        };
+        Reduced {
+            size: independent.size,
+            links: links.iter().map(link).collect(),
+            masses: masses.iter().map(mass).collect(),
+            beams: beams.iter().map(beam).collect(),
+        }
+    }
+
+    /// Number of natural frequencies below ω, by Wittrick and Williams; `None` where rounding may have changed a sign.
+    pub(crate) fn count_below(&self, omega: DoubleDouble) -> Option<u64> {
+        let model = self.at(omega.to_f64());
+        // a beam that nearly vibrates with held ends is not a stiffness between them
+        let (size, pieces) = model.pieces(omega, |matrix, _| matrix.is_near_a_pole());
+        let held: Option<u64> = pieces.iter().map(|(_, matrix)| matrix.held_frequencies_below()).sum();
+        Some(held? + pivots::negative(&model.assembled(omega, size, &pieces))?)
+    }
+}
+
+impl Reduced {
     /// The beams at a frequency, those of `is_cut` in two halves each: with every half's share of the matrix.
     fn pieces<S: Field>(
         &self,
@@ -126,21 +173,24 @@ impl Stiffness {
     ) -> (usize, Vec<(BeamEnds, BeamMatrix<S>)>) {
         let (mut size, mut pieces) = (self.size, Vec::new());
         for (index, beam) in self.beams.iter().enumerate() {
-            let matrix = BeamMatrix::of(beam, x);
+            let matrix = BeamMatrix::of(&beam.beam, x);
             if !is_cut(&matrix, index) {
                 pieces.push((beam.clone(), matrix));
                 continue;
             }
             let one = DoubleDouble::from(1.0);
-            let middle = [vec![(size, one)], vec![(size + 1, one)]];
+            let (y_middle, theta_middle) = (vec![(size, one)], vec![(size + 1, one)]);
             size += 2;
-            let [y, theta, y_out, theta_out] = beam.ends.clone();
-            let half = BeamEnds { length: beam.length / 2.0, ..beam.clone() };
+            let half = Beam { length: beam.beam.length / 2.0, ..beam.beam };
             let matrix = BeamMatrix::of(&half, x);
-            let [y_middle, theta_middle] = middle;
-            let ends = [y, theta, y_middle.clone(), theta_middle.clone()];
-            pieces.push((BeamEnds { ends, ..half.clone() }, matrix));
-            pieces.push((BeamEnds { ends: [y_middle, theta_middle, y_out, theta_out], ..half }, matrix));
+            let [y, theta, y_out, theta_out] = beam.ends.clone();
+            for ends in [[y, theta, y_middle.clone(), theta_middle.clone()], [y_middle, theta_middle, y_out, theta_out]]
+            {
+                let [y, theta, y_out, theta_out] = &ends;
+                let rigid = sum(y, half.length, theta);
+                let bending = [sum(y_out, -1.0, &rigid), sum(theta_out, -1.0, theta)];
+                pieces.push((BeamEnds { ends, bending, beam: half }, matrix));
+            }
         }
         (size, pieces)
     }
@@ -154,6 +204,11 @@ impl Stiffness {
                     sum.add(a, b, matrix.entries[i][j], matrix.size(i, j));
                 }
             }
+            for (a, row) in beam.bending.iter().zip(matrix.bending.iter().flatten()) {
+                for (b, entry) in beam.bending.iter().zip(row) {
+                    sum.add(a, b, S::of(*entry), entry.to_f64().abs());
+                }
+            }
         }
         for link in &self.links {
             let factor = S::of(DoubleDouble::from(link.stiffness)) + x.damping(link.damping);
@@ -164,14 +219,5 @@ impl Stiffness {
             sum.add(&inertia.form, &inertia.form, factor, factor.size());
         }
         sum
-    }
-
-    /// Number of natural frequencies below ω, by Wittrick and Williams; `None` where rounding may have changed a sign.
-    pub(crate) fn count_below(&self, omega: DoubleDouble) -> Option<u64> {
-        // a beam that nearly vibrates with held ends is not a stiffness between them
-        let (size, pieces) = self.pieces(omega, |matrix, _| matrix.is_near_a_pole());
-        let held: Option<u64> = pieces.iter().map(|(_, matrix)| matrix.held_frequencies_below()).sum();
-        let matrix = self.assembled(omega, size, &pieces);
-        Some(held? + pivots::negative(matrix)?)
     }
 }

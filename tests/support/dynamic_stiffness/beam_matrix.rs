@@ -1,10 +1,11 @@
 //! The dynamic stiffness of a beam between the displacements `[Y, Θ]` of its two ends (Kolousek's functions).
 
-use super::BeamEnds;
+use mstmm::elements::Beam;
 use mstmm::{Complex, DoubleDouble, Real, Scalar};
 
-/// Below this size of `z`, the functions are summed up: their differences cancel.
-const SERIES: f64 = 3.0;
+/// Below this size of `z`, the functions are summed up: their differences cancel. The static stiffness is kept apart, that of
+/// the bending, which leaves no rigid motion to rounding.
+pub(super) const SERIES: f64 = 3.0;
 
 /// Terms of the sums: the next is below 1e-36 of the first.
 const TERMS: u32 = 13;
@@ -91,13 +92,13 @@ impl Field for C {
     }
 }
 
-/// `Σ x^k/(4k + first)!`.
+/// `Σ x^k/(4k + first)!` for k from 1 on.
 fn series<S: Field>(x: S, first: u32) -> S {
-    let (mut term, mut sum) = (S::one(), S::zero());
-    for n in 1..=first {
+    let (mut term, mut sum) = (x, S::zero());
+    for n in 1..=first + 4 {
         term = term / S::from_f64(f64::from(n));
     }
-    for k in 0..TERMS {
+    for k in 1..TERMS {
         sum += term;
         let n = f64::from(4 * k + first);
         term = term * x / S::from_f64((n + 1.0) * (n + 2.0) * (n + 3.0) * (n + 4.0));
@@ -109,6 +110,9 @@ fn series<S: Field>(x: S, first: u32) -> S {
 #[derive(Clone, Copy)]
 pub(super) struct BeamMatrix<S> {
     pub(super) entries: [[S; 4]; 4],
+    /// The static stiffness between the deflection and the rotation of the output end, which does not belong to the
+    /// entries.
+    pub(super) bending: Option<[[DoubleDouble; 2]; 2]>,
     z: S,
     /// `(1 - ch cos)/z⁴`, and part of it that its terms are.
     held: S,
@@ -119,16 +123,18 @@ pub(super) struct BeamMatrix<S> {
 }
 
 impl<S: Field> BeamMatrix<S> {
-    pub(super) fn of(beam: &BeamEnds, x: S) -> Self {
+    pub(super) fn of(beam: &Beam<f64>, x: S) -> Self {
         let [l, ei, m] = [beam.length, beam.bending_stiffness, beam.mass_per_length].map(double);
         let z_squared = x.omega() * S::of(l * l * (m / ei).sqrt());
         let z = z_squared.sqrt();
+        let is_short = z.size() < SERIES;
         let fourth = z_squared * z_squared;
         let ([near, mixed, turn, far, far_mixed, far_turn, held], share) =
-            if z.size() < SERIES { (short(fourth), 1.0) } else { long(z, z_squared) };
+            if is_short { (short(fourth), 1.0) } else { long(z, z_squared) };
         // one factor `EI/l³ · 1/held`, and a length for each rotation
-        let unit = S::of(ei / (l * l * l)) / held;
-        let (l, unit_l, unit_ll) = (beam.length, unit * S::of(l), unit * S::of(l * l));
+        let stiffness = ei / (l * l * l);
+        let unit = S::of(stiffness) / held;
+        let (unit_l, unit_ll) = (unit * S::of(l), unit * S::of(l * l));
         let (y, mixed, theta) = (near * unit, mixed * unit_l, turn * unit_ll);
         let (y_far, mixed_far, theta_far) = (far * unit, far_mixed * unit_l, far_turn * unit_ll);
         let entries = [
@@ -137,17 +143,20 @@ impl<S: Field> BeamMatrix<S> {
             [-y_far, -mixed_far, y, -mixed],
             [mixed_far, theta_far, -mixed, theta],
         ];
-        let size = beam.bending_stiffness / (l * l * l);
-        BeamMatrix { entries, z, held, share, unit: size, length: l }
+        let at_rest = |factor: f64, arms: DoubleDouble| stiffness * arms * double(factor);
+        let bending = [[at_rest(12.0, double(1.0)), at_rest(-6.0, l)], [at_rest(-6.0, l), at_rest(4.0, l * l)]];
+        let bending = is_short.then_some(bending);
+        BeamMatrix { entries, bending, z, held, share, unit: stiffness.to_f64(), length: beam.length }
     }
 
     /// Size of the terms of an entry, with what the argument of sine and cosine adds to their rounding.
     pub(super) fn size(&self, i: usize, j: usize) -> f64 {
         let (z, l) = (self.z.size(), self.length);
-        let terms = match i % 2 + j % 2 {
-            0 => 12.0 + z * z * z,
-            1 => (6.0 + z * z) * l,
-            _ => (4.0 + z) * l * l,
+        let terms = match (self.bending, i % 2 + j % 2) {
+            (Some(_), rotations) => z.powi(4) * l.powi(rotations as i32),
+            (None, 0) => z * z * z,
+            (None, 1) => z * z * l,
+            (None, _) => z * l * l,
         };
         self.unit * terms * (1.0 + z) / self.share.min(1.0)
     }
@@ -170,18 +179,21 @@ impl BeamMatrix<DoubleDouble> {
     }
 }
 
-/// `[ch s + sh c, z sh s … ]` over powers of z that leave an entire function of `z⁴`, and `(1 - ch c)/z⁴` last.
+/// `[ch s + sh c, sh s, ch s - sh c, s + sh, ch - c, sh - s]` over powers of z that leave entire functions of `z⁴`, each
+/// less its static value times `(1 - ch c)/z⁴`; and that.
 fn short<S: Field>(fourth: S) -> [S; 7] {
-    let (two, four) = (S::from_f64(2.0), S::from_f64(4.0));
-    let both = -(fourth * four);
+    let number = S::from_f64;
+    let both = -(fourth * number(4.0));
+    let held = number(4.0) * series(both, 4);
+    let less = |value: S, at_rest: f64| value - number(at_rest) * held;
     [
-        two * series(both, 1),
-        two * series(both, 2),
-        four * series(both, 3),
-        two * series(fourth, 1),
-        two * series(fourth, 2),
-        two * series(fourth, 3),
-        four * series(both, 4),
+        less(number(2.0) * series(both, 1), 12.0),
+        less(number(2.0) * series(both, 2), 6.0),
+        less(number(4.0) * series(both, 3), 4.0),
+        less(number(2.0) * series(fourth, 1), 12.0),
+        less(number(2.0) * series(fourth, 2), 6.0),
+        less(number(2.0) * series(fourth, 3), 2.0),
+        held + number(1.0) / number(6.0),
     ]
 }
 

@@ -1,61 +1,101 @@
-//! Linear constraints are eliminated: each takes one degree of freedom.
+//! Linear constraints are eliminated: each takes one degree of freedom, of those it holds one that weighs least.
 
 use super::Form;
 use mstmm::{DoubleDouble, Real};
 
-/// Part of its terms below which the rest of a constraint is their rounding: it follows from the others.
+/// Part of its terms below which the rest of a sum is their rounding.
 const FOLLOWS: f64 = 1e-28;
 
-/// Every degree of freedom as a form of the independent ones, by rows; and whether a constraint follows from others.
-pub(super) fn independent(size: usize, constraints: &[Form]) -> (Vec<Vec<DoubleDouble>>, bool) {
-    let unit = |i: usize, j: usize| DoubleDouble::from(f64::from(u8::from(i == j)));
-    let mut forms: Vec<Vec<DoubleDouble>> = (0..size).map(|i| (0..size).map(|j| unit(i, j)).collect()).collect();
-    let mut is_held_twice = false;
-    for constraint in constraints {
-        let width = forms.first().map_or(0, Vec::len);
-        let (mut row, mut sizes) = (vec![DoubleDouble::from(0.0); width], vec![0.0; width]);
-        for &(freedom, factor) in constraint {
-            for ((sum, size), &entry) in row.iter_mut().zip(&mut sizes).zip(&forms[freedom]) {
-                let term = factor * entry;
-                *sum += term;
-                *size += term.to_f64().abs();
-            }
-        }
-        let counts = |&j: &usize| row[j].to_f64().abs() > FOLLOWS * sizes[j];
-        // a displacement by itself is taken out without a rounding
-        let preference = |&j: &usize| (row[j].abs() == DoubleDouble::from(1.0), row[j].to_f64().abs());
-        let order = |i: &usize, j: &usize| {
-            let (a, b) = (preference(i), preference(j));
-            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-        };
-        let Some(pivot) = (0..width).filter(counts).max_by(order) else {
-            is_held_twice = true;
-            continue;
-        };
-        for form in forms.iter_mut().filter(|form| form[pivot] != DoubleDouble::from(0.0)) {
-            let factor = form[pivot] / row[pivot];
-            form.iter_mut().zip(&row).for_each(|(entry, &row)| *entry -= factor * row);
-        }
-        for form in &mut forms {
-            form.swap_remove(pivot);
-        }
-    }
-    (forms, is_held_twice)
+/// A row of factors of all degrees of freedom.
+type Row = Vec<DoubleDouble>;
+
+fn zero() -> DoubleDouble {
+    DoubleDouble::from(0.0)
 }
 
-/// A form of all degrees of freedom as one of the independent ones.
-pub(super) fn reduced(form: &Form, independent: &[Vec<DoubleDouble>]) -> Form {
-    let width = independent.first().map_or(0, Vec::len);
-    let zero = DoubleDouble::from(0.0);
-    let entry = |column: usize| {
-        let (mut sum, mut size) = (zero, 0.0);
-        for &(freedom, factor) in form {
-            let term = factor * independent[freedom][column];
-            sum += term;
-            size += term.to_f64().abs();
+/// `a - factor · b`, zero where rounding alone is left.
+fn less(a: DoubleDouble, factor: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
+    let product = factor * b;
+    let difference = a - product;
+    let size = a.to_f64().abs() + product.to_f64().abs();
+    if difference.to_f64().abs() > FOLLOWS * size { difference } else { zero() }
+}
+
+/// The degrees of freedom in terms of those that are kept.
+pub(super) struct Independent {
+    /// Every degree of freedom as a form of the kept ones.
+    forms: Vec<Form>,
+    /// Number of those that are kept.
+    pub(super) size: usize,
+    /// Whether a constraint follows from others.
+    pub(super) is_held_twice: bool,
+}
+
+impl Independent {
+    /// By elimination with complete pivoting, in units of displacement in which all weigh the same.
+    pub(super) fn of(constraints: &[Form], weights: &[f64]) -> Self {
+        let size = weights.len();
+        let heaviest = weights.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let units: Vec<f64> = weights.iter().map(|weight| weight.max(1e-80 * heaviest).sqrt()).collect();
+        let dense = |form: &Form| {
+            let mut row = vec![zero(); size];
+            form.iter().for_each(|&(index, factor)| row[index] += factor);
+            row
+        };
+        let mut rows: Vec<Row> = constraints.iter().map(dense).collect();
+        let mut solved: Vec<(usize, Row)> = Vec::new();
+        let mut is_held_twice = false;
+        while !rows.is_empty() {
+            let scaled = |row: &Row, j: usize| row[j].to_f64().abs() / units[j];
+            let largest = |row: &Row| (0..size).max_by(|&i, &j| scaled(row, i).total_cmp(&scaled(row, j)));
+            let value = |row: &Row| largest(row).map_or(0.0, |pivot| scaled(row, pivot));
+            let Some(best) = (0..rows.len()).max_by(|&i, &j| value(&rows[i]).total_cmp(&value(&rows[j]))) else {
+                break;
+            };
+            let row = rows.swap_remove(best);
+            let Some(pivot) = largest(&row).filter(|&pivot| row[pivot] != zero()) else {
+                is_held_twice = true;
+                continue;
+            };
+            let others = rows.iter_mut().chain(solved.iter_mut().map(|(_, row)| row));
+            for other in others.filter(|other| other[pivot] != zero()) {
+                let factor = other[pivot] / row[pivot];
+                let terms = other.iter_mut().zip(&row).filter(|(_, term)| **term != zero());
+                terms.for_each(|(entry, &term)| *entry = less(*entry, factor, term));
+                other[pivot] = zero();
+            }
+            solved.push((pivot, row));
         }
-        // what two paths of one displacement leave of it
-        if sum.to_f64().abs() > FOLLOWS * size { sum } else { zero }
-    };
-    (0..width).map(|column| (column, entry(column))).filter(|(_, entry)| *entry != zero).collect()
+        Independent { forms: forms(size, &solved), size: size - solved.len(), is_held_twice }
+    }
+
+    /// A form of all degrees of freedom as one of the kept ones.
+    pub(super) fn reduced(&self, form: &Form) -> Form {
+        let mut entries = vec![(zero(), 0.0); self.size];
+        for &(freedom, factor) in form {
+            for &(column, entry) in &self.forms[freedom] {
+                let term = factor * entry;
+                entries[column].0 += term;
+                entries[column].1 += term.to_f64().abs();
+            }
+        }
+        let counts = |(_, (sum, size)): &(usize, (DoubleDouble, f64))| sum.to_f64().abs() > FOLLOWS * size;
+        entries.into_iter().enumerate().filter(counts).map(|(column, (sum, _))| (column, sum)).collect()
+    }
+}
+
+/// Every degree of freedom: a kept one is itself, another what its constraint says.
+fn forms(size: usize, solved: &[(usize, Row)]) -> Vec<Form> {
+    let mut columns = vec![None; size];
+    let is_kept = |index: &usize| solved.iter().all(|(pivot, _)| pivot != index);
+    (0..size).filter(is_kept).enumerate().for_each(|(column, index)| columns[index] = Some(column));
+    let mut forms: Vec<Form> =
+        columns.iter().map(|column| column.iter().map(|&column| (column, DoubleDouble::from(1.0))).collect()).collect();
+    for (pivot, row) in solved {
+        let entry = |(index, &factor): (usize, &DoubleDouble)| {
+            columns[index].filter(|_| factor != zero()).map(|column| (column, -(factor / row[*pivot])))
+        };
+        forms[*pivot] = row.iter().enumerate().filter_map(entry).collect();
+    }
+    forms
 }

@@ -1,8 +1,12 @@
 //! The displacements of a tree: what moves with what, what is held.
+//!
+//! Every elongation, bending and displacement of a mass has a degree of freedom of its own, joined to the others by
+//! constraints: which of them are eliminated is decided later.
 
+use super::weights::Weight;
 use super::{BeamEnds, Form, Inertia, Link};
 use crate::tree::{Part, Tree, next_space};
-use mstmm::elements::Body;
+use mstmm::elements::{Beam, Body};
 use mstmm::{DoubleDouble, ListStep, Space, Support};
 
 /// Whether a support holds the deflection, and whether it holds the rotation.
@@ -18,7 +22,8 @@ fn holds(support: Support) -> (bool, bool) {
 /// What a tree is made of, before its constraints are eliminated.
 #[derive(Default)]
 pub(super) struct Parts {
-    pub(super) size: usize,
+    /// What each degree of freedom by itself is held or slowed down by.
+    pub(super) weights: Vec<Weight>,
     /// Forms that are zero.
     pub(super) constraints: Vec<Form>,
     pub(super) links: Vec<Link>,
@@ -34,7 +39,7 @@ enum End {
 }
 
 /// `a + factor · b`.
-fn sum(a: &Form, factor: f64, b: &Form) -> Form {
+pub(super) fn sum(a: &Form, factor: f64, b: &Form) -> Form {
     let mut sum = a.clone();
     for &(index, entry) in b {
         let term = entry * DoubleDouble::from(factor);
@@ -58,15 +63,22 @@ fn central_inertia(body: &Body<f64>) -> DoubleDouble {
 }
 
 impl Parts {
-    fn freedom(&mut self) -> Form {
-        self.size += 1;
-        vec![(self.size - 1, DoubleDouble::from(1.0))]
+    fn freedom(&mut self, weight: Weight) -> Form {
+        self.weights.push(weight);
+        vec![(self.weights.len() - 1, DoubleDouble::from(1.0))]
+    }
+
+    /// A degree of freedom that is equal to a form.
+    fn equal(&mut self, weight: Weight, form: &Form) -> Form {
+        let freedom = self.freedom(weight);
+        self.constraints.push(sum(form, -1.0, &freedom));
+        freedom
     }
 
     /// The beginning of a path: what the support holds is the empty form.
     fn tip(&mut self, space: Space, support: Support) -> End {
         let (holds_y, holds_theta) = holds(support);
-        let mut displacement = |holds: bool| if holds { Vec::new() } else { self.freedom() };
+        let mut displacement = |holds: bool| if holds { Vec::new() } else { self.freedom(Weight::NONE) };
         let y = (!space.is(Space::Rotation)).then(|| displacement(holds_y));
         let theta = (!space.is(Space::Translation)).then(|| displacement(holds_theta));
         End::Point { y, theta }
@@ -81,7 +93,7 @@ impl Parts {
     /// One displacement for all inputs of a connection; a new one if it is needed and none is there.
     fn join(&mut self, inputs: &[&Form], needed: bool) -> Option<Form> {
         self.constraints.extend(inputs.iter().skip(1).map(|other| sum(inputs[0], -1.0, other)));
-        inputs.first().map(|&form| form.clone()).or_else(|| needed.then(|| self.freedom()))
+        inputs.first().map(|&form| form.clone()).or_else(|| needed.then(|| self.freedom(Weight::NONE)))
     }
 
     fn connection(&mut self, inputs: &[End], next: Option<Space>) -> End {
@@ -98,37 +110,43 @@ impl Parts {
         End::Point { y, theta }
     }
 
-    fn mass(&mut self, mass: f64, form: &Form) {
-        self.masses.push(Inertia { form: form.clone(), mass: DoubleDouble::from(mass) });
+    fn mass(&mut self, mass: DoubleDouble, form: &Form) {
+        let form = self.equal(Weight::mass(mass), form);
+        self.masses.push(Inertia { form, mass });
     }
 
     fn link(&mut self, stiffness: f64, damping: f64, from: &Form) -> Form {
-        let out = self.freedom();
-        self.links.push(Link { form: sum(from, -1.0, &out), stiffness, damping });
+        let elongation = self.freedom(Weight::link(stiffness, damping));
+        let out = sum(from, -1.0, &elongation);
+        self.links.push(Link { form: elongation, stiffness, damping });
         out
+    }
+
+    fn beam(&mut self, beam: &Beam<f64>, y: &Form, theta: &Form) -> End {
+        let [deflection, rotation] = [false, true].map(|is_rotation| Weight::beam_end(beam, is_rotation));
+        let [bending, turning] = [false, true].map(|is_rotation| Weight::bending(beam, is_rotation));
+        let (y, theta) = (self.equal(deflection, y), self.equal(rotation, theta));
+        let bending = [self.freedom(bending), self.freedom(turning)];
+        let rigid = sum(&y, beam.length, &theta);
+        let y_out = self.equal(deflection, &sum(&rigid, 1.0, &bending[0]));
+        let theta_out = self.equal(rotation, &sum(&theta, 1.0, &bending[1]));
+        let ends = [y, theta, y_out.clone(), theta_out.clone()];
+        self.beams.push(BeamEnds { ends, bending, beam: *beam });
+        End::Point { y: Some(y_out), theta: Some(theta_out) }
     }
 
     /// A path of two displacements goes through an element.
     fn bending(&mut self, part: Part, y: Form, theta: Form) -> End {
         let (y, theta) = match part {
             Part::PointMass(p) => {
-                self.mass(p.mass, &y);
-                self.mass(p.inertia, &theta);
+                self.mass(p.mass.into(), &y);
+                self.mass(p.inertia.into(), &theta);
                 (y, theta)
             }
-            Part::Beam(b) => {
-                let (y_out, theta_out) = (self.freedom(), self.freedom());
-                self.beams.push(BeamEnds {
-                    ends: [y, theta, y_out.clone(), theta_out.clone()],
-                    length: b.length,
-                    bending_stiffness: b.bending_stiffness,
-                    mass_per_length: b.mass_per_length,
-                });
-                (y_out, theta_out)
-            }
+            Part::Beam(b) => return self.beam(&b, &y, &theta),
             Part::Body(b) => {
-                self.mass(b.mass, &sum(&y, b.centre_x, &theta));
-                self.masses.push(Inertia { form: theta.clone(), mass: central_inertia(&b) });
+                self.mass(b.mass.into(), &sum(&y, b.centre_x, &theta));
+                self.mass(central_inertia(&b), &theta);
                 (sum(&y, b.output_x, &theta), theta)
             }
             Part::ElasticHinge(h) => (self.link(h.stiffness_y, 0.0, &y), self.link(h.stiffness_theta, 0.0, &theta)),
@@ -141,11 +159,11 @@ impl Parts {
     fn line(&mut self, part: Part, q: Form) -> Form {
         let (stiffness, damping) = match part {
             Part::Mass(p) => {
-                self.mass(p.mass, &q);
+                self.mass(p.mass.into(), &q);
                 return q;
             }
             Part::Inertia(p) => {
-                self.mass(p.inertia, &q);
+                self.mass(p.inertia.into(), &q);
                 return q;
             }
             Part::Spring(p) => (p.stiffness, 0.0),

@@ -38,8 +38,8 @@ fn is_sure(entry: Entry) -> bool {
 
 /// Number of negative pivots by elimination with complete pivoting, in which a pivot of two rows has one; `None` if the
 /// sign of one is not sure.
-pub(super) fn negative(matrix: Assembled<DoubleDouble>) -> Option<u64> {
-    let mut a = in_units(&matrix);
+pub(super) fn negative(matrix: &Assembled<DoubleDouble>) -> Option<u64> {
+    let mut a = in_units(matrix);
     let mut negative = 0;
     while !a.is_empty() {
         let n = a.len();

@@ -2,7 +2,7 @@
 
 use super::beam_matrix::BeamMatrix;
 use super::determinant::{Determinant, determinant};
-use super::{Stiffness, Verdict};
+use super::{Reduced, Stiffness, Verdict};
 use mstmm::search::Eigenvalue;
 use mstmm::{Complex, DoubleDouble, Real};
 
@@ -29,10 +29,10 @@ fn modulus(z: C) -> f64 {
     z.re.to_f64().hypot(z.im.to_f64())
 }
 
-impl Stiffness {
+impl Reduced {
     /// The beams that nearly vibrate with held ends at λ; their stiffness has poles there, that of their halves has none.
     fn cuts(&self, lambda: C) -> Vec<bool> {
-        self.beams.iter().map(|beam| BeamMatrix::of(beam, lambda).is_near_a_pole()).collect()
+        self.beams.iter().map(|beam| BeamMatrix::of(&beam.beam, lambda).is_near_a_pole()).collect()
     }
 
     fn determinant(&self, lambda: C, cuts: &[bool]) -> Determinant {
@@ -42,7 +42,7 @@ impl Stiffness {
 
     /// The eigenvalue to which Newton's method leads from λ, to a small part of a radius; `None` if it leads nowhere or
     /// rounding hides where.
-    pub(crate) fn nearest(&self, start: C, radius: f64) -> Option<C> {
+    fn nearest(&self, start: C, radius: f64) -> Option<C> {
         let cuts = self.cuts(start);
         let mut lambda = start;
         for _ in 0..20 {
@@ -121,6 +121,14 @@ impl Stiffness {
         }
         Verdict::CannotTell
     }
+}
+
+impl Stiffness {
+    /// The eigenvalue next to λ, to a small part of a radius; `None` if there is none or rounding hides it.
+    #[allow(dead_code, reason = "others ask for discs")]
+    pub(crate) fn eigenvalue_near(&self, lambda: C, radius: f64) -> Option<C> {
+        self.at(modulus(lambda)).nearest(lambda, radius)
+    }
 
     /// Whether each disc of a list holds its eigenvalues.
     pub(crate) fn judge_discs(&self, list: &[Eigenvalue]) -> Vec<Verdict> {
@@ -129,12 +137,12 @@ impl Stiffness {
             list.iter().filter(|root| !is_zero(root)).map(|root| root.lambda.norm()).fold(f64::INFINITY, f64::min);
         let verdict = |root: &Eigenvalue| {
             if !is_zero(root) {
-                return self.judge(root);
+                return self.at(root.lambda.norm()).judge(root);
             }
             if !next.is_finite() {
                 return Verdict::CannotTell;
             }
-            match self.winding(complex(Complex::new(0.0, 0.0)), AT_REST * next) {
+            match self.at(AT_REST * next).winding(complex(Complex::new(0.0, 0.0)), AT_REST * next) {
                 None => Verdict::CannotTell,
                 Some(held) if held == root.multiplicity => Verdict::Holds,
                 Some(_) => Verdict::Misses(AT_REST * next / root.error),
