@@ -20,7 +20,7 @@ mod tree;
 use dynamic_stiffness::{Stiffness, Verdict};
 use finite_elements::Model;
 use legendre_beam::LegendreBeam;
-use mstmm::elements::{Beam, Damper, Mass, Spring};
+use mstmm::elements::{Beam, Body, Damper, Mass, PointMass, Spring};
 use mstmm::search::{Eigenvalue, NaturalFrequency};
 use mstmm::{Complex, DoubleDouble, ListStep, Real, Scalar, Support};
 use random_tree::{Random, random_tree};
@@ -147,6 +147,50 @@ fn counts_of_random_trees_are_those_of_finite_elements() {
         }
     }
     assert!(compared > 2000 && unsure == 0, "{compared} compared, {unsure} unsure");
+}
+
+/// The counts of two trees change at the same frequencies, to 1e-20 of them.
+fn are_one(tree: &Tree, other: &Tree) {
+    let [first, second] = [tree, other].map(Stiffness::of);
+    let mut upper = double(1e-6);
+    for below in 0..8 {
+        while first.count_below(upper).unwrap() <= below {
+            upper = upper * double(1.3);
+        }
+        let mut lower = upper * double(0.5);
+        assert!(first.count_below(lower).unwrap() <= below);
+        let mut end = upper;
+        for _ in 0..70 {
+            let middle = (lower + end) * double(0.5);
+            if first.count_below(middle).unwrap() > below { end = middle } else { lower = middle }
+        }
+        let counts = [-1e-20, 1e-20].map(|part| second.count_below(end * DoubleDouble::from_sum(1.0, part)));
+        assert_eq!(counts, [Some(below), Some(below + 1)], "{end} of {other:?}");
+    }
+}
+
+/// Levers there and back are none; a heavy body whose inertia is that of a point is one at the end of a massless lever.
+#[test]
+fn levers_are_what_they_are_instead() {
+    let path = |middle: &[Part]| {
+        let beam = |length| Part::Beam(Beam { length, bending_stiffness: 1.3, mass_per_length: 0.7 });
+        let parts = [&[beam(1.372)], middle, &[beam(0.911)]].concat();
+        let mut tree = vec![ListStep::Tip(Support::Fixed)];
+        tree.extend(parts.into_iter().map(ListStep::Element));
+        tree.push(ListStep::Root(Support::Free));
+        tree
+    };
+    let body = |mass, inertia, output_x, centre_x| Part::Body(Body { mass, inertia, output_x, centre_x });
+    for offset in [1.885, 1885.0, 1.885e6, 1.885e10] {
+        let none = path(&[body(1.694, 1.003, 0.0, 0.0)]);
+        are_one(&none, &path(&[body(1.694, 1.003, offset, 0.0), body(0.0, 0.0, -offset, 0.0)]));
+    }
+    for mass in [1.0, 1024.0, 1048576.0, 1073741824.0] {
+        // a product without rounding
+        let point = path(&[body(mass, mass * 1.125 * 1.125, 0.5, 1.125)]);
+        let at_end = Part::PointMass(PointMass { mass, inertia: 0.0 });
+        are_one(&point, &path(&[body(0.0, 0.0, 1.125, 0.0), at_end, body(0.0, 0.0, 0.5 - 1.125, 0.0)]));
+    }
 }
 
 fn disc(lambda: Complex<f64>, error: f64, multiplicity: u64) -> Eigenvalue {

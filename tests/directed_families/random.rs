@@ -58,25 +58,41 @@ fn tree(seed: u64, beams: usize, damped: bool, decades: f64) -> Tree {
     random_tree(seed, beams, damped).iter().map(part).collect()
 }
 
-/// Discs of damped trees.
-pub(crate) fn damped(seeds: core::ops::Range<u64>, decades: f64) -> Tally {
-    let mut tally = Tally::default();
-    for tree in seeds.map(|seed| tree(seed, 3, true, decades)) {
+/// Sums over sound models, and over those that hold something twice or hold nothing: what is said of these is right, or
+/// an error.
+#[derive(Default)]
+pub(crate) struct Sums {
+    pub(crate) sound: Tally,
+    pub(crate) degenerate: Tally,
+}
+
+impl Sums {
+    fn of(&mut self, model: &Stiffness) -> &mut Tally {
+        let tally = if model.is_sound() { &mut self.sound } else { &mut self.degenerate };
         tally.models += 1;
-        first_eigenvalues::<6>(&tree, &Stiffness::of(&tree), &mut tally);
+        tally
     }
-    tally
+}
+
+/// Discs of damped trees.
+pub(crate) fn damped(seeds: core::ops::Range<u64>, decades: f64) -> Sums {
+    let mut sums = Sums::default();
+    for tree in seeds.map(|seed| tree(seed, 3, true, decades)) {
+        let model = Stiffness::of(&tree);
+        first_eigenvalues::<6>(&tree, &model, sums.of(&model));
+    }
+    sums
 }
 
 /// Intervals and counts of undamped trees.
-pub(crate) fn undamped(seeds: core::ops::Range<u64>, decades: f64) -> Tally {
-    let mut tally = Tally::default();
+pub(crate) fn undamped(seeds: core::ops::Range<u64>, decades: f64) -> Sums {
+    let mut sums = Sums::default();
     for seed in seeds {
         let tree = tree(seed, 6, false, decades);
         let model = Stiffness::of(&tree);
-        tally.models += 1;
-        first_frequencies::<6>(&tree, &model, &mut tally);
-        counts_up_to(&tree, 10.0, &mut Random(seed), &model, &mut tally);
+        let tally = sums.of(&model);
+        first_frequencies::<6>(&tree, &model, tally);
+        counts_up_to(&tree, 10.0, &mut Random(seed), &model, tally);
     }
-    tally
+    sums
 }

@@ -9,24 +9,22 @@ use crate::tree::{Part, Tree};
 use mstmm::search::{Eigenvalues, NaturalFrequencies};
 use mstmm::{ListStep, SearchError, StepList};
 
-/// A frequency above all of a model without beams whose parameters are within a few decades of one.
-const HIGHEST: f64 = 1e10;
+/// A frequency above all of a model without beams, even those of an inertia that rounding alone has left.
+const HIGHEST: f64 = 1e30;
 
-/// A frequency at which nothing but what has neither stiffness nor mass is without both.
-const GENERIC: f64 = 0.773_205;
+fn has_beams(tree: &Tree) -> bool {
+    tree.iter().any(|step| matches!(step, ListStep::Element(Part::Beam(_))))
+}
 
 /// Counts the refusal of a search for so many undamped frequencies, and says whether the model asks for it.
 fn refused(error: SearchError, wanted: u64, model: &Stiffness, tally: &mut Tally, tree: &Tree) {
-    let has_beams = tree.iter().any(|step| matches!(step, ListStep::Element(Part::Beam(_))));
     match error {
         SearchError::TooFewRoots { found } => {
-            let all = if has_beams { None } else { model.count_below(HIGHEST.into()) };
-            tally.entry(!has_beams && all.is_none_or(|all| all == found && all < wanted), &(found, all, tree));
+            let all = if has_beams(tree) { None } else { model.count_below(HIGHEST.into()) };
+            tally.entry(all.is_some_and(|all| all == found && all < wanted), &("too few", found, all, tree));
             tally.refusal(&error);
         }
-        SearchError::Zero { .. } if !model.is_held_twice && model.sure_count(GENERIC).is_some() => {
-            tally.refusal_named("Zero of a sound model");
-        }
+        SearchError::Zero { .. } if model.is_sound() => tally.refusal_named("Zero of a sound model"),
         other => tally.refusal(&other),
     }
 }
@@ -82,6 +80,14 @@ pub(crate) fn first_eigenvalues<const N: usize>(tree: &Tree, model: &Stiffness, 
     let list = StepList::new(&steps).unwrap();
     match list.first_eigenvalues::<N>() {
         Ok(found) => tally.verdicts(&model.judge_discs(&found), &tree),
-        Err(error) => tally.refusal(&error),
+        Err(error) => {
+            if let SearchError::TooFewRoots { found } = error {
+                let all = if has_beams(tree) { None } else { model.eigenvalues_within(HIGHEST) };
+                // each but the real ones has a mirror image
+                let are_all = |&all: &u64| found < N as u64 && found <= all && all <= 2 * found;
+                tally.entry(all.as_ref().is_some_and(are_all), &("too few", found, all, tree));
+            }
+            tally.refusal(&error);
+        }
     }
 }

@@ -14,6 +14,9 @@ const SURE: f64 = 1e-3;
 /// Relative error of a determinant whose argument is sure.
 const SURE_TURN: f64 = 0.1;
 
+/// No eigenvalue of any model but one of which everything is.
+const GENERIC: Complex<f64> = Complex::new(0.371_305, 0.773_205);
+
 /// Part of a radius to which an eigenvalue is made out.
 const SETTLED: f64 = 1e-4;
 
@@ -128,6 +131,20 @@ impl Stiffness {
     #[allow(dead_code, reason = "others ask for discs")]
     pub(crate) fn eigenvalue_near(&self, lambda: C, radius: f64) -> Option<C> {
         self.at(modulus(lambda)).nearest(lambda, radius)
+    }
+
+    /// Number of eigenvalues up to a modulus, of a model without beams.
+    #[allow(dead_code, reason = "others ask for discs")]
+    pub(crate) fn eigenvalues_within(&self, radius: f64) -> Option<u64> {
+        self.at(radius).winding(complex(Complex::new(0.0, 0.0)), radius)
+    }
+
+    /// Whether nothing is held twice, and nothing is without stiffness, damping and mass.
+    #[allow(dead_code, reason = "others take sound models only")]
+    pub(crate) fn is_sound(&self) -> bool {
+        let model = self.at(modulus(complex(GENERIC)));
+        let determinant = model.determinant(complex(GENERIC), &model.cuts(complex(GENERIC)));
+        !self.is_held_twice && determinant.error < SURE_TURN
     }
 
     /// Whether each disc of a list holds its eigenvalues.
