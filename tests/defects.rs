@@ -106,6 +106,28 @@ fn the_disc_of_a_beam_with_a_heavy_point_on_an_arm_holds_the_eigenvalue() {
 }
 
 system! {
+    /// A beam with a body in it, from which a massless lever leads back to where the first lever began.
+    struct ThereAndBack { offset: f64 }
+    fixed -> beam 1 { length: 1.372, bending_stiffness: 1.876, mass_per_length: 1.0 }
+          -> body 2 { mass: 1.694, inertia: 1.003, output_x: offset, centre_x: 0.0 }
+          -> body 3 { mass: 0.0, inertia: 0.0, output_x: -offset, centre_x: 0.0 }
+          -> beam 4 { length: 1.662, bending_stiffness: 1.849, mass_per_length: 1.0 } -> free;
+}
+
+/// Equal levers there and back are none at all.
+#[test]
+fn levers_there_and_back_change_no_frequency() {
+    let found = |offset: f64| ThereAndBack { offset }.build().unwrap().first_frequencies::<6>().unwrap();
+    let none = found(0.0);
+    for offset in [10.0, 1e3, 18_850.0, 1e6] {
+        for (root, expected) in found(offset).iter().zip(&none) {
+            let overlap = root.lower <= expected.upper && expected.lower <= root.upper;
+            assert!(overlap, "{offset} m: {root:?} instead of {expected:?}");
+        }
+    }
+}
+
+system! {
     /// A cantilever with a dashpot at its middle.
     struct Tip {}
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a

@@ -98,7 +98,7 @@ fn levers_there_and_back(models: u64) {
 
 #[test]
 fn some_levers_on_one_axle() {
-    levers_are_right(4);
+    levers_are_right(12);
 }
 
 #[test]
@@ -109,7 +109,7 @@ fn all_levers_on_one_axle() {
 
 #[test]
 fn some_damped_arms() {
-    damped_arms(1);
+    damped_arms(3);
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn all_damped_arms() {
 
 #[test]
 fn some_undamped_arms() {
-    undamped_arms(1);
+    undamped_arms(3);
 }
 
 #[test]
@@ -131,7 +131,7 @@ fn all_undamped_arms() {
 
 #[test]
 fn some_bodies_pinned_at_their_mass_centre() {
-    pinned_bodies(1);
+    pinned_bodies(3);
 }
 
 #[test]
@@ -142,7 +142,7 @@ fn all_bodies_pinned_at_their_mass_centre() {
 
 #[test]
 fn some_levers_there_and_back() {
-    levers_there_and_back(2);
+    levers_there_and_back(8);
 }
 
 #[test]
@@ -161,7 +161,7 @@ fn lumped_systems(cars: u64, stride: usize, chains: u64) {
 
 #[test]
 fn some_lumped_systems() {
-    lumped_systems(20, 311, 20);
+    lumped_systems(40, 151, 40);
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn all_lumped_systems() {
 
 #[test]
 fn some_orders_of_equal_parts() {
-    all_right(vec![("equal parts in all orders".into(), orders::run(2))]);
+    all_right(vec![("equal parts in all orders".into(), orders::run(4))]);
 }
 
 #[test]
@@ -197,10 +197,13 @@ fn rows(name: &str, sums: random::Sums) -> [(String, Tally); 2] {
     [(name.into(), sums.sound), (format!("{name}, nothing or something twice held"), sums.degenerate)]
 }
 
+/// Trees without bodies whose lowest frequency is far below those of their parts, and was outside of its interval.
+const LOW: [u64; 2] = [7619, 17697];
+
 #[test]
 fn some_random_trees() {
-    let damped = rows("random damped trees, 1e±6", random::damped(0..12, 6.0));
-    let undamped = rows("random undamped trees, 1e±1", random::undamped(0..40, 1.0));
+    let damped = rows("random damped trees, 1e±6", random::damped(0..40, 6.0));
+    let undamped = rows("random undamped trees, 1e±1", random::undamped(LOW.into_iter().chain(0..150), 1.0));
     all_right(damped.into_iter().chain(undamped).collect());
 }
 

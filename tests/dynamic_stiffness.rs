@@ -155,7 +155,7 @@ fn are_one(tree: &Tree, other: &Tree) {
     let mut upper = double(1e-6);
     for below in 0..8 {
         while first.count_below(upper).unwrap() <= below {
-            upper = upper * double(1.3);
+            upper *= double(1.3);
         }
         let mut lower = upper * double(0.5);
         assert!(first.count_below(lower).unwrap() <= below);

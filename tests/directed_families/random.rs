@@ -75,9 +75,9 @@ impl Sums {
 }
 
 /// Discs of damped trees.
-pub(crate) fn damped(seeds: core::ops::Range<u64>, decades: f64) -> Sums {
+pub(crate) fn damped(seeds: impl IntoIterator<Item = u64>, decades: f64) -> Sums {
     let mut sums = Sums::default();
-    for tree in seeds.map(|seed| tree(seed, 3, true, decades)) {
+    for tree in seeds.into_iter().map(|seed| tree(seed, 3, true, decades)) {
         let model = Stiffness::of(&tree);
         first_eigenvalues::<6>(&tree, &model, sums.of(&model));
     }
@@ -85,7 +85,7 @@ pub(crate) fn damped(seeds: core::ops::Range<u64>, decades: f64) -> Sums {
 }
 
 /// Intervals and counts of undamped trees.
-pub(crate) fn undamped(seeds: core::ops::Range<u64>, decades: f64) -> Sums {
+pub(crate) fn undamped(seeds: impl IntoIterator<Item = u64>, decades: f64) -> Sums {
     let mut sums = Sums::default();
     for seed in seeds {
         let tree = tree(seed, 6, false, decades);

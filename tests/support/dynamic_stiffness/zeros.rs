@@ -20,8 +20,7 @@ const GENERIC: Complex<f64> = Complex::new(0.371_305, 0.773_205);
 /// Part of a radius to which an eigenvalue is made out.
 const SETTLED: f64 = 1e-4;
 
-/// Part of the next eigenvalue within which eigenvalues that are said to be zero are sought: what is left of their
-/// stiffness there, a 1e-12th of that eigenvalue's, is far above rounding.
+/// Part of the next eigenvalue within which eigenvalues that are said to be zero are sought.
 const AT_REST: f64 = 1e-6;
 
 fn complex(z: Complex<f64>) -> C {
@@ -133,6 +132,22 @@ impl Stiffness {
         self.at(modulus(lambda)).nearest(lambda, radius)
     }
 
+    /// Whether so many eigenvalues are zero as a disc says. Just above zero, stiffnesses hide what mass and damping add to
+    /// them: there, a larger circle is as good, if it is far below the next eigenvalue.
+    fn judge_zero(&self, root: &Eigenvalue, next: f64) -> Verdict {
+        let mut radius = root.error;
+        while radius < AT_REST * next && radius < 1.0 / root.error {
+            match self.at(radius).winding(complex(Complex::new(0.0, 0.0)), radius) {
+                Some(held) if held == root.multiplicity => return Verdict::Holds,
+                // of all listed, there may be one that is not zero in a larger circle
+                Some(held) if held > root.multiplicity && radius > root.error && next.is_infinite() => break,
+                Some(_) => return Verdict::Misses(radius / root.error),
+                None => radius *= 16.0,
+            }
+        }
+        Verdict::CannotTell
+    }
+
     /// Number of eigenvalues up to a modulus, of a model without beams.
     #[allow(dead_code, reason = "others ask for discs")]
     pub(crate) fn eigenvalues_within(&self, radius: f64) -> Option<u64> {
@@ -153,17 +168,7 @@ impl Stiffness {
         let next =
             list.iter().filter(|root| !is_zero(root)).map(|root| root.lambda.norm()).fold(f64::INFINITY, f64::min);
         let verdict = |root: &Eigenvalue| {
-            if !is_zero(root) {
-                return self.at(root.lambda.norm()).judge(root);
-            }
-            if !next.is_finite() {
-                return Verdict::CannotTell;
-            }
-            match self.at(AT_REST * next).winding(complex(Complex::new(0.0, 0.0)), AT_REST * next) {
-                None => Verdict::CannotTell,
-                Some(held) if held == root.multiplicity => Verdict::Holds,
-                Some(_) => Verdict::Misses(AT_REST * next / root.error),
-            }
+            if is_zero(root) { self.judge_zero(root, next) } else { self.at(root.lambda.norm()).judge(root) }
         };
         list.iter().map(verdict).collect()
     }
