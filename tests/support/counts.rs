@@ -8,5 +8,5 @@ pub(crate) fn count_below<Y>(system: &Y, omega: f64) -> Result<u64, SearchError>
 where
     Y: System<Parameter = f64> + Undamped + ?Sized,
 {
-    Ok(system.count_below(omega))
+    system.count_below(omega)
 }
