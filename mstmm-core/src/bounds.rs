@@ -16,6 +16,8 @@ pub struct FrequencyBounds {
     wave_sum: f64,
     /// Sum of all lengths: no lever is longer.
     reach: f64,
+    /// Levers of rigid bodies.
+    levers: Range,
 }
 
 /// Smallest and largest positive value so far.
@@ -46,6 +48,7 @@ impl Default for FrequencyBounds {
             wave_count: 0,
             wave_sum: 0.0,
             reach: 0.0,
+            levers: Range::EMPTY,
         }
     }
 }
@@ -91,6 +94,12 @@ impl FrequencyBounds {
     /// A length along a path \[m\]: masses may turn about the far end of a lever that long.
     pub fn length(&mut self, value: f64) {
         self.reach += value.abs();
+    }
+
+    /// A lever of a rigid body \[m\]: by a short one a stiff spring turns the body slowly.
+    pub fn lever(&mut self, value: f64) {
+        self.length(value);
+        self.levers.include(value.abs());
     }
 
     /// Number of continuous elements.
@@ -145,9 +154,17 @@ impl FrequencyBounds {
         exponent(self.estimates().least) / 2 - 1
     }
 
+    /// Logarithm to base 2 of a frequency that no other falls short of by much: that of the softest spring on the shortest lever.
+    pub(crate) fn least_exponent(&self) -> i32 {
+        let (stiffness, inertia) = (self.stiffness[0].least, self.inertia[1].greatest);
+        let by_lever = stiffness / inertia * self.levers.least * self.levers.least;
+        let is_one = by_lever > 0.0 && by_lever.is_finite();
+        if is_one { self.lowest_exponent().min(exponent(by_lever) / 2 - 1) } else { self.lowest_exponent() }
+    }
+
     /// Logarithm to base 2 of what is as good as zero beside any frequency.
     pub(crate) fn negligible_exponent(&self) -> i32 {
-        self.lowest_exponent() - 20
+        self.least_exponent() - 20
     }
 
     /// Logarithm to base 2 of a high estimate of the frequencies of discrete elements.

@@ -23,12 +23,6 @@ const WAITING: usize = 128;
 /// Factor between the lowest estimate of a frequency and what is taken to be just above zero.
 const ZERO_EXPONENT: i32 = 30;
 
-/// Factor below that at which a frequency that is no zero would still be above it.
-const DEEPER_EXPONENT: i32 = 100;
-
-/// Logarithm to base 2 of a frequency whose powers are far from the end of the range.
-const LEAST_EXPONENT: i32 = -200;
-
 /// Factor between frequencies at which Δ does not vanish by one accident.
 const FAR_APART: f64 = 3.0;
 
@@ -127,17 +121,8 @@ where
     }
 
     /// Just above zero: below every frequency but those that are zero.
-    ///
-    /// Where some seem to be, a frequency far below tells whether they are; then the samples are those of both, else the same twice.
-    fn just_above_zero(&mut self) -> Result<[Sample<T>; 2], SearchError> {
-        let exponent = self.system.bounds().lowest_exponent() - ZERO_EXPONENT;
-        let sample = self.sample(T::one().times_power_of_two(exponent))?;
-        let deeper = (exponent - DEEPER_EXPONENT).max(LEAST_EXPONENT);
-        if sample.below == 0 || deeper >= exponent {
-            return Ok([sample; 2]);
-        }
-        let below = self.sample(T::one().times_power_of_two(deeper))?;
-        Ok([if below.below < sample.below { below } else { sample }, sample])
+    fn just_above_zero(&self) -> T {
+        T::one().times_power_of_two(self.system.bounds().least_exponent() - ZERO_EXPONENT)
     }
 
     /// All frequencies of a range.
@@ -151,25 +136,16 @@ where
             return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
         }
         let mut found = List::new();
-        let mut waiting = List::<Sample<T>, WAITING>::new();
+        let zero = self.just_above_zero();
         let margin = self.half_width + self.half_width;
-        let last = end + end * margin;
-        let mut lower;
-        if start > T::one().times_power_of_two(self.system.bounds().lowest_exponent() - ZERO_EXPONENT) {
-            lower = self.sample(start - start * margin)?;
-            Self::wait(&mut waiting, self.sample(last)?)?;
-        } else {
-            let [zero, above] = self.just_above_zero()?;
-            lower = zero;
-            if start.is_zero() {
-                Self::push(&mut found, Self::rigid_body_modes(&lower))?;
-            }
-            if last > lower.omega {
-                Self::wait(&mut waiting, self.sample(last)?)?;
-            }
-            if above.omega > lower.omega && last > above.omega {
-                Self::wait(&mut waiting, above)?;
-            }
+        let first = if start > zero { start - start * margin } else { zero };
+        let mut lower = self.sample(first)?;
+        if start.is_zero() {
+            Self::push(&mut found, Self::rigid_body_modes(&lower))?;
+        }
+        let mut waiting = List::<Sample<T>, WAITING>::new();
+        if end > lower.omega {
+            Self::wait(&mut waiting, self.sample(end + end * margin)?)?;
         }
         while let Some(root) = self.next(&mut lower, &mut waiting)? {
             self.doubt(&root, found.last());
@@ -185,15 +161,13 @@ where
         let wanted = N as u64;
         let bounds = self.system.bounds();
         let mut found = List::new();
-        let [mut lower, mut highest] = self.just_above_zero()?;
+        let mut lower = self.sample(self.just_above_zero())?;
         Self::push(&mut found, Self::rigid_body_modes(&lower))?;
         let mut settled = lower.below;
         // upper ends in ascending order first, to be turned round
         let mut waiting = List::<Sample<T>, WAITING>::new();
-        if highest.omega > lower.omega {
-            Self::wait(&mut waiting, highest)?;
-        }
         let mut exponent = bounds.lowest_exponent() + 1;
+        let mut highest = lower;
         while highest.below < wanted {
             if !bounds.is_continuous() && exponent > bounds.highest_exponent() + ZERO_EXPONENT {
                 return Err(SearchError::TooFewRoots { found: highest.below });

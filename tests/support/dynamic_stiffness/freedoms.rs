@@ -51,15 +51,12 @@ pub(super) fn sum(a: &Form, factor: f64, b: &Form) -> Form {
     sum
 }
 
-/// `J_I - m c²` of the numbers as they are given: each product in parts without rounding. What rounding has put below zero
-/// is zero.
+/// `J_I - m c²` of the numbers as they are given, below zero where their rounding has put it: each product in parts without rounding.
 fn central_inertia(body: &Body<f64>) -> DoubleDouble {
     let (high, low) = DoubleDouble::from_product(body.centre_x, body.centre_x).parts();
     let (first, second) = DoubleDouble::from_product(body.mass, high).parts();
     let third = DoubleDouble::from_product(body.mass, low);
-    let rest = DoubleDouble::from_sum(body.inertia, -first) - DoubleDouble::from(second) - third;
-    let zero = DoubleDouble::from(0.0);
-    if rest < zero { zero } else { rest }
+    DoubleDouble::from_sum(body.inertia, -first) - DoubleDouble::from(second) - third
 }
 
 impl Parts {
