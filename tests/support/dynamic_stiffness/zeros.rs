@@ -24,7 +24,7 @@ const GENERIC: Complex<f64> = Complex::new(0.371_305, 0.773_205);
 const SETTLED: f64 = 1e-4;
 
 /// Part of the next eigenvalue within which eigenvalues that are said to be zero are sought.
-const AT_REST: f64 = 1e-6;
+const AT_REST: f64 = 1e-2;
 
 fn complex(z: Complex<f64>) -> C {
     C::new(DoubleDouble::from(z.re), DoubleDouble::from(z.im))
@@ -145,19 +145,21 @@ impl Stiffness {
     }
 
     /// Whether so many eigenvalues are zero as a disc says. Just above zero, stiffnesses hide what mass and damping add to
-    /// them: there, a larger circle is as good, if it is far below the next eigenvalue.
+    /// them, and the rounding of lengths holds what is free: there, a larger circle is as good, if it is far below the next
+    /// eigenvalue.
     fn judge_zero(&self, root: &Eigenvalue, next: f64) -> Verdict {
-        let mut radius = root.error;
+        let (mut radius, mut verdict) = (root.error, Verdict::CannotTell);
         while radius < AT_REST * next && radius < 1.0 / root.error {
             match self.at(radius).power(radius) {
                 Some(held) if held == root.multiplicity => return Verdict::Holds,
-                // of all listed, there may be one that is not zero in a larger circle
-                Some(held) if held > root.multiplicity && radius > root.error && next.is_infinite() => break,
-                Some(_) => return Verdict::Misses(radius / root.error),
-                None => radius *= 16.0,
+                // where no other is listed, larger circles may hold some
+                Some(held) if held > root.multiplicity && next.is_infinite() => return verdict,
+                Some(_) => verdict = Verdict::Misses(radius / root.error),
+                None => {}
             }
+            radius *= 16.0;
         }
-        Verdict::CannotTell
+        verdict
     }
 
     /// Number of eigenvalues up to a modulus, of a model without beams.
