@@ -14,6 +14,9 @@ const SURE: f64 = 1e-3;
 /// Relative error of a determinant whose argument is sure.
 const SURE_TURN: f64 = 0.1;
 
+/// Distance of a power from a whole number: others that are 100 times farther away move it by less each.
+const WHOLE: f64 = 0.05;
+
 /// No eigenvalue of any model but one of which everything is.
 const GENERIC: Complex<f64> = Complex::new(0.371_305, 0.773_205);
 
@@ -21,7 +24,7 @@ const GENERIC: Complex<f64> = Complex::new(0.371_305, 0.773_205);
 const SETTLED: f64 = 1e-4;
 
 /// Part of the next eigenvalue within which eigenvalues that are said to be zero are sought.
-const AT_REST: f64 = 1e-6;
+const AT_REST: f64 = 1e-2;
 
 fn complex(z: Complex<f64>) -> C {
     C::new(DoubleDouble::from(z.re), DoubleDouble::from(z.im))
@@ -64,20 +67,18 @@ impl Reduced {
         None
     }
 
-    /// Number of eigenvalues in a circle: the turns of the determinant along it.
-    fn winding(&self, centre: C, radius: f64) -> Option<u64> {
+    /// Number of eigenvalues in a circle that is said to hold so many: the turns of the determinant along it.
+    fn winding(&self, centre: C, radius: f64, expected: u64) -> Option<u64> {
         let cuts = self.cuts(centre);
-        let mut points = 16;
-        while points <= 1024 {
+        // a whole turn between two points would not be seen
+        let mut points = 16 * u32::try_from(expected).ok()?;
+        for _ in 0..3 {
             let value = |k: u32| {
                 let angle = core::f64::consts::TAU * (f64::from(k) + 0.3) / f64::from(points);
-                self.determinant(centre + complex(Complex::from_polar(radius, angle)), &cuts)
+                let value = self.determinant(centre + complex(Complex::from_polar(radius, angle)), &cuts);
+                (value.error < SURE_TURN).then_some(value.mantissa)
             };
-            let determinants: Vec<Determinant> = (0..points).map(value).collect();
-            if determinants.iter().any(|value| value.error > SURE_TURN || value.error.is_nan()) {
-                return None;
-            }
-            let values: Vec<C> = determinants.iter().map(|value| value.mantissa).collect();
+            let values = (0..points).map(value).collect::<Option<Vec<C>>>()?;
             let turn = |k: usize| {
                 let quotient = values[(k + 1) % values.len()] / values[k];
                 quotient.im.to_f64().atan2(quotient.re.to_f64())
@@ -92,6 +93,17 @@ impl Reduced {
         None
     }
 
+    /// Number of eigenvalues up to a modulus that is far from all of theirs: the determinant grows by that power of λ.
+    fn power(&self, radius: f64) -> Option<u64> {
+        let near = complex(Complex::from_polar(radius, 1.1));
+        let cuts = self.cuts(near);
+        let [first, second] = [near, near + near].map(|point| self.determinant(point, &cuts));
+        let growth = modulus(second.over_power(first.exponent)) / modulus(first.mantissa);
+        let power = growth.log2();
+        let is_whole = (power - power.round()).abs() < WHOLE;
+        (first.error < SURE && second.error < SURE && is_whole && power > -WHOLE).then(|| power.round() as u64)
+    }
+
     /// Whether the disc of an eigenvalue that is not zero holds it.
     fn judge(&self, root: &Eigenvalue) -> Verdict {
         if root.multiplicity > 1 {
@@ -104,7 +116,7 @@ impl Reduced {
             return Verdict::Holds;
         }
         // in a cluster, the method may have left the disc
-        match self.winding(centre, root.error) {
+        match self.winding(centre, root.error, 1) {
             Some(1) => Verdict::Holds,
             _ if radii < 1.0 + 2.0 * SURE => Verdict::CannotTell,
             _ => Verdict::Misses(radii),
@@ -114,7 +126,7 @@ impl Reduced {
     fn judge_by_turns(&self, root: &Eigenvalue) -> Verdict {
         let (centre, mut radius) = (complex(root.lambda), root.error);
         for doublings in 0..40 {
-            match self.winding(centre, radius) {
+            match self.winding(centre, radius, root.multiplicity) {
                 None => return Verdict::CannotTell,
                 Some(held) if held == root.multiplicity && doublings == 0 => return Verdict::Holds,
                 Some(held) if held >= root.multiplicity => return Verdict::Misses(radius / root.error),
@@ -133,25 +145,27 @@ impl Stiffness {
     }
 
     /// Whether so many eigenvalues are zero as a disc says. Just above zero, stiffnesses hide what mass and damping add to
-    /// them: there, a larger circle is as good, if it is far below the next eigenvalue.
+    /// them, and the rounding of lengths holds what is free: there, a larger circle is as good, if it is far below the next
+    /// eigenvalue.
     fn judge_zero(&self, root: &Eigenvalue, next: f64) -> Verdict {
-        let mut radius = root.error;
+        let (mut radius, mut verdict) = (root.error, Verdict::CannotTell);
         while radius < AT_REST * next && radius < 1.0 / root.error {
-            match self.at(radius).winding(complex(Complex::new(0.0, 0.0)), radius) {
+            match self.at(radius).power(radius) {
                 Some(held) if held == root.multiplicity => return Verdict::Holds,
-                // of all listed, there may be one that is not zero in a larger circle
-                Some(held) if held > root.multiplicity && radius > root.error && next.is_infinite() => break,
-                Some(_) => return Verdict::Misses(radius / root.error),
-                None => radius *= 16.0,
+                // where no other is listed, larger circles may hold some
+                Some(held) if held > root.multiplicity && next.is_infinite() => return verdict,
+                Some(_) => verdict = Verdict::Misses(radius / root.error),
+                None => {}
             }
+            radius *= 16.0;
         }
-        Verdict::CannotTell
+        verdict
     }
 
     /// Number of eigenvalues up to a modulus, of a model without beams.
     #[allow(dead_code, reason = "others ask for discs")]
     pub(crate) fn eigenvalues_within(&self, radius: f64) -> Option<u64> {
-        self.at(radius).winding(complex(Complex::new(0.0, 0.0)), radius)
+        self.at(radius).power(radius)
     }
 
     /// Whether nothing is held twice, and nothing is without stiffness, damping and mass.
