@@ -78,7 +78,11 @@ impl<S: Scalar> BendingCoefficients<S> {
     #[inline(always)]
     pub(crate) fn root<C: Tally<S>>(&self, input: Subspace<S>, support: Support, tally: &mut C) -> Scaled<S> {
         if C::COUNTS || matches!(input, Subspace::Tip(..)) {
-            return self.step(input, tally).at_root(support, tally);
+            let delta = self.step(input, tally).at_root(support, tally);
+            if C::WATCHES && !matches!(input, Subspace::Tip(..)) {
+                self.watch_root(&input.plane(), delta, support, tally);
+            }
+            return delta;
         }
         // no look at the range: only the minor that decides is needed
         let plane = match input {
@@ -86,7 +90,28 @@ impl<S: Scalar> BendingCoefficients<S> {
             Subspace::OnPin(plane) => self.behind_pin(&plane),
             _ => self.through(&input.plane()),
         };
-        Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
+        let delta = Scaled::new(plane.minor_at(support), i64::from(plane.exponent));
+        if C::WATCHES {
+            self.watch_root(&input.plane(), delta, support, tally);
+        }
+        delta
+    }
+
+    /// Shows a tally the sizes of Δ and of its terms.
+    #[inline(always)]
+    fn watch_root<C: Tally<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, tally: &mut C) {
+        let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, factors, .. } = *self;
+        let (row, factor) = match support {
+            Support::Fixed => ([a, b, f + f, d, e], S::one()),
+            Support::Pinned => ([raised_d, c, b + b, f + f, d], factors[0]),
+            Support::Guided => ([raised_b, raised_f + raised_f, raised_d + raised_d, c, b], factors[2]),
+            _ => ([raised_e, raised_b, raised_f + raised_f, raised_d, a], factors[3]),
+        };
+        let minors = [p.y_theta, p.y_m * inverses[0], p.w * inverses[1], p.theta_q * inverses[2], p.m_q * inverses[3]];
+        let terms = row.iter().zip(minors).map(|(&row, minor)| (row * minor).size());
+        let exponent = i64::from(p.exponent.saturating_add(self.exponent)) - delta.exponent();
+        let unit = S::one().times_power_of_two(exponent.clamp(-1000, 1000) as i32).size() * factor.size();
+        tally.root_sum(delta.mantissa().size(), terms.sum::<f64>() * unit);
     }
 
     /// The plane behind the beam, given its minors in the units of the coefficients.

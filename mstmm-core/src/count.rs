@@ -4,6 +4,7 @@
 //! rules. Each rule adds the negative eigenvalues of the stiffness that a step eliminates. A support is the limit of a
 //! stiff spring, hence the rules for exact zeros.
 
+use crate::doubt::is_ill_conditioned;
 use crate::scalar::{Real, Scalar};
 use crate::state::{Space, Support};
 use crate::subspace::{Line, Plane};
@@ -52,6 +53,9 @@ pub trait Tally<S: Scalar> {
     /// A sum lost more digits to cancellation than a certificate has room for, or all of them: then it was taken for zero.
     #[inline(always)]
     fn cancelled(&mut self, _completely: bool) {}
+    /// Δ is a sum of a size, with terms whose sizes add up to more.
+    #[inline(always)]
+    fn root_sum(&mut self, _sum: f64, _terms: f64) {}
 }
 
 /// The tally that ignores everything: Δ alone.
@@ -69,6 +73,8 @@ pub(crate) struct Cancelled {
     pub(crate) partly: bool,
     /// Sums lost all digits.
     pub(crate) completely: bool,
+    /// Δ lost more than it does beside a well-conditioned root.
+    pub(crate) at_root: bool,
 }
 
 impl Cancelled {
@@ -76,6 +82,11 @@ impl Cancelled {
     fn add(&mut self, completely: bool) {
         self.completely |= completely;
         self.partly |= !completely;
+    }
+
+    #[inline(always)]
+    fn add_root<S: Scalar>(&mut self, sum: f64, terms: f64) {
+        self.at_root |= is_ill_conditioned::<S>(sum, terms);
     }
 
     /// Whether another arithmetic has to judge.
@@ -96,6 +107,10 @@ impl<S: Scalar> Tally<S> for Watch {
     #[inline(always)]
     fn cancelled(&mut self, completely: bool) {
         self.cancelled.add(completely);
+    }
+    #[inline(always)]
+    fn root_sum(&mut self, sum: f64, terms: f64) {
+        self.cancelled.add_root::<S>(sum, terms);
     }
 }
 
@@ -224,6 +239,11 @@ impl<T: Real, const IN_LINE: bool, const WATCHES: bool> Tally<T> for CountOf<IN_
     #[inline(always)]
     fn cancelled(&mut self, completely: bool) {
         self.cancelled.add(completely);
+    }
+
+    #[inline(always)]
+    fn root_sum(&mut self, sum: f64, terms: f64) {
+        self.cancelled.add_root::<T>(sum, terms);
     }
 
     fn line_root(&mut self, line: &Line<T>, support: Support) {

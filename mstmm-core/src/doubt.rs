@@ -12,6 +12,19 @@ const LOSS: f64 = 32.0;
 /// Roundings that the terms of a sum carry: what is left of them below so many is rounding alone, and taken for zero.
 pub(crate) const ROUNDINGS: f64 = 16.0;
 
+/// Condition of a root beyond which its interval is proven by the judge: by how much the terms of Δ together exceed its growth over
+/// the whole frequency.
+const CONDITION: f64 = 4.0;
+
+/// Distance from a root, in units of rounding, at which its counts are taken and its circle is looked at.
+pub(crate) const NEAR: f64 = 8.0;
+
+/// Whether Δ beside a root is less beside its terms than that of a well-conditioned root.
+#[inline(always)]
+pub(crate) fn is_ill_conditioned<S: Scalar>(sum: f64, terms: f64) -> bool {
+    sum * CONDITION < NEAR * S::EPSILON * terms
+}
+
 /// Relative distance of roots below which rounding may have made two of one of multiplicity 2 or 3.
 pub(crate) const TOUCHING: f64 = 1e-5;
 

@@ -175,8 +175,8 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
 
-    /// The arithmetic that judges the rounding of this one; the type itself where there is none.
-    type Judge: Real + Oscillation<Self>;
+    /// The arithmetic that judges the rounding of this one; the type itself where there is none. It has no other judge.
+    type Judge: Real<Judge = Self::Judge> + Oscillation<Self>;
 
     /// Whether there is a judge.
     const HAS_JUDGE: bool = false;

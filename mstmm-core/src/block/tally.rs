@@ -69,6 +69,11 @@ impl<S: Scalar, C: Tally<S>, const SERIES: bool> Tally<Straight<S, SERIES>> for 
     }
 
     #[inline(always)]
+    fn root_sum(&mut self, sum: f64, terms: f64) {
+        self.0.root_sum(sum, terms);
+    }
+
+    #[inline(always)]
     fn spring(&mut self, before: &Line<Straight<S, SERIES>>, after: &Line<Straight<S, SERIES>>) {
         self.0.spring(&line(before), &line(after));
     }

@@ -2,12 +2,13 @@
 
 use super::natural::{FrequencyList, NaturalFrequency};
 use super::polish::Slope;
+use crate::bounds::FrequencyBounds;
 use crate::characteristic::{Characteristic, System, count_and_value};
 use crate::count::Cancelled;
 use crate::doubt::{NEARLY_ZERO_EXPONENT, TOUCHING, ZEROS};
 use crate::error::SearchError;
 use crate::list::List;
-use crate::scalar::{Dual, Real, Scalar};
+use crate::scalar::{Dual, Frequency, Real, Scalar};
 use crate::scaled::Scaled;
 
 /// Half the relative width of a certified interval, in units of eps: room for the roundings of z = βl (about four,
@@ -46,6 +47,11 @@ impl<T: Real> Default for Sample<T> {
 /// A search in progress.
 pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     system: &'a Y,
+    bounds: FrequencyBounds,
+    /// A frequency below which rounding may have made one of a zero.
+    nearly_zero: T,
+    /// Just above zero: below every frequency but those that are zero.
+    just_above_zero: T,
     /// Relative half width of a certified interval.
     pub(super) half_width: T,
     /// The unit in the last place that results are good to.
@@ -53,6 +59,8 @@ pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     evaluations: usize,
     /// Whether something looked like rounding: counts that do not grow, slopes that do not fit, roots that coincide.
     pub(super) is_doubtful: bool,
+    /// Whether Δ of a sample was less beside its terms than it is beside a well-conditioned root.
+    pub(super) is_ill_conditioned: bool,
     /// Splits in a row that left all roots of a bracket on one side.
     idle_splits: u32,
 }
@@ -60,14 +68,27 @@ pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
 impl<'a, T, Y> Isolation<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<T> + Characteristic<Dual<T>> + ?Sized,
+    Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Judge> + ?Sized,
 {
     /// A search in arithmetic of type `T`, to the precision of the system's parameters.
     pub(super) fn new(system: &'a Y) -> Self {
         let precision = <Y::Parameter as Scalar>::EPSILON;
-        let waves = f64::from(system.bounds().wave_count());
+        let bounds = system.bounds();
+        let power = |exponent| T::one().times_power_of_two(exponent);
+        let waves = f64::from(bounds.wave_count());
         let half_width = T::from_f64(HALF_WIDTH * precision * (1.0 + waves / BEAMS_PER_WIDTH));
-        Isolation { system, half_width, precision, evaluations: 0, is_doubtful: false, idle_splits: 0 }
+        Isolation {
+            system,
+            nearly_zero: power(bounds.lowest_exponent() - NEARLY_ZERO_EXPONENT),
+            just_above_zero: power(bounds.least_exponent() - ZERO_EXPONENT),
+            bounds,
+            half_width,
+            precision,
+            evaluations: 0,
+            is_doubtful: false,
+            is_ill_conditioned: false,
+            idle_splits: 0,
+        }
     }
 
     /// Count and Δ at a frequency.
@@ -87,11 +108,23 @@ where
     /// Doubts a pass in which sums cancelled. One that judges has no other to ask.
     fn look_at(&mut self, cancelled: Cancelled, omega: T) -> Result<(), SearchError> {
         self.is_doubtful |= cancelled.any();
+        self.is_ill_conditioned |= cancelled.at_root;
         let is_last = T::EPSILON < self.precision || !Y::Parameter::HAS_JUDGE;
         if cancelled.partly && is_last {
             return Err(SearchError::Unresolved { near: omega.to_f64() });
         }
         Ok(())
+    }
+
+    /// Whether the counts at both ends of an interval are what they should be by the arithmetic that judges, if Δ was small beside
+    /// its terms there.
+    pub(super) fn is_proven(&mut self, root: &NaturalFrequency<T>, counts: (u64, u64)) -> bool {
+        if !(core::mem::take(&mut self.is_ill_conditioned) && T::HAS_JUDGE) {
+            return true;
+        }
+        self.evaluations += 2;
+        let [below, above] = [root.lower, root.upper].map(|omega| judged_below(self.system, omega));
+        (below, above) == counts
     }
 
     /// Gives up where Δ vanishes at one frequency, and at others far from it.
@@ -120,11 +153,6 @@ where
         Ok(Slope { omega, below: count.below(), value, derivative, exponent: dual.exponent() })
     }
 
-    /// Just above zero: below every frequency but those that are zero.
-    fn just_above_zero(&self) -> T {
-        T::one().times_power_of_two(self.system.bounds().least_exponent() - ZERO_EXPONENT)
-    }
-
     /// All frequencies of a range.
     pub(super) fn in_range<const CAP: usize>(
         &mut self,
@@ -136,7 +164,7 @@ where
             return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
         }
         let mut found = List::new();
-        let zero = self.just_above_zero();
+        let zero = self.just_above_zero;
         let margin = self.half_width + self.half_width;
         let first = if start > zero { start - start * margin } else { zero };
         let mut lower = self.sample(first)?;
@@ -159,9 +187,9 @@ where
     /// The lowest frequencies.
     pub(super) fn first<const N: usize>(&mut self) -> Result<FrequencyList<T, N>, SearchError> {
         let wanted = N as u64;
-        let bounds = self.system.bounds();
+        let bounds = self.bounds;
         let mut found = List::new();
-        let mut lower = self.sample(self.just_above_zero())?;
+        let mut lower = self.sample(self.just_above_zero)?;
         Self::push(&mut found, Self::rigid_body_modes(&lower))?;
         let mut settled = lower.below;
         // upper ends in ascending order first, to be turned round
@@ -190,8 +218,7 @@ where
     /// nearly zero.
     fn doubt(&mut self, root: &NaturalFrequency<T>, last: Option<&NaturalFrequency<T>>) {
         let touching = last.is_some_and(|last| root.lower - last.upper <= root.omega * T::from_f64(TOUCHING));
-        let nearly_zero = T::one().times_power_of_two(self.system.bounds().lowest_exponent() - NEARLY_ZERO_EXPONENT);
-        self.is_doubtful |= root.multiplicity > 1 || touching || root.omega < nearly_zero;
+        self.is_doubtful |= root.multiplicity > 1 || touching || root.omega < self.nearly_zero;
     }
 
     /// The entry of frequencies that are zero, if there are any.
@@ -303,6 +330,14 @@ where
         }
         self.sample(target)
     }
+}
+
+/// The count by the arithmetic that judges; a call, since it is seldom asked.
+#[cold]
+#[inline(never)]
+fn judged_below<T: Real, Y: Characteristic<T::Judge> + ?Sized>(system: &Y, omega: T) -> u64 {
+    let exactly = <T::Judge as Frequency<T>>::from_parameter(omega);
+    count_and_value::<true, _, _>(system, exactly).0.below()
 }
 
 /// The middle of a bracket, in the square root of the frequency: there the frequencies of beams are evenly spaced.

@@ -132,7 +132,7 @@ impl<T: Real> Walker<'_, T> {
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
 {
     /// Growth of the argument of Δ along a polygon. Every point on the way is shown to `visit`.
     pub(super) fn walk(&mut self, way: &Way<'_, T>, mut visit: impl FnMut(&Point<T>)) -> Result<Walk, SearchError> {

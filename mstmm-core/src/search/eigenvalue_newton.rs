@@ -135,7 +135,7 @@ fn settled<T: Real>(estimate: Complex<T>, radius: T) -> Complex<T> {
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
 {
     /// A root that is not yet known near a point, where those are divided out: certified, and known from now on.
     pub(super) fn find(
@@ -232,6 +232,7 @@ where
             let radius = larger(modulus(centre), self.smallest) * T::from_f64(RADIUS * self.precision);
             let lambda = settled(centre, radius);
             let rim = Complex::from(radius);
+            self.evaluation.is_ill_conditioned = false;
             let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
             let bound = T::from_f64(OFF_CENTRE);
             let is_straight = |point: &Point<T>| {
@@ -244,6 +245,7 @@ where
             let offset = |point: &Point<T>| point.lambda - lambda - Complex::from(T::one()) / point.rate;
             let offsets = [offset(&left), offset(&right)];
             if offsets.iter().all(|&offset| modulus(offset) <= radius * bound) {
+                self.evaluation.is_doubtful |= !self.evaluation.is_proven(lambda, radius + radius);
                 return Ok(Some(Eigenvalue { lambda, error: radius + radius, multiplicity: 1 }));
             }
             if modulus(offsets[0] - offsets[1]) > radius * (bound + bound) {

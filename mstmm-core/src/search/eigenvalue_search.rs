@@ -90,7 +90,7 @@ impl<T: Real> Starts<T> {
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
 {
     pub(super) fn new(system: &'a Y) -> Self {
         let bounds = system.bounds();

@@ -5,7 +5,7 @@ use crate::characteristic::{Characteristic, System};
 use crate::count::Watch;
 use crate::doubt::ZEROS;
 use crate::error::SearchError;
-use crate::scalar::{Dual, Real, Scalar, modulus};
+use crate::scalar::{Dual, Frequency, Real, Scalar, modulus};
 use crate::scaled::Scaled;
 use num_complex::Complex;
 
@@ -21,11 +21,13 @@ pub(super) struct Evaluation<'a, Y: System + ?Sized> {
     pub(super) evaluations: usize,
     /// Whether sums cancelled.
     pub(super) is_doubtful: bool,
+    /// Whether Δ was less beside its terms than it is beside a well-conditioned root.
+    pub(super) is_ill_conditioned: bool,
 }
 
 impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
     pub(super) fn new(system: &'a Y) -> Self {
-        Evaluation { system, evaluations: 0, is_doubtful: false }
+        Evaluation { system, evaluations: 0, is_doubtful: false, is_ill_conditioned: false }
     }
 
     /// Whether no other arithmetic judges what this one makes of the system.
@@ -49,6 +51,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
             return Err(SearchError::NotANumber { x: lambda.re.to_f64(), y: lambda.im.to_f64() });
         }
         self.is_doubtful |= watch.cancelled.any();
+        self.is_ill_conditioned |= watch.cancelled.at_root;
         if watch.cancelled.partly && Self::is_last::<T>() {
             return Err(SearchError::Unresolved { near: modulus(lambda).to_f64() });
         }
@@ -57,6 +60,19 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         }
         let value = if lambda.im.is_zero() { Complex::new(value.re, T::zero()) } else { value };
         Ok(Point { lambda, value: Scaled::new(value, dual.exponent()), rate, is_root })
+    }
+
+    /// Whether the root is within a distance of a point by the arithmetic that judges, if Δ was small beside its terms there.
+    pub(super) fn is_proven<T>(&mut self, lambda: Complex<T>, distance: T) -> bool
+    where
+        T: Real,
+        Y: Characteristic<Dual<Complex<T::Judge>>>,
+    {
+        if !(core::mem::take(&mut self.is_ill_conditioned) && T::HAS_JUDGE) {
+            return true;
+        }
+        self.evaluations += 2;
+        judged_step(self.system, lambda) <= distance.to_f64()
     }
 
     /// Gives up where Δ vanishes at one point, and at others far from it.
@@ -86,4 +102,18 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         }
         Err(SearchError::Effort { evaluations: self.evaluations, found })
     }
+}
+
+/// The length of Newton's step by the arithmetic that judges; a call, since it is seldom asked.
+#[cold]
+#[inline(never)]
+fn judged_step<T, Y>(system: &Y, lambda: Complex<T>) -> f64
+where
+    T: Real,
+    Y: Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+{
+    let exactly = |part: T| <T::Judge as Frequency<T>>::from_parameter(part);
+    let lambda = Complex::new(exactly(lambda.re), exactly(lambda.im));
+    let Dual { value, derivative } = system.characteristic(Dual::variable(lambda)).mantissa();
+    modulus(value / derivative).to_f64()
 }

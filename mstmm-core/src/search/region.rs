@@ -213,7 +213,7 @@ fn judged<Y: Spectrum + ?Sized, const CAP: usize>(
 fn searched<'a, Y, T, R>(system: &'a Y, run: impl FnOnce(&mut EigenvalueSearch<'a, Y, T>) -> R) -> (R, bool)
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
 {
     let mut search = EigenvalueSearch::new(system);
     let found = run(&mut search);
