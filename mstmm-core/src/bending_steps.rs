@@ -100,7 +100,8 @@ impl<S: Scalar> BendingCoefficients<S> {
     /// Shows a tally the sizes of Δ and of its terms.
     #[inline(always)]
     fn watch_root<C: Tally<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, tally: &mut C) {
-        let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, factors, .. } = *self;
+        let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, factors, .. } =
+            *self;
         let (row, factor) = match support {
             Support::Fixed => ([a, b, f + f, d, e], S::one()),
             Support::Pinned => ([raised_d, c, b + b, f + f, d], factors[0]),

@@ -61,7 +61,8 @@ pub(super) fn divided<T: Real>(point: &Point<T>, roots: &[Eigenvalue<T>]) -> Poi
             (factor, slope) = (from * from_image, from + from_image);
         }
         rate -= slope / factor * T::from_f64(root.multiplicity as f64);
-        (0..root.multiplicity).for_each(|_| divisor = divisor.times(factor));
+        // distances are far from the ends of the range: one look at the product will do
+        (0..root.multiplicity).for_each(|_| divisor = Scaled::new(divisor.mantissa() * factor, divisor.exponent()));
     }
     let is_root = point.is_root || !rate.size().is_finite();
     Point { lambda: point.lambda, value: point.value.over(divisor), rate, is_root }
