@@ -1,0 +1,101 @@
+//! Static limits of random trees, against linear equations near rest.
+
+use super::{FACTOR, NOTHING, entry, load, place, point};
+use crate::moving_tree::{MOST, MovingTree, varied_tree};
+use crate::state_equations::{StateEquations, Wide};
+use crate::tree::Tree;
+use mstmm::{Complex, Coordinate, MotionError, Motions, Real, Scalar};
+
+/// Near rest, beside frequencies of trees of unit parameters; its fourth power is far below eps.
+const NEAR: f64 = 1.0 / (1 << 22) as f64;
+
+/// The states near rest, and whether they are the same at twice the distance.
+struct AtRest {
+    states: Vec<[Wide; 2]>,
+}
+
+impl AtRest {
+    fn new(equations: &StateEquations, tree: &Tree, at: usize, jumping: Coordinate, jump: f64) -> Option<Self> {
+        let solve = |part: f64| equations.solve(tree, Wide::new(0.0.into(), (part * NEAR).into()), at, jumping, jump);
+        let (near, far) = (solve(1.0)?, solve(2.0)?);
+        Some(AtRest { states: near.into_iter().zip(far).map(|(near, far)| [near, far]).collect() })
+    }
+
+    /// The limit of an unknown, extrapolated from two distances; `None` where it is infinite.
+    fn limit(&self, equations: &StateEquations, step: usize, coordinate: Coordinate) -> Option<f64> {
+        let pick = |which: usize| {
+            let states: Vec<_> = self.states.iter().map(|pair| pair[which]).collect();
+            equations.entry(&states, step, coordinate)
+        };
+        let (near, far) = (pick(0), pick(1));
+        // a pole doubles or quadruples on the way; what is at rest changes with the distance
+        let grows = (near - far).size() > 1e-3 * near.size() && near.size() > NOTHING;
+        let extrapolated = (Scalar::times_power_of_two(near.re, 2) - far.re).to_f64() / 3.0;
+        (!grows || extrapolated.abs() < NOTHING).then_some(extrapolated)
+    }
+}
+
+/// Finite limits and infinite ones, those at which Δ vanishes among them, and the largest error in units of eps.
+#[derive(Clone, Copy, Debug, Default)]
+struct Found {
+    finite: usize,
+    beside_what_moves: usize,
+    infinite: usize,
+    worst: f64,
+}
+
+/// Compares the static limits of a tree, from all loads to all displacements and forces.
+fn check(seed: u64, tree: &Tree, found: &mut Found) {
+    let (equations, system) = (StateEquations::new(tree), MovingTree::<f64>::new(tree));
+    let steps = 0..tree.len() - 1;
+    for (at, jumping) in steps.clone().flat_map(|at| [(at, Coordinate::Q), (at, Coordinate::M)]) {
+        let Some(source) = place(&equations, at, jumping) else { continue };
+        let jump = if jumping == Coordinate::Q { 1.0 } else { -1.0 };
+        let Some(rest) = AtRest::new(&equations, tree, source, jumping, jump) else { continue };
+        let all = steps.clone().flat_map(|step| equations.spaces[step].coordinates().iter().map(move |c| (step, *c)));
+        let limits: Vec<_> = all.map(|(step, c)| (step, c, rest.limit(&equations, step, c))).collect();
+        let size = |force: bool| {
+            let own = limits.iter().filter(|(_, c, _)| super::is_force(*c) == force);
+            own.fold(if force { 1.0 } else { 0.0 }, |most: f64, (.., value)| most.max(value.unwrap_or(0.0).abs()))
+        };
+        let moves = limits.iter().any(|(.., limit)| limit.is_none());
+        let largest = [size(false), size(true)];
+        for &(to, coordinate, expected) in &limits {
+            let response = system.frequency_response(load(at, jumping), entry(point(to, false), coordinate)).unwrap();
+            let complex = response.at(Complex::new(0.0, 0.0)).map(|value| value.re);
+            let real = if seed % 2 == 1 { response.at(0.0) } else { complex };
+            for actual in [complex, real] {
+                let context = || format!("seed {seed}, {jumping:?} at {at}: {coordinate:?} at {to}: {actual:?}, {expected:?}\nvec!{tree:?}");
+                match (actual, expected) {
+                    (Ok(actual), Some(expected)) => {
+                        let scale = largest[usize::from(super::is_force(coordinate))].max(f64::MIN_POSITIVE);
+                        let error = (actual - expected).abs() / scale / f64::EPSILON;
+                        let limit = FACTOR * equations.unknowns as f64;
+                        assert!(error <= limit || expected.abs() < NOTHING, "{error} units, {}", context());
+                        found.worst = found.worst.max(if expected.abs() < NOTHING { 0.0 } else { error });
+                        found.finite += 1;
+                        found.beside_what_moves += usize::from(moves);
+                    }
+                    (Err(MotionError::Resonance { frequency: 0.0 }), None) => found.infinite += 1,
+                    _ => panic!("{}", context()),
+                }
+            }
+        }
+    }
+}
+
+/// No static limit that is finite is refused, none that is infinite is given.
+#[test]
+fn static_limits_are_those_of_the_equations() {
+    let mut found = Found::default();
+    for seed in 0..SEEDS {
+        let tree = varied_tree(seed);
+        if tree.len() <= MOST {
+            check(seed, &tree, &mut found);
+        }
+    }
+    println!("{found:?}");
+    assert!(found.finite > 1000 && found.beside_what_moves > 100 && found.infinite > 100, "{found:?}");
+}
+
+const SEEDS: u64 = 120;
