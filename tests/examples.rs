@@ -223,8 +223,7 @@ fn the_cantilever_moves_as_the_sum_over_its_modes() {
         let width = t.min(1e-3) / 5040.0;
         let weight = |index: u32| f64::from([2, 4][index as usize % 2] - u32::from(index == 0 || index == 5040));
         let value = |index: u32| hammer(width * f64::from(index)) * impulse(t - width * f64::from(index));
-        (0..=5040).map(|index| weight(index) * value(index)).sum::<f64>() * width / 3.0
-            + at_once * hammer(t)
+        (0..=5040).map(|index| weight(index) * value(index)).sum::<f64>() * width / 3.0 + at_once * hammer(t)
     };
     let rows = time_response::deflections(1001).unwrap();
     assert_eq!(rows.len(), 1001);

@@ -201,12 +201,12 @@ fn check(seed: u64, chain: &Chain, loaded: usize, compared: &mut Compared) {
     let slowest = roots.iter().map(|root| root.lambda.norm()).filter(|size| *size > 0.0).fold(1.0, f64::min);
     let places = (1..chain.tree.len() - 1).flat_map(|step| [(step, false), (step, true)]);
     for (step, force) in places {
-        let entry: Entry<Labels> =
-            if force { point(step, false).shear() } else { point(step, false).deflection() };
+        let entry: Entry<Labels> = if force { point(step, false).shear() } else { point(step, false).deflection() };
         if force && matches!(chain.tree[step], ListStep::Element(Part::Mass(_))) {
             continue;
         }
-        let context = || format!("seed {seed}, load {loaded}, entry {step} {force}\n{:?}\nvec!{:?}", &*roots, chain.tree);
+        let context =
+            || format!("seed {seed}, load {loaded}, entry {step} {force}\n{:?}\nvec!{:?}", &*roots, chain.tree);
         let response = match system.modal_response::<MODES, _>(&roots, load, entry) {
             Err(MotionError::Defective { root, .. }) if root > 0.0 => {
                 compared.defective += 1;

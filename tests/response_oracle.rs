@@ -3,6 +3,9 @@
 
 #[path = "response_oracle/at_rest.rs"]
 mod at_rest;
+#[path = "support/list_of_tree.rs"]
+#[allow(dead_code, reason = "any tree may be damped here")]
+mod list_of_tree;
 #[path = "support/moving_tree.rs"]
 #[allow(dead_code, reason = "sensitivities are asked for elsewhere")]
 mod moving_tree;

@@ -96,6 +96,7 @@ fn on_a_grid() {
     let moves_off = system.frequency_response(Hinged::beam_1.input().force(), Hinged::conn_2.deflection()).unwrap();
     let mut values = vec![0.0; grid.len()];
     assert!(moves_off.at(0.0).is_ok() && moves_off.on(&grid, &mut values).is_ok());
-    let moves_off = system.frequency_response(Hinged::beam_1.input().force(), Hinged::beam_1.input().deflection()).unwrap();
+    let moves_off =
+        system.frequency_response(Hinged::beam_1.input().force(), Hinged::beam_1.input().deflection()).unwrap();
     assert_eq!(moves_off.on(&grid, &mut values), Err(AT_REST));
 }

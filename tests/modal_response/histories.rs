@@ -94,12 +94,13 @@ fn a_polygon_is_exact_at_any_step() {
         let scale = response.static_value().unwrap();
         // what gives way at once takes no part in the convolution
         let at_once = response.to_step(0.0) * force(end);
-        let convolution: f64 = at_once + (0..4)
-            .map(|n| {
-                let n = f64::from(n);
-                integral(n * side, (n + 1.0) * side, panels, |t| force(t) * response.to_impulse(end - t))
-            })
-            .sum::<f64>();
+        let convolution: f64 = at_once
+            + (0..4)
+                .map(|n| {
+                    let n = f64::from(n);
+                    integral(n * side, (n + 1.0) * side, panels, |t| force(t) * response.to_impulse(end - t))
+                })
+                .sum::<f64>();
         let coarse = last(response, side, 4, force);
         assert_close(coarse, convolution, scale, 64.0);
         for parts in [2, 3, 40] {

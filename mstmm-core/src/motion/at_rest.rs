@@ -9,14 +9,28 @@
 
 use super::error::MotionError;
 use crate::scalar::{Oscillation, Real, Scalar};
+use crate::scaled::binary_exponent;
 use core::marker::PhantomData;
 
 /// Samples of a polynomial.
 const SAMPLES: usize = 12;
-/// The samples as parts of the highest frequency, near `cos((2k + 1)π/48)`: as even functions Chebyshev's points.
+/// The samples as parts of the highest frequency, `cos((2k + 1)π/48)`: for an even function Chebyshev's points.
 const PARTS: [f64; SAMPLES] = [
-    0.997_8, 0.980_8, 0.947_0, 0.896_9, 0.831_5, 0.751_9, 0.659_3, 0.555_6, 0.442_3, 0.321_4, 0.195_1, 0.065_4,
+    0.9978589232386035,
+    0.9807852804032304,
+    0.9469301294951057,
+    0.8968727415326884,
+    0.8314696123025452,
+    0.7518398074789774,
+    0.6593458151000688,
+    0.5555702330196024,
+    0.44228869021900125,
+    0.3214394653031617,
+    0.19509032201612833,
+    0.06540312923014327,
 ];
+/// The last coefficients of a Chebyshev series: of samples of a smooth function they are noise.
+const LAST: usize = 3;
 /// Ranges of frequencies that are tried in each direction, each half as long as the one before, or twice as long.
 const RANGES: i32 = 40;
 /// Roundings by which the limits of two ranges differ where nothing is left to gain.
@@ -25,13 +39,15 @@ const SETTLED: f64 = 16.0;
 const WORSE: f64 = 1e4;
 /// Roundings of a sample within which a pole is none.
 const ROUNDING: f64 = 256.0;
-/// Roundings of a limit that is none: those of samples near the pole cancel in part.
-const LEFT: f64 = 4.0;
+/// The same for noise, which may be larger: it shows in a coefficient as a sixth of what a single sample has.
+const NOISE: f64 = 64.0;
+/// Roundings of samples within which a limit is none.
+const LEFT: f64 = 16.0;
 /// Change of a limit from one range to the next, relative to what the response is in the first range, from which on there is no
 /// limit.
 const UNSETTLED: f64 = 1e-9;
 
-/// A response at one frequency, and the size of what it is the sum of.
+/// A response at one frequency, and a size beside which its rounding is small.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part<S> {
     pub(super) value: S,
@@ -53,11 +69,15 @@ pub(super) struct AtRest<S> {
     rounding: f64,
 }
 
-/// The weights of samples in the value of their polynomial at zero.
+/// The weights of samples in the value of their polynomial at zero, and in its last coefficients.
 struct Polynomial<T, S> {
     weights: [S; SAMPLES],
+    last: [[S; SAMPLES]; LAST],
     meaning: PhantomData<fn() -> T>,
 }
+
+/// What a pole is made of at one frequency: itself and what is smooth, and a size beside which rounding is small.
+type Residues<S> = [(S, f64); SAMPLES];
 
 /// The best range so far.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +94,7 @@ impl<S: Scalar> AtRest<S> {
     /// taken at which h₀ changes least. `scale` is a size beside which changes do not count.
     ///
     /// # Errors
-    /// [`MotionError::Unresolved`] where h₀ goes on changing, and what the response says where there is no range at all.
+    /// [`MotionError::Unsettled`] where h₀ goes on changing, and what the response says where there is no range at all.
     pub(super) fn of<T>(
         exponent: i32,
         scale: f64,
@@ -102,16 +122,41 @@ impl<S: Scalar> AtRest<S> {
                 }
                 let Some(best) = best else { continue };
                 if best.change <= SETTLED * S::EPSILON * (best.limit.finite.size() + scale) {
-                    return Ok(best.limit.beyond_rounding());
+                    return Ok(best.limit.beyond_rounding().refined(exponent, &response));
                 }
-                if best.change <= UNSETTLED * largest && change > WORSE * best.change {
+                // downwards several ranges may hold poles, and change at random, before one has none
+                let may_improve = direction < 0 && best.change > UNSETTLED * largest;
+                if change > WORSE * best.change && !may_improve {
                     break;
                 }
             }
         }
         let best = best.ok_or(first.err().unwrap_or(MotionError::NotFinite { frequency: 0.0 }))?;
-        let misfit = best.change / largest.max(best.limit.finite.size());
-        if misfit <= UNSETTLED { Ok(best.limit.beyond_rounding()) } else { Err(MotionError::Unresolved { root: 0.0, misfit }) }
+        let change = best.change / largest.max(best.limit.finite.size());
+        if change > UNSETTLED && best.change > ROUNDING * best.limit.rounding {
+            return Err(MotionError::Unsettled { change });
+        }
+        Ok(best.limit.beyond_rounding().refined(exponent, &response))
+    }
+
+    /// With the digits of the leading pole that a single sample has: so near to zero that nothing else counts, where it agrees with
+    /// the pole that is known. Elsewhere rounding grows towards zero.
+    fn refined<T>(self, exponent: i32, response: &impl Fn(S) -> Result<Part<S>, MotionError>) -> Self
+    where
+        T: Real,
+        S: Oscillation<T>,
+    {
+        let closer = exponent + binary_exponent(S::EPSILON) / 2 - 1;
+        let x = S::of_omega(T::one().times_power_of_two(closer));
+        let Ok(Part { value, .. }) = response(x) else { return self };
+        let half = S::from_f64(0.5);
+        let agreed = |pole: S, sample: S| {
+            let is_near = (sample - pole).size() <= ROUNDING * S::EPSILON * pole.size();
+            if is_near { sample } else { pole }
+        };
+        let double = agreed(self.double, (value + value.conjugate()) * half * x.lambda_squared());
+        let simple = agreed(self.simple, (value - value.conjugate()) * half * x.lambda());
+        AtRest { double, simple, ..self }
     }
 
     /// The same without a limit that rounding explains.
@@ -129,7 +174,34 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
             let others = (0..SAMPLES).filter(|&other| other != own);
             others.fold(S::one(), |product, other| product * squares[other] / (squares[other] - squares[own]))
         };
-        Polynomial { weights: core::array::from_fn(weight), meaning: PhantomData }
+        // T_k by its recurrence, over the square of the frequency
+        let last = |k: usize| {
+            squares.map(|square| {
+                let twice = (square + square - S::one()) * S::from_f64(2.0);
+                let (mut before, mut own) = (S::one(), twice * S::from_f64(0.5));
+                for _ in 1..SAMPLES - LAST + k {
+                    (before, own) = (own, twice * own - before);
+                }
+                own * S::from_f64(2.0 / SAMPLES as f64)
+            })
+        };
+        Polynomial { weights: core::array::from_fn(weight), last: core::array::from_fn(last), meaning: PhantomData }
+    }
+
+    /// The value at zero of the polynomial through samples.
+    fn at_zero(&self, samples: impl Iterator<Item = S>) -> S {
+        samples.zip(self.weights).fold(S::zero(), |sum, (sample, weight)| sum + sample * weight)
+    }
+
+    /// A pole; zero where rounding or noise explains it.
+    fn pole(&self, samples: &Residues<S>) -> S {
+        let sum = |weights: &[S; SAMPLES]| {
+            samples.iter().zip(weights).fold(S::zero(), |sum, ((sample, _), weight)| sum + *sample * *weight)
+        };
+        let noise = self.last.iter().map(|weights| sum(weights).size()).fold(0.0, f64::max);
+        let size = samples.iter().zip(self.weights).fold(0.0, |sum, ((_, size), weight)| sum + weight.size() * size);
+        let pole = sum(&self.weights);
+        if pole.size() > ROUNDING * S::EPSILON * size + NOISE * noise { pole } else { S::zero() }
     }
 
     /// The coefficients from samples up to `2^exponent` rad/s.
@@ -139,30 +211,25 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         response: &impl Fn(S) -> Result<Part<S>, MotionError>,
     ) -> Result<AtRest<S>, MotionError> {
         let half = S::from_f64(0.5);
-        let mut samples = [(S::zero(), S::zero(), S::zero()); SAMPLES];
-        // sums of sizes in the units of both poles: what rounding may make of them
-        let (mut of_double, mut of_simple, mut of_finite) = (0.0, 0.0, 0.0);
-        for ((sample, part), weight) in samples.iter_mut().zip(PARTS).zip(self.weights) {
-            let omega = T::from_f64(part).times_power_of_two(exponent);
-            let x = S::of_omega(omega);
+        let (mut even, mut double, mut simple) =
+            ([S::zero(); SAMPLES], [(S::zero(), 0.0); SAMPLES], [(S::zero(), 0.0); SAMPLES]);
+        let (mut squares, mut rounding) = (even, 0.0);
+        for (k, part) in PARTS.into_iter().enumerate() {
+            let x = S::of_omega(T::from_f64(part).times_power_of_two(exponent));
             let Part { value, size } = response(x)?;
             let (square, mirrored) = (x.lambda_squared(), value.conjugate());
-            *sample = (square, (value + mirrored) * half, (value - mirrored) * half * x.lambda());
-            of_finite += weight.size() * size;
-            of_double += weight.size() * size * square.size();
-            of_simple += weight.size() * size * x.lambda().size();
+            let odd = (value - mirrored) * half;
+            (squares[k], even[k]) = (square, (value + mirrored) * half);
+            double[k] = (even[k] * square, size * square.size());
+            simple[k] = (odd * x.lambda(), size * x.lambda().size());
+            rounding += self.weights[k].size() * size * S::EPSILON;
         }
-        let at_zero = |entry: &dyn Fn(&(S, S, S)) -> S| {
-            samples.iter().zip(self.weights).fold(S::zero(), |sum, (sample, weight)| sum + entry(sample) * weight)
-        };
-        let known = |pole: S, size: f64| if pole.size() > ROUNDING * S::EPSILON * size { pole } else { S::zero() };
-        let double = known(at_zero(&|(square, even, _)| *square * *even), of_double);
-        let simple = known(at_zero(&|(_, _, odd)| *odd), of_simple);
-        let left = |(square, even, _): &(S, S, S)| *even - double / *square;
-        let finite = at_zero(&left);
-        let largest = samples.iter().map(|sample| left(sample).size()).fold(0.0, f64::max);
+        let (double, simple) = (self.pole(&double), self.pole(&simple));
+        let left = || even.iter().zip(squares).map(|(even, square)| *even - double / square);
+        let finite = self.at_zero(left());
+        let largest = left().map(Scalar::size).fold(0.0, f64::max);
         if [double, simple, finite].iter().all(|value| value.size().is_finite()) {
-            Ok(AtRest { double, simple, finite, largest, rounding: S::EPSILON * of_finite })
+            Ok(AtRest { double, simple, finite, largest, rounding })
         } else {
             Err(MotionError::NotFinite { frequency: 0.0 })
         }

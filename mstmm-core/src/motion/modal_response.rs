@@ -137,23 +137,23 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     {
         let held = self.held();
         let scale = self.terms.iter().fold(0.0, |sum, term| sum + term.at_rest().size());
-        let known = match (response.evaluated(<R::Frequency as Zero>::zero()), at_rest) {
-            (Ok(whole), None) => {
+        match (response.held_at_rest::<R::Frequency>()?, at_rest) {
+            (Some(whole), None) => {
                 let whole = whole.to_complex().re;
                 self.residual = beyond_rounding(whole - held, scale + whole.size());
                 return Ok(());
             }
-            // a root that can be told from zero is none there
-            (Ok(_), Some(root)) => system.mode_shapes::<{ USUAL_MULTIPLICITY as usize }, _>(root).map(|_| ()),
-            (Err(MotionError::Resonance { .. }), _) => Ok(()),
-            (Err(error), _) => Err(error),
-        };
-        known?;
+            // something holds the system: it may not have that root
+            (Some(_), Some(root)) => {
+                system.mode_shapes::<{ USUAL_MULTIPLICITY as usize }, _>(root)?;
+            }
+            (None, _) => {}
+        }
         let left = |x: R::Frequency| {
-            let whole = response.evaluated(x)?;
+            let whole = response.sized(x)?;
             let omega = x.omega().to_complex();
             let (sum, size) = self.at(Complex::new(-omega.im, omega.re));
-            Ok(Part { value: whole - R::Frequency::from_complex(sum), size: whole.size() + size })
+            Ok(Part { value: whole.value - R::Frequency::from_complex(sum), size: whole.size + size })
         };
         let AtRest { double, simple, finite, .. } = AtRest::of::<T>(system.bounds().lowest_exponent(), scale, left)?;
         self.residual = beyond_rounding(finite.to_complex().re, scale);
