@@ -283,6 +283,18 @@ fn what_cannot_be_said_is_an_error() {
     assert!(matches!(response, Err(MotionError::Defective { multiplicity: 2, .. })), "{response:?}");
 }
 
+/// What is printed of a list is what is in it.
+#[test]
+fn lists_show_no_unused_memory() {
+    let system = Oscillator { k: 5.0, m: 0.75 }.build().unwrap();
+    let none = system.natural_frequencies::<2>(0.0..=1.0).unwrap();
+    assert!(format!("{none:?}").starts_with("FrequencyList { frequencies: [], "), "{none:?}");
+    let all = system.natural_frequencies::<3>(0.0..=10.0).unwrap();
+    let shapes = system.mode_shapes::<3, _>(&all[0]).unwrap();
+    let printed = format!("{shapes:?}");
+    assert!(printed.starts_with("[ModeShape") && !printed.contains("None"), "{printed}");
+}
+
 /// Eigenvalues of the lower half plane say nothing that their conjugates have not said.
 #[test]
 fn conjugates_count_once() {

@@ -30,8 +30,8 @@ impl AtRest {
             equations.entry(&states, step, coordinate)
         };
         let (near, far) = (pick(0), pick(1));
-        // a pole doubles or quadruples on the way
-        let grows = near.size() > 1.5 * far.size() && near.size() > NOTHING;
+        // a pole doubles or quadruples on the way, and is large by now; so does rounding, which is not
+        let grows = near.size() > 1.5 * far.size() && near.size() > 1.0;
         let extrapolated = (Scalar::times_power_of_two(near.re, 2) - far.re).to_f64() / 3.0;
         (!grows).then_some(extrapolated)
     }
@@ -100,10 +100,11 @@ fn static_limits_are_those_of_the_equations() {
             check(seed, &tree, &mut found);
         }
     }
+    println!("{found:?}");
     assert!(found.finite > 1000 && found.beside_what_moves > 100 && found.infinite > 100, "{found:?}");
 }
 
-const SEEDS: u64 = 40;
+const SEEDS: u64 = 500;
 
 /// Eigenvalues at rest, and some of the others.
 const REGION: Region = Region { re: -30.0..=1.0, im: 0.0..=8.0 };
@@ -153,4 +154,4 @@ fn modes_and_what_they_leave_are_the_static_limit() {
     println!("{finite} {beside_what_moves} {infinite} {} {refused:?}", refused.len());
 }
 
-const MODAL_SEEDS: u64 = 600;
+const MODAL_SEEDS: u64 = 400;

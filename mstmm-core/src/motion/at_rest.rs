@@ -31,20 +31,21 @@ const PARTS: [f64; SAMPLES] = [
 ];
 /// The last coefficients of a Chebyshev series: of samples of a smooth function they are noise.
 const LAST: usize = 3;
-/// Ranges of frequencies that are tried in each direction, each half as long as the one before, or twice as long.
+/// Ranges of frequencies that are tried downwards, each half as long as the one before, and upwards from there.
 const RANGES: i32 = 40;
 /// Roundings by which the limits of two ranges differ where nothing is left to gain.
 const SETTLED: f64 = 16.0;
+/// Change of the limit from one range to the next, beside the largest sample, where they seem to hold no other pole.
+const COARSE: f64 = 1e-6;
 /// A range that changes the limit by so much more than another did leads away from the best one.
-const WORSE: f64 = 1e4;
+const WORSE: f64 = 1e3;
 /// Roundings of a sample within which a pole is none.
 const ROUNDING: f64 = 256.0;
 /// The same for noise, which may be larger: it shows in a coefficient as a sixth of what a single sample has.
 const NOISE: f64 = 64.0;
 /// Roundings of samples within which a limit is none.
 const LEFT: f64 = 16.0;
-/// Change of a limit from one range to the next, relative to what the response is in the first range, from which on there is no
-/// limit.
+/// Change of a limit at the best range, relative to what is left of the response there, from which on there is no limit.
 const UNSETTLED: f64 = 1e-9;
 
 /// A response at one frequency, and a size beside which its rounding is small.
@@ -63,7 +64,8 @@ pub(super) struct AtRest<S> {
     pub(super) simple: S,
     /// `h₀`, what is left of the response without its poles.
     pub(super) finite: S,
-    /// The largest sample of what is left.
+    /// The largest sample, and that of what is left.
+    size: f64,
     largest: f64,
     /// By how much the rounding of samples may move h₀ at most.
     rounding: f64,
@@ -79,19 +81,32 @@ struct Polynomial<T, S> {
 /// What a pole is made of at one frequency: itself and what is smooth, and a size beside which rounding is small.
 type Residues<S> = [(S, f64); SAMPLES];
 
-/// The best range so far.
+/// The coefficients of two ranges, up to `2^exponent` rad/s and twice as far.
 #[derive(Clone, Copy, Debug)]
-struct Best<S> {
-    limit: AtRest<S>,
-    /// How much h₀ differs from that of the next range.
-    change: f64,
+struct Pair<S> {
+    shorter: AtRest<S>,
+    longer: AtRest<S>,
+    exponent: i32,
+}
+
+impl<S: Scalar> Pair<S> {
+    /// By how much h₀ differs.
+    fn change(&self) -> f64 {
+        (self.shorter.finite - self.longer.finite).size()
+    }
+
+    /// Whether both seem to hold no other pole.
+    fn seems_free(&self) -> bool {
+        self.change() <= COARSE * self.shorter.size.max(self.longer.size)
+    }
 }
 
 impl<S: Scalar> AtRest<S> {
     /// The coefficients of a response that is given on the imaginary axis, found in ranges from about `2^exponent` rad/s on.
     ///
-    /// A range that is too long holds another pole, one that is too short leaves little of h₀ beside the poles at zero: that is
-    /// taken at which h₀ changes least. `scale` is a size beside which changes do not count.
+    /// A range that is too long holds another pole, one that is too short leaves little of h₀ beside the poles at zero, and
+    /// rounding may even hold what nothing else does. So the way leads down to ranges that seem to hold no pole, as long as h₀
+    /// changes less and less, and up again to that at which it changes least. `scale` is a size beside which changes do not count.
     ///
     /// # Errors
     /// [`MotionError::Unsettled`] where h₀ goes on changing, and what the response says where there is no range at all.
@@ -105,58 +120,28 @@ impl<S: Scalar> AtRest<S> {
         S: Oscillation<T>,
     {
         let polynomial = Polynomial::<T, S>::new();
-        let first = polynomial.fit(exponent, &response);
-        let largest = first.map_or(0.0, |first| first.largest).max(scale);
-        let mut best: Option<Best<S>> = None;
-        for direction in [-1, 1] {
-            let mut before = first;
-            for range in 1..=RANGES {
-                let now = polynomial.fit(exponent + direction * range, &response);
-                // what lies beyond the shorter range shows there by many powers of four less
-                let (shorter, longer) = if direction < 0 { (now, before) } else { (before, now) };
-                before = now;
-                let (Ok(shorter), Ok(longer)) = (shorter, longer) else { continue };
-                let change = (shorter.finite - longer.finite).size();
-                if best.is_none_or(|best| change < best.change) {
-                    best = Some(Best { limit: shorter, change });
-                }
-                let Some(best) = best else { continue };
-                if best.change <= SETTLED * S::EPSILON * (best.limit.finite.size() + scale) {
-                    return Ok(best.limit.beyond_rounding().refined(exponent, &response));
-                }
-                // downwards several ranges may hold poles, and change at random, before one has none
-                let may_improve = direction < 0 && best.change > UNSETTLED * largest;
-                if change > WORSE * best.change && !may_improve {
-                    break;
+        let mut longer = polynomial.fit(exponent, &response);
+        let mut failure = longer.err().unwrap_or(MotionError::Unsettled { change: 1.0 });
+        let mut lowest: Option<(f64, Pair<S>)> = None;
+        for range in 1..=RANGES {
+            let shorter = polynomial.fit(exponent - range, &response);
+            let pair = shorter.ok().zip(longer.ok()).map(|(shorter, longer)| Pair {
+                shorter,
+                longer,
+                exponent: exponent - range,
+            });
+            longer = shorter;
+            let pair = pair.filter(Pair::seems_free).map(|pair| (pair.change(), pair));
+            let improves = pair.is_some_and(|(change, _)| lowest.is_none_or(|(least, _)| change < least));
+            if let Some((_, lowest)) = lowest.filter(|_| !improves) {
+                match polynomial.upwards(lowest, scale, &response) {
+                    Ok(limit) => return Ok(limit.beyond_rounding()),
+                    Err(error) => failure = error,
                 }
             }
+            lowest = pair;
         }
-        let best = best.ok_or(first.err().unwrap_or(MotionError::NotFinite { frequency: 0.0 }))?;
-        let change = best.change / largest.max(best.limit.finite.size());
-        if change > UNSETTLED && best.change > ROUNDING * best.limit.rounding {
-            return Err(MotionError::Unsettled { change });
-        }
-        Ok(best.limit.beyond_rounding().refined(exponent, &response))
-    }
-
-    /// With the digits of the leading pole that a single sample has: so near to zero that nothing else counts, where it agrees with
-    /// the pole that is known. Elsewhere rounding grows towards zero.
-    fn refined<T>(self, exponent: i32, response: &impl Fn(S) -> Result<Part<S>, MotionError>) -> Self
-    where
-        T: Real,
-        S: Oscillation<T>,
-    {
-        let closer = exponent + binary_exponent(S::EPSILON) / 2 - 1;
-        let x = S::of_omega(T::one().times_power_of_two(closer));
-        let Ok(Part { value, .. }) = response(x) else { return self };
-        let half = S::from_f64(0.5);
-        let agreed = |pole: S, sample: S| {
-            let is_near = (sample - pole).size() <= ROUNDING * S::EPSILON * pole.size();
-            if is_near { sample } else { pole }
-        };
-        let double = agreed(self.double, (value + value.conjugate()) * half * x.lambda_squared());
-        let simple = agreed(self.simple, (value - value.conjugate()) * half * x.lambda());
-        AtRest { double, simple, ..self }
+        Err(failure)
     }
 
     /// The same without a limit that rounding explains.
@@ -188,6 +173,37 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         Polynomial { weights: core::array::from_fn(weight), last: core::array::from_fn(last), meaning: PhantomData }
     }
 
+    /// The range at which h₀ changes least, from two on.
+    fn upwards(
+        &self,
+        mut pair: Pair<S>,
+        scale: f64,
+        response: &impl Fn(S) -> Result<Part<S>, MotionError>,
+    ) -> Result<AtRest<S>, MotionError> {
+        let mut best = (f64::INFINITY, pair.shorter);
+        for _ in 0..RANGES {
+            let change = pair.change();
+            if change < best.0 {
+                // what lies beyond the shorter range shows there by many powers of four less
+                best = (change, pair.shorter);
+            }
+            if best.0 <= SETTLED * S::EPSILON * (best.1.finite.size() + scale) {
+                return Ok(best.1);
+            }
+            if change > WORSE * best.0 {
+                break;
+            }
+            let Ok(next) = self.fit(pair.exponent + 2, response) else { break };
+            pair = Pair { shorter: pair.longer, longer: next, exponent: pair.exponent + 1 };
+        }
+        let (least, limit) = best;
+        let change = least / limit.largest.max(scale).max(limit.finite.size());
+        if change > UNSETTLED.max(ROUNDING * S::EPSILON) && least > ROUNDING * limit.rounding {
+            return Err(MotionError::Unsettled { change });
+        }
+        Ok(limit)
+    }
+
     /// The value at zero of the polynomial through samples.
     fn at_zero(&self, samples: impl Iterator<Item = S>) -> S {
         samples.zip(self.weights).fold(S::zero(), |sum, (sample, weight)| sum + sample * weight)
@@ -202,6 +218,21 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         let size = samples.iter().zip(self.weights).fold(0.0, |sum, ((_, size), weight)| sum + weight.size() * size);
         let pole = sum(&self.weights);
         if pole.size() > ROUNDING * S::EPSILON * size + NOISE * noise { pole } else { S::zero() }
+    }
+
+    /// The poles, of which the leading one has the digits of a single sample: so near to zero that nothing else counts, if that
+    /// agrees with what is known. Elsewhere rounding grows towards zero.
+    fn refined(poles: [S; 2], exponent: i32, response: &impl Fn(S) -> Result<Part<S>, MotionError>) -> [S; 2] {
+        let closer = exponent + binary_exponent(S::EPSILON) / 2 - 1;
+        let x = S::of_omega(T::one().times_power_of_two(closer));
+        let Ok(Part { value, .. }) = response(x) else { return poles };
+        let (half, mirrored) = (S::from_f64(0.5), value.conjugate());
+        let agreed = |pole: S, sample: S| {
+            let is_near = (sample - pole).size() <= ROUNDING * S::EPSILON * pole.size();
+            if is_near { sample } else { pole }
+        };
+        let samples = [(value + mirrored) * half * x.lambda_squared(), (value - mirrored) * half * x.lambda()];
+        [agreed(poles[0], samples[0]), agreed(poles[1], samples[1])]
     }
 
     /// The coefficients from samples up to `2^exponent` rad/s.
@@ -224,14 +255,70 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
             simple[k] = (odd * x.lambda(), size * x.lambda().size());
             rounding += self.weights[k].size() * size * S::EPSILON;
         }
-        let (double, simple) = (self.pole(&double), self.pole(&simple));
+        let poles = [self.pole(&double), self.pole(&simple)];
+        let [double, simple] = Self::refined(poles, exponent, response);
         let left = || even.iter().zip(squares).map(|(even, square)| *even - double / square);
         let finite = self.at_zero(left());
         let largest = left().map(Scalar::size).fold(0.0, f64::max);
+        let size = even.iter().map(|sample| sample.size()).fold(0.0, f64::max);
         if [double, simple, finite].iter().all(|value| value.size().is_finite()) {
-            Ok(AtRest { double, simple, finite, largest, rounding })
+            Ok(AtRest { double, simple, finite, size, largest, rounding })
         } else {
             Err(MotionError::NotFinite { frequency: 0.0 })
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::DoubleDouble;
+    use num_complex::Complex;
+
+    fn part<S: Scalar>(value: S) -> Result<Part<S>, MotionError> {
+        Ok(Part { value, size: value.size() })
+    }
+
+    fn agrees<S: Scalar>(actual: S, expected: f64, limit: f64) -> bool {
+        (actual - S::from_f64(expected)).size() <= limit * expected
+    }
+
+    /// Closed form: `3/λ² + 2/λ + 5/(λ + 1)`, whose next pole is at 1, from estimates of that which are far off.
+    #[test]
+    fn coefficients_of_a_sum_of_poles() {
+        fn check<T: Real>(limit: f64) {
+            let of = |value: f64| Complex::<T>::from_f64(value);
+            for exponent in [-9, -4, -1, 0, 3, 12] {
+                let response = |x: Complex<T>| part(of(3.0) / (x * x) + of(2.0) / x + of(5.0) / (x + of(1.0)));
+                let AtRest { double, simple, finite, .. } = AtRest::of::<T>(exponent, 0.0, response).unwrap();
+                assert!(agrees(double, 3.0, limit) && agrees(simple, 2.0, limit), "{exponent}: {double:?} {simple:?}");
+                assert!(agrees(finite, 5.0, limit), "{exponent}: {finite:?}");
+            }
+        }
+        check::<f64>(1e-12);
+        check::<DoubleDouble>(1e-26);
+    }
+
+    /// Closed form: `-3/ω² + 1/(4 - ω²)`, of real frequencies.
+    #[test]
+    fn coefficients_at_real_frequencies() {
+        let response = |x: f64| part(-3.0 / (x * x) + 1.0 / (4.0 - x * x));
+        let AtRest { double, simple, finite, .. } = AtRest::of::<f64>(-3, 0.0, response).unwrap();
+        assert!(
+            agrees(double, 3.0, 1e-15) && simple == 0.0 && agrees(finite, 0.25, 1e-11),
+            "{double} {simple} {finite}"
+        );
+    }
+
+    /// A pole that is a rounding of what the response is made of is none; what has no limit is not settled.
+    #[test]
+    fn what_cannot_be_told() {
+        let noisy = |x: f64| Ok(Part { value: 1e-15 / (x * x) + 1.0 / (4.0 - x * x), size: 1.0 + 10.0 / (x * x) });
+        let AtRest { double, finite, .. } = AtRest::of::<f64>(-3, 0.0, noisy).unwrap();
+        assert!(double == 0.0 && agrees(finite, 0.25, 1e-9), "{double} {finite}");
+        let endless = AtRest::of::<f64>(-3, 0.0, |x: f64| part(x.ln().sin()));
+        assert!(matches!(endless, Err(MotionError::Unsettled { .. })), "{endless:?}");
+        let infinite = AtRest::of::<f64>(-3, 0.0, |_: f64| Err(MotionError::Resonance { frequency: 1.0 }));
+        assert!(matches!(infinite, Err(MotionError::Resonance { .. })), "{infinite:?}");
     }
 }

@@ -20,8 +20,8 @@ use num_traits::One;
 /// Systems of more steps are evaluated at one frequency after the other: the subspaces behind all steps are on the stack.
 const LARGEST_IN_BLOCKS: usize = 64;
 
-/// Roundings of Δ at low frequencies beside which it is nothing at rest.
-const NOTHING: f64 = 4096.0;
+/// Part of Δ at low frequencies below which it may be a rounding at rest, or what holds the system is softer than expected.
+const NOTHING: f64 = 1.0 / 65_536.0;
 
 /// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
@@ -120,9 +120,9 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.
     ///
-    /// 0 is the static limit, wherever it is finite. Where nothing holds a part of the system at rest, which the load does not
-    /// move, it is extrapolated from some tens to hundreds of responses at low frequencies; at least 12 digits agree, relative
-    /// to the largest of these. What the load moves off by no more than rounding counts as at rest.
+    /// 0 is the static limit, wherever it is finite; it takes twice the time, to see that Δ is not a rounding there. Where nothing
+    /// holds a part of the system, which the load does not move, it is extrapolated from some tens to hundreds of responses at
+    /// low frequencies, to 12 digits of the largest of these. What the load moves off by no more than rounding is at rest.
     ///
     /// # Errors
     /// [`MotionError::Resonance`] where it is infinite, [`MotionError::Unsettled`] for a static limit that cannot be told,
@@ -141,9 +141,19 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
+        self.of(&self.passes(x), x)
+    }
+
+    /// The subspaces along the way.
+    #[inline(always)]
+    fn passes<S>(&self, x: S) -> Passes<'a, Y, S>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter>,
+    {
         let mut passes = Passes::from_tips(self.system, x, |step| !self.below.as_ref()[step]);
         passes.down_to(self.load.step);
-        self.of(&passes, x)
+        passes
     }
 
     /// The response, given the subspaces along its way.
@@ -203,21 +213,14 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        let delta = |x: S| {
-            let mut passes = Passes::from_tips(self.system, x, |step| !self.below.as_ref()[step]);
-            passes.down_to(self.load.step);
-            passes.meeting(self.load.step).delta()
-        };
+        let step = self.load.step;
         let low = <Y::Parameter as One>::one().times_power_of_two(self.system.bounds().lowest_exponent());
-        let ratio = delta(S::zero()).over(delta(S::of_omega(low))).magnitude().value();
-        if ratio <= NOTHING * S::EPSILON {
+        let rest = self.passes(S::zero());
+        let (own, beside) = (rest.meeting(step).delta(), self.passes(S::of_omega(low)).meeting(step).delta());
+        if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= NOTHING {
             return Ok(None);
         }
-        match self.evaluated(S::zero()) {
-            Ok(value) => Ok(Some(value)),
-            Err(MotionError::Resonance { .. }) => Ok(None),
-            Err(error) => Err(error),
-        }
+        self.of(&rest, S::zero()).map(Some)
     }
 
     /// The covector with which the motion leaves the load, times Δ, and Δ.
