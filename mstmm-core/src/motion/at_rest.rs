@@ -133,8 +133,11 @@ impl<S: Scalar> AtRest<S> {
             longer = shorter;
             let pair = pair.filter(Pair::seems_free).map(|pair| (pair.change(), pair));
             let improves = pair.is_some_and(|(change, _)| lowest.is_none_or(|(least, _)| change < least));
-            if let Some((_, lowest)) = lowest.filter(|_| !improves) {
-                match polynomial.upwards(lowest, scale, &response) {
+            // below the rounding of samples there is nothing to gain
+            let is_exact = pair.is_some_and(|(change, pair)| change <= pair.shorter.rounding);
+            let start = if improves && is_exact { pair } else { lowest.filter(|_| !improves) };
+            if let Some((_, start)) = start {
+                match polynomial.upwards(start, scale, &response) {
                     Ok(limit) => return Ok(limit.beyond_rounding()),
                     Err(error) => failure = error,
                 }
