@@ -1,7 +1,7 @@
 //! Random chains of masses, springs and dampers in time, against inverse Laplace transforms of linear equations in twice the digits.
 //!
 //! Some points have no mass, some masses nothing but dampers to hold them, some chains nothing at all.
-#![expect(clippy::unwrap_used, reason = "a failing chain is shown as a whole")]
+#![expect(clippy::panic, clippy::unwrap_used, reason = "a failing chain is shown as a whole")]
 
 #[path = "support/list_of_tree.rs"]
 #[allow(dead_code, reason = "any tree may be damped here")]

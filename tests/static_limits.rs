@@ -1,6 +1,6 @@
 //! Static limits of responses, beside what nothing holds as well.
 #![allow(missing_docs, reason = "models of a test")]
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+#![expect(clippy::panic, clippy::unwrap_used, reason = "helpers of tests")]
 
 use mstmm::prelude::*;
 use mstmm::{DoubleDouble, MotionError, Real};

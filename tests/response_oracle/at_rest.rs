@@ -11,6 +11,10 @@ use mstmm::{Complex, Coordinate, MotionError, Motions, Real, Scalar, StepList};
 /// Near rest, beside frequencies of trees of unit parameters; its fourth power is far below eps.
 const NEAR: f64 = 1.0 / (1 << 22) as f64;
 
+/// Random trees, and those of which modes are asked for too.
+const SEEDS: u64 = 40;
+const MODAL_SEEDS: u64 = 100;
+
 /// The states near rest, and whether they are the same at twice the distance.
 struct AtRest {
     states: Vec<[Wide; 2]>,
@@ -94,17 +98,15 @@ fn check(seed: u64, tree: &Tree, found: &mut Found) {
 #[test]
 fn static_limits_are_those_of_the_equations() {
     let mut found = Found::default();
-    for seed in 0..SEEDS {
+    // in the last one equal levers turn together, and what forbids that is a rounding of Δ
+    for seed in (0..SEEDS).chain([225, 262, 452]) {
         let tree = varied_tree(seed);
         if tree.len() <= MOST {
             check(seed, &tree, &mut found);
         }
     }
-    println!("{found:?}");
     assert!(found.finite > 1000 && found.beside_what_moves > 100 && found.infinite > 100, "{found:?}");
 }
-
-const SEEDS: u64 = 500;
 
 /// Eigenvalues at rest, and some of the others.
 const REGION: Region = Region { re: -30.0..=1.0, im: 0.0..=8.0 };
@@ -151,7 +153,6 @@ fn modes_and_what_they_leave_are_the_static_limit() {
             }
         }
     }
-    println!("{finite} {beside_what_moves} {infinite} {} {refused:?}", refused.len());
+    assert!(refused.is_empty(), "{refused:?}");
+    assert!(finite > 500 && beside_what_moves > 100 && infinite > 10, "{finite} {beside_what_moves} {infinite}");
 }
-
-const MODAL_SEEDS: u64 = 400;

@@ -64,6 +64,8 @@ pub(super) struct AtRest<S> {
     pub(super) simple: S,
     /// `h₀`, what is left of the response without its poles.
     pub(super) finite: S,
+    /// By how much h₀ is uncertain, relatively; zero where it is known to some digits less than all.
+    pub(super) uncertainty: f64,
     /// The largest size beside which the rounding of a sample is small, and the largest sample of what is left.
     size: f64,
     largest: f64,
@@ -109,7 +111,8 @@ impl<S: Scalar> AtRest<S> {
     /// changes less and less, and up again to that at which it changes least. `scale` is a size beside which changes do not count.
     ///
     /// # Errors
-    /// [`MotionError::Unsettled`] where h₀ goes on changing, and what the response says where there is no range at all.
+    /// [`MotionError::Unsettled`] where h₀ goes on changing and nothing moves off, and what the response says where there is no range at
+    /// all.
     pub(super) fn of<T>(
         exponent: i32,
         scale: f64,
@@ -137,10 +140,13 @@ impl<S: Scalar> AtRest<S> {
             let is_exact = pair.is_some_and(|(change, pair)| change <= pair.shorter.rounding);
             let start = if improves && is_exact { pair } else { lowest.filter(|_| !improves) };
             if let Some((_, start)) = start {
-                match polynomial.upwards(start, scale, &response) {
-                    Ok(limit) => return Ok(limit.beyond_rounding()),
-                    Err(error) => failure = error,
+                let limit = polynomial.upwards(start, scale, &response);
+                let moves_off = !(limit.double.is_zero() && limit.simple.is_zero());
+                // what moves off here is not at rest farther down: there rounding holds it
+                if moves_off || limit.uncertainty == 0.0 {
+                    return Ok(limit.beyond_rounding());
                 }
+                failure = MotionError::Unsettled { change: limit.uncertainty };
             }
             lowest = pair;
         }
@@ -182,7 +188,7 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         mut pair: Pair<S>,
         scale: f64,
         response: &impl Fn(S) -> Result<Part<S>, MotionError>,
-    ) -> Result<AtRest<S>, MotionError> {
+    ) -> AtRest<S> {
         let mut best = (f64::INFINITY, pair.shorter);
         for _ in 0..RANGES {
             let change = pair.change();
@@ -191,7 +197,7 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
                 best = (change, pair.shorter);
             }
             if best.0 <= SETTLED * S::EPSILON * (best.1.finite.size() + scale) {
-                return Ok(best.1);
+                return best.1;
             }
             if change > WORSE * best.0 {
                 break;
@@ -201,10 +207,8 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         }
         let (least, limit) = best;
         let change = least / limit.largest.max(scale).max(limit.finite.size());
-        if change > UNSETTLED.max(ROUNDING * S::EPSILON) && least > ROUNDING * limit.rounding {
-            return Err(MotionError::Unsettled { change });
-        }
-        Ok(limit)
+        let is_settled = change <= UNSETTLED.max(ROUNDING * S::EPSILON) || least <= ROUNDING * limit.rounding;
+        AtRest { uncertainty: if is_settled { 0.0 } else { change }, ..limit }
     }
 
     /// The value at zero of the polynomial through samples.
@@ -265,7 +269,7 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         let finite = self.at_zero(left());
         let largest = left().map(Scalar::size).fold(0.0, f64::max);
         if [double, simple, finite].iter().all(|value| value.size().is_finite()) {
-            Ok(AtRest { double, simple, finite, size: whole, largest, rounding })
+            Ok(AtRest { double, simple, finite, uncertainty: 0.0, size: whole, largest, rounding })
         } else {
             Err(MotionError::NotFinite { frequency: 0.0 })
         }

@@ -155,7 +155,11 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
             let (sum, size) = self.at(Complex::new(-omega.im, omega.re));
             Ok(Part { value: whole.value - R::Frequency::from_complex(sum), size: whole.size + size })
         };
-        let AtRest { double, simple, finite, .. } = AtRest::of::<T>(system.bounds().lowest_exponent(), scale, left)?;
+        let rest = AtRest::of::<T>(system.bounds().lowest_exponent(), scale, left)?;
+        let AtRest { double, simple, finite, uncertainty, .. } = rest;
+        if uncertainty > 0.0 {
+            return Err(MotionError::Unsettled { change: uncertainty });
+        }
         self.residual = beyond_rounding(finite.to_complex().re, scale);
         if at_rest.is_some() {
             self.rigid = double.to_complex().re;

@@ -20,8 +20,8 @@ use num_traits::One;
 /// Systems of more steps are evaluated at one frequency after the other: the subspaces behind all steps are on the stack.
 const LARGEST_IN_BLOCKS: usize = 64;
 
-/// Part of Δ at low frequencies below which it may be a rounding at rest, or what holds the system is softer than expected.
-const NOTHING: f64 = 1.0 / 65_536.0;
+/// Roundings of Δ at low frequencies beside which it is nothing at rest.
+const NOTHING: f64 = 4096.0;
 
 /// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
@@ -217,7 +217,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         let low = <Y::Parameter as One>::one().times_power_of_two(self.system.bounds().lowest_exponent());
         let rest = self.passes(S::zero());
         let (own, beside) = (rest.meeting(step).delta(), self.passes(S::of_omega(low)).meeting(step).delta());
-        if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= NOTHING {
+        if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= NOTHING * S::EPSILON {
             return Ok(None);
         }
         self.of(&rest, S::zero()).map(Some)
