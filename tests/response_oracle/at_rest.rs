@@ -1,6 +1,6 @@
 //! Static limits of random trees, against linear equations near rest.
 
-use super::{FACTOR, NOTHING, entry, load, place, point};
+use super::{FACTOR, entry, load, place, point};
 use crate::list_of_tree::any_steps;
 use crate::moving_tree::{MOST, MovingTree, varied_tree};
 use crate::state_equations::{StateEquations, Wide};
@@ -14,6 +14,9 @@ const NEAR: f64 = 1.0 / (1 << 22) as f64;
 /// Random trees, and those of which modes are asked for too.
 const SEEDS: u64 = 40;
 const MODAL_SEEDS: u64 = 100;
+
+/// What is left of zero by equations near rest, whose pivots are as small as its square.
+const NOTHING: f64 = 1e-15;
 
 /// The states near rest, and whether they are the same at twice the distance.
 struct AtRest {
