@@ -4,10 +4,14 @@
 
 #[path = "modal_response/beams.rs"]
 pub mod beams;
+#[path = "modal_response/drifts.rs"]
+mod drifts;
 #[path = "modal_response/histories.rs"]
 mod histories;
 #[path = "../examples/paper/models.rs"]
 pub mod models;
+#[path = "modal_response/residuals.rs"]
+mod residuals;
 #[path = "modal_response/transforms.rs"]
 mod transforms;
 
@@ -46,13 +50,6 @@ system! {
     free -> mass 1 { mass: m } -> conn 2 -> spring 3 { stiffness: k } -> conn 4 -> mass 5 { mass: m } -> free;
     conn 2 <- damper 6 { damping: c } <- fixed;
     conn 4 <- damper 7 { damping: c } <- fixed;
-}
-
-system! {
-    /// Two masses that dampers alone hold, from the ground and from each other.
-    #[derive(Clone, Copy, Debug)]
-    pub struct OnDampers { m: f64, c: f64 }
-    fixed -> damper 1 { damping: c } -> mass 2 { mass: m } -> damper 3 { damping: c } -> mass 4 { mass: m } -> free;
 }
 
 system! {
@@ -280,10 +277,22 @@ fn what_cannot_be_said_is_an_error() {
     assert!(response.to_impulse(f64::NAN).is_nan() && response.to_step(f64::NAN).is_nan());
     assert_eq!((response.to_impulse(-1.0), response.to_step(-1.0)), (0.0, 0.0));
 
-    let system = OnDampers { m: 2.0, c: 0.5 }.build().unwrap();
-    let (tip, roots) = (OnDampers::mass_4.output(), system.first_eigenvalues::<4>().unwrap());
+    let system = Damped { k: 4.0, c: 4.0, m: 1.0 }.build().unwrap();
+    let (tip, roots) = (Damped::mass_2.output(), system.first_eigenvalues::<2>().unwrap());
     let response = system.modal_response::<4, _>(&roots, tip.force(), tip.deflection());
     assert!(matches!(response, Err(MotionError::Defective { multiplicity: 2, .. })), "{response:?}");
+}
+
+/// What is printed of a list is what is in it.
+#[test]
+fn lists_show_no_unused_memory() {
+    let system = Oscillator { k: 5.0, m: 0.75 }.build().unwrap();
+    let none = system.natural_frequencies::<2>(0.0..=1.0).unwrap();
+    assert!(format!("{none:?}").starts_with("FrequencyList { frequencies: [], "), "{none:?}");
+    let all = system.natural_frequencies::<3>(0.0..=10.0).unwrap();
+    let shapes = system.mode_shapes::<3, _>(&all[0]).unwrap();
+    let printed = format!("{shapes:?}");
+    assert!(printed.starts_with("[ModeShape") && !printed.contains("None"), "{printed}");
 }
 
 /// Eigenvalues of the lower half plane say nothing that their conjugates have not said.

@@ -1,6 +1,11 @@
 //! Responses of random trees, all loads to all entries, against linear equations for all their states.
 #![expect(clippy::panic, clippy::unwrap_used, reason = "a failing tree is shown as a whole")]
 
+#[path = "response_oracle/at_rest.rs"]
+mod at_rest;
+#[path = "support/list_of_tree.rs"]
+#[allow(dead_code, reason = "any tree may be damped here")]
+mod list_of_tree;
 #[path = "support/moving_tree.rs"]
 #[allow(dead_code, reason = "sensitivities are asked for elsewhere")]
 mod moving_tree;

@@ -1,9 +1,10 @@
 //! A list of fixed capacity, for results without allocation.
 
+use core::fmt;
 use core::ops::Deref;
 
 /// Up to `CAP` values in an array; dereferences to the slice of those that are there.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct List<V, const CAP: usize> {
     values: [V; CAP],
     length: usize,
@@ -59,6 +60,13 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
     }
 }
 
+/// The values that are there; the rest of the memory means nothing.
+impl<V: fmt::Debug, const CAP: usize> fmt::Debug for List<V, CAP> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
+    }
+}
+
 impl<V, const CAP: usize> Deref for List<V, CAP> {
     type Target = [V];
 
@@ -85,5 +93,13 @@ mod tests {
         let mut list = List::<u8, 2>::new();
         assert_eq!((list.push(1), list.push(2), list.push(3)), (Ok(()), Ok(()), Err(3)));
         assert_eq!(&*list, [1, 2]);
+    }
+
+    #[test]
+    fn shows_only_what_is_there() {
+        let mut list = List::<u8, 3>::new();
+        assert_eq!(std::format!("{list:?}"), "[]");
+        assert_eq!(list.push(7), Ok(()));
+        assert_eq!(std::format!("{list:?}"), "[7]");
     }
 }

@@ -82,11 +82,11 @@ where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
-    /// Adds the sample at ω, in its place; leaves out an infinite one.
+    /// Adds the sample at ω, in its place; leaves out one that is infinite or not known.
     fn add(&mut self, omega: f64) -> Result<(), MotionError> {
         let omega = Scalar::from_f64(omega);
         match self.response.at(S::of_omega(omega)) {
-            Err(MotionError::Resonance { .. }) => Ok(()),
+            Err(MotionError::Resonance { .. } | MotionError::Unsettled { .. }) => Ok(()),
             Err(error) => Err(error),
             Ok(value) => self.insert(Sample { omega, value, is_settled: false }),
         }

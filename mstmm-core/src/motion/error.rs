@@ -45,6 +45,11 @@ pub enum MotionError {
         /// Size of the frequency, |ω| or |λ|.
         frequency: f64,
     },
+    /// The limit of a response at rest, beside what moves off there, cannot be told: other roots are too close to zero.
+    Unsettled {
+        /// By how much limits from two ranges of frequencies differ, relatively.
+        change: f64,
+    },
     /// A frequency at which the arithmetic overflows, or which is no number.
     NotFinite {
         /// Size of the frequency, |ω| or |λ|.
@@ -128,6 +133,12 @@ impl fmt::Display for MotionError {
                 write!(
                     f,
                     "the system resonates at the frequency {frequency}: its response is infinite or not determined"
+                )
+            }
+            MotionError::Unsettled { change } => {
+                write!(
+                    f,
+                    "the response at rest cannot be told from that of roots close to zero: its limit is uncertain by {change:.1e} of it"
                 )
             }
             MotionError::NotFinite { frequency } => {

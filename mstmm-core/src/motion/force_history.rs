@@ -11,11 +11,12 @@ use num_traits::Zero;
 /// The response to a force history, one sample after the other: what a filter is to a signal.
 ///
 /// Between samples the force runs linearly. For such a force every step is exact, however long it is beside the periods of the
-/// modes; there is no limit of stability.
+/// modes; there is no limit of stability. Modes that are not in the list follow the force at once.
 #[derive(Clone, Copy, Debug)]
 pub struct ForceHistory<T, const N: usize> {
     modes: List<Mode<T>, N>,
     rigid: Rigid<T>,
+    residual: T,
     /// The last sample of the force; none before the first.
     force: Option<T>,
 }
@@ -50,7 +51,7 @@ impl<T: Real, const N: usize> ForceHistory<T, N> {
             modes.push(Mode::new(term, dt)).map_err(|_| MotionError::Capacity { capacity: N })?;
         }
         let rigid = Rigid { position: T::zero(), velocity: T::zero(), dt, gain: response.rigid * dt };
-        Ok(ForceHistory { modes, rigid, force: None })
+        Ok(ForceHistory { modes, rigid, residual: response.residual, force: None })
     }
 
     /// Takes the next sample of the force [N or N m] and gives the entry at its time; the first is that of t = 0, where the
@@ -62,7 +63,7 @@ impl<T: Real, const N: usize> ForceHistory<T, N> {
                 mode.step(before, force);
             }
         }
-        self.modes.iter().fold(self.rigid.position, |sum, mode| sum + mode.value.re)
+        self.modes.iter().fold(self.rigid.position + self.residual * force, |sum, mode| sum + mode.value.re)
     }
 }
 

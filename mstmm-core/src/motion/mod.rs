@@ -1,5 +1,6 @@
 //! Motions: the states that belong to a root or to a load, and what follows from them.
 
+mod at_rest;
 mod candidates;
 mod covector;
 mod curve;

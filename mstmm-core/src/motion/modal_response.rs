@@ -1,12 +1,12 @@
 //! Responses in time by superposition of modes.
 
+use super::at_rest::{AtRest, Part};
 use super::error::MotionError;
 use super::exponentials::{exponential, phi_1};
 use super::force_history::ForceHistory;
-use super::forms::Form;
 use super::label::{Entry, Load};
 use super::motions::Motions;
-use super::response::Place;
+use super::response::{FrequencyResponse, Place};
 use super::root::Root;
 use super::shape::ModeShape;
 use super::tree::{JudgedTree, Planned, Tree};
@@ -20,13 +20,23 @@ use num_traits::Zero;
 
 /// Shapes of a multiple root for which there is room at least, whatever the capacity of the response.
 const USUAL_MULTIPLICITY: u64 = 4;
+/// Roundings of the static response, and of what modes make of it, within which they are the same.
+const ROUNDING: f64 = 64.0;
 
 /// The response of an entry of a state in time, as a sum over modes: to an impulse, to a step, and to a force history.
 ///
 /// With the eigenvalues λ of the modes and their shapes φ at the load and at the entry, the response to an impulse of 1 is
 /// `Σ φ φ/(2λ) e^{λt}` over the eigenvalues and their conjugates, `φ φ sin(ωt)/ω` for an undamped mode and `φ φ t` for one of a
-/// rigid body. Modes that are not in the list take no part: deflections far from the load hardly miss them, forces and moments
-/// near it do.
+/// rigid body.
+///
+/// Modes that are not in the list are taken as if they followed the load at once: what the listed ones leave of the static
+/// response, `H(0) - Σ`, the residual compliance, is a part of the responses to steps and to histories, and of the static value.
+/// So massless points give way at once, and deflections, forces and moments near the load end up where they belong, however few
+/// modes there are. In truth what is slow takes its time and what is far hears of the load later, so that the list has to
+/// hold all modes that are slow beside the load. In the response to an impulse such modes would be over at once: it has no such term.
+///
+/// Rigid bodies, and what dampers alone hold, move as `r₂/λ² + r₁/λ` says, the poles of the response at λ = 0, if the list has that
+/// root; if it has not they do not move off, and the residual compliance is the rest of the response without these poles.
 ///
 /// A response depends on the system no more: it is a plain value. `M` is what its frequencies mean: [`RealFrequency`] for an
 /// undamped system, [`ComplexEigenvalue`] for a damped one.
@@ -35,6 +45,8 @@ pub struct ModalResponse<T, const N: usize, M> {
     pub(super) terms: List<Term<T>, N>,
     /// `Σ φ φ` over the modes of rigid bodies: one over the mass that the load feels.
     pub(super) rigid: T,
+    /// The residual compliance: what gives way at once.
+    pub(super) residual: T,
     meaning: PhantomData<fn() -> M>,
 }
 
@@ -58,20 +70,28 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         Y: JudgedTree<R::Frequency> + System<Parameter = T>,
     {
         let places = Places::new::<Y>(load, entry)?;
-        let mut response = ModalResponse { terms: List::new(), rigid: T::zero(), meaning: PhantomData };
+        let (rigid, residual) = (T::zero(), T::zero());
+        let mut response = ModalResponse { terms: List::new(), rigid, residual, meaning: PhantomData };
+        let mut at_rest = None;
         for root in roots {
+            let omega = root.frequency().omega().to_complex();
             // the conjugate of an upper eigenvalue, for which that one stands
-            if root.frequency().omega().to_complex().re < T::zero() {
+            if omega.re < T::zero() {
+                continue;
+            }
+            if omega.is_zero() {
+                at_rest = Some(root);
                 continue;
             }
             match root.multiplicity() {
-                0 | 1 => response.add(&system.mode_shape(root)?, &places, 1)?,
+                0 | 1 => response.add(&system.mode_shape(root)?, &places)?,
                 2..=USUAL_MULTIPLICITY => {
                     response.add_all::<{ USUAL_MULTIPLICITY as usize }, Y, R>(system, root, &places)?
                 }
                 _ => response.add_all::<N, Y, R>(system, root, &places)?,
             }
         }
+        response.complete(system, &FrequencyResponse::new(system, load, entry)?, at_rest)?;
         Ok(response)
     }
 
@@ -83,11 +103,11 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         Y: JudgedTree<R::Frequency> + System<Parameter = T>,
     {
         let shapes = system.mode_shapes::<CAP, _>(root)?;
-        shapes.iter().try_for_each(|shape| self.add(shape, places, root.multiplicity()))
+        shapes.iter().try_for_each(|shape| self.add(shape, places))
     }
 
-    /// Adds what a shape of a root contributes.
-    fn add<Y, S>(&mut self, shape: &ModeShape<'_, Y, S>, places: &Places, multiplicity: u64) -> Result<(), MotionError>
+    /// Adds what a shape of a root contributes, other than one at zero.
+    fn add<Y, S>(&mut self, shape: &ModeShape<'_, Y, S>, places: &Places) -> Result<(), MotionError>
     where
         Y: Tree<S, Parameter = T> + ?Sized,
         S: Oscillation<T>,
@@ -95,26 +115,78 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         let product = places.product(shape).to_complex();
         let omega = shape.x.omega().to_complex();
         let lambda = Complex::new(-omega.im, omega.re);
-        let residue = if lambda.is_zero() {
-            let damping = shape.form(Form::Damping, shape).to_complex();
-            // one eigenvalue at zero belongs to what only dampers hold; a rigid body that nothing holds has two
-            if damping.size() <= 1.0.times_power_of_two(shape.system.bounds().negligible_exponent()) {
-                self.rigid += product.re;
-                return Ok(());
-            }
-            if multiplicity > 1 {
-                return Err(MotionError::Defective { root: 0.0, multiplicity, shapes: 1 });
-            }
-            product / damping
-        } else if lambda.im.is_zero() {
-            product / (lambda + lambda)
-        } else {
-            product / lambda
-        };
-        self.terms.push(Term { lambda, residue }).map_err(|_| MotionError::Capacity { capacity: N })
+        let residue = if lambda.im.is_zero() { product / (lambda + lambda) } else { product / lambda };
+        self.push(Term { lambda, residue })
     }
 
-    /// The entry at a time \[s\] after an impulse of 1 N s, or of 1 N m s; 0 before it, NaN for a time that is none.
+    fn push(&mut self, term: Term<T>) -> Result<(), MotionError> {
+        self.terms.push(term).map_err(|_| MotionError::Capacity { capacity: N })
+    }
+
+    /// Adds what the response at rest says of all that is not in the list, and how the root at zero moves if that is.
+    #[inline(never)]
+    fn complete<Y, R>(
+        &mut self,
+        system: &Y,
+        response: &FrequencyResponse<'_, Y>,
+        at_rest: Option<&R>,
+    ) -> Result<(), MotionError>
+    where
+        R: Root<T>,
+        Y: JudgedTree<R::Frequency> + System<Parameter = T>,
+    {
+        let held = self.held();
+        let scale = self.terms.iter().fold(0.0, |sum, term| sum + term.at_rest().size());
+        match (response.held_at_rest::<R::Frequency>()?, at_rest) {
+            (Some(whole), None) => {
+                let whole = whole.to_complex().re;
+                self.residual = beyond_rounding(whole - held, scale + whole.size());
+                return Ok(());
+            }
+            // something holds the system: it may not have that root
+            (Some(_), Some(root)) => {
+                system.mode_shapes::<{ USUAL_MULTIPLICITY as usize }, _>(root)?;
+            }
+            (None, _) => {}
+        }
+        let left = |x: R::Frequency| {
+            let whole = response.sized(x)?;
+            let omega = x.omega().to_complex();
+            let (sum, size) = self.at(Complex::new(-omega.im, omega.re));
+            Ok(Part { value: whole.value - R::Frequency::from_complex(sum), size: whole.size + size })
+        };
+        let rest = AtRest::of::<T>(system.bounds().lowest_exponent(), scale, left)?;
+        let AtRest { double, simple, finite, uncertainty, .. } = rest;
+        if uncertainty > 0.0 {
+            return Err(MotionError::Unsettled { change: uncertainty });
+        }
+        self.residual = beyond_rounding(finite.to_complex().re, scale);
+        if at_rest.is_some() {
+            self.rigid = double.to_complex().re;
+            if !simple.is_zero() {
+                self.push(Term { lambda: Complex::zero(), residue: simple.to_complex() })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What the modes that are held make of a constant load.
+    fn held(&self) -> T {
+        self.terms.iter().fold(T::zero(), |sum, term| sum + term.at_rest())
+    }
+
+    /// What the modes make of the response at λ, and the size of all that is summed up.
+    fn at(&self, lambda: Complex<T>) -> (Complex<T>, f64) {
+        let half = T::from_f64(0.5);
+        self.terms.iter().fold((Complex::zero(), 0.0), |(sum, size), term| {
+            let own = (term.residue / (lambda - term.lambda)) * half;
+            let mirrored = (term.residue.conj() / (lambda - term.lambda.conj())) * half;
+            (sum + own + mirrored, size + own.size() + mirrored.size())
+        })
+    }
+
+    /// The entry at a time \[s\] after an impulse of 1 N s, or of 1 N m s; 0 before it, NaN for a time that is none. What gives way
+    /// at once has come back by then.
     pub fn to_impulse(&self, time: T) -> T {
         if time < T::zero() {
             return T::zero();
@@ -124,28 +196,26 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     }
 
     /// The entry at a time \[s\] after the begin of a constant load of 1 N, or of 1 N m; 0 before it, NaN for a time that is
-    /// none.
+    /// none. At 0 it is the residual compliance.
     pub fn to_step(&self, time: T) -> T {
         if time < T::zero() {
             return T::zero();
         }
         let half = T::from_f64(0.5);
         let one = |term: &Term<T>| (term.residue * phi_1(term.lambda * time)).re * time;
-        self.terms.iter().fold(self.rigid * time * time * half, |sum, term| sum + one(term))
+        let away = self.rigid * time * time * half;
+        self.terms.iter().fold(self.residual + away, |sum, term| sum + one(term))
     }
 
-    /// The entry under a constant load of 1 once all has come to rest: what the modes of the list make up of the static
-    /// response.
+    /// The entry under a constant load of 1 once all has come to rest: the static response, whatever modes are in the list.
     ///
     /// # Errors
-    /// [`MotionError::Resonance`] where a rigid body moves off, or drifts against a damper.
+    /// [`MotionError::Resonance`] where a rigid body of the list moves off, or drifts against a damper.
     pub fn static_value(&self) -> Result<T, MotionError> {
-        let moves_off = |term: &Term<T>| term.lambda.is_zero() && !term.residue.is_zero();
-        if !self.rigid.is_zero() || self.terms.iter().any(moves_off) {
+        if !self.rigid.is_zero() || self.terms.iter().any(|term| term.lambda.is_zero()) {
             return Err(MotionError::Resonance { frequency: 0.0 });
         }
-        let held = self.terms.iter().filter(|term| !term.lambda.is_zero());
-        Ok(held.fold(T::zero(), |sum, term| sum - (term.residue / term.lambda).re))
+        Ok(self.held() + self.residual)
     }
 
     /// The response to a force history in steps of `dt` \[s\], from rest.
@@ -159,7 +229,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
 
 impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
     /// The same modes with a damping ratio ζ in each: `e^{-ζωt} sin(ω_d t)/ω_d` in place of `sin(ωt)/ω`, with
-    /// `ω_d = ω sqrt(1 - ζ²)`. Rigid bodies move as before.
+    /// `ω_d = ω sqrt(1 - ζ²)`. Rigid bodies move as before, and modes that are not in the list still follow at once.
     ///
     /// # Errors
     /// [`MotionError::DampingRatio`] for a ratio that is negative, or 1 and more, where nothing vibrates.
@@ -174,8 +244,20 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
             term.lambda = Complex::new(-(ratio * omega), slowed * omega);
             term.residue /= slowed;
         }
-        Ok(ModalResponse { terms, rigid: self.rigid, meaning: PhantomData })
+        Ok(ModalResponse { terms, rigid: self.rigid, residual: self.residual, meaning: PhantomData })
     }
+}
+
+impl<T: Real> Term<T> {
+    /// What the mode makes of a constant load in the end.
+    fn at_rest(&self) -> T {
+        -(self.residue / self.lambda).re
+    }
+}
+
+/// The number, or zero where rounding of what it is the difference of explains it.
+fn beyond_rounding<T: Real>(number: T, scale: f64) -> T {
+    if number.size() <= ROUNDING * T::EPSILON * scale { T::zero() } else { number }
 }
 
 /// Where the load acts and what is asked for.

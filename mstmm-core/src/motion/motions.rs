@@ -121,9 +121,13 @@ pub trait Motions: System {
     /// The roots are natural frequencies, or the eigenvalues of the closed upper half plane, each once. Those of the lower half
     /// plane are passed over: each is the conjugate of one above.
     ///
+    /// Besides the shapes it takes one response at rest, for what the modes leave of it. Where nothing holds a part of the system that
+    /// is extrapolated, with the poles at zero, from some hundreds of responses at low frequencies.
+    ///
     /// # Errors
     /// [`MotionError::NoSuchEntry`] for a load or an entry that no state at its point carries;
-    /// [`MotionError::Capacity`] for more than `N` modes, or more than both 4 and `N` of one root; else as
+    /// [`MotionError::Capacity`] for more than `N` modes, or more than both 4 and `N` of one root;
+    /// [`MotionError::Unsettled`] where roots close to zero hide what the modes leave; else as
     /// [`mode_shape`](Motions::mode_shape) and [`mode_shapes`](Motions::mode_shapes).
     ///
     /// [`ModalResponse`] has an example.

@@ -10,6 +10,7 @@ use super::tree::{JudgedTree, Tree};
 use crate::characteristic::System;
 use crate::scalar::{Oscillation, Scalar};
 use crate::scaled::{Magnitude, Scaled};
+use core::fmt;
 use core::ops::Deref;
 
 /// Relative step of the secant method, large beside the rounding of a root and small beside its distance to others.
@@ -39,9 +40,19 @@ impl<'a, Y: Tree<S> + ?Sized, S: Scalar> Deref for ModeShape<'a, Y, S> {
 }
 
 /// The shapes of one root.
-#[derive(Debug)]
 pub struct ShapeList<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> {
     pub(super) shapes: [Option<ModeShape<'a, Y, S>>; CAP],
+}
+
+/// The shapes that are there.
+impl<Y, S, const CAP: usize> fmt::Debug for ShapeList<'_, Y, S, CAP>
+where
+    Y: Tree<S> + fmt::Debug + ?Sized,
+    S: Scalar,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
+    }
 }
 
 impl<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> ShapeList<'a, Y, S, CAP> {
