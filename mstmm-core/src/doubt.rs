@@ -53,16 +53,28 @@ fn largest_loss<S: Scalar>() -> f64 {
     LOSS * if S::EPSILON < f64::EPSILON { f64::EPSILON } else { S::EPSILON }
 }
 
-/// Tells a tally what rounding leaves of a sum that cancels: `size` is its own or that of what else decides about the subspace in
-/// its unit, `rounding` that of a last place of its terms, and `bound` all that they may have gathered. Returns whether nothing is
-/// left.
-#[cold]
-pub(crate) fn judge_sum<S: Scalar, C: Tally<S>>(size: f64, rounding: f64, bound: f64, tally: &mut C) -> bool {
-    let is_nothing = size <= bound;
-    if is_nothing || rounding > largest_loss::<S>() * size {
-        tally.cancelled(is_nothing);
+/// What rounding leaves of a sum that cancels.
+pub(crate) struct Remainder {
+    /// Its size beside which its digits count.
+    pub(crate) size: f64,
+    /// Its own size, or that of what else decides about the subspace in its unit: where that is rounding nothing is left.
+    pub(crate) whole: f64,
+    /// What a last place of its terms makes of it.
+    pub(crate) rounding: f64,
+    /// What all roundings make of it that they may have gathered.
+    pub(crate) bound: f64,
+}
+
+impl Remainder {
+    /// Tells a tally of a sum that lost too many digits. Returns whether it lost all.
+    #[cold]
+    pub(crate) fn tell<S: Scalar, C: Tally<S>>(self, tally: &mut C) -> bool {
+        let is_nothing = self.whole <= self.bound;
+        if is_nothing || self.rounding > largest_loss::<S>() * self.size {
+            tally.cancelled(is_nothing);
+        }
+        is_nothing
     }
-    is_nothing
 }
 
 /// Whether a sum may have lost more than it should to rounding: a first look, which asks for a closer one.

@@ -1,7 +1,7 @@
 //! Connections: joining subspaces, holding a point by a support, widening and narrowing.
 
 use crate::count::Tally;
-use crate::doubt::{ROUNDINGS, judge_sum};
+use crate::doubt::{ROUNDINGS, Remainder};
 use crate::scalar::{Branches, Scalar};
 use crate::state::{Space, Support};
 use crate::subspace::{Line, Plane, Subspace};
@@ -94,17 +94,19 @@ impl<S: Scalar> Plane<S> {
         let ratio = r.y_m / p.y_m;
         let mixed = skew / p.y_m * (skew / r.y_m) + ratio * p.y_theta * p.m_q + r.y_theta * r.m_q / ratio;
         let m_q = (p.m_q * r.y_theta + p.y_theta * r.m_q) + mixed;
-        // in its unit `w²/p_YΘ` and `p_YM p_ΘQ/p_YΘ` of the sum are sizes beside which it counts
+        // in its unit `w²/p_YΘ` and `p_YM p_ΘQ/p_YΘ` of the sum say whether anything is left
         let y_theta = (p.y_theta * r.y_theta).size();
         let w = (p.w * r.y_theta + p.y_theta * r.w).size();
         let diagonal = (p.y_m * r.y_theta + p.y_theta * r.y_m) * (p.theta_q * r.y_theta + p.y_theta * r.theta_q);
         let beside = (w * w).max(diagonal.size());
-        let size = m_q.size().max(if beside > 0.0 { beside / y_theta } else { 0.0 });
+        let size = m_q.size();
+        let whole = size.max(if beside > 0.0 { beside / y_theta } else { 0.0 });
         let rounding = |units: f64| {
             let of_skew = units * S::EPSILON * products[0].size();
             of_skew * (2.0 * skew.size() + of_skew) / (p.y_m * r.y_m).size()
         };
-        if judge_sum::<S, C>(size, rounding(1.0), rounding(ROUNDINGS), tally) { S::zero() } else { m_q }
+        let remainder = Remainder { size, whole, rounding: rounding(1.0), bound: rounding(ROUNDINGS) };
+        if remainder.tell(tally) { S::zero() } else { m_q }
     }
 
     /// Holds the point by a support: joins the support's own plane, most of whose minors are zero.

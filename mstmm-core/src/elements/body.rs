@@ -88,6 +88,8 @@ impl<T: Real> Element for Body<T> {
     fn bound(built: &BuiltBody<T>, bounds: &mut FrequencyBounds) {
         bounds.mass(built.mass.to_f64());
         let Levers { output, centre, .. } = built.levers;
+        // what rounding leaves of the inertia about the mass centre moves fast
+        bounds.moment_of_inertia(built.central_inertia.abs().to_f64());
         bounds.lever(output.length.to_f64());
         bounds.lever(centre.length.to_f64());
         bounds.moment_of_inertia((built.central_inertia + centre.times(centre.times(built.mass))).to_f64());

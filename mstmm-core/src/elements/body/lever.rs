@@ -1,7 +1,7 @@
 //! Levers of rigid bodies: exact differences of lengths, and planes seen from the far end.
 
 use crate::count::Tally;
-use crate::doubt::{ROUNDINGS, judge_sum, may_be_lost};
+use crate::doubt::{ROUNDINGS, Remainder, may_be_lost};
 use crate::scalar::{Branches, Frequency, Oscillation, Real};
 use crate::subspace::Plane;
 
@@ -104,14 +104,14 @@ impl<T: Real> Lever<T> {
             (of_w * (2.0 * w.size() + of_w) + of_squares) / theta_q
         };
         let is_by_others = S::JUDGES && by_others(1.0) < plain(1.0);
-        let (y_m, roundings) = if is_by_others {
+        let (y_m, [rounding, bound]) = if is_by_others {
             ((w * w + product) / p.theta_q, [1.0, ROUNDINGS].map(by_others))
         } else {
             (y_m, [1.0, ROUNDINGS].map(plain))
         };
         // beside `w²/p_ΘQ`, which is a length squared in the same unit, a chance zero of p_YM does not count
         let size = y_m.size().max(beside).max(w.size() * w.size() / theta_q);
-        let is_nothing = judge_sum::<S, C>(size, roundings[0], roundings[1], tally);
+        let is_nothing = Remainder { size, whole: size, rounding, bound }.tell(tally);
         if is_nothing && S::JUDGES { [S::zero(); 2] } else { [y_m, w] }
     }
 }
