@@ -21,7 +21,10 @@ fn refused(error: SearchError, wanted: u64, model: &Stiffness, tally: &mut Tally
     match error {
         SearchError::TooFewRoots { found } => {
             let all = if has_beams(tree) { None } else { model.count_below(HIGHEST.into()) };
-            tally.entry(all.is_some_and(|all| all == found && all < wanted), &("too few", found, all, tree));
+            match all {
+                Some(all) => tally.entry(all == found && all < wanted, &("too few", found, all, tree)),
+                None => tally.unsure += 1,
+            }
             tally.refusal(&error);
         }
         SearchError::Zero { .. } if model.is_sound() => tally.refusal_named("Zero of a sound model"),
