@@ -79,7 +79,7 @@ impl<S: Scalar> BendingCoefficients<S> {
     pub(crate) fn root<C: Tally<S>>(&self, input: Subspace<S>, support: Support, tally: &mut C) -> Scaled<S> {
         if C::COUNTS || matches!(input, Subspace::Tip(..)) {
             let delta = self.step(input, tally).at_root(support, tally);
-            if C::WATCHES && !matches!(input, Subspace::Tip(..)) {
+            if tally.looks_at_root() && !matches!(input, Subspace::Tip(..)) {
                 self.watch_root(&input.plane(), delta, support, tally);
             }
             return delta;
@@ -91,14 +91,14 @@ impl<S: Scalar> BendingCoefficients<S> {
             _ => self.through(&input.plane()),
         };
         let delta = Scaled::new(plane.minor_at(support), i64::from(plane.exponent));
-        if C::WATCHES {
+        if tally.looks_at_root() {
             self.watch_root(&input.plane(), delta, support, tally);
         }
         delta
     }
 
     /// Shows a tally the sizes of Δ and of its terms.
-    #[inline(always)]
+    #[inline(never)]
     fn watch_root<C: Tally<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, tally: &mut C) {
         let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, factors, .. } =
             *self;
@@ -111,8 +111,8 @@ impl<S: Scalar> BendingCoefficients<S> {
         let minors = [p.y_theta, p.y_m * inverses[0], p.w * inverses[1], p.theta_q * inverses[2], p.m_q * inverses[3]];
         let terms = row.iter().zip(minors).map(|(&row, minor)| (row * minor).size());
         let exponent = i64::from(p.exponent.saturating_add(self.exponent)) - delta.exponent();
-        let unit = S::one().times_power_of_two(exponent.clamp(-1000, 1000) as i32).size() * factor.size();
-        tally.root_sum(delta.mantissa().size(), terms.sum::<f64>() * unit);
+        let sum = delta.mantissa().size() * 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
+        tally.root_sum(sum, terms.sum::<f64>() * factor.size());
     }
 
     /// The plane behind the beam, given its minors in the units of the coefficients.

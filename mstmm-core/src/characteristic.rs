@@ -39,7 +39,15 @@ where
     S: Real,
     Y: Characteristic<S> + ?Sized,
 {
-    let mut count = CountOf::default();
-    let value = system.pass(x, &mut count);
-    (count, value)
+    tallied(system, x, CountOf::default())
+}
+
+/// What a tally hears of a pass, and Δ.
+#[inline]
+pub(crate) fn tallied<C: Tally<S>, Y, S: Scalar>(system: &Y, x: S, mut tally: C) -> (C, Scaled<S>)
+where
+    Y: Characteristic<S> + ?Sized,
+{
+    let value = system.pass(x, &mut tally);
+    (tally, value)
 }

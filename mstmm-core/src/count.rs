@@ -53,6 +53,11 @@ pub trait Tally<S: Scalar> {
     /// A sum lost more digits to cancellation than a certificate has room for, or all of them: then it was taken for zero.
     #[inline(always)]
     fn cancelled(&mut self, _completely: bool) {}
+    /// Whether the frequency is so close to a root that the terms of Δ are worth a look.
+    #[inline(always)]
+    fn looks_at_root(&self) -> bool {
+        false
+    }
     /// Δ is a sum of a size, with terms whose sizes add up to more.
     #[inline(always)]
     fn root_sum(&mut self, _sum: f64, _terms: f64) {}
@@ -108,10 +113,6 @@ impl<S: Scalar> Tally<S> for Watch {
     fn cancelled(&mut self, completely: bool) {
         self.cancelled.add(completely);
     }
-    #[inline(always)]
-    fn root_sum(&mut self, sum: f64, terms: f64) {
-        self.cancelled.add_root::<S>(sum, terms);
-    }
 }
 
 /// The number of natural frequencies below the frequency of a pass.
@@ -123,12 +124,18 @@ pub type Count = CountOf<false>;
 pub struct CountOf<const IN_LINE: bool, const WATCHES: bool = true> {
     below: u64,
     cancelled: Cancelled,
+    is_at_root: bool,
 }
 
 impl<const IN_LINE: bool, const WATCHES: bool> CountOf<IN_LINE, WATCHES> {
     /// The count so far; of all frequencies once the pass has reached the root.
     pub fn below(&self) -> u64 {
         self.below
+    }
+
+    /// The tally of a frequency beside a root, or of any.
+    pub(crate) fn new(is_at_root: bool) -> Self {
+        CountOf { is_at_root, ..CountOf::default() }
     }
 
     /// What cancelled on the way.
@@ -239,6 +246,11 @@ impl<T: Real, const IN_LINE: bool, const WATCHES: bool> Tally<T> for CountOf<IN_
     #[inline(always)]
     fn cancelled(&mut self, completely: bool) {
         self.cancelled.add(completely);
+    }
+
+    #[inline(always)]
+    fn looks_at_root(&self) -> bool {
+        WATCHES && self.is_at_root
     }
 
     #[inline(always)]

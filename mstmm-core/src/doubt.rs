@@ -4,7 +4,7 @@
 //! What is doubtful is computed again in the arithmetic that judges the first, or refused where there is none.
 
 use crate::count::Tally;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 
 /// Relative loss of a sum beyond which a pass is doubtful, in units of rounding: as wide as a certified interval.
 const LOSS: f64 = 32.0;
@@ -18,6 +18,18 @@ const CONDITION: f64 = 4.0;
 
 /// Distance from a root, in units of rounding, at which its counts are taken and its circle is looked at.
 pub(crate) const NEAR: f64 = 8.0;
+
+/// Difference between what two points on a circle make of the root in it, as a part of the radius, beyond which the judge has to
+/// prove it.
+pub(crate) const NOISE: f64 = 0.2;
+
+/// How many times as wide as others the interval or circle of an ill-conditioned root is where nothing judges it.
+pub(crate) const UNJUDGED: f64 = 8.0;
+
+/// Whether what looks like rounding is refused, since no arithmetic has the digits to judge it.
+pub(crate) fn is_unjudged<T: Real>() -> bool {
+    !T::HAS_JUDGE && T::EPSILON >= f64::EPSILON
+}
 
 /// Whether Δ beside a root is less beside its terms than that of a well-conditioned root.
 #[inline(always)]

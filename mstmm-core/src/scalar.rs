@@ -181,6 +181,11 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     /// Whether there is a judge.
     const HAS_JUDGE: bool = false;
 
+    /// `self - a b c`, rounded once where there is more to compute with: what is left may be far smaller than the product.
+    fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
+        self - a * b * c
+    }
+
     /// Exponential function.
     fn exp(self) -> Self;
 

@@ -69,6 +69,11 @@ impl<S: Scalar, C: Tally<S>, const SERIES: bool> Tally<Straight<S, SERIES>> for 
     }
 
     #[inline(always)]
+    fn looks_at_root(&self) -> bool {
+        self.0.looks_at_root()
+    }
+
+    #[inline(always)]
     fn root_sum(&mut self, sum: f64, terms: f64) {
         self.0.root_sum(sum, terms);
     }

@@ -11,7 +11,7 @@ use crate::scalar::{Frequency, Oscillation, Real};
 use crate::scaled::Scaled;
 use crate::state::{Bending, Support};
 use crate::subspace::{Plane, Subspace};
-use lever::{Lever, Levers, exact};
+use lever::{Lever, Levers};
 use nalgebra::Matrix4;
 
 mod lever;
@@ -59,11 +59,7 @@ impl<T: Real> Body<T> {
     /// `J_I - m c1²`. The product must be exact: beside a mass on a long arm what is left may be all rounding.
     fn central_inertia(&self) -> T {
         let Body { mass, inertia, centre_x, .. } = *self;
-        if T::HAS_JUDGE {
-            T::from_judge(exact(inertia) - exact(mass) * exact(centre_x) * exact(centre_x))
-        } else {
-            inertia - mass * centre_x * centre_x
-        }
+        inertia.minus_product([mass, centre_x, centre_x])
     }
 }
 

@@ -187,9 +187,21 @@ macro_rules! real {
     };
 }
 
+/// The arithmetic that judges `f64`; without the feature `judge` none does, and programs are small.
+#[cfg(feature = "judge")]
+type JudgeOfDouble = DoubleDouble;
+#[cfg(not(feature = "judge"))]
+type JudgeOfDouble = f64;
+
 real! {
-    f64, DoubleDouble, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
-    const HAS_JUDGE: bool = true;
+    f64, JudgeOfDouble, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
+    const HAS_JUDGE: bool = cfg!(feature = "judge");
+
+    fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
+        let product = DoubleDouble::from_product(a, b) * DoubleDouble::from_f64(c);
+        (DoubleDouble::from_f64(self) - product).to_f64()
+    }
+
     #[inline(always)]
     fn circular_and_hyperbolic(self) -> [Self; 4] {
         kernel::circular_and_hyperbolic(self)

@@ -3,9 +3,9 @@
 use super::natural::{FrequencyList, NaturalFrequency};
 use super::polish::Slope;
 use crate::bounds::FrequencyBounds;
-use crate::characteristic::{Characteristic, System, count_and_value};
-use crate::count::Cancelled;
-use crate::doubt::{NEARLY_ZERO_EXPONENT, TOUCHING, ZEROS};
+use crate::characteristic::{Characteristic, System, count_and_value, tallied};
+use crate::count::{Cancelled, Count};
+use crate::doubt::{NEARLY_ZERO_EXPONENT, TOUCHING, UNJUDGED, ZEROS, is_unjudged};
 use crate::error::SearchError;
 use crate::list::List;
 use crate::scalar::{Dual, Frequency, Real, Scalar};
@@ -60,7 +60,9 @@ pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     /// Whether something looked like rounding: counts that do not grow, slopes that do not fit, roots that coincide.
     pub(super) is_doubtful: bool,
     /// Whether Δ of a sample was less beside its terms than it is beside a well-conditioned root.
-    pub(super) is_ill_conditioned: bool,
+    is_ill_conditioned: bool,
+    /// Whether samples are taken beside a root.
+    pub(super) is_at_root: bool,
     /// Splits in a row that left all roots of a bracket on one side.
     idle_splits: u32,
 }
@@ -87,6 +89,7 @@ where
             evaluations: 0,
             is_doubtful: false,
             is_ill_conditioned: false,
+            is_at_root: false,
             idle_splits: 0,
         }
     }
@@ -94,7 +97,7 @@ where
     /// Count and Δ at a frequency.
     pub(super) fn sample(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
         self.evaluations += 1;
-        let (count, value) = count_and_value::<true, _, _>(self.system, omega);
+        let (count, value) = tallied(self.system, omega, Count::new(self.is_at_root));
         if !value.mantissa().size().is_finite() {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
@@ -103,6 +106,14 @@ where
             self.look_for_zeros(omega)?;
         }
         Ok(Sample { omega, below: count.below(), value })
+    }
+
+    /// The samples on both sides of a root.
+    pub(super) fn both_sides(&mut self, omega: T, away: T) -> Result<(Sample<T>, Sample<T>), SearchError> {
+        (self.is_at_root, self.is_ill_conditioned) = (true, false);
+        let samples = (self.sample(omega - away)?, self.sample(omega + away)?);
+        self.is_at_root = false;
+        Ok(samples)
     }
 
     /// Doubts a pass in which sums cancelled. One that judges has no other to ask.
@@ -117,9 +128,16 @@ where
     }
 
     /// Whether the counts at both ends of an interval are what they should be by the arithmetic that judges, if Δ was small beside
-    /// its terms there.
-    pub(super) fn is_proven(&mut self, root: &NaturalFrequency<T>, counts: (u64, u64)) -> bool {
-        if !(core::mem::take(&mut self.is_ill_conditioned) && T::HAS_JUDGE) {
+    /// its terms there. Where nothing judges, the interval is widened.
+    pub(super) fn is_proven(&mut self, root: &mut NaturalFrequency<T>, counts: (u64, u64)) -> bool {
+        if !core::mem::take(&mut self.is_ill_conditioned) {
+            return true;
+        }
+        if is_unjudged::<T>() {
+            let room = root.omega * self.half_width * T::from_f64(UNJUDGED);
+            (root.lower, root.upper) = (root.omega - room, root.omega + room);
+        }
+        if !T::HAS_JUDGE {
             return true;
         }
         self.evaluations += 2;
@@ -134,7 +152,8 @@ where
         for _ in 1..ZEROS {
             x *= T::from_f64(FAR_APART);
             self.evaluations += 1;
-            if !self.system.characteristic(x).mantissa().is_zero() {
+            // counted like all samples, which are one piece of code then
+            if !count_and_value::<true, _, _>(self.system, x).1.mantissa().is_zero() {
                 return Ok(());
             }
         }

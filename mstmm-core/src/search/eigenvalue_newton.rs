@@ -7,6 +7,7 @@ use super::known::divided;
 use super::rectangle::{Rectangle, whole};
 use super::region::Eigenvalue;
 use crate::characteristic::{Characteristic, System};
+use crate::doubt::NOISE;
 use crate::error::SearchError;
 use crate::scalar::{Dual, Real, Scalar, modulus};
 use num_complex::Complex;
@@ -232,7 +233,6 @@ where
             let radius = larger(modulus(centre), self.smallest) * T::from_f64(RADIUS * self.precision);
             let lambda = settled(centre, radius);
             let rim = Complex::from(radius);
-            self.evaluation.is_ill_conditioned = false;
             let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
             let bound = T::from_f64(OFF_CENTRE);
             let is_straight = |point: &Point<T>| {
@@ -245,8 +245,11 @@ where
             let offset = |point: &Point<T>| point.lambda - lambda - Complex::from(T::one()) / point.rate;
             let offsets = [offset(&left), offset(&right)];
             if offsets.iter().all(|&offset| modulus(offset) <= radius * bound) {
-                self.evaluation.is_doubtful |= !self.evaluation.is_proven(lambda, radius + radius);
-                return Ok(Some(Eigenvalue { lambda, error: radius + radius, multiplicity: 1 }));
+                // both make out the same root but for the rounding of either
+                let is_noisy = modulus(offsets[0] - offsets[1]) > radius * T::from_f64(NOISE);
+                let error =
+                    if is_noisy { self.evaluation.proven_radius(lambda, radius + radius) } else { radius + radius };
+                return Ok(Some(Eigenvalue { lambda, error, multiplicity: 1 }));
             }
             if modulus(offsets[0] - offsets[1]) > radius * (bound + bound) {
                 return Ok(None);

@@ -96,7 +96,13 @@ where
         let bounds = system.bounds();
         let smallest = T::one().times_power_of_two(bounds.negligible_exponent());
         let precision = <Y::Parameter as Scalar>::EPSILON;
-        EigenvalueSearch { evaluation: Evaluation::new(system), known: Known::new(), bounds, smallest, precision }
+        EigenvalueSearch {
+            evaluation: Evaluation::new(system, bounds.lowest_exponent()),
+            known: Known::new(),
+            bounds,
+            smallest,
+            precision,
+        }
     }
 
     /// Whether something looked like rounding: sums that cancelled, roots that coincide or nearly do, wide circles.
@@ -138,9 +144,9 @@ where
     fn counted_in_pieces(&mut self, rectangle: &Rectangle<T>) -> Result<Option<u64>, SearchError> {
         let mut roots = 0;
         for piece in rectangle.pieces() {
-            match self.counted(piece)? {
-                Some(counted) => roots += counted.roots,
-                None => return Ok(None),
+            if piece.left < piece.right {
+                let Some(counted) = self.counted(piece)? else { return Ok(None) };
+                roots += counted.roots;
             }
         }
         Ok(Some(roots))
@@ -221,7 +227,12 @@ where
 
     /// Makes all eigenvalues in a rectangle or close to its contour known.
     fn find_in(&mut self, rectangle: Rectangle<T>) -> Result<(), SearchError> {
-        rectangle.pieces().try_for_each(|piece| self.find_in_piece(piece))
+        for piece in rectangle.pieces() {
+            if piece.left < piece.right {
+                self.find_in_piece(piece)?;
+            }
+        }
+        Ok(())
     }
 
     fn find_in_piece(&mut self, rectangle: Rectangle<T>) -> Result<(), SearchError> {

@@ -1,9 +1,9 @@
 //! Δ on the complex plane: evaluated, counted, watched, and given up where it takes too long.
 
 use super::contour::Point;
-use crate::characteristic::{Characteristic, System};
+use crate::characteristic::{Characteristic, System, tallied};
 use crate::count::Watch;
-use crate::doubt::ZEROS;
+use crate::doubt::{UNJUDGED, ZEROS, is_unjudged};
 use crate::error::SearchError;
 use crate::scalar::{Dual, Frequency, Real, Scalar, modulus};
 use crate::scaled::Scaled;
@@ -18,16 +18,16 @@ const EVALUATIONS_PER_ROOT: usize = 2_000;
 /// Evaluates a system on the complex plane in arithmetic of type `T`, and counts the evaluations.
 pub(super) struct Evaluation<'a, Y: System + ?Sized> {
     system: &'a Y,
+    /// Logarithm to base 2 of a low estimate of the frequencies.
+    lowest_exponent: i32,
     pub(super) evaluations: usize,
     /// Whether sums cancelled.
     pub(super) is_doubtful: bool,
-    /// Whether Δ was less beside its terms than it is beside a well-conditioned root.
-    pub(super) is_ill_conditioned: bool,
 }
 
 impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
-    pub(super) fn new(system: &'a Y) -> Self {
-        Evaluation { system, evaluations: 0, is_doubtful: false, is_ill_conditioned: false }
+    pub(super) fn new(system: &'a Y, lowest_exponent: i32) -> Self {
+        Evaluation { system, lowest_exponent, evaluations: 0, is_doubtful: false }
     }
 
     /// Whether no other arithmetic judges what this one makes of the system.
@@ -42,8 +42,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         Y: Characteristic<Dual<Complex<T>>>,
     {
         self.evaluations += 2;
-        let mut watch = Watch::default();
-        let dual = self.system.pass(Dual::variable(lambda), &mut watch);
+        let (watch, dual) = tallied(self.system, Dual::variable(lambda), Watch::default());
         let Dual { value, derivative } = dual.mantissa();
         let rate = derivative / value;
         let is_root = !rate.size().is_finite();
@@ -51,7 +50,6 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
             return Err(SearchError::NotANumber { x: lambda.re.to_f64(), y: lambda.im.to_f64() });
         }
         self.is_doubtful |= watch.cancelled.any();
-        self.is_ill_conditioned |= watch.cancelled.at_root;
         if watch.cancelled.partly && Self::is_last::<T>() {
             return Err(SearchError::Unresolved { near: modulus(lambda).to_f64() });
         }
@@ -62,17 +60,22 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         Ok(Point { lambda, value: Scaled::new(value, dual.exponent()), rate, is_root })
     }
 
-    /// Whether the root is within a distance of a point by the arithmetic that judges, if Δ was small beside its terms there.
-    pub(super) fn is_proven<T>(&mut self, lambda: Complex<T>, distance: T) -> bool
+    /// The radius of a circle that is seen to hold a root; doubted if the arithmetic that judges finds the root outside. Where
+    /// nothing judges, the circle is widened.
+    #[cold]
+    pub(super) fn proven_radius<T>(&mut self, lambda: Complex<T>, radius: T) -> T
     where
         T: Real,
         Y: Characteristic<Dual<Complex<T::Judge>>>,
     {
-        if !(core::mem::take(&mut self.is_ill_conditioned) && T::HAS_JUDGE) {
-            return true;
+        if is_unjudged::<T>() {
+            return radius * T::from_f64(UNJUDGED);
         }
-        self.evaluations += 2;
-        judged_step(self.system, lambda) <= distance.to_f64()
+        if T::HAS_JUDGE {
+            self.evaluations += 2;
+            self.is_doubtful |= judged_step(self.system, lambda) > radius.to_f64();
+        }
+        radius
     }
 
     /// Gives up where Δ vanishes at one point, and at others far from it.
@@ -82,13 +85,14 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         T: Real,
         Y: Characteristic<Dual<Complex<T>>>,
     {
-        let lowest = T::one().times_power_of_two(self.system.bounds().lowest_exponent());
-        let mut size = modulus(lambda) + lowest;
+        let mut size = modulus(lambda) + T::one().times_power_of_two(self.lowest_exponent);
         for _ in 1..ZEROS {
             size += size + size;
             self.evaluations += 2;
             let elsewhere = Complex::new(T::from_f64(-0.6), T::from_f64(0.8)) * size;
-            if self.system.characteristic(Dual::variable(elsewhere)).mantissa().value.size() > 0.0 {
+            // watched like all passes, which are one piece of code then
+            let (_, value) = tallied(self.system, Dual::variable(elsewhere), Watch::default());
+            if value.mantissa().value.size() > 0.0 {
                 return Ok(());
             }
         }
@@ -114,6 +118,6 @@ where
 {
     let exactly = |part: T| <T::Judge as Frequency<T>>::from_parameter(part);
     let lambda = Complex::new(exactly(lambda.re), exactly(lambda.im));
-    let Dual { value, derivative } = system.characteristic(Dual::variable(lambda)).mantissa();
+    let Dual { value, derivative } = tallied(system, Dual::variable(lambda), Watch::default()).1.mantissa();
     modulus(value / derivative).to_f64()
 }

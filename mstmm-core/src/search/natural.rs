@@ -3,6 +3,7 @@
 use super::certified::Isolation;
 use crate::characteristic::{Characteristic, System, count_and_value};
 use crate::count::CountOf;
+use crate::doubt::is_unjudged;
 use crate::error::SearchError;
 use crate::list::List;
 use crate::scalar::{Dual, Real, Scalar};
@@ -122,6 +123,7 @@ pub trait NaturalFrequencies: System {
         }
         match count_beside(self, omega, COUNT_MARGIN)? {
             Some(below) => Ok(below),
+            None if is_unjudged::<Self::Parameter>() => Err(SearchError::Unresolved { near: omega.to_f64() }),
             None => judged_count(self, omega),
         }
     }
@@ -226,8 +228,15 @@ fn judged<Y: System + ?Sized, const CAP: usize>(
     is_doubtful: bool,
     judge: impl FnOnce() -> Result<FrequencyList<<Y::Parameter as Real>::Judge, CAP>, SearchError>,
 ) -> Result<FrequencyList<Y::Parameter, CAP>, SearchError> {
-    if !(is_doubtful && Y::Parameter::HAS_JUDGE) {
+    if !is_doubtful {
         return found;
+    }
+    if !Y::Parameter::HAS_JUDGE {
+        let near = |list: FrequencyList<Y::Parameter, CAP>| list.first().map_or(0.0, |root| root.omega.to_f64());
+        let refused = |list| {
+            if is_unjudged::<Y::Parameter>() { Err(SearchError::Unresolved { near: near(list) }) } else { Ok(list) }
+        };
+        return found.and_then(refused);
     }
     let plain = found.map_or(0, |found| found.evaluations);
     let judged = judge()?;

@@ -117,13 +117,12 @@ where
         for _ in 0..2 {
             // counts half a width inside the interval: the other half is room for their own rounding
             let inner = omega * self.half_width * T::from_f64(0.5);
-            self.is_ill_conditioned = false;
-            let (below, above) = (self.sample(omega - inner)?, self.sample(omega + inner)?);
+            let (below, above) = self.both_sides(omega, inner)?;
             if below.below == counts.0 && above.below == counts.1 {
                 self.is_doubtful |= !is_straight(&below, &above, nearest);
                 let (lower, upper) = (below.omega - inner, above.omega + inner);
-                let root = NaturalFrequency { omega, lower, upper, multiplicity: counts.1 - counts.0 };
-                self.is_doubtful |= !self.is_proven(&root, counts);
+                let mut root = NaturalFrequency { omega, lower, upper, multiplicity: counts.1 - counts.0 };
+                self.is_doubtful |= !self.is_proven(&mut root, counts);
                 return Ok(Some(root));
             }
             let zero = below.omega + (above.omega - below.omega) * chord_share(&below, &above);

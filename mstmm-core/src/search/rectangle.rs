@@ -114,18 +114,13 @@ impl<T: Real> Rectangle<T> {
         }
     }
 
-    /// A rectangle that reaches far to a side of the imaginary axis as the part beside the axis and those far from it.
-    pub(super) fn pieces(&self) -> impl Iterator<Item = Self> + use<T> {
+    /// The part of a rectangle beside the imaginary axis and those that reach far to the left and to the right of it; without width
+    /// where it has none.
+    pub(super) fn pieces(&self) -> [Self; 3] {
         let far = self.own_height() * T::from_f64(FAR);
-        let reaches = |end: T| end > far + far;
-        let left = (reaches(-self.left) && self.right > -far).then_some(Rectangle { right: -far, ..*self });
-        let right = (reaches(self.right) && self.left < far).then_some(Rectangle { left: far, ..*self });
-        let near = Rectangle {
-            left: if left.is_some() { -far } else { self.left },
-            right: if right.is_some() { far } else { self.right },
-            ..*self
-        };
-        [Some(near), left, right].into_iter().flatten()
+        let cut = |end: T, other: T| if end > far + far && other < far { far } else { end };
+        let (left, right) = (-cut(-self.left, -self.right), cut(self.right, self.left));
+        [Rectangle { left, right, ..*self }, Rectangle { right: left, ..*self }, Rectangle { left: right, ..*self }]
     }
 
     /// Two parts, cut across the longer side near a share of it. A symmetric one is cut into two symmetric ones, or into

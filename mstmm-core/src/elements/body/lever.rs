@@ -55,11 +55,6 @@ pub(super) struct Lever<T> {
     rest: T,
 }
 
-/// A parameter in the arithmetic that judges its own.
-pub(super) fn exact<T: Real>(parameter: T) -> T::Judge {
-    <T::Judge as Frequency<T>>::from_parameter(parameter)
-}
-
 impl<T: Real> Lever<T> {
     /// A lever of a length.
     pub(super) fn new(length: T) -> Self {
@@ -72,6 +67,7 @@ impl<T: Real> Lever<T> {
         if !T::HAS_JUDGE {
             return Lever::new(length);
         }
+        let exact = |parameter: T| <T::Judge as Frequency<T>>::from_parameter(parameter);
         Lever { length, rest: T::from_judge(exact(to) - exact(from) - exact(length)) }
     }
 
