@@ -254,9 +254,8 @@ fn change_of_argument<T: Real>(here: &Point<T>, there: &Point<T>) -> Option<f64>
         return None;
     }
     let predicted = step * (here.rate + there.rate) * T::from_f64(0.5);
-    let (sinh, cosh) = predicted.re.sinh_cosh();
     let (sin, cos) = predicted.im.sin_cos();
-    let found = there.value.over(here.value).value() / (Complex::new(cos, sin) * (cosh + sinh));
+    let found = there.value.over(here.value).value() / (Complex::new(cos, sin) * predicted.re.exp());
     let mismatch = found - Complex::from(T::one());
     let change = || predicted.im.to_f64() + argument(found.re.to_f64(), found.im.to_f64());
     (modulus(mismatch) <= T::from_f64(STEP_MISMATCH)).then(change)

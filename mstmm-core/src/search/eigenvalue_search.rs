@@ -320,7 +320,6 @@ where
             if self.known.is_full() {
                 return Err(SearchError::Capacity { capacity: ROOM });
             }
-            self.evaluation.check_effort(self.known.roots().len())?;
             let point = self.evaluation.at(start)?;
             self.find(&divided(&point, self.known.roots()), rectangle)?;
         }

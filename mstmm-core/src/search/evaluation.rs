@@ -89,7 +89,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         for _ in 1..ZEROS {
             size += size + size;
             self.evaluations += 2;
-            let elsewhere = Complex::new(T::from_f64(-0.6), T::from_f64(0.8)) * size;
+            let elsewhere = Complex::new(-size, size);
             // watched like all passes, which are one piece of code then
             let (_, value) = tallied(self.system, Dual::variable(elsewhere), Watch::default());
             if value.mantissa().value.size() > 0.0 {

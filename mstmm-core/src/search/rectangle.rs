@@ -127,14 +127,6 @@ impl<T: Real> Rectangle<T> {
     /// an upper part, whose mirror image is understood, and a symmetric one.
     pub(super) fn parts(&self, share: f64) -> [Self; 2] {
         let share = T::from_f64(share);
-        if let Some(side) = self.far_side() {
-            // far from the axis roots are as far from each other
-            let mean = (self.left * self.right).sqrt() * (share + T::from_f64(0.5));
-            let cut = if side == Side::Left { -mean } else { mean };
-            if cut > self.left && cut < self.right && self.width() > self.own_height() {
-                return [Rectangle { right: cut, ..*self }, Rectangle { left: cut, ..*self }];
-            }
-        }
         if self.width() >= self.height() * T::from_f64(if self.is_symmetric() { 0.5 } else { 1.0 }) {
             let cut = self.left + self.width() * share;
             return [Rectangle { right: cut, ..*self }, Rectangle { left: cut, ..*self }];
