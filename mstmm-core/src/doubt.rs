@@ -28,7 +28,7 @@ pub(crate) const UNJUDGED: f64 = 8.0;
 
 /// Whether what looks like rounding is refused, since no arithmetic has the digits to judge it.
 pub(crate) fn is_unjudged<T: Real>() -> bool {
-    !T::HAS_JUDGE && T::EPSILON >= f64::EPSILON
+    !T::HAS_JUDGE && T::EPSILON == f64::EPSILON
 }
 
 /// Whether Δ beside a root is less beside its terms than that of a well-conditioned root.
@@ -54,7 +54,7 @@ pub(crate) const ZEROS: usize = 5;
 pub(crate) const STRAIGHT: (f64, f64) = (0.5, 2.0);
 
 /// Misfit of the states of a motion, in units of rounding, from which on it is computed again in the arithmetic that judges it.
-pub(crate) const MISFIT: f64 = 5e3;
+pub(crate) const MISFIT: f64 = 1e3;
 
 /// Misfit, in units of rounding, with which a motion is not returned.
 pub(crate) const REFUSED_MISFIT: f64 = 5e6;

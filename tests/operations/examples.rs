@@ -34,9 +34,9 @@ fn the_tip_body() {
         ("s; 1/s, s⁻², s⁻³, s⁻⁴", SQRT + DIV + 3 * MUL),
         ("z, four products, a, b, d, e", functions() + 4 * MUL + 4 * ADD),
         ("the column behind a fixed tip: e/EI²β⁴, d/EIβ³, f/EIβ², b/EIβ, a", 8 * MUL),
-        ("λ², A = m λ², B = A c₁, J = J_I λ²", 4 * MUL),
-        ("p_MQ + A p_YM + J p_ΘQ + (B w + B w)", 3 * MUL + 4 * ADD),
-        ("(J A - B B) p_YΘ", 3 * MUL + 2 * ADD),
+        ("λ², A = m λ², J = J_C λ²", 3 * MUL),
+        ("at the mass centre p_YM + (w + w + p_ΘQ c₁) c₁", 2 * MUL + 3 * ADD),
+        ("p_MQ + A p_YM + J (p_ΘQ + A p_YΘ)", 3 * MUL + 3 * ADD),
     ];
     assert_counts(counts()[0].1, &by_hand);
 }

@@ -333,7 +333,8 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
             let covectors = motion.covectors;
             for (lane, (value, &x)) in values.iter_mut().zip(grid).enumerate() {
                 let subspace = passes.subspace(self.entry.step, self.course == Course::Downstream, lane);
-                let own = || self.value(covectors[lane], &subspace, starts[lane].1, x);
+                // where sums cancel nothing is made of them in a block
+                let own = || self.value(covectors[lane], &subspace, starts[lane].1, x).or_else(|_| self.at(x));
                 *value = if x.is_zero() { self.static_limit() } else { own() }?;
             }
         }
