@@ -134,7 +134,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
 
     #[inline(always)]
     fn coefficients(built: &BuiltBeam<T>, at: &At<S>) -> BendingCoefficients<S> {
-        let z = built.argument(at);
+        let z = at.powers[0] * built.wave;
         let size = z.size();
         match S::BRANCHES {
             Branches::All if size <= 1.0 => built.small(z, at),
@@ -164,19 +164,6 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
 }
 
 impl<T: Real> BuiltBeam<T> {
-    /// `z = βl`; a judge takes the parameters as they are given, whose root is rounded otherwise.
-    #[inline(always)]
-    fn argument<S: Frequency<T>>(&self, at: &At<S>) -> S {
-        if S::JUDGES { at.powers[0] * self.exact_wave_number::<S>() * S::from_parameter(self.parameters.length) } else { at.powers[0] * self.wave }
-    }
-
-    /// `(m/EI)^(1/4)` in the arithmetic of a judge.
-    #[inline(never)]
-    fn exact_wave_number<S: Frequency<T>>(&self) -> S {
-        let Beam { bending_stiffness, mass_per_length, .. } = self.parameters;
-        (S::from_parameter(mass_per_length) / S::from_parameter(bending_stiffness)).sqrt().sqrt()
-    }
-
     /// The coefficients for `|z| > 1`.
     #[inline(always)]
     fn waving<S: Frequency<T>>(&self, z: S, products: WaveProducts<S>, at: &At<S>) -> BendingCoefficients<S> {
@@ -207,7 +194,7 @@ impl<T: Real> BuiltBeam<T> {
     #[inline(always)]
     fn units<S: Frequency<T>>(&self, at: &At<S>) -> Units<S> {
         if S::JUDGES {
-            let number = self.exact_wave_number::<S>();
+            let number = S::from_parameter(self.wave) / S::from_parameter(self.parameters.length);
             return Units::new(S::from_parameter(self.parameters.bending_stiffness), at.powers[0] * number);
         }
         Units {
@@ -229,18 +216,6 @@ impl<T: Real> BuiltBeam<T> {
         Units { factors: [number(a), number(b), number(c), number(d)], inverses: [number(e), number(f), number(g), number(h)] }
     }
 
-    /// `z⁴ = -mλ²l⁴/EI`.
-    #[inline(always)]
-    fn fourth_power<S: Frequency<T>>(&self, minus_lambda_squared: S) -> S {
-        if !S::JUDGES {
-            return minus_lambda_squared * self.wave_fourth;
-        }
-        let Beam { length, bending_stiffness, mass_per_length } = self.parameters;
-        let [length, stiffness, mass] = [length, bending_stiffness, mass_per_length].map(S::from_parameter);
-        let square = length * length;
-        minus_lambda_squared * (mass * square * square / stiffness)
-    }
-
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     #[cold]
     fn small<S: Frequency<T>>(&self, z: S, at: &At<S>) -> BendingCoefficients<S> {
@@ -249,7 +224,7 @@ impl<T: Real> BuiltBeam<T> {
 
     #[inline(always)]
     fn by_series<S: Frequency<T>>(&self, z: S, minus_lambda_squared: S) -> BendingCoefficients<S> {
-        let x = self.fourth_power(minus_lambda_squared);
+        let x = minus_lambda_squared * self.wave_fourth;
         let [c, b, f, d, e] = plane_series(x);
         let half = S::from_f64(0.5);
         let Units { factors, inverses } = self.short_units();

@@ -26,7 +26,7 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
     }
 
     fn links(built: &BuiltBeam<T>, at: &At<S>) -> BendingLinks<S> {
-        let z = built.argument(at);
+        let z = at.powers[0] * built.wave;
         if z.size() <= 1.0 {
             return built.short_links(at);
         }
@@ -87,7 +87,7 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
 impl<T: Real> BuiltBeam<T> {
     /// The links for `|z| <= 1`, entire in `z⁴`.
     fn short_links<S: Oscillation<T>>(&self, at: &At<S>) -> BendingLinks<S> {
-        let x = self.fourth_power(-at.lambda_squared);
+        let x = -at.lambda_squared * self.wave_fourth;
         let functions = krylov(x);
         let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = self.short_units();
         let length = S::from_parameter(self.parameters.length);
