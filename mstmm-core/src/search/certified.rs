@@ -120,7 +120,7 @@ where
     fn look_at(&mut self, cancelled: Cancelled, omega: T) -> Result<(), SearchError> {
         self.is_doubtful |= cancelled.any();
         self.is_ill_conditioned |= cancelled.at_root;
-        let is_last = T::EPSILON < self.precision || !Y::Parameter::HAS_JUDGE;
+        let is_last = T::EPSILON < self.precision || is_unjudged::<T>();
         if cancelled.partly && is_last {
             return Err(SearchError::Unresolved { near: omega.to_f64() });
         }

@@ -330,7 +330,8 @@ where
     /// rectangle is wide beside it: from nearer by, the roots may be told apart.
     pub(super) fn may_be_a_cluster(&self, root: &Eigenvalue<T>, rectangle: &Rectangle<T>) -> bool {
         let scale = larger(modulus(root.lambda), self.smallest);
-        let is_wide = root.multiplicity > 1 && root.error > scale * T::from_f64(BLUR) * T::from_f64(self.precision).sqrt();
+        let is_wide =
+            root.multiplicity > 1 && root.error > scale * T::from_f64(BLUR) * T::from_f64(self.precision).sqrt();
         is_wide && rectangle.size() > root.error * T::from_f64(NEAR)
     }
 

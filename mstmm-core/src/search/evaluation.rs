@@ -32,7 +32,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
 
     /// Whether no other arithmetic judges what this one makes of the system.
     fn is_last<T: Real>() -> bool {
-        T::EPSILON < <Y::Parameter as Scalar>::EPSILON || !Y::Parameter::HAS_JUDGE
+        T::EPSILON < <Y::Parameter as Scalar>::EPSILON || is_unjudged::<T>()
     }
 
     /// Δ and its logarithmic derivative. On the real axis Δ is real, whatever the rounding.
