@@ -64,41 +64,13 @@ pub struct DampedOscillator {
 /// s15  = pinned, the root (s14)          bending
 /// ```
 ///
-/// # Graph
+/// # Paths
 ///
-/// ```mermaid
-/// flowchart LR
-///     s0(["pinned"])
-///     s1["beam 1"]
-///     s2(["fixed"])
-///     s3["spring 3"]
-///     s4(("conn 2"))
-///     s5["beam 4"]
-///     s6(["free"])
-///     s7["mass 7"]
-///     s8["spring_damper 6"]
-///     s9(("conn 5"))
-///     s10["beam 8"]
-///     s11(["fixed"])
-///     s12["torsion_spring 10"]
-///     s13(("conn 9"))
-///     s14["beam 11"]
-///     s15(["pinned, the root"])
-///     s0 --> s1
-///     s2 --> s3
-///     s1 --> s4
-///     s3 --> s4
-///     s4 --> s5
-///     s6 --> s7
-///     s7 --> s8
-///     s5 --> s9
-///     s8 --> s9
-///     s9 --> s10
-///     s11 --> s12
-///     s10 --> s13
-///     s12 --> s13
-///     s13 --> s14
-///     s14 --> s15
+/// ```text
+/// pinned -> beam 1 -> conn 2 -> beam 4 -> conn 5 -> beam 8 -> conn 9 -> beam 11 -> pinned, the root
+/// fixed -> spring 3 -> conn 2
+/// free -> mass 7 -> spring_damper 6 -> conn 5
+/// fixed -> torsion_spring 10 -> conn 9
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct DampedOscillatorSystem<T: mstmm::__private::Real = f64> {
@@ -620,7 +592,7 @@ const _: () = {
     const _: () = LAYOUT.check_support(15usize);
     impl DampedOscillatorSystem {
         /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
-        pub const N: usize = N;
+        pub const N: usize = 7;
     }
     #[automatically_derived]
     impl<T, S> mstmm::__private::Evaluate<S> for DampedOscillatorSystem<T>
@@ -635,7 +607,7 @@ const _: () = {
             T,
         >: mstmm::__private::TransferMatrix<S>,
     {
-        type Matrix = mstmm::__private::SMatrix<S, { N }, { N }>;
+        type Matrix = mstmm::__private::SMatrix<S, { 7 }, { 7 }>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
             let u_1 = <mstmm::__private::elements::Beam<
                 T,

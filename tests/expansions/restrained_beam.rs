@@ -49,27 +49,12 @@ pub struct RestrainedBeam {
 /// s8   = free, the root (s7)             bending
 /// ```
 ///
-/// # Graph
+/// # Paths
 ///
-/// ```mermaid
-/// flowchart LR
-///     s0(["free"])
-///     s1(["fixed"])
-///     s2["elastic_hinge 1"]
-///     s3(("conn 2"))
-///     s4["beam 3"]
-///     s5(["fixed"])
-///     s6["elastic_hinge 5"]
-///     s7(("conn 4"))
-///     s8(["free, the root"])
-///     s1 --> s2
-///     s0 --> s3
-///     s2 --> s3
-///     s3 --> s4
-///     s5 --> s6
-///     s4 --> s7
-///     s6 --> s7
-///     s7 --> s8
+/// ```text
+/// free -> conn 2 -> beam 3 -> conn 4 -> free, the root
+/// fixed -> elastic_hinge 1 -> conn 2
+/// fixed -> elastic_hinge 5 -> conn 4
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct RestrainedBeamSystem<T: mstmm::__private::Real = f64> {
@@ -342,7 +327,7 @@ const _: () = {
     const _: () = LAYOUT.check_support(8usize);
     impl RestrainedBeamSystem {
         /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
-        pub const N: usize = N;
+        pub const N: usize = 8;
     }
     #[automatically_derived]
     impl<T, S> mstmm::__private::Evaluate<S> for RestrainedBeamSystem<T>
@@ -352,7 +337,7 @@ const _: () = {
         mstmm::__private::elements::Beam<T>: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::TransferMatrix<S>,
     {
-        type Matrix = mstmm::__private::SMatrix<S, { N }, { N }>;
+        type Matrix = mstmm::__private::SMatrix<S, { 8 }, { 8 }>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
             let u_1 = <mstmm::__private::elements::ElasticHinge<
                 T,

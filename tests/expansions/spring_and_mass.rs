@@ -49,31 +49,12 @@ pub struct SpringAndMass {
 /// s10  = pinned, the root (s9)           bending
 /// ```
 ///
-/// # Graph
+/// # Paths
 ///
-/// ```mermaid
-/// flowchart LR
-///     s0(["pinned"])
-///     s1["beam 1"]
-///     s2(["fixed"])
-///     s3["spring 3"]
-///     s4(("conn 2"))
-///     s5["beam 4"]
-///     s6(["free"])
-///     s7["mass 6"]
-///     s8(("conn 5"))
-///     s9["beam 7"]
-///     s10(["pinned, the root"])
-///     s0 --> s1
-///     s2 --> s3
-///     s1 --> s4
-///     s3 --> s4
-///     s4 --> s5
-///     s6 --> s7
-///     s5 --> s8
-///     s7 --> s8
-///     s8 --> s9
-///     s9 --> s10
+/// ```text
+/// pinned -> beam 1 -> conn 2 -> beam 4 -> conn 5 -> beam 7 -> pinned, the root
+/// fixed -> spring 3 -> conn 2
+/// free -> mass 6 -> conn 5
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct SpringAndMassSystem<T: mstmm::__private::Real = f64> {
@@ -425,7 +406,7 @@ const _: () = {
     const _: () = LAYOUT.check_support(10usize);
     impl SpringAndMassSystem {
         /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
-        pub const N: usize = N;
+        pub const N: usize = 6;
     }
     #[automatically_derived]
     impl<T, S> mstmm::__private::Evaluate<S> for SpringAndMassSystem<T>
@@ -436,7 +417,7 @@ const _: () = {
         mstmm::__private::elements::Mass<T>: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
     {
-        type Matrix = mstmm::__private::SMatrix<S, { N }, { N }>;
+        type Matrix = mstmm::__private::SMatrix<S, { 6 }, { 6 }>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
             let u_1 = <mstmm::__private::elements::Beam<
                 T,

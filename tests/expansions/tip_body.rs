@@ -38,17 +38,10 @@ pub struct TipBody {
 /// s3   = free, the root (s2)             bending
 /// ```
 ///
-/// # Graph
+/// # Paths
 ///
-/// ```mermaid
-/// flowchart LR
-///     s0(["fixed"])
-///     s1["beam 1"]
-///     s2["body 2"]
-///     s3(["free, the root"])
-///     s0 --> s1
-///     s1 --> s2
-///     s2 --> s3
+/// ```text
+/// fixed -> beam 1 -> body 2 -> free, the root
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct TipBodySystem<T: mstmm::__private::Real = f64> {
@@ -269,7 +262,7 @@ const _: () = {
     const _: () = LAYOUT.check_support(3usize);
     impl TipBodySystem {
         /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
-        pub const N: usize = N;
+        pub const N: usize = 4;
     }
     #[automatically_derived]
     impl<T, S> mstmm::__private::Evaluate<S> for TipBodySystem<T>
@@ -279,7 +272,7 @@ const _: () = {
         mstmm::__private::elements::Beam<T>: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::Body<T>: mstmm::__private::TransferMatrix<S>,
     {
-        type Matrix = mstmm::__private::SMatrix<S, { N }, { N }>;
+        type Matrix = mstmm::__private::SMatrix<S, { 4 }, { 4 }>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
             let u_1 = <mstmm::__private::elements::Beam<
                 T,

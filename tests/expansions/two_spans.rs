@@ -50,31 +50,12 @@ pub struct TwoSpans {
 /// s10  = pinned, the root (s9)           bending
 /// ```
 ///
-/// # Graph
+/// # Paths
 ///
-/// ```mermaid
-/// flowchart LR
-///     s0(["pinned"])
-///     s1["beam 1"]
-///     s2(["pinned"])
-///     s3(("conn 2"))
-///     s4["beam 3"]
-///     s5(["free"])
-///     s6["mass 6"]
-///     s7["spring 5"]
-///     s8(("conn 4"))
-///     s9["beam 7"]
-///     s10(["pinned, the root"])
-///     s0 --> s1
-///     s1 --> s3
-///     s2 --> s3
-///     s3 --> s4
-///     s5 --> s6
-///     s6 --> s7
-///     s4 --> s8
-///     s7 --> s8
-///     s8 --> s9
-///     s9 --> s10
+/// ```text
+/// pinned -> beam 1 -> conn 2 -> beam 3 -> conn 4 -> beam 7 -> pinned, the root
+/// pinned -> conn 2
+/// free -> mass 6 -> spring 5 -> conn 4
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct TwoSpansSystem<T: mstmm::__private::Real = f64> {
@@ -423,7 +404,7 @@ const _: () = {
     const _: () = LAYOUT.check_support(10usize);
     impl TwoSpansSystem {
         /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
-        pub const N: usize = N;
+        pub const N: usize = 7;
     }
     #[automatically_derived]
     impl<T, S> mstmm::__private::Evaluate<S> for TwoSpansSystem<T>
@@ -434,7 +415,7 @@ const _: () = {
         mstmm::__private::elements::Mass<T>: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
     {
-        type Matrix = mstmm::__private::SMatrix<S, { N }, { N }>;
+        type Matrix = mstmm::__private::SMatrix<S, { 7 }, { 7 }>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
             let u_1 = <mstmm::__private::elements::Beam<
                 T,

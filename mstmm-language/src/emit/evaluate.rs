@@ -1,5 +1,6 @@
 //! Emits the evaluation of the overall matrix and its determinant.
 
+use super::layout::size;
 use super::{Names, bounds, element_field, implement, local};
 use crate::plan::{Plan, Step};
 use proc_macro2::TokenStream;
@@ -30,9 +31,10 @@ pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
             let determinant = #private::without_pole::<#kind, #frequency>(determinant, &self.#field, x);
         })
     });
+    let size = size(plan, names);
     // braces, since a type may be called `N` too
     let body = quote_spanned! {names.here=>
-        type Matrix = #private::SMatrix<#frequency, { N }, { N }>;
+        type Matrix = #private::SMatrix<#frequency, { #size }, { #size }>;
 
         fn overall_matrix(&self, x: #frequency) -> Self::Matrix {
             #(#matrices)*

@@ -3,7 +3,7 @@
 use super::Names;
 use crate::diagnostics::Place;
 use crate::plan::{Plan, Step};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote_spanned};
 
 /// `LAYOUT`, `N`, and one constant per check at the user's token.
@@ -18,6 +18,7 @@ pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
         Step::Element { arrow, .. } => check("check_arrow", index, *arrow, names),
         Step::Connection { connection, .. } => check("check_connection", index, connection.place(), names),
     });
+    let size = size(plan, names);
     quote_spanned! {names.here=>
         const LAYOUT: #private::Layout<'static, #count> = #private::Layout::new([#(#steps),*]);
         const N: usize = LAYOUT.size();
@@ -25,8 +26,16 @@ pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
 
         impl #system {
             /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
-            pub const N: usize = N;
+            pub const N: usize = #size;
         }
+    }
+}
+
+/// The width of the overall matrix: a number where the macro knows it, which is what documentation shows then.
+pub(super) fn size(plan: &Plan<'_>, names: &Names) -> TokenStream {
+    match plan.size().map(Literal::usize_unsuffixed) {
+        Some(size) => quote_spanned!(names.here=> #size),
+        None => quote_spanned!(names.here=> N),
     }
 }
 

@@ -1,4 +1,4 @@
-//! The plan as text: equation, unknowns, steps, and a drawing of the graph. The documentation of the built system shows it.
+//! The plan as text: equation, unknowns, steps and paths. The documentation of the built system shows it.
 
 use super::{Plan, Step};
 use crate::keywords::State;
@@ -23,8 +23,8 @@ impl Display for Plan<'_> {
         for (index, state) in states.iter().enumerate() {
             writeln!(f, "{}", self.step_line(index, *state).trim_end())?;
         }
-        writeln!(f, "```\n\n# Graph\n\n```mermaid\nflowchart LR")?;
-        self.write_graph(f)?;
+        writeln!(f, "```\n\n# Paths\n\n```text")?;
+        self.write_paths(f)?;
         write!(f, "```")
     }
 }
@@ -33,8 +33,7 @@ impl Plan<'_> {
     /// The size of the overall equation, its unknowns, the main transfer equation and the geometrical equations.
     fn write_equation(&self, states: &[State], f: &mut Formatter<'_>) -> Result {
         let root = self.steps.len() - 1;
-        let boundaries: Vec<usize> = self.tips(root, states).into_iter().chain([root]).collect();
-        let unknowns: Vec<String> = boundaries.iter().flat_map(|&boundary| self.unknowns(boundary, states)).collect();
+        let unknowns = self.all_unknowns(states);
         let equations: Vec<String> = (0..=root).flat_map(|step| self.geometrical_equations(step, states)).collect();
         let (size, main) = (unknowns.len(), states[root].size());
         writeln!(
@@ -48,6 +47,19 @@ impl Plan<'_> {
             writeln!(f, "s{root} = {}", paths.join("\n    + "))?;
         }
         equations.iter().try_for_each(|equation| writeln!(f, "{equation}"))
+    }
+
+    /// Width of the overall matrix, if the macro knows the states of all elements.
+    pub(crate) fn size(&self) -> Option<usize> {
+        let states: Vec<State> = self.states().into_iter().collect::<Option<_>>()?;
+        Some(self.all_unknowns(&states).len())
+    }
+
+    /// The unknown entries at all boundaries, by columns.
+    fn all_unknowns(&self, states: &[State]) -> Vec<String> {
+        let root = self.steps.len() - 1;
+        let boundaries = self.tips(root, states).into_iter().chain([root]);
+        boundaries.flat_map(|boundary| self.unknowns(boundary, states)).collect()
     }
 
     /// The tips upstream of a step in the order of their columns.
@@ -144,18 +156,18 @@ impl Plan<'_> {
         }
     }
 
-    /// Nodes and arrows in Mermaid's notation.
-    fn write_graph(&self, f: &mut Formatter<'_>) -> Result {
-        for (index, step) in self.steps.iter().enumerate() {
-            let name = self.name(index);
-            match step {
-                Step::Tip(_) | Step::Root { .. } => writeln!(f, "    s{index}([\"{name}\"])")?,
-                Step::Element { .. } => writeln!(f, "    s{index}[\"{name}\"]")?,
-                Step::Connection { .. } => writeln!(f, "    s{index}((\"{name}\"))")?,
+    /// The way from each tip, as in a sketch, up to what another one has led over.
+    fn write_paths(&self, f: &mut Formatter<'_>) -> Result {
+        let mut is_written = vec![false; self.steps.len()];
+        for tip in (0..self.steps.len()).filter(|&step| matches!(self.steps[step], Step::Tip(_))) {
+            let mut step = tip;
+            write!(f, "{}", self.name(step))?;
+            while let Some(next) = self.downstream(step).filter(|_| !is_written[step]) {
+                is_written[step] = true;
+                step = next;
+                write!(f, " -> {}", self.name(step))?;
             }
-        }
-        for (index, step) in self.steps.iter().enumerate() {
-            step.inputs().iter().try_for_each(|input| writeln!(f, "    s{input} --> s{index}"))?;
+            writeln!(f)?;
         }
         Ok(())
     }
