@@ -226,3 +226,28 @@ fn no_undamped_motion_has_a_negative_damping_ratio() {
     let ratios: Vec<f64> = found.iter().map(Eigenvalue::damping_ratio).collect();
     assert!(ratios.iter().all(|&ratio| ratio >= 0.0), "{ratios:?}");
 }
+
+/// Closed form of a mass of 1 on a spring of 1: beside the critical damping of 2 a rounding of Δ moves the eigenvalues by its root,
+/// at first in one direction alone.
+#[test]
+fn discs_hold_beside_the_critical_damping() {
+    for step in 1..=150 {
+        for sign in [-1.0, 1.0] {
+            let half = 1.0 + sign * 10f64.powf(-f64::from(step) / 10.0);
+            let root = ((1.0 - half) * (1.0 + half)).abs().sqrt();
+            let expected = if half < 1.0 {
+                [Complex::new(-half, root), Complex::new(-half, -root)]
+            } else {
+                [Complex::new(-1.0 / (half + root), 0.0), Complex::new(-(half + root), 0.0)]
+            };
+            let system = Oscillator { k: 1.0, c: 2.0 * half, m: 1.0 }.build().unwrap();
+            let found = system.eigenvalues::<2>(Region { re: -5.0..=0.1, im: -2.0..=2.0 }).unwrap();
+            assert_eq!(found.iter().map(|root| root.multiplicity).sum::<u64>(), 2, "{half}");
+            for lambda in expected {
+                // the closed form has a few roundings itself
+                let holds = |root: &Eigenvalue| (root.lambda - lambda).norm() <= root.error + 4.0 * f64::EPSILON * half;
+                assert!(found.iter().any(holds), "damping ratio {half}: {lambda} in none of {:?}", &*found);
+            }
+        }
+    }
+}

@@ -36,6 +36,9 @@ const OFF_CENTRE: f64 = 0.4;
 /// agree by accident.
 const LEAST_BEND: f64 = 0.1;
 
+/// Where on the circle Δ is looked at: off both axes, since near critical damping rounding holds the real part of Δ along one of them.
+const RIM: (f64, f64) = (0.8, 0.6);
+
 /// Corners of a regular octagon of radius 1, closed.
 const OCTAGON: [(f64, f64); 9] = {
     const H: f64 = core::f64::consts::FRAC_1_SQRT_2;
@@ -232,7 +235,7 @@ where
         for _ in 0..2 {
             let radius = larger(modulus(centre), self.smallest) * T::from_f64(RADIUS * self.precision);
             let lambda = settled(centre, radius);
-            let rim = Complex::from(radius);
+            let rim = Complex::new(T::from_f64(RIM.0), T::from_f64(RIM.1)) * radius;
             let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
             let bound = T::from_f64(OFF_CENTRE);
             let is_straight = |point: &Point<T>| {
