@@ -31,6 +31,11 @@ pub(crate) fn is_unjudged<T: Real>() -> bool {
     !T::HAS_JUDGE && T::EPSILON == f64::EPSILON
 }
 
+/// Whether no other arithmetic judges what this one makes of a system with parameters of a precision.
+pub(crate) fn is_last<T: Real>(precision: f64) -> bool {
+    T::EPSILON < precision || is_unjudged::<T>()
+}
+
 /// Whether Δ beside a root is less beside its terms than that of a well-conditioned root.
 #[inline(always)]
 pub(crate) fn is_ill_conditioned<S: Scalar>(sum: f64, terms: f64) -> bool {

@@ -607,7 +607,7 @@ const _: () = {
             T,
         >: mstmm::__private::TransferMatrix<S>,
     {
-        type Matrix = mstmm::__private::SMatrix<S, { 7 }, { 7 }>;
+        type Matrix = mstmm::__private::SMatrix<S, 7, 7>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
             let u_1 = <mstmm::__private::elements::Beam<
                 T,

@@ -337,7 +337,7 @@ const _: () = {
         mstmm::__private::elements::Beam<T>: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::TransferMatrix<S>,
     {
-        type Matrix = mstmm::__private::SMatrix<S, { 8 }, { 8 }>;
+        type Matrix = mstmm::__private::SMatrix<S, 8, 8>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
             let u_1 = <mstmm::__private::elements::ElasticHinge<
                 T,

@@ -272,7 +272,7 @@ const _: () = {
         mstmm::__private::elements::Beam<T>: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::Body<T>: mstmm::__private::TransferMatrix<S>,
     {
-        type Matrix = mstmm::__private::SMatrix<S, { 4 }, { 4 }>;
+        type Matrix = mstmm::__private::SMatrix<S, 4, 4>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
             let u_1 = <mstmm::__private::elements::Beam<
                 T,

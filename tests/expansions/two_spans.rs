@@ -415,7 +415,7 @@ const _: () = {
         mstmm::__private::elements::Mass<T>: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
     {
-        type Matrix = mstmm::__private::SMatrix<S, { 7 }, { 7 }>;
+        type Matrix = mstmm::__private::SMatrix<S, 7, 7>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
             let u_1 = <mstmm::__private::elements::Beam<
                 T,

@@ -19,6 +19,8 @@ type MeaningOf<Y, R> =
     <<R as Root<<Y as System>::Parameter>>::Frequency as Frequency<<Y as System>::Parameter>>::Meaning;
 
 /// What can be asked about the motions of a built system.
+///
+/// A thread of 192 kB is enough, of 768 kB in debug builds; for a response at one frequency 128 and 384.
 pub trait Motions: System {
     /// The shape of a simple root, exact at any mode number: states at all ends of elements and at any point of a beam.
     ///

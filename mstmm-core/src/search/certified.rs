@@ -5,7 +5,7 @@ use super::polish::Slope;
 use crate::bounds::FrequencyBounds;
 use crate::characteristic::{Characteristic, System, count_and_value, tallied};
 use crate::count::{Cancelled, Count};
-use crate::doubt::{NEARLY_ZERO_EXPONENT, TOUCHING, UNJUDGED, ZEROS, is_unjudged};
+use crate::doubt::{NEARLY_ZERO_EXPONENT, TOUCHING, UNJUDGED, ZEROS, is_last, is_unjudged};
 use crate::error::SearchError;
 use crate::list::List;
 use crate::scalar::{Dual, Frequency, Real, Scalar};
@@ -120,8 +120,7 @@ where
     fn look_at(&mut self, cancelled: Cancelled, omega: T) -> Result<(), SearchError> {
         self.is_doubtful |= cancelled.any();
         self.is_ill_conditioned |= cancelled.at_root;
-        let is_last = T::EPSILON < self.precision || is_unjudged::<T>();
-        if cancelled.partly && is_last {
+        if cancelled.partly && is_last::<T>(self.precision) {
             return Err(SearchError::Unresolved { near: omega.to_f64() });
         }
         Ok(())

@@ -3,7 +3,7 @@
 use super::contour::Point;
 use crate::characteristic::{Characteristic, System, tallied};
 use crate::count::Watch;
-use crate::doubt::{UNJUDGED, ZEROS, is_unjudged};
+use crate::doubt::{UNJUDGED, ZEROS, is_last, is_unjudged};
 use crate::error::SearchError;
 use crate::scalar::{Dual, Frequency, Real, Scalar, modulus};
 use crate::scaled::Scaled;
@@ -30,11 +30,6 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         Evaluation { system, lowest_exponent, evaluations: 0, is_doubtful: false }
     }
 
-    /// Whether no other arithmetic judges what this one makes of the system.
-    fn is_last<T: Real>() -> bool {
-        T::EPSILON < <Y::Parameter as Scalar>::EPSILON || is_unjudged::<T>()
-    }
-
     /// Δ and its logarithmic derivative. On the real axis Δ is real, whatever the rounding.
     pub(super) fn at<T>(&mut self, lambda: Complex<T>) -> Result<Point<T>, SearchError>
     where
@@ -50,7 +45,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
             return Err(SearchError::NotANumber { x: lambda.re.to_f64(), y: lambda.im.to_f64() });
         }
         self.is_doubtful |= watch.cancelled.any();
-        if watch.cancelled.partly && Self::is_last::<T>() {
+        if watch.cancelled.partly && is_last::<T>(<Y::Parameter as Scalar>::EPSILON) {
             return Err(SearchError::Unresolved { near: modulus(lambda).to_f64() });
         }
         if value.size() == 0.0 {

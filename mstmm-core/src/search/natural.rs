@@ -98,8 +98,11 @@ impl<Y> Undamped for Y where
 
 /// The certified searches of undamped systems.
 ///
-/// Where a result looks as if rounding had a hand in it (roots that coincide or nearly do, slopes that do not fit), the
-/// search is made again in the arithmetic that judges the first: double-double for `f64`.
+/// Where a result looks as if rounding had a hand in it (roots that coincide or nearly do, slopes that do not fit, sums that
+/// cancel on the way), the search is made again in the arithmetic that judges the first: double-double for `f64`. Without the
+/// feature `judge` such a result is refused.
+///
+/// A thread of 128 kB is enough, of 384 kB in debug builds.
 pub trait NaturalFrequencies: System {
     /// Number of natural frequencies below `omega` [rad/s], with multiplicity; rigid-body modes count from ω > 0 on. No frequency is
     /// below zero, or a negative number.

@@ -31,10 +31,13 @@ pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
             let determinant = #private::without_pole::<#kind, #frequency>(determinant, &self.#field, x);
         })
     });
-    let size = size(plan, names);
-    // braces, since a type may be called `N` too
+    let size = match size(plan) {
+        Some(size) => quote_spanned!(names.here=> #size),
+        // braces, since a type may be called `N` too
+        None => quote_spanned!(names.here=> { N }),
+    };
     let body = quote_spanned! {names.here=>
-        type Matrix = #private::SMatrix<#frequency, { #size }, { #size }>;
+        type Matrix = #private::SMatrix<#frequency, #size, #size>;
 
         fn overall_matrix(&self, x: #frequency) -> Self::Matrix {
             #(#matrices)*

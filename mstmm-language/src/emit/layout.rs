@@ -18,7 +18,7 @@ pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
         Step::Element { arrow, .. } => check("check_arrow", index, *arrow, names),
         Step::Connection { connection, .. } => check("check_connection", index, connection.place(), names),
     });
-    let size = size(plan, names);
+    let size = size(plan).map_or_else(|| quote_spanned!(names.here=> N), |size| quote_spanned!(names.here=> #size));
     quote_spanned! {names.here=>
         const LAYOUT: #private::Layout<'static, #count> = #private::Layout::new([#(#steps),*]);
         const N: usize = LAYOUT.size();
@@ -31,12 +31,9 @@ pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
     }
 }
 
-/// The width of the overall matrix: a number where the macro knows it, which is what documentation shows then.
-pub(super) fn size(plan: &Plan<'_>, names: &Names) -> TokenStream {
-    match plan.size().map(Literal::usize_unsuffixed) {
-        Some(size) => quote_spanned!(names.here=> #size),
-        None => quote_spanned!(names.here=> N),
-    }
+/// The width of the overall matrix where the macro knows it: a number, which is what documentation shows then.
+pub(super) fn size(plan: &Plan<'_>) -> Option<Literal> {
+    plan.size().map(Literal::usize_unsuffixed)
 }
 
 fn emit_step(step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> TokenStream {
