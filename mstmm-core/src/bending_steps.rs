@@ -90,14 +90,10 @@ impl<S: Scalar> BendingCoefficients<S> {
             Subspace::OnPin(plane) => self.behind_pin(&plane),
             _ => self.through(&input.plane()),
         };
-        let delta = Scaled::new(plane.minor_at(support), i64::from(plane.exponent));
-        if tally.looks_at_root() {
-            self.watch_root(&input.plane(), delta, support, tally);
-        }
-        delta
+        Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
     }
 
-    /// Shows a tally the sizes of Δ and of its terms.
+    /// Shows a tally the sizes of Δ and of its terms: a beam before the root is where they are many and cancel.
     #[inline(never)]
     fn watch_root<C: Tally<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, tally: &mut C) {
         let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, factors, .. } =

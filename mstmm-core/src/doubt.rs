@@ -14,7 +14,7 @@ pub(crate) const ROUNDINGS: f64 = 16.0;
 
 /// Condition of a root beyond which its interval is proven by the judge: by how much the terms of Δ together exceed its growth over
 /// the whole frequency.
-const CONDITION: f64 = 4.0;
+pub(crate) const CONDITION: f64 = 4.0;
 
 /// Distance from a root, in units of rounding, at which its counts are taken and its circle is looked at.
 pub(crate) const NEAR: f64 = 8.0;
@@ -54,6 +54,9 @@ pub(crate) const NEARLY_ZERO_EXPONENT: i32 = 20;
 /// Frequencies far from each other at which Δ vanishes by no accident any more but identically: a degree of freedom is held
 /// twice, or nothing holds a massless one.
 pub(crate) const ZEROS: usize = 5;
+
+/// Factor between such frequencies.
+pub(crate) const FAR_APART: f64 = 3.0;
 
 /// Least and largest growth of Δ across a root, by its slope beside it, that rounding leaves alone.
 pub(crate) const STRAIGHT: (f64, f64) = (0.5, 2.0);

@@ -176,7 +176,8 @@ pub enum SearchError {
         /// Eigenvalues that were found, in the region or close to it, of each pair one.
         found: usize,
     },
-    /// Brackets could not be told apart: the counts contradict each other. Nothing is certified, so nothing is returned.
+    /// Rounding leaves too few digits: counts contradict each other, sums cancel, or a count is asked for at a root itself. Nothing
+    /// is certified, so nothing is returned.
     Unresolved {
         /// Frequency near which this happened.
         near: f64,
@@ -203,19 +204,25 @@ impl fmt::Display for SearchError {
             SearchError::NotANumber { x, y } => {
                 write!(f, "the function is not a number at ({x:e}, {y:e}); where it overflows, search a smaller range")
             }
-            SearchError::Zero { points } => write!(f, "the function is zero at all {points} points of the grid"),
+            SearchError::Zero { points } => {
+                write!(f, "the function is zero at all {points} points that were tried, far from each other: ")?;
+                write!(f, "something is held twice, or a massless part by nothing")
+            }
             SearchError::StillMoving { x, y, moves } => {
                 write!(f, "the search for a minimum was given up at ({x}, {y}), still moving after {moves} moves")
             }
             SearchError::TooFewRoots { found } => {
-                write!(f, "no more than {found} of the roots asked for were found up to the highest estimate")
+                write!(
+                    f,
+                    "the system has no more than {found} of the roots asked for; of each pair of eigenvalues one counts"
+                )
             }
             SearchError::Effort { evaluations, found } => {
                 write!(f, "the search was given up after {evaluations} evaluations, with {found} eigenvalues found; ")?;
                 write!(f, "search a smaller region, or one whose edges keep away from eigenvalues")
             }
             SearchError::Unresolved { near } => {
-                write!(f, "the roots near {near} cannot be certified: their counts contradict each other")
+                write!(f, "what is near {near} cannot be certified: too few digits are left there after rounding")
             }
             SearchError::Capacity { capacity } => {
                 write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")

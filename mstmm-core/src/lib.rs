@@ -1,7 +1,8 @@
 //! Numeric runtime of `mstmm`: scalars, state spaces, elements, the overall transfer equation and the searches.
 //!
 //! This crate is an implementation detail of `mstmm`, which re-exports what users need. It uses neither `std` nor
-//! `alloc`; the feature `std` (default) or `libm` only chooses where sine, cosine and exponential come from.
+//! `alloc`; the feature `std` (default) or `libm` only chooses where sine, cosine and exponential come from. The feature `judge`
+//! (default) adds the double-double arithmetic that settles doubtful results.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -8,7 +8,7 @@ use crate::count::{CountOf, Untallied};
 use crate::error::SearchError;
 use crate::scalar::{Frequency, InColumns, Real};
 use crate::scaled::Scaled;
-use crate::search::{COUNT_MARGIN, NaturalFrequencies, Undamped, agreed};
+use crate::search::{NaturalFrequencies, Undamped, agreed, count_margin};
 use num_traits::Zero;
 
 /// A system that can be evaluated at one frequency, and at a block of them.
@@ -100,7 +100,8 @@ pub trait ManyFrequencies: System {
         check_room(omegas, counts)?;
         let mut pass = BlockPass::<Self::Parameter, CountOf<true>>::new();
         for (some, counts) in omegas.chunks(WIDTH).zip(counts.chunks_mut(WIDTH)) {
-            let both = [-COUNT_MARGIN, COUNT_MARGIN].map(|margin| count_block(self, &mut pass, some, margin));
+            let margin = count_margin::<Self::Parameter>();
+            let both = [-margin, margin].map(|margin| count_block(self, &mut pass, some, margin));
             for (lane, (count, &omega)) in counts.iter_mut().zip(some).enumerate() {
                 let pair = both[0].as_ref().zip(both[1].as_ref()).map(|(below, above)| [below[lane], above[lane]]);
                 *count = match pair.map(|pair| agreed(omega, pair)) {
@@ -121,7 +122,7 @@ fn count_block<Y, T>(
     system: &Y,
     pass: &mut BlockPass<T, CountOf<true>>,
     omegas: &[T],
-    margin: f64,
+    margin: T,
 ) -> Option<CountsOfBlock<T>>
 where
     T: Real + InColumns,
@@ -130,7 +131,7 @@ where
     let mut beside = [T::zero(); WIDTH];
     let beside = beside.get_mut(..omegas.len())?;
     for (beside, &omega) in beside.iter_mut().zip(omegas) {
-        *beside = omega + omega * T::from_f64(margin);
+        *beside = omega + omega * margin;
     }
     if omegas.len() < WORTHWHILE || !pass.run(system, beside) {
         return None;

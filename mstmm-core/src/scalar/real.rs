@@ -199,7 +199,9 @@ real! {
 
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
         let product = DoubleDouble::from_product(a, b) * DoubleDouble::from_f64(c);
-        (DoubleDouble::from_f64(self) - product).to_f64()
+        let exact = (DoubleDouble::from_f64(self) - product).to_f64();
+        // parts of a product leave the range earlier than the product
+        if exact.is_finite() { exact } else { self - a * b * c }
     }
 
     #[inline(always)]

@@ -5,7 +5,7 @@ use super::polish::Slope;
 use crate::bounds::FrequencyBounds;
 use crate::characteristic::{Characteristic, System, count_and_value, tallied};
 use crate::count::{Cancelled, Count};
-use crate::doubt::{NEARLY_ZERO_EXPONENT, TOUCHING, UNJUDGED, ZEROS, is_last, is_unjudged};
+use crate::doubt::{FAR_APART, NEARLY_ZERO_EXPONENT, TOUCHING, UNJUDGED, ZEROS, is_last, is_unjudged};
 use crate::error::SearchError;
 use crate::list::List;
 use crate::scalar::{Dual, Frequency, Real, Scalar};
@@ -24,8 +24,8 @@ const WAITING: usize = 128;
 /// Factor between the lowest estimate of a frequency and what is taken to be just above zero.
 const ZERO_EXPONENT: i32 = 30;
 
-/// Factor between frequencies at which Δ does not vanish by one accident.
-const FAR_APART: f64 = 3.0;
+/// Below it the square of a frequency, with the masses that it multiplies, vanishes in the arithmetic.
+const LEAST: f64 = 1e-130;
 
 /// After so many splits in a row that separate nothing, roots are taken for a cluster, which halving would reach too slowly.
 const CLUSTER: u32 = 2;
@@ -147,6 +147,9 @@ where
     /// Gives up where Δ vanishes at one frequency, and at others far from it.
     #[cold]
     fn look_for_zeros(&mut self, omega: T) -> Result<(), SearchError> {
+        if omega.size() < LEAST {
+            return Err(SearchError::Unresolved { near: omega.to_f64() });
+        }
         let mut x = omega;
         for _ in 1..ZEROS {
             x *= T::from_f64(FAR_APART);
@@ -162,7 +165,7 @@ where
     /// Count, Δ and its derivative at a frequency.
     pub(super) fn slope(&mut self, omega: T) -> Result<Slope<T>, SearchError> {
         self.evaluations += 2;
-        // what cancels here does so in the samples of the bracket
+        // what cancels here does so in other samples of the search
         let (count, dual) = count_and_value::<false, _, _>(self.system, Dual::variable(omega));
         let Dual { value, derivative } = dual.mantissa();
         if !(value.size().is_finite() && derivative.size().is_finite()) {

@@ -156,7 +156,7 @@ where
                 continue;
             }
             steps += 1;
-            self.evaluation.check_effort(self.known.roots().len())?;
+            self.evaluation.check_effort::<T>(self.known.roots().len())?;
             if walker.here.is_root || steps > STEPS || !self.step(&mut walker, corner)? {
                 return Ok(Walk::MeetsRoot);
             }

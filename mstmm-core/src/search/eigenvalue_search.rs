@@ -1,6 +1,7 @@
 //! Eigenvalues in regions: counted by the argument principle, found by Newton's method; a rectangle in which not all of
 //! them are found is cut in two.
 
+use super::circles::belongs;
 use super::contour::{Point, Walk, Way, larger};
 use super::evaluation::Evaluation;
 use super::growth::Growth;
@@ -9,7 +10,6 @@ use super::rectangle::Rectangle;
 use super::region::{Eigenvalue, EigenvalueList, Region};
 use crate::bounds::FrequencyBounds;
 use crate::characteristic::{Characteristic, System};
-use crate::doubt::{TOUCHING, USUAL_ERROR};
 use crate::error::SearchError;
 use crate::list::List;
 use crate::scalar::{Dual, Real, Scalar, modulus};
@@ -105,29 +105,6 @@ where
         }
     }
 
-    /// Whether something looked like rounding: sums that cancelled, roots that coincide or nearly do, wide circles.
-    pub(super) fn is_doubtful(&self) -> bool {
-        let roots = self.known.roots();
-        let scale = |root: &Eigenvalue<T>| larger(modulus(root.lambda), self.smallest);
-        let is_blurred = |root: &Eigenvalue<T>| {
-            root.multiplicity > 1 || root.error > scale(root) * T::from_f64(USUAL_ERROR * self.precision)
-        };
-        let touches = |root: &Eigenvalue<T>, other: &Eigenvalue<T>| {
-            modulus(root.lambda - other.lambda) <= scale(root) * T::from_f64(TOUCHING)
-        };
-        let is_close = |(place, root): (usize, &Eigenvalue<T>)| {
-            let image = Eigenvalue { lambda: root.lambda.conj(), ..*root };
-            let has_image = !root.lambda.im.is_zero();
-            roots[..place].iter().any(|other| touches(root, other)) || (has_image && touches(root, &image))
-        };
-        self.evaluation.is_doubtful || roots.iter().any(is_blurred) || roots.iter().enumerate().any(is_close)
-    }
-
-    /// Whether the arithmetic that judges this one has to be asked.
-    pub(super) fn asks_judge(&self) -> bool {
-        Y::Parameter::HAS_JUDGE && T::EPSILON >= self.precision && self.is_doubtful()
-    }
-
     /// Number of eigenvalues in a closed region.
     pub(super) fn count(&mut self, region: &Region<T>) -> Result<u64, SearchError> {
         let rectangle = enclosing(region)?;
@@ -136,6 +113,7 @@ where
             return Ok(roots);
         }
         self.find_in(rectangle)?;
+        self.check_circles(Some(region))?;
         let found = self.known.roots().iter().flat_map(with_image);
         Ok(found.filter(|root| belongs(root, region)).map(|root| root.multiplicity).sum())
     }
@@ -159,6 +137,7 @@ where
     ) -> Result<EigenvalueList<T, CAP>, SearchError> {
         let rectangle = enclosing(region)?;
         self.find_in(rectangle)?;
+        self.check_circles(Some(region))?;
         let mut eigenvalues = List::new();
         for root in self.known.roots().iter().flat_map(with_image) {
             if belongs(&root, region) {
@@ -208,6 +187,7 @@ where
     fn within<const N: usize>(&mut self, radius: T) -> Result<List<Eigenvalue<T>, N>, SearchError> {
         let square = square(radius);
         self.find_in(square)?;
+        self.check_circles(None)?;
         let mut found = List::<Eigenvalue<T>, ROOM>::new();
         for &root in self.known.roots() {
             if root.frequency() <= radius && square.contains(root.lambda, root.error) {
@@ -363,13 +343,6 @@ fn enclosing<T: Real>(region: &Region<T>) -> Result<Rectangle<T>, SearchError> {
     }
     let high = larger(-low, high);
     Ok(Rectangle { left, right, low: -high, high })
-}
-
-/// Whether an eigenvalue belongs to a closed region, as far as its certified circle tells.
-fn belongs<T: Real>(root: &Eigenvalue<T>, region: &Region<T>) -> bool {
-    let Region { re, im } = region;
-    let rectangle = Rectangle { left: *re.start(), right: *re.end(), low: *im.start(), high: *im.end() };
-    rectangle.contains(root.lambda, root.error)
 }
 
 fn wait<T: Real>(waiting: &mut List<Counted<T>, WAITING>, part: Counted<T>) -> Result<(), SearchError> {

@@ -3,14 +3,15 @@
 use super::contour::Point;
 use crate::characteristic::{Characteristic, System, tallied};
 use crate::count::Watch;
-use crate::doubt::{UNJUDGED, ZEROS, is_last, is_unjudged};
+use crate::doubt::{FAR_APART, UNJUDGED, ZEROS, is_last, is_unjudged};
 use crate::error::SearchError;
 use crate::scalar::{Dual, Frequency, Real, Scalar, modulus};
 use crate::scaled::Scaled;
 use num_complex::Complex;
 
-/// Evaluations that a search may take before it has found anything.
-const EVALUATIONS: usize = 30_000;
+/// Evaluations that a search may take before it has found anything; one that judges takes some fifty times as long for each.
+const EVALUATIONS: usize = 100_000;
+const JUDGED_EVALUATIONS: usize = 30_000;
 
 /// Further ones for each root that it finds: narrow regions between close roots take some hundred.
 const EVALUATIONS_PER_ROOT: usize = 2_000;
@@ -68,7 +69,8 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         }
         if T::HAS_JUDGE {
             self.evaluations += 2;
-            self.is_doubtful |= judged_step(self.system, lambda) > radius.to_f64();
+            let is_inside = judged_step(self.system, lambda) <= radius.to_f64();
+            self.is_doubtful |= !is_inside;
         }
         radius
     }
@@ -82,7 +84,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
     {
         let mut size = modulus(lambda) + T::one().times_power_of_two(self.lowest_exponent);
         for _ in 1..ZEROS {
-            size += size + size;
+            size *= T::from_f64(FAR_APART);
             self.evaluations += 2;
             let elsewhere = Complex::new(-size, size);
             // watched like all passes, which are one piece of code then
@@ -95,8 +97,10 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
     }
 
     /// Gives up a search that takes too long for the number of roots that it found.
-    pub(super) fn check_effort(&self, found: usize) -> Result<(), SearchError> {
-        if self.evaluations <= EVALUATIONS + EVALUATIONS_PER_ROOT * found {
+    pub(super) fn check_effort<T: Real>(&self, found: usize) -> Result<(), SearchError> {
+        let is_judge = T::EPSILON < <Y::Parameter as Scalar>::EPSILON;
+        let most = if is_judge { JUDGED_EVALUATIONS } else { EVALUATIONS };
+        if self.evaluations <= most + EVALUATIONS_PER_ROOT * found {
             return Ok(());
         }
         Err(SearchError::Effort { evaluations: self.evaluations, found })

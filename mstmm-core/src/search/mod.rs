@@ -2,6 +2,7 @@
 
 mod cells;
 mod certified;
+mod circles;
 mod contour;
 mod eigenvalue_newton;
 mod eigenvalue_search;
@@ -17,8 +18,8 @@ mod region;
 
 pub use fmin1d::{Minimum1d, fmin1d};
 pub use fmin2d::{MAX_MOVES, MAX_ROW, Minimum2d, fmin2d};
-pub(crate) use natural::{COUNT_MARGIN, agreed};
 pub use natural::{FrequencyList, NaturalFrequencies, NaturalFrequency, Undamped};
+pub(crate) use natural::{agreed, count_margin};
 pub use region::{Eigenvalue, EigenvalueList, Eigenvalues, Region, Spectrum};
 
 use crate::error::SearchError;

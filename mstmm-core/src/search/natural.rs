@@ -6,7 +6,7 @@ use crate::count::CountOf;
 use crate::doubt::is_unjudged;
 use crate::error::SearchError;
 use crate::list::List;
-use crate::scalar::{Dual, Real, Scalar};
+use crate::scalar::{Dual, Frequency, Real, Scalar};
 use crate::scaled::Scaled;
 use core::fmt;
 use core::ops::{Deref, RangeInclusive};
@@ -124,10 +124,10 @@ pub trait NaturalFrequencies: System {
         if omega <= Self::Parameter::zero() {
             return Ok(0);
         }
-        match count_beside(self, omega, COUNT_MARGIN)? {
+        match count_beside(self, omega)? {
             Some(below) => Ok(below),
-            None if is_unjudged::<Self::Parameter>() => Err(SearchError::Unresolved { near: omega.to_f64() }),
-            None => judged_count(self, omega),
+            None if Self::Parameter::HAS_JUDGE => judged_count(self, omega),
+            None => Err(SearchError::Unresolved { near: omega.to_f64() }),
         }
     }
 
@@ -173,20 +173,25 @@ pub trait NaturalFrequencies: System {
 
 impl<Y: System + ?Sized> NaturalFrequencies for Y {}
 
-/// Relative distance from a frequency at which its count is taken on both sides: where several paths share one, rounding may
-/// put counts on the other side within a tenth of it.
-pub(crate) const COUNT_MARGIN: f64 = 1.0 / 262_144.0;
+/// Relative distance from a frequency at which its count is taken on both sides, in square roots of eps: where several paths share
+/// one, rounding may put counts on the other side within a tenth of it.
+const COUNT_MARGIN: f64 = 256.0;
 
-/// The same for the arithmetic that judges: four units in the last place of a parameter.
-const JUDGED_MARGIN: f64 = 4.0 * f64::EPSILON;
+/// That distance in an arithmetic.
+pub(crate) fn count_margin<T: Real>() -> T {
+    T::from_f64(T::EPSILON).sqrt() * T::from_f64(COUNT_MARGIN)
+}
+
+/// The same for the arithmetic that judges, in units of the last place of a parameter.
+const JUDGED_MARGIN: f64 = 4.0;
 
 /// The count on both sides of a frequency, if it is the same and no sum cancelled.
-fn count_beside<Y, T>(system: &Y, omega: T, margin: f64) -> Result<Option<u64>, SearchError>
+fn count_beside<Y, T>(system: &Y, omega: T) -> Result<Option<u64>, SearchError>
 where
     T: Real,
     Y: Characteristic<T> + ?Sized,
 {
-    let away = omega * T::from_f64(margin);
+    let away = omega * count_margin();
     let both = [omega - away, omega + away].map(|x| count_and_value::<true, _, _>(system, x));
     agreed(omega, both)
 }
@@ -210,17 +215,15 @@ pub(crate) fn agreed<T: Real, const IN_LINE: bool>(
 fn judged_count<Y, T>(system: &Y, omega: T) -> Result<u64, SearchError>
 where
     T: Real,
-    Y: Characteristic<T::Judge> + System<Parameter = T> + ?Sized,
+    Y: Characteristic<T::Judge> + Characteristic<Dual<T::Judge>> + System<Parameter = T> + ?Sized,
 {
-    let x = <T::Judge as Scalar>::from_f64(omega.to_f64());
-    let away = x * <T::Judge as Scalar>::from_f64(JUDGED_MARGIN);
-    let [below, above] = [x - away, x + away].map(|x| count_and_value::<true, _, _>(system, x));
-    if below.1.mantissa().is_zero() && above.1.mantissa().is_zero() {
-        return Err(SearchError::Zero { points: 2 });
-    }
-    let is_clear = !(below.0.cancelled().partly || above.0.cancelled().partly);
-    if is_clear && below.0.below() == above.0.below() {
-        return Ok(below.0.below());
+    let mut judge = Isolation::<Y, T::Judge>::new(system);
+    let x = <T::Judge as Frequency<T>>::from_parameter(omega);
+    let away = x * <T::Judge as Scalar>::from_f64(JUDGED_MARGIN * T::EPSILON);
+    let (below, above) = (judge.sample(x - away)?, judge.sample(x + away)?);
+    let is_clear = !(below.value.mantissa().is_zero() || above.value.mantissa().is_zero());
+    if is_clear && below.below == above.below {
+        return Ok(below.below);
     }
     Err(SearchError::Unresolved { near: omega.to_f64() })
 }

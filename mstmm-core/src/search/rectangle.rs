@@ -14,7 +14,7 @@ pub(super) struct Rectangle<T> {
     pub(super) high: T,
 }
 
-/// So many heights from the imaginary axis a rectangle is far from it.
+/// A rectangle so many times as far from the imaginary axis as it reaches from the real one is far from it.
 const FAR: f64 = 8.0;
 
 /// A side of the imaginary axis.
@@ -86,10 +86,11 @@ impl<T: Real> Rectangle<T> {
         whole(argument / if self.is_symmetric() { pi } else { turn })
     }
 
-    /// The same with its edges moved outwards by a share of its longer side; a symmetric one stays so.
+    /// The same with its edges moved outwards, each by a share of the side that it cuts; a symmetric one stays so.
     pub(super) fn grown(&self, share: f64) -> Self {
-        let d = self.size() * T::from_f64(share);
-        Rectangle { left: self.left - d, right: self.right + d, low: self.low - d, high: self.high + d }
+        let share = T::from_f64(share);
+        let (x, y) = (self.width() * share, self.height() * share);
+        Rectangle { left: self.left - x, right: self.right + x, low: self.low - y, high: self.high + y }
     }
 
     /// The shorter side as a part of the longer one.
@@ -97,14 +98,14 @@ impl<T: Real> Rectangle<T> {
         (smaller(self.width(), self.height()) / self.size()).to_f64()
     }
 
-    /// Height above the real axis, or the whole.
-    fn own_height(&self) -> T {
-        if self.is_symmetric() { self.high } else { self.height() }
+    /// The greatest distance from the real axis.
+    fn reach(&self) -> T {
+        larger(self.high, -self.low)
     }
 
-    /// The side of the imaginary axis on which the rectangle lies far from it beside its height.
+    /// The side of the imaginary axis on which the rectangle lies, far from it beside its distance from the real one.
     pub(super) fn far_side(&self) -> Option<Side> {
-        let far = self.own_height() * T::from_f64(FAR);
+        let far = self.reach() * T::from_f64(FAR);
         if self.right <= -far {
             Some(Side::Left)
         } else if self.left >= far {
@@ -117,7 +118,7 @@ impl<T: Real> Rectangle<T> {
     /// The part of a rectangle beside the imaginary axis and those that reach far to the left and to the right of it; without width
     /// where it has none.
     pub(super) fn pieces(&self) -> [Self; 3] {
-        let far = self.own_height() * T::from_f64(FAR);
+        let far = self.reach() * T::from_f64(FAR);
         let cut = |end: T, other: T| if end > far + far && other < far { far } else { end };
         let (left, right) = (-cut(-self.left, -self.right), cut(self.right, self.left));
         [Rectangle { left, right, ..*self }, Rectangle { right: left, ..*self }, Rectangle { left: right, ..*self }]

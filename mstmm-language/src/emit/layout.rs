@@ -18,10 +18,14 @@ pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
         Step::Element { arrow, .. } => check("check_arrow", index, *arrow, names),
         Step::Connection { connection, .. } => check("check_connection", index, connection.place(), names),
     });
-    let size = size(plan).map_or_else(|| quote_spanned!(names.here=> N), |size| quote_spanned!(names.here=> #size));
+    // where the macro does not know the width the layout does
+    let (from_layout, size) = match size(plan) {
+        Some(size) => (TokenStream::new(), quote_spanned!(names.here=> #size)),
+        None => (quote_spanned!(names.here=> const N: usize = LAYOUT.size();), quote_spanned!(names.here=> N)),
+    };
     quote_spanned! {names.here=>
         const LAYOUT: #private::Layout<'static, #count> = #private::Layout::new([#(#steps),*]);
-        const N: usize = LAYOUT.size();
+        #from_layout
         #(#checks)*
 
         impl #system {

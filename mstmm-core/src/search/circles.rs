@@ -1,0 +1,88 @@
+//! The circles of the eigenvalues that a search found: which of them are doubtful, and which nobody can tell apart.
+
+use super::contour::larger;
+use super::eigenvalue_search::EigenvalueSearch;
+use super::known::with_image;
+use super::rectangle::Rectangle;
+use super::region::{Eigenvalue, Region};
+use crate::characteristic::{Characteristic, System};
+use crate::doubt::{CONDITION, USUAL_ERROR, is_last};
+use crate::error::SearchError;
+use crate::scalar::{Dual, Real, modulus};
+use num_complex::Complex;
+
+impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+where
+    T: Real,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+{
+    /// Whether something looked like rounding: sums that cancelled, wide circles, roots so close beside the distance of others that
+    /// rounding moves them farther than their circles reach.
+    pub(super) fn is_doubtful(&self) -> bool {
+        let is_blurred = |root: &Eigenvalue<T>| root.multiplicity > 1 || self.is_wide(root);
+        let roots = self.known.roots();
+        self.evaluation.is_doubtful || roots.iter().any(|root| is_blurred(root) || self.is_close_to_others(root))
+    }
+
+    /// Whether rounding has widened the circle of a root.
+    fn is_wide(&self, root: &Eigenvalue<T>) -> bool {
+        let scale = larger(modulus(root.lambda), self.smallest);
+        root.error > scale * T::from_f64(USUAL_ERROR * self.precision)
+    }
+
+    /// Whether a root is ill-conditioned by its neighbours: at the distances a of the nearest and b of the next Δ' is `b²/a` times
+    /// as small beside Δ as at a root that is as far from all others as from zero.
+    fn is_close_to_others(&self, root: &Eigenvalue<T>) -> bool {
+        let scale = larger(modulus(root.lambda), self.smallest);
+        let (mut nearest, mut next) = (scale, scale);
+        for other in self.known.roots().iter().flat_map(with_image) {
+            let distance = modulus(other.lambda - root.lambda);
+            if distance.is_zero() {
+                continue;
+            }
+            if distance < nearest {
+                (nearest, next) = (distance, nearest);
+            } else if distance < next {
+                next = distance;
+            }
+        }
+        next * next > nearest * scale * T::from_f64(CONDITION)
+    }
+
+    /// Refuses circles of which nobody can tell what they hold: those that meet, and wide ones on the edge of a region.
+    pub(super) fn check_circles(&self, region: Option<&Region<T>>) -> Result<(), SearchError> {
+        if !is_last::<T>(self.precision) {
+            return Ok(());
+        }
+        let roots = self.known.roots();
+        for (place, root) in roots.iter().enumerate() {
+            let meets = |other: Eigenvalue<T>| modulus(other.lambda - root.lambda) <= other.error + root.error;
+            let image = Eigenvalue { lambda: root.lambda.conj(), ..*root };
+            let others = roots[..place].iter().flat_map(with_image);
+            let is_cut = region.is_some_and(|region| {
+                let edges = bounding(region);
+                edges.contains(root.lambda, root.error) && !edges.contains(root.lambda, -root.error)
+            });
+            let meets_image = !root.lambda.im.is_zero() && meets(image);
+            if meets_image || others.into_iter().any(meets) || (is_cut && self.is_wide(root)) {
+                return Err(SearchError::Unresolved { near: modulus(root.lambda).to_f64() });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the arithmetic that judges this one has to be asked.
+    pub(super) fn asks_judge(&self) -> bool {
+        Y::Parameter::HAS_JUDGE && T::EPSILON >= self.precision && self.is_doubtful()
+    }
+}
+
+/// Whether an eigenvalue belongs to a closed region, as far as its certified circle tells.
+pub(super) fn belongs<T: Real>(root: &Eigenvalue<T>, region: &Region<T>) -> bool {
+    bounding(region).contains(root.lambda, root.error)
+}
+
+/// The rectangle of a region itself.
+fn bounding<T: Real>(Region { re, im }: &Region<T>) -> Rectangle<T> {
+    Rectangle { left: *re.start(), right: *re.end(), low: *im.start(), high: *im.end() }
+}
