@@ -315,7 +315,6 @@ const _: () = {
         mstmm::__private::Step::Connection(&[4usize, 6usize]),
         mstmm::__private::Step::Root(7usize, mstmm::__private::Support::Free),
     ]);
-    const N: usize = LAYOUT.size();
     const _: () = LAYOUT.check_support(0usize);
     const _: () = LAYOUT.check_support(1usize);
     const _: () = LAYOUT.check_arrow(2usize);

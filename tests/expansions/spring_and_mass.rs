@@ -392,7 +392,6 @@ const _: () = {
         ),
         mstmm::__private::Step::Root(9usize, mstmm::__private::Support::Pinned),
     ]);
-    const N: usize = LAYOUT.size();
     const _: () = LAYOUT.check_support(0usize);
     const _: () = LAYOUT.check_arrow(1usize);
     const _: () = LAYOUT.check_support(2usize);

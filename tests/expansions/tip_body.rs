@@ -255,7 +255,6 @@ const _: () = {
         ),
         mstmm::__private::Step::Root(2usize, mstmm::__private::Support::Free),
     ]);
-    const N: usize = LAYOUT.size();
     const _: () = LAYOUT.check_support(0usize);
     const _: () = LAYOUT.check_arrow(1usize);
     const _: () = LAYOUT.check_arrow(2usize);

@@ -1,14 +1,13 @@
 //! The circles of the eigenvalues that a search found: which of them are doubtful, and which nobody can tell apart.
 
-use super::contour::larger;
 use super::eigenvalue_search::EigenvalueSearch;
-use super::known::with_image;
+use super::known::{meets_any, with_image};
 use super::rectangle::Rectangle;
 use super::region::{Eigenvalue, Region};
 use crate::characteristic::{Characteristic, System};
 use crate::doubt::{CONDITION, USUAL_ERROR, is_last};
 use crate::error::SearchError;
-use crate::scalar::{Dual, Real, modulus};
+use crate::scalar::{Dual, Real, Scalar, modulus};
 use num_complex::Complex;
 
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
@@ -26,14 +25,14 @@ where
 
     /// Whether rounding has widened the circle of a root.
     fn is_wide(&self, root: &Eigenvalue<T>) -> bool {
-        let scale = larger(modulus(root.lambda), self.smallest);
+        let scale = self.scale(root.lambda);
         root.error > scale * T::from_f64(USUAL_ERROR * self.precision)
     }
 
     /// Whether a root is ill-conditioned by its neighbours: at the distances a of the nearest and b of the next Δ' is `b²/a` times
     /// as small beside Δ as at a root that is as far from all others as from zero.
     fn is_close_to_others(&self, root: &Eigenvalue<T>) -> bool {
-        let scale = larger(modulus(root.lambda), self.smallest);
+        let scale = self.scale(root.lambda);
         let (mut nearest, mut next) = (scale, scale);
         for other in self.known.roots().iter().flat_map(with_image) {
             let distance = modulus(other.lambda - root.lambda);
@@ -49,24 +48,21 @@ where
         next * next > nearest * scale * T::from_f64(CONDITION)
     }
 
-    /// Refuses circles of which nobody can tell what they hold: those that meet, and wide ones on the edge of a region.
+    /// Refuses circles of which nobody can tell what they hold: those that meet, and wide ones of the judge on the edge of a
+    /// region.
     pub(super) fn check_circles(&self, region: Option<&Region<T>>) -> Result<(), SearchError> {
-        if !is_last::<T>(self.precision) {
+        if !is_last::<T>(<Y::Parameter as Scalar>::EPSILON) {
             return Ok(());
         }
-        let roots = self.known.roots();
-        for (place, root) in roots.iter().enumerate() {
-            let meets = |other: Eigenvalue<T>| modulus(other.lambda - root.lambda) <= other.error + root.error;
-            let image = Eigenvalue { lambda: root.lambda.conj(), ..*root };
-            let others = roots[..place].iter().flat_map(with_image);
-            let is_cut = region.is_some_and(|region| {
-                let edges = bounding(region);
-                edges.contains(root.lambda, root.error) && !edges.contains(root.lambda, -root.error)
-            });
-            let meets_image = !root.lambda.im.is_zero() && meets(image);
-            if meets_image || others.into_iter().any(meets) || (is_cut && self.is_wide(root)) {
-                return Err(SearchError::Unresolved { near: modulus(root.lambda).to_f64() });
+        let is_judge = T::EPSILON < <Y::Parameter as Scalar>::EPSILON;
+        let mut roots = self.known.roots();
+        while let [root, others @ ..] = roots {
+            let is_cut = is_judge && self.is_wide(root) && region.is_some_and(|region| is_on_edge(root, region));
+            let is_near_axis = root.lambda.im > T::zero() && root.lambda.im <= root.error;
+            if is_cut || is_near_axis || meets_any(root, others) {
+                return Err(SearchError::Unresolved { near: root.frequency().to_f64() });
             }
+            roots = others;
         }
         Ok(())
     }
@@ -75,6 +71,11 @@ where
     pub(super) fn asks_judge(&self) -> bool {
         Y::Parameter::HAS_JUDGE && T::EPSILON >= self.precision && self.is_doubtful()
     }
+}
+
+/// Whether the circle of a root is partly in a closed region and partly out of it.
+fn is_on_edge<T: Real>(root: &Eigenvalue<T>, region: &Region<T>) -> bool {
+    belongs(root, region) && !bounding(region).contains(root.lambda, -root.error)
 }
 
 /// Whether an eigenvalue belongs to a closed region, as far as its certified circle tells.

@@ -178,7 +178,7 @@ where
             if here.is_root {
                 return Ok(Some(Estimate { lambda: here.lambda, nearest: None, last: here }));
             }
-            let scale = larger(modulus(here.lambda), self.smallest);
+            let scale = self.scale(here.lambda);
             let Next { step, error } = sequence.next(&here, scale);
             if !step.size().is_finite() {
                 // at a known root, or where Δ is flat
@@ -200,7 +200,7 @@ where
             here = divided(&point, self.known.roots());
         }
         // slow because the root is multiple, or on the way nowhere
-        let is_near = sequence.last <= T::from_f64(1e-3) * larger(modulus(here.lambda), self.smallest);
+        let is_near = sequence.last <= T::from_f64(1e-3) * self.scale(here.lambda);
         Ok(is_near.then_some(Estimate { lambda: here.lambda, nearest: None, last: here }))
     }
 
@@ -233,7 +233,7 @@ where
         let Some(nearest) = &estimate.nearest else { return Ok(None) };
         let mut centre = estimate.lambda;
         for _ in 0..2 {
-            let radius = larger(modulus(centre), self.smallest) * T::from_f64(RADIUS * self.precision);
+            let radius = self.scale(centre) * T::from_f64(RADIUS * self.precision);
             let lambda = settled(centre, radius);
             let rim = Complex::new(T::from_f64(RIM.0), T::from_f64(RIM.1)) * radius;
             let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
@@ -263,7 +263,7 @@ where
     }
 
     fn circle(&mut self, estimate: Complex<T>) -> Result<Option<Eigenvalue<T>>, SearchError> {
-        let scale = larger(modulus(estimate), self.smallest);
+        let scale = self.scale(estimate);
         let mut radius = scale * T::from_f64(RADIUS * self.precision);
         while radius < scale * T::from_f64(LARGEST_RADIUS) {
             let lambda = settled(estimate, radius);

@@ -306,10 +306,15 @@ where
         Ok(missing(self)? == 0)
     }
 
+    /// The modulus of an eigenvalue, or of one that is as good as zero the least one that is not.
+    pub(super) fn scale(&self, lambda: Complex<T>) -> T {
+        larger(modulus(lambda), self.smallest)
+    }
+
     /// Whether a circle with several roots is so wide that rounding alone need not have blurred a double one, while the
     /// rectangle is wide beside it: from nearer by, the roots may be told apart.
     pub(super) fn may_be_a_cluster(&self, root: &Eigenvalue<T>, rectangle: &Rectangle<T>) -> bool {
-        let scale = larger(modulus(root.lambda), self.smallest);
+        let scale = self.scale(root.lambda);
         let is_wide =
             root.multiplicity > 1 && root.error > scale * T::from_f64(BLUR) * T::from_f64(self.precision).sqrt();
         is_wide && rectangle.size() > root.error * T::from_f64(NEAR)
@@ -317,7 +322,7 @@ where
 
     /// Whether a rectangle is as small as a certified circle: what it holds cannot be told apart.
     fn is_tiny(&self, rectangle: &Rectangle<T>) -> bool {
-        let scale = larger(modulus(rectangle.centre()), self.smallest);
+        let scale = self.scale(rectangle.centre());
         rectangle.size() <= scale * T::from_f64(64.0 * self.precision)
     }
 }
@@ -332,7 +337,7 @@ fn square<T: Real>(radius: T) -> Rectangle<T> {
 fn enclosing<T: Real>(region: &Region<T>) -> Result<Rectangle<T>, SearchError> {
     for range in [&region.re, &region.im] {
         let (start, end) = (*range.start(), *range.end());
-        let valid = start < end && start.size().is_finite() && end.size().is_finite();
+        let valid = start < end && (end - start).size().is_finite();
         if !valid {
             return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
         }

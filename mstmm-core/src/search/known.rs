@@ -39,11 +39,18 @@ impl<T: Real> Known<T> {
 
     /// Whether the circle of an eigenvalue meets that of a known one.
     pub(super) fn holds(&self, root: &Eigenvalue<T>) -> bool {
-        self.roots.iter().any(|old| modulus(old.lambda - root.lambda) <= old.error + root.error)
+        meets_any(root, &self.roots)
     }
 }
 
-/// A root and its mirror image; a real one has none.
+/// Whether the circle of a root meets one of others.
+pub(super) fn meets_any<T: Real>(root: &Eigenvalue<T>, others: &[Eigenvalue<T>]) -> bool {
+    others.iter().any(|other| modulus(other.lambda - root.lambda) <= other.error + root.error)
+}
+
+/// A root and its mirror image; a real one has none. A call: each place that inlines it takes some hundred
+/// bytes of firmware.
+#[inline(never)]
 pub(super) fn with_image<T: Real>(root: &Eigenvalue<T>) -> impl Iterator<Item = Eigenvalue<T>> {
     let image = (!root.lambda.im.is_zero()).then_some(Eigenvalue { lambda: root.lambda.conj(), ..*root });
     [Some(*root), image].into_iter().flatten()
