@@ -3,7 +3,7 @@
 use crate::dynamic_stiffness::Stiffness;
 use crate::parts::{beam, body, damper, decimal, joint, root, tip};
 use crate::random_tree::Random;
-use crate::searches::{first_eigenvalues, first_frequencies};
+use crate::searches::{first_eigenvalues, intervals_and_discs};
 use crate::tally::Tally;
 use crate::tree::Tree;
 use mstmm::Support;
@@ -48,15 +48,7 @@ fn undamped(ratio: f64, central: f64, seed: u64) -> Tree {
 
 /// Intervals and discs.
 pub(crate) fn run_undamped(ratio: f64, central: f64, models: u64) -> [Tally; 2] {
-    let (mut intervals, mut discs) = (Tally::default(), Tally::default());
-    for tree in (0..models).map(|seed| undamped(ratio, central, seed)) {
-        let model = Stiffness::of(&tree);
-        intervals.models += 1;
-        discs.models += 1;
-        first_frequencies::<6>(&tree, &model, &mut intervals);
-        first_eigenvalues::<6>(&tree, &model, &mut discs);
-    }
-    [intervals, discs]
+    intervals_and_discs((0..models).map(|seed| undamped(ratio, central, seed)))
 }
 
 /// Inertias about the mass centre, in `m c²`, of bodies that are pinned there.
@@ -76,13 +68,5 @@ fn pinned(central: f64, seed: u64) -> Tree {
 
 /// Intervals and discs.
 pub(crate) fn run_pinned(central: f64, models: u64) -> [Tally; 2] {
-    let (mut intervals, mut discs) = (Tally::default(), Tally::default());
-    for tree in (0..models).map(|seed| pinned(central, seed)) {
-        let model = Stiffness::of(&tree);
-        intervals.models += 1;
-        discs.models += 1;
-        first_frequencies::<6>(&tree, &model, &mut intervals);
-        first_eigenvalues::<6>(&tree, &model, &mut discs);
-    }
-    [intervals, discs]
+    intervals_and_discs((0..models).map(|seed| pinned(central, seed)))
 }

@@ -1,9 +1,8 @@
 //! Levers there and back: what is far away moves with what is near.
 
-use crate::dynamic_stiffness::Stiffness;
 use crate::parts::{beam, body, conn, decimal, hinge, root, tip};
 use crate::random_tree::Random;
-use crate::searches::{first_eigenvalues, first_frequencies};
+use crate::searches::intervals_and_discs;
 use crate::tally::Tally;
 use crate::tree::Tree;
 use mstmm::Support;
@@ -34,13 +33,5 @@ pub(crate) fn lever(decade: i32, seed: u64) -> Tree {
 
 /// Intervals and discs.
 pub(crate) fn run(decade: i32, models: u64) -> [Tally; 2] {
-    let (mut intervals, mut discs) = (Tally::default(), Tally::default());
-    for tree in (0..models).map(|seed| lever(decade, seed)) {
-        let model = Stiffness::of(&tree);
-        intervals.models += 1;
-        discs.models += 1;
-        first_frequencies::<6>(&tree, &model, &mut intervals);
-        first_eigenvalues::<6>(&tree, &model, &mut discs);
-    }
-    [intervals, discs]
+    intervals_and_discs((0..models).map(|seed| lever(decade, seed)))
 }

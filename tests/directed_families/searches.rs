@@ -94,3 +94,16 @@ pub(crate) fn first_eigenvalues<const N: usize>(tree: &Tree, model: &Stiffness, 
         }
     }
 }
+
+/// The first six intervals, and the first six discs, of undamped trees.
+pub(crate) fn intervals_and_discs(trees: impl Iterator<Item = Tree>) -> [Tally; 2] {
+    let (mut intervals, mut discs) = (Tally::default(), Tally::default());
+    for tree in trees {
+        let model = Stiffness::of(&tree);
+        intervals.models += 1;
+        discs.models += 1;
+        first_frequencies::<6>(&tree, &model, &mut intervals);
+        first_eigenvalues::<6>(&tree, &model, &mut discs);
+    }
+    [intervals, discs]
+}
