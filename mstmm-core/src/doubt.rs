@@ -4,6 +4,7 @@
 //! What is doubtful is computed again in the arithmetic that judges the first, or refused where there is none.
 
 use crate::count::Tally;
+use crate::error::SearchError;
 use crate::scalar::{Real, Scalar};
 
 /// Relative loss of a sum beyond which a pass is doubtful, in units of rounding: as wide as a certified interval.
@@ -31,9 +32,14 @@ pub(crate) fn is_unjudged<T: Real>() -> bool {
     !T::HAS_JUDGE && T::EPSILON == f64::EPSILON
 }
 
-/// Whether no other arithmetic judges what this one makes of a system with parameters of a precision.
-pub(crate) fn is_last<T: Real>(precision: f64) -> bool {
-    T::EPSILON < precision || is_unjudged::<T>()
+/// Whether an arithmetic judges that of a system's parameters.
+pub(crate) fn is_judge<T: Real, P: Real>() -> bool {
+    T::EPSILON < P::EPSILON
+}
+
+/// Whether no other arithmetic judges what this one makes of a system.
+pub(crate) fn is_last<T: Real, P: Real>() -> bool {
+    is_judge::<T, P>() || is_unjudged::<T>()
 }
 
 /// Whether Δ beside a root is less beside its terms than that of a well-conditioned root.
@@ -53,10 +59,22 @@ pub(crate) const NEARLY_ZERO_EXPONENT: i32 = 20;
 
 /// Frequencies far from each other at which Δ vanishes by no accident any more but identically: a degree of freedom is held
 /// twice, or nothing holds a massless one.
-pub(crate) const ZEROS: usize = 5;
+const ZEROS: usize = 5;
 
 /// Factor between such frequencies.
-pub(crate) const FAR_APART: f64 = 3.0;
+const FAR_APART: f64 = 3.0;
+
+/// Gives up a search where Δ, which vanishes at one frequency, does so at others far from it and from each other, too.
+#[inline]
+pub(crate) fn check_identity<T: Real>(mut size: T, mut vanishes_at: impl FnMut(T) -> bool) -> Result<(), SearchError> {
+    for _ in 1..ZEROS {
+        size *= T::from_f64(FAR_APART);
+        if !vanishes_at(size) {
+            return Ok(());
+        }
+    }
+    Err(SearchError::Zero { points: ZEROS })
+}
 
 /// Least and largest growth of Δ across a root, by its slope beside it, that rounding leaves alone.
 pub(crate) const STRAIGHT: (f64, f64) = (0.5, 2.0);

@@ -68,8 +68,8 @@ impl<S: Scalar> Plane<S> {
 
     /// p_MQ of two joined planes: zero where no forces are needed at the point.
     ///
-    /// Its mixed part is `p_YM r_ΘQ + r_YM p_ΘQ - 2 w_p w_r`. Where both planes are near a common clamped frequency or rigid-body mode these terms cancel. With
-    /// `w² = p_YM p_ΘQ - p_YΘ p_MQ` of either plane the same is, for `skew = p_YM w_r - r_YM w_p`,
+    /// Its mixed part is `p_YM r_ΘQ + r_YM p_ΘQ - 2 w_p w_r`. Where both planes are near a common clamped frequency or rigid-body mode
+    /// these terms cancel. With `w² = p_YM p_ΘQ - p_YΘ p_MQ` of either plane it is, for `skew = p_YM w_r - r_YM w_p`,
     /// `skew²/(p_YM r_YM) + (r_YM/p_YM) p_YΘ p_MQ + (p_YM/r_YM) r_YΘ r_MQ`, in which every part is small itself.
     #[inline(always)]
     pub(crate) fn m_q_with<C: Tally<S>>(&self, r: &Plane<S>, tally: &mut C) -> S {
@@ -82,7 +82,7 @@ impl<S: Scalar> Plane<S> {
         self.m_q_by_squares(r, tally)
     }
 
-    /// The same where the mixed part cancels; watches what its rounding leaves.
+    /// p_MQ of two joined planes where its mixed part cancels; watches what rounding leaves of it.
     ///
     /// A lever on a pin leaves a plane of a rigid constraint. Where a second one holds the same all minors of their sum vanish but
     /// for rounding, which must not be taken for a clamp.

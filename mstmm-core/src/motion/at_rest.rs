@@ -211,16 +211,9 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         AtRest { uncertainty: if is_settled { 0.0 } else { change }, ..limit }
     }
 
-    /// The value at zero of the polynomial through samples.
-    fn at_zero(&self, samples: impl Iterator<Item = S>) -> S {
-        samples.zip(self.weights).fold(S::zero(), |sum, (sample, weight)| sum + sample * weight)
-    }
-
     /// A pole; zero where rounding or noise explains it.
     fn pole(&self, samples: &Residues<S>) -> S {
-        let sum = |weights: &[S; SAMPLES]| {
-            samples.iter().zip(weights).fold(S::zero(), |sum, ((sample, _), weight)| sum + *sample * *weight)
-        };
+        let sum = |weights: &[S; SAMPLES]| weighted(samples.iter().map(|&(sample, _)| sample), weights);
         let noise = self.last.iter().map(|weights| sum(weights).size()).fold(0.0, f64::max);
         let size = samples.iter().zip(self.weights).fold(0.0, |sum, ((_, size), weight)| sum + weight.size() * size);
         let pole = sum(&self.weights);
@@ -266,7 +259,7 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         let poles = [self.pole(&double), self.pole(&simple)];
         let [double, simple] = Self::refined(poles, exponent, response);
         let left = || even.iter().zip(squares).map(|(even, square)| *even - double / square);
-        let finite = self.at_zero(left());
+        let finite = weighted(left(), &self.weights);
         let largest = left().map(Scalar::size).fold(0.0, f64::max);
         if [double, simple, finite].iter().all(|value| value.size().is_finite()) {
             Ok(AtRest { double, simple, finite, uncertainty: 0.0, size: whole, largest, rounding })
@@ -274,6 +267,11 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
             Err(MotionError::NotFinite { frequency: 0.0 })
         }
     }
+}
+
+/// The sum of samples with their weights.
+fn weighted<S: Scalar>(samples: impl Iterator<Item = S>, weights: &[S; SAMPLES]) -> S {
+    samples.zip(weights).fold(S::zero(), |sum, (sample, &weight)| sum + sample * weight)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::polish::Slope;
 use crate::bounds::FrequencyBounds;
 use crate::characteristic::{Characteristic, System, count_and_value, tallied};
 use crate::count::{Cancelled, Count};
-use crate::doubt::{FAR_APART, NEARLY_ZERO_EXPONENT, TOUCHING, UNJUDGED, ZEROS, is_last, is_unjudged};
+use crate::doubt::{NEARLY_ZERO_EXPONENT, TOUCHING, UNJUDGED, check_identity, is_last, is_unjudged};
 use crate::error::SearchError;
 use crate::list::List;
 use crate::scalar::{Dual, Frequency, Real, Scalar};
@@ -120,7 +120,7 @@ where
     fn look_at(&mut self, cancelled: Cancelled, omega: T) -> Result<(), SearchError> {
         self.is_doubtful |= cancelled.any();
         self.is_ill_conditioned |= cancelled.at_root;
-        if cancelled.partly && is_last::<T>(self.precision) {
+        if cancelled.partly && is_last::<T, Y::Parameter>() {
             return Err(SearchError::Unresolved { near: omega.to_f64() });
         }
         Ok(())
@@ -150,16 +150,11 @@ where
         if omega.size() < LEAST {
             return Err(SearchError::Unresolved { near: omega.to_f64() });
         }
-        let mut x = omega;
-        for _ in 1..ZEROS {
-            x *= T::from_f64(FAR_APART);
+        check_identity(omega, |x| {
             self.evaluations += 1;
             // counted like all samples, which are one piece of code then
-            if !count_and_value::<true, _, _>(self.system, x).1.mantissa().is_zero() {
-                return Ok(());
-            }
-        }
-        Err(SearchError::Zero { points: ZEROS })
+            count_and_value::<true, _, _>(self.system, x).1.mantissa().is_zero()
+        })
     }
 
     /// Count, Δ and its derivative at a frequency.

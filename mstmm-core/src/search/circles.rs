@@ -5,9 +5,9 @@ use super::known::{meets_any, with_image};
 use super::rectangle::Rectangle;
 use super::region::{Eigenvalue, Region};
 use crate::characteristic::{Characteristic, System};
-use crate::doubt::{CONDITION, USUAL_ERROR, is_last};
+use crate::doubt::{CONDITION, USUAL_ERROR, is_judge, is_last};
 use crate::error::SearchError;
-use crate::scalar::{Dual, Real, Scalar, modulus};
+use crate::scalar::{Dual, Real, modulus};
 use num_complex::Complex;
 
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
@@ -51,13 +51,14 @@ where
     /// Refuses circles of which nobody can tell what they hold: those that meet, and wide ones of the judge on the edge of a
     /// region.
     pub(super) fn check_circles(&self, region: Option<&Region<T>>) -> Result<(), SearchError> {
-        if !is_last::<T>(<Y::Parameter as Scalar>::EPSILON) {
+        if !is_last::<T, Y::Parameter>() {
             return Ok(());
         }
-        let is_judge = T::EPSILON < <Y::Parameter as Scalar>::EPSILON;
         let mut roots = self.known.roots();
         while let [root, others @ ..] = roots {
-            let is_cut = is_judge && self.is_wide(root) && region.is_some_and(|region| is_on_edge(root, region));
+            let is_cut = is_judge::<T, Y::Parameter>()
+                && self.is_wide(root)
+                && region.is_some_and(|region| is_on_edge(root, region));
             let is_near_axis = root.lambda.im > T::zero() && root.lambda.im <= root.error;
             if is_cut || is_near_axis || meets_any(root, others) {
                 return Err(SearchError::Unresolved { near: root.frequency().to_f64() });
@@ -69,7 +70,7 @@ where
 
     /// Whether the arithmetic that judges this one has to be asked.
     pub(super) fn asks_judge(&self) -> bool {
-        Y::Parameter::HAS_JUDGE && T::EPSILON >= self.precision && self.is_doubtful()
+        Y::Parameter::HAS_JUDGE && !is_judge::<T, Y::Parameter>() && self.is_doubtful()
     }
 }
 

@@ -3,7 +3,7 @@
 use super::contour::Point;
 use crate::characteristic::{Characteristic, System, tallied};
 use crate::count::Watch;
-use crate::doubt::{FAR_APART, UNJUDGED, ZEROS, is_last, is_unjudged};
+use crate::doubt::{UNJUDGED, check_identity, is_judge, is_last, is_unjudged};
 use crate::error::SearchError;
 use crate::scalar::{Dual, Frequency, Real, Scalar, modulus};
 use crate::scaled::Scaled;
@@ -46,7 +46,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
             return Err(SearchError::NotANumber { x: lambda.re.to_f64(), y: lambda.im.to_f64() });
         }
         self.is_doubtful |= watch.cancelled.any();
-        if watch.cancelled.partly && is_last::<T>(<Y::Parameter as Scalar>::EPSILON) {
+        if watch.cancelled.partly && is_last::<T, Y::Parameter>() {
             return Err(SearchError::Unresolved { near: modulus(lambda).to_f64() });
         }
         if value.size() == 0.0 {
@@ -82,24 +82,20 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         T: Real,
         Y: Characteristic<Dual<Complex<T>>>,
     {
-        let mut size = modulus(lambda) + T::one().times_power_of_two(self.lowest_exponent);
-        for _ in 1..ZEROS {
-            size *= T::from_f64(FAR_APART);
+        check_identity(modulus(lambda) + T::one().times_power_of_two(self.lowest_exponent), |far| {
             self.evaluations += 2;
-            let elsewhere = Complex::new(-size, size);
+            let elsewhere = Complex::new(-far, far);
             // watched like all passes, which are one piece of code then
             let (_, value) = tallied(self.system, Dual::variable(elsewhere), Watch::default());
-            if value.mantissa().value.size() > 0.0 {
-                return Ok(());
-            }
-        }
-        Err(SearchError::Zero { points: ZEROS })
+            let size = value.mantissa().value.size();
+            // what is not a number does not say that anything is there
+            size.is_nan() || size == 0.0
+        })
     }
 
     /// Gives up a search that takes too long for the number of roots that it found.
     pub(super) fn check_effort<T: Real>(&self, found: usize) -> Result<(), SearchError> {
-        let is_judge = T::EPSILON < <Y::Parameter as Scalar>::EPSILON;
-        let most = if is_judge { JUDGED_EVALUATIONS } else { EVALUATIONS };
+        let most = if is_judge::<T, Y::Parameter>() { JUDGED_EVALUATIONS } else { EVALUATIONS };
         if self.evaluations <= most + EVALUATIONS_PER_ROOT * found {
             return Ok(());
         }

@@ -2,7 +2,7 @@
 
 use crate::count::Tally;
 use crate::doubt::{ROUNDINGS, Remainder, may_be_lost};
-use crate::scalar::{Branches, Frequency, Oscillation, Real};
+use crate::scalar::{Branches, Frequency, Oscillation, Real, Scalar};
 use crate::subspace::Plane;
 
 /// The two levers of a body, to its output end and to its mass centre.
@@ -34,7 +34,7 @@ impl<T: Real> Levers<T> {
             return ends;
         }
         let reach = self.reach.size();
-        let terms = p.y_m.size() + (p.w.size() + p.w.size() + p.theta_q.size() * reach) * reach;
+        let terms = terms_of_y_m(p, reach);
         let is_kept = !(may_be_lost(terms, ends[0][0]) | may_be_lost(terms, ends[1][0]));
         if S::BRANCHES != Branches::All {
             return ends.map(|end| end.map(|minor| minor.provided(is_kept)));
@@ -87,13 +87,14 @@ impl<T: Real> Lever<T> {
         [p.y_m + self.times(p.w + p.w + moved), p.w + moved]
     }
 
-    /// The same where `p_YM` may cancel, with something else of a size beside it: as it does by chance, or where levers lead back to the place from which they came and
-    /// leave rounding. A judge takes what is left from the other minors, `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
+    /// `p_YM` and `w` at the far end where `p_YM` may cancel, with something else of a size beside it: as it does by chance, or where
+    /// levers lead back to the place from which they came and leave rounding. A judge takes what is left from the other minors,
+    /// `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
     fn settled<S: Frequency<T>, C: Tally<S>>(self, p: &Plane<S>, beside: f64, tally: &mut C) -> [S; 2] {
         let [y_m, w] = self.far_end(p);
         let (arm, theta_q) = (self.length.size(), p.theta_q.size());
         let product = p.y_theta * p.m_q;
-        let plain = |units: f64| units * S::EPSILON * (p.y_m.size() + (2.0 * p.w.size() + theta_q * arm) * arm);
+        let plain = |units: f64| units * S::EPSILON * terms_of_y_m(p, arm);
         let by_others = |units: f64| {
             let of_w = units * S::EPSILON * (p.w.size() + theta_q * arm);
             let of_squares = units * S::EPSILON * (w.size() * w.size() + product.size());
@@ -110,4 +111,10 @@ impl<T: Real> Lever<T> {
         let is_nothing = Remainder { size, whole: size, rounding, bound }.tell(tally);
         if is_nothing && S::JUDGES { [S::zero(); 2] } else { [y_m, w] }
     }
+}
+
+/// The sizes of the terms of `p_YM` at the far end of an arm.
+#[inline(always)]
+fn terms_of_y_m<S: Scalar>(p: &Plane<S>, arm: f64) -> f64 {
+    p.y_m.size() + (2.0 * p.w.size() + p.theta_q.size() * arm) * arm
 }
