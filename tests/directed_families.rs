@@ -45,6 +45,11 @@ fn all_right(rows: Vec<(String, Tally)>) {
     rows.iter().for_each(|(family, tally)| tally.is_right(family));
 }
 
+/// The two rows of undamped trees.
+fn intervals_and_discs(name: &str, [intervals, discs]: [Tally; 2]) -> [(String, Tally); 2] {
+    [(format!("intervals, {name}"), intervals), (format!("discs, {name}"), discs)]
+}
+
 /// Levers are right, or nothing but `Zero`.
 fn levers_are_right(models: u64) {
     let tally = levers::run(models);
@@ -68,32 +73,26 @@ fn undamped_arms(models: u64) {
     let mut rows = Vec::new();
     for central in arms::CENTRAL {
         for ratio in arms::RATIOS {
-            let [intervals, discs] = arms::run_undamped(ratio, central, models);
-            rows.push((format!("intervals, arm of {ratio:e} beams, J_c = {central:e} m c²"), intervals));
-            rows.push((format!("discs, arm of {ratio:e} beams, J_c = {central:e} m c²"), discs));
+            let name = format!("arm of {ratio:e} beams, J_c = {central:e} m c²");
+            rows.extend(intervals_and_discs(&name, arms::run_undamped(ratio, central, models)));
         }
     }
     all_right(rows);
 }
 
 fn pinned_bodies(models: u64) {
-    let mut rows = Vec::new();
-    for central in arms::PINNED {
-        let [intervals, discs] = arms::run_pinned(central, models);
-        rows.push((format!("intervals, pinned at the mass centre, J_c = {central:e} m c²"), intervals));
-        rows.push((format!("discs, pinned at the mass centre, J_c = {central:e} m c²"), discs));
-    }
-    all_right(rows);
+    let rows = |central: f64| {
+        let name = format!("pinned at the mass centre, J_c = {central:e} m c²");
+        intervals_and_discs(&name, arms::run_pinned(central, models))
+    };
+    all_right(arms::PINNED.into_iter().flat_map(rows).collect());
 }
 
 fn levers_there_and_back(models: u64) {
-    let mut rows = Vec::new();
-    for decade in offsets::DECADES {
-        let [intervals, discs] = offsets::run(decade, models);
-        rows.push((format!("intervals, levers of 1e{decade} m there and back"), intervals));
-        rows.push((format!("discs, levers of 1e{decade} m there and back"), discs));
-    }
-    all_right(rows);
+    let rows = |decade: i32| {
+        intervals_and_discs(&format!("levers of 1e{decade} m there and back"), offsets::run(decade, models))
+    };
+    all_right(offsets::DECADES.flat_map(rows).collect());
 }
 
 #[test]

@@ -133,7 +133,7 @@ impl Energies {
 
     /// A path of one displacement goes through an element.
     fn line(&mut self, part: Part, q: usize) -> usize {
-        let (stiffness, damping) = match part {
+        match part {
             Part::Mass(p) => {
                 self.mass.push((p.mass, vec![(q, 1.0)]));
                 return q;
@@ -142,14 +142,9 @@ impl Energies {
                 self.mass.push((p.inertia, vec![(q, 1.0)]));
                 return q;
             }
-            Part::Spring(p) => (p.stiffness, 0.0),
-            Part::TorsionSpring(p) => (p.stiffness, 0.0),
-            Part::Damper(p) => (0.0, p.damping),
-            Part::TorsionDamper(p) => (0.0, p.damping),
-            Part::SpringDamper(p) => (p.stiffness, p.damping),
-            Part::TorsionSpringDamper(p) => (p.stiffness, p.damping),
-            _ => return q,
-        };
+            _ => {}
+        }
+        let Some([stiffness, damping]) = part.link() else { return q };
         let out = self.freedom();
         self.stiffness.push((stiffness, vec![(q, 1.0), (out, -1.0)]));
         self.damping.push((damping, vec![(q, 1.0), (out, -1.0)]));

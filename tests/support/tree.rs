@@ -37,6 +37,19 @@ impl Part {
             _ => Space::Rotation,
         }
     }
+
+    /// Stiffness and damping of a link between two displacements of one kind.
+    pub(crate) fn link(&self) -> Option<[f64; 2]> {
+        match *self {
+            Part::Spring(p) => Some([p.stiffness, 0.0]),
+            Part::TorsionSpring(p) => Some([p.stiffness, 0.0]),
+            Part::Damper(p) => Some([0.0, p.damping]),
+            Part::TorsionDamper(p) => Some([0.0, p.damping]),
+            Part::SpringDamper(p) => Some([p.stiffness, p.damping]),
+            Part::TorsionSpringDamper(p) => Some([p.stiffness, p.damping]),
+            _ => None,
+        }
+    }
 }
 
 /// Space of the element to which a step leads, if it leads to one.

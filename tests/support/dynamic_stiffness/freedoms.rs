@@ -154,7 +154,7 @@ impl Parts {
 
     /// A path of one displacement goes through an element.
     fn line(&mut self, part: Part, q: Form) -> Form {
-        let (stiffness, damping) = match part {
+        match part {
             Part::Mass(p) => {
                 self.mass(p.mass.into(), &q);
                 return q;
@@ -163,14 +163,9 @@ impl Parts {
                 self.mass(p.inertia.into(), &q);
                 return q;
             }
-            Part::Spring(p) => (p.stiffness, 0.0),
-            Part::TorsionSpring(p) => (p.stiffness, 0.0),
-            Part::Damper(p) => (0.0, p.damping),
-            Part::TorsionDamper(p) => (0.0, p.damping),
-            Part::SpringDamper(p) => (p.stiffness, p.damping),
-            Part::TorsionSpringDamper(p) => (p.stiffness, p.damping),
-            _ => return q,
-        };
+            _ => {}
+        }
+        let Some([stiffness, damping]) = part.link() else { return q };
         self.link(stiffness, damping, &q)
     }
 
