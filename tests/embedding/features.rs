@@ -19,6 +19,7 @@ fn errors(features: &str) -> Vec<String> {
 }
 
 #[test]
+#[ignore = "long: .ci/long"]
 fn each_feature_and_both_compile() {
     for features in ["std", "libm", "std,libm"] {
         assert_eq!(errors(features), [""; 0], "{features}");
@@ -27,6 +28,7 @@ fn each_feature_and_both_compile() {
 
 /// The last line is cargo's own.
 #[test]
+#[ignore = "long: .ci/long"]
 fn neither_is_one_error_that_names_them() {
     let expected = [
         "error: mstmm needs one of its features `std` (default) or `libm` for sin, cos and exp",

@@ -25,10 +25,11 @@ use simple_beam::{At, receptance};
 use std::f64::consts::PI;
 use std::process::Command;
 
-/// What an example prints.
+/// What an example prints: it is compiled and run, by tests that are long for that.
 fn printed(example: &str) -> String {
     let run = ["run", "--quiet", "--example", example];
-    let output = Command::new(env!("CARGO")).args(run).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap();
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let output = Command::new(env!("CARGO")).args(run).current_dir(root).output().unwrap();
     assert!(output.status.success(), "{example}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }
@@ -48,6 +49,7 @@ fn assert_close(actual: f64, expected: f64, limit: f64) {
 /// Oracles: the paper's exact Ω; a cantilever's `A (cosh - cos) + B (sinh - sin)`; and what energies say about sensitivities,
 /// since ω² is the strain energy over the kinetic one.
 #[test]
+#[ignore = "long: .ci/long"]
 fn the_tip_body_is_as_it_must() {
     let (text, model) = (printed("tip_body"), tip_body::light_body());
     let data: serde_json::Value = serde_json::from_str(include_str!("../../data/paper.json")).unwrap();
@@ -104,6 +106,11 @@ fn a_known_stiffness_is_identified() {
         let sum: f64 = slopes.zip(&measured).map(|(slope, (_, deviation))| (slope / deviation).powi(2)).sum();
         assert_close(deviation, 1.0 / sum.sqrt(), 1e-6);
     }
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn the_identified_stiffness_is_printed() {
     assert!(printed("identification").contains("stiffness of the clamp: "));
 }
 
@@ -137,32 +144,43 @@ fn the_damper_is_the_best_of_a_scan() {
     let scanned = scan.map(|(k, c)| largest(tuned.stiffness * (1.0 + 0.02 * k), tuned.damping * (1.0 + 0.3 * c)));
     assert_close(best, scanned.fold(f64::INFINITY, f64::min), 1e-3);
     assert!(best < 0.7 * damper::largest_deflection(&guess).unwrap());
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn the_tuned_damper_is_printed() {
     assert!(printed("damper").contains("tuned"));
 }
 
 /// Oracle: a bare beam, on which the springs and the oscillator act as forces.
+fn response(omega: f64) -> Complex<f64> {
+    let model = frequency_response::steel_bar();
+    let omega = omega / (model.ei / model.m).sqrt();
+    let places = [At::Deflection(0.2), At::Deflection(0.6), At::Rotation(0.75)];
+    let (link, inertia) = (Complex::new(4.0, omega), Complex::from(-0.12 * omega * omega));
+    let stiffness = [Complex::from(5.0), link * inertia / (link + inertia), Complex::from(10.0)];
+    let matrix = Matrix3::from_fn(|row, column| {
+        let own = f64::from(u8::from(row == column));
+        receptance(places[column], places[row], omega) * stiffness[column] + own
+    });
+    let direct = Vector3::from(places.map(|place| Complex::from(receptance(places[0], place, omega))));
+    matrix.lu().solve(&direct).unwrap()[0] / model.ei
+}
+
 #[test]
 fn the_frequency_response_is_that_of_a_bare_beam_with_springs() {
-    let model = frequency_response::steel_bar();
-    let system = model.build().unwrap();
-    let unit = (model.ei / model.m).sqrt();
-    let response = |omega: f64| {
-        let omega = omega / unit;
-        let places = [At::Deflection(0.2), At::Deflection(0.6), At::Rotation(0.75)];
-        let (link, inertia) = (Complex::new(4.0, omega), Complex::from(-0.12 * omega * omega));
-        let stiffness = [Complex::from(5.0), link * inertia / (link + inertia), Complex::from(10.0)];
-        let matrix = Matrix3::from_fn(|row, column| {
-            let own = f64::from(u8::from(row == column));
-            receptance(places[column], places[row], omega) * stiffness[column] + own
-        });
-        let direct = Vector3::from(places.map(|place| Complex::from(receptance(places[0], place, omega))));
-        matrix.lu().solve(&direct).unwrap()[0] / model.ei
-    };
-    let samples = frequency_response::receptance(&system).unwrap();
-    for (omega, value) in &samples {
+    let system = frequency_response::steel_bar().build().unwrap();
+    for (omega, value) in &frequency_response::receptance(&system).unwrap() {
         let expected = response(*omega);
         assert!((value - expected).norm() < 1e-9 * expected.norm(), "{omega}: {value} {expected}");
     }
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn the_resonances_are_those_of_a_bare_beam_with_springs() {
+    let system = frequency_response::steel_bar().build().unwrap();
+    let samples = frequency_response::receptance(&system).unwrap();
     let text = printed("frequency_response");
     let rest = text.split(' ').find_map(|word| word.parse::<f64>().ok()).unwrap();
     assert_close(rest, response(0.0).re, 1e-6);
@@ -179,7 +197,8 @@ fn the_frequency_response_is_that_of_a_bare_beam_with_springs() {
             assert!(peak >= value.norm() * 0.999 && peak < value.norm() * 1.02, "{row:?} {peak:e}");
         }
     }
-    let drawn = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/target/frequency_response.svg")).unwrap();
+    let drawn =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/frequency_response.svg")).unwrap();
     assert!(drawn.starts_with("<svg") && drawn.trim_end().ends_with("</svg>"));
 }
 
@@ -234,6 +253,11 @@ fn the_cantilever_moves_as_the_sum_over_its_modes() {
             assert!(error < [1e-9, 1e-9, 1e-6][load], "{load} at {time}: {found:?} {expected:?} {error:e}");
         }
     }
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn a_table_of_the_motion_is_printed() {
     assert_eq!(rows_of(&printed("time_response"), "time [ms]").len(), 21);
 }
 

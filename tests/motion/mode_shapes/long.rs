@@ -9,6 +9,7 @@ fn spans() -> Spans {
 }
 
 #[test]
+#[ignore = "long: .ci/long"]
 fn thousand_modes_of_two_spans_keep_all_laws() {
     let (model, system) = (spans(), spans().build().unwrap());
     let roots = first::<1000>(&system);
@@ -17,6 +18,7 @@ fn thousand_modes_of_two_spans_keep_all_laws() {
 }
 
 #[test]
+#[ignore = "long: .ci/long"]
 fn modes_of_two_spans_are_orthogonal_and_give_their_frequencies() {
     let (model, system) = (spans(), spans().build().unwrap());
     let roots = first::<1000>(&system);
