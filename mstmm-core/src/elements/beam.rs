@@ -1,16 +1,19 @@
 //! Euler-Bernoulli beam.
 
-use crate::at::At;
-use crate::beam_functions::{bending_matrix, plane_series};
-use crate::bending_steps::{BendingCoefficients, Units};
-use crate::bounds::FrequencyBounds;
-use crate::count::Tally;
-use crate::element::{Element, PlaneStep, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Branches, Frequency, Real, WaveProducts};
-use crate::scaled::{Scaled, binary_exponent};
-use crate::state::{Bending, Support};
-use crate::subspace::Subspace;
+use crate::element::traits::{Element, PlaneStep, TransferMatrix};
+use crate::elements::shared::compound::{BendingCoefficients, Units};
+use crate::elements::shared::krylov::{bending_matrix, plane_series};
+use crate::model::error::{InvalidParameter, Requirement};
+use crate::model::estimates::FrequencyBounds;
+use crate::model::state::{Bending, Support};
+use crate::number::exponent::binary_exponent;
+use crate::number::frequency::{Frequency, Real};
+use crate::number::frequency_powers::At;
+use crate::number::scalar::Branches;
+use crate::number::scaled::Scaled;
+use crate::number::wave_functions::WaveProducts;
+use crate::subspace::count::Tally;
+use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix4;
 
 /// Uniform Euler-Bernoulli beam, exact at every frequency.
@@ -207,13 +210,17 @@ impl<T: Real> BuiltBeam<T> {
     #[inline(always)]
     fn short_units<S: Frequency<T>>(&self) -> Units<S> {
         if S::JUDGES {
-            let [length, stiffness] = [self.parameters.length, self.parameters.bending_stiffness].map(S::from_parameter);
+            let [length, stiffness] =
+                [self.parameters.length, self.parameters.bending_stiffness].map(S::from_parameter);
             return Units::new(stiffness, S::one() / length);
         }
         let Units { factors, inverses } = self.length_units;
         let ([a, b, c, d], [e, f, g, h]) = (factors, inverses);
         let number = S::from_parameter;
-        Units { factors: [number(a), number(b), number(c), number(d)], inverses: [number(e), number(f), number(g), number(h)] }
+        Units {
+            factors: [number(a), number(b), number(c), number(d)],
+            inverses: [number(e), number(f), number(g), number(h)],
+        }
     }
 
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.

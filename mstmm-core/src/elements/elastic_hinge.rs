@@ -1,16 +1,20 @@
 //! Elastic hinge in a bending path.
 
-use crate::at::At;
-use crate::bounds::FrequencyBounds;
-use crate::count::Tally;
-use crate::element::{Element, PlaneStep, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::motion::line_motions::{elongations, half};
-use crate::motion::{Covector, Ends, Motion};
-use crate::scalar::{Frequency, Oscillation, Real};
-use crate::scaled::Scaled;
-use crate::state::{Bending, Coordinate, Support};
-use crate::subspace::{Plane, Subspace};
+use crate::element::energies::Motion;
+use crate::element::traits::{Element, PlaneStep, TransferMatrix};
+use crate::elements::shared::line_energies::{elongations, half};
+use crate::model::ends::Ends;
+use crate::model::error::{InvalidParameter, Requirement};
+use crate::model::estimates::FrequencyBounds;
+use crate::model::state::{Bending, Coordinate, Support};
+use crate::number::frequency::Oscillation;
+use crate::number::frequency::{Frequency, Real};
+use crate::number::frequency_powers::At;
+use crate::number::scaled::Scaled;
+use crate::subspace::count::Tally;
+use crate::subspace::minors::covector::Covector;
+use crate::subspace::minors::plane::Plane;
+use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix4;
 
 /// Massless elastic hinge: a translational and a torsion spring side by side in a bending path.

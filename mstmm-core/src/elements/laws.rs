@@ -6,9 +6,9 @@ mod plane_steps;
 mod subspaces;
 
 use super::*;
-use crate::element::{Element, MatrixOf, TransferMatrix};
-use crate::state::{Coordinate, StateSpace};
-use crate::tolerance::assert_close;
+use crate::element::traits::{Element, MatrixOf, TransferMatrix};
+use crate::model::state::{Coordinate, StateSpace};
+use crate::number::tolerance::assert_close;
 use core::ops::Index;
 use num_complex::Complex;
 use proptest::test_runner::TestRunner;

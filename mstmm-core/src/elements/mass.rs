@@ -1,16 +1,19 @@
 //! Lumped mass.
 
-use crate::at::At;
-use crate::bounds::FrequencyBounds;
-use crate::count::Tally;
-use crate::element::{Element, PlaneStep, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Oscillation, Real};
-use crate::line_steps::through_inertia;
-use crate::motion::line_motions::{displacements, half, inertial_motion, unit_of};
-use crate::motion::{Covector, Ends, Motion};
-use crate::state::{Coordinate, Translation};
-use crate::subspace::Subspace;
+use crate::element::energies::Motion;
+use crate::element::traits::{Element, PlaneStep, TransferMatrix};
+use crate::elements::shared::line_energies::{displacements, half, inertial_motion, unit_of};
+use crate::elements::shared::line_step::through_inertia;
+use crate::model::ends::Ends;
+use crate::model::error::{InvalidParameter, Requirement};
+use crate::model::estimates::FrequencyBounds;
+use crate::model::state::{Coordinate, Translation};
+use crate::number::frequency::Oscillation;
+use crate::number::frequency::{Frequency, Real};
+use crate::number::frequency_powers::At;
+use crate::subspace::count::Tally;
+use crate::subspace::minors::covector::Covector;
+use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix2;
 
 /// Lumped mass without moment effects on a translation path.

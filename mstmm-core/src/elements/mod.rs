@@ -1,20 +1,50 @@
 //! The elements: one file holds everything about one element.
 
+mod any;
+mod beam;
+mod body;
+mod damper;
+mod elastic_hinge;
+mod inertia;
 #[cfg(test)]
 mod laws;
+mod mass;
+mod planar_beam;
+mod planar_body;
+mod planar_hinge;
+mod point_mass;
+pub(crate) mod shared;
+mod spring;
+mod spring_damper;
+mod torsion_damper;
+mod torsion_spring;
+mod torsion_spring_damper;
 
-/// Declares the files of the elements and re-exports their types; the laws of the tests and the lists of steps use the same
-/// list. Planar elements, which have no step of the plane method and no damping, stand apart.
+pub use any::{AnyElement, AnyUndamped};
+pub use beam::Beam;
+pub use body::Body;
+pub use damper::Damper;
+pub use elastic_hinge::ElasticHinge;
+pub use inertia::Inertia;
+pub use mass::Mass;
+pub use planar_beam::PlanarBeam;
+pub use planar_body::PlanarBody;
+pub use planar_hinge::PlanarHinge;
+pub use point_mass::PointMass;
+pub use spring::Spring;
+pub use spring_damper::SpringDamper;
+pub use torsion_damper::TorsionDamper;
+pub use torsion_spring::TorsionSpring;
+pub use torsion_spring_damper::TorsionSpringDamper;
+
+/// Declares the list of the elements, which the laws of the tests and the lists of steps share. Planar elements, which have
+/// no step of the plane method and no damping, stand apart.
 macro_rules! elements {
     (
-        undamped { $($file:ident :: $element:ident),* $(,)? }
-        damped { $($damped_file:ident :: $damped_element:ident),* $(,)? }
-        planar { $($planar_file:ident :: $planar_element:ident),* $(,)? }
+        undamped { $($element:ident),* $(,)? }
+        damped { $($damped_element:ident),* $(,)? }
+        planar { $($planar_element:ident),* $(,)? }
     ) => {
-        $(mod $file; pub use $file::$element;)*
-        $(mod $damped_file; pub use $damped_file::$damped_element;)*
-        $(mod $planar_file; pub use $planar_file::$planar_element;)*
-
         /// Names of all element types, for the test that compares them with the keywords of the language.
         #[doc(hidden)]
         pub const NAMES: &[&str] =
@@ -50,24 +80,24 @@ macro_rules! elements {
 
 elements! {
     undamped {
-        spring::Spring,
-        torsion_spring::TorsionSpring,
-        mass::Mass,
-        inertia::Inertia,
-        point_mass::PointMass,
-        elastic_hinge::ElasticHinge,
-        body::Body,
-        beam::Beam,
+        Spring,
+        TorsionSpring,
+        Mass,
+        Inertia,
+        PointMass,
+        ElasticHinge,
+        Body,
+        Beam,
     }
     damped {
-        damper::Damper,
-        torsion_damper::TorsionDamper,
-        spring_damper::SpringDamper,
-        torsion_spring_damper::TorsionSpringDamper,
+        Damper,
+        TorsionDamper,
+        SpringDamper,
+        TorsionSpringDamper,
     }
     planar {
-        planar_body::PlanarBody,
-        planar_beam::PlanarBeam,
-        planar_hinge::PlanarHinge,
+        PlanarBody,
+        PlanarBeam,
+        PlanarHinge,
     }
 }

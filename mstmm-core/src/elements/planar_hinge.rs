@@ -1,9 +1,9 @@
 //! Elastic hinge in planar motion.
 
-use crate::element::{Element, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real};
-use crate::state::Planar;
+use crate::element::traits::{Element, TransferMatrix};
+use crate::model::error::{InvalidParameter, Requirement};
+use crate::model::state::Planar;
+use crate::number::frequency::{Frequency, Real};
 use nalgebra::Matrix6;
 
 /// Massless elastic hinge in planar motion: three springs side by side.

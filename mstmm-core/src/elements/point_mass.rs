@@ -1,16 +1,20 @@
 //! Lumped mass inside a bending path.
 
-use crate::at::At;
-use crate::bounds::FrequencyBounds;
-use crate::count::Tally;
-use crate::element::{Element, PlaneStep, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::join::in_parallel;
-use crate::motion::line_motions::{displacements, half};
-use crate::motion::{Covector, Ends, Motion};
-use crate::scalar::{Frequency, Oscillation, Real};
-use crate::state::{Bending, Coordinate, Support};
-use crate::subspace::{Plane, Subspace};
+use crate::element::energies::Motion;
+use crate::element::traits::{Element, PlaneStep, TransferMatrix};
+use crate::elements::shared::line_energies::{displacements, half};
+use crate::model::ends::Ends;
+use crate::model::error::{InvalidParameter, Requirement};
+use crate::model::estimates::FrequencyBounds;
+use crate::model::state::{Bending, Coordinate, Support};
+use crate::number::frequency::Oscillation;
+use crate::number::frequency::{Frequency, Real};
+use crate::number::frequency_powers::At;
+use crate::subspace::count::Tally;
+use crate::subspace::minors::covector::Covector;
+use crate::subspace::minors::join::in_parallel;
+use crate::subspace::minors::plane::Plane;
+use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix4;
 
 /// Lumped mass with rotary inertia inside a bending path: a rigid body of no length.

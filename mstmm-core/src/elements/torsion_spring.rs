@@ -1,16 +1,19 @@
 //! Torsion spring.
 
-use crate::at::At;
-use crate::bounds::FrequencyBounds;
-use crate::count::Tally;
-use crate::element::{Element, PlaneStep, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Oscillation, Real};
-use crate::line_steps::through_stiffness;
-use crate::motion::line_motions::{back_through_stiffness, elongations, half, massless_motion, unit_of};
-use crate::motion::{Covector, Ends, Motion};
-use crate::state::{Coordinate, Rotation};
-use crate::subspace::Subspace;
+use crate::element::energies::Motion;
+use crate::element::traits::{Element, PlaneStep, TransferMatrix};
+use crate::elements::shared::line_energies::{back_through_stiffness, elongations, half, massless_motion, unit_of};
+use crate::elements::shared::line_step::through_stiffness;
+use crate::model::ends::Ends;
+use crate::model::error::{InvalidParameter, Requirement};
+use crate::model::estimates::FrequencyBounds;
+use crate::model::state::{Coordinate, Rotation};
+use crate::number::frequency::Oscillation;
+use crate::number::frequency::{Frequency, Real};
+use crate::number::frequency_powers::At;
+use crate::subspace::count::Tally;
+use crate::subspace::minors::covector::Covector;
+use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix2;
 
 /// Massless torsion spring, `M = K (Θ_O - Θ_I)`; mind the sign, which is opposite to that of a translational spring.

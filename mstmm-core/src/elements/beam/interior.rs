@@ -1,12 +1,14 @@
 //! States between the ends of a beam, and integrals over products of them.
 
-use super::BuiltBeam;
-use crate::at::At;
-use crate::beam_functions::krylov;
-use crate::motion::Ends;
-use crate::motion::exponentials::exponential;
-use crate::scalar::{Oscillation, Real, Scalar};
-use crate::state::State;
+use crate::elements::beam::BuiltBeam;
+use crate::elements::shared::krylov::krylov;
+use crate::model::ends::Ends;
+use crate::model::state::State;
+use crate::number::exponentials::exponential;
+use crate::number::frequency::Oscillation;
+use crate::number::frequency::Real;
+use crate::number::frequency_powers::At;
+use crate::number::scalar::Scalar;
 use num_complex::Complex;
 use num_traits::Zero;
 

@@ -1,15 +1,19 @@
 //! The motion of a beam: covectors through it, its energies, and how they change with its parameters.
 
-use super::{Beam, BuiltBeam};
-use crate::at::At;
-use crate::beam_functions::krylov;
-use crate::bending_links::BendingLinks;
-use crate::bending_steps::Units;
-use crate::motion::line_motions::half;
-use crate::motion::{Covector, Ends, Inside, Motion};
-use crate::scalar::{Oscillation, Real, WaveFunctions};
-use crate::state::State;
-use crate::subspace::Subspace;
+use crate::element::energies::{Inside, Motion};
+use crate::elements::beam::{Beam, BuiltBeam};
+use crate::elements::shared::back_transfer::BendingLinks;
+use crate::elements::shared::compound::Units;
+use crate::elements::shared::krylov::krylov;
+use crate::elements::shared::line_energies::half;
+use crate::model::ends::Ends;
+use crate::model::state::State;
+use crate::number::frequency::Oscillation;
+use crate::number::frequency::Real;
+use crate::number::frequency_powers::At;
+use crate::number::wave_functions::WaveFunctions;
+use crate::subspace::minors::covector::Covector;
+use crate::subspace::minors::subspace::Subspace;
 
 /// Relative distance of two values of `z⁴` from which on the integral of a product is a difference at the ends.
 const APART: f64 = 1e-3;

@@ -1,9 +1,12 @@
 //! Levers of rigid bodies: exact differences of lengths, and planes seen from the far end.
 
-use crate::count::Tally;
-use crate::doubt::{ROUNDINGS, Remainder, may_be_lost};
-use crate::scalar::{Branches, Frequency, Oscillation, Real, Scalar};
-use crate::subspace::Plane;
+use crate::number::doubt::{ROUNDINGS, may_be_lost};
+use crate::number::frequency::Oscillation;
+use crate::number::frequency::{Frequency, Real};
+use crate::number::scalar::{Branches, Scalar};
+use crate::subspace::count::Tally;
+use crate::subspace::minors::plane::Plane;
+use crate::subspace::remainder::Remainder;
 
 /// The two levers of a body, to its output end and to its mass centre.
 #[derive(Clone, Copy, Debug)]

@@ -1,13 +1,13 @@
 //! The count of every element, against Sylvester's inertia.
 
-use super::subspaces::{
+use crate::element::traits::{MatrixOf, PlaneStep, TransferMatrix};
+use crate::elements::laws::subspaces::{
     check, coordinates, for_each_undamped_stepping_element, random_states, space, subspace, supports,
 };
-use super::{C, Rows, Sample, built, rows};
-use crate::at::At;
-use crate::count::{Count, Untallied};
-use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
-use crate::subspace::Subspace;
+use crate::elements::laws::{C, Rows, Sample, built, rows};
+use crate::number::frequency_powers::At;
+use crate::subspace::count::{Count, Untallied};
+use crate::subspace::minors::subspace::Subspace;
 use core::ops::Index;
 use std::vec::Vec;
 
@@ -55,11 +55,11 @@ impl Stiffness {
 
     /// Stiffness of the input end of an element whose output end is held: with `U = [[A, B], [C, D]]` for displacements
     /// and forces, `force = -B⁻¹ A displacement`. `None` where no force moves the ends apart.
-    fn of_input_end(space: crate::state::Space, u: &Rows) -> Option<Stiffness> {
+    fn of_input_end(space: crate::model::state::Space, u: &Rows) -> Option<Stiffness> {
         let entry = |i: usize, j: usize| u[i][j].re;
         if u.len() == 2 {
             // the element pushes back with -q, in rotation paths with μ
-            let sign = if space.is(crate::state::Space::Rotation) { -1.0 } else { 1.0 };
+            let sign = if space.is(crate::model::state::Space::Rotation) { -1.0 } else { 1.0 };
             return (entry(0, 1) != 0.0).then(|| Stiffness::Line(-entry(0, 0) / entry(0, 1) * sign));
         }
         let determinant = entry(0, 2) * entry(1, 3) - entry(0, 3) * entry(1, 2);

@@ -1,15 +1,17 @@
 //! The motion of every element, against its transfer matrix.
 
-use super::subspaces::{
+use crate::element::energies::Motion;
+use crate::element::traits::{MatrixOf, TransferMatrix};
+use crate::elements::laws::subspaces::{
     check, coordinates, for_each_stepping_element, random_states, space, states_of_tip, step, subspace, supports,
 };
-use super::{C, Rows, Sample, assert_same, built, product, rows};
-use crate::at::At;
-use crate::element::{MatrixOf, TransferMatrix};
-use crate::motion::{Covector, Ends, Motion};
-use crate::state::{Coordinate, Space, State};
-use crate::subspace::Subspace;
-use crate::tolerance::assert_close;
+use crate::elements::laws::{C, Rows, Sample, assert_same, built, product, rows};
+use crate::model::ends::Ends;
+use crate::model::state::{Coordinate, Space, State};
+use crate::number::frequency_powers::At;
+use crate::number::tolerance::assert_close;
+use crate::subspace::minors::covector::Covector;
+use crate::subspace::minors::subspace::Subspace;
 use core::ops::Index;
 use std::vec::Vec;
 

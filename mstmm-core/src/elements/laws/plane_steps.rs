@@ -1,17 +1,18 @@
 //! The step of every element, against its transfer matrix.
 
-use super::subspaces::{
+use crate::element::traits::{MatrixOf, PlaneStep, TransferMatrix};
+use crate::elements::laws::subspaces::{
     MINORS, check, coordinates, for_each_stepping_element, for_each_undamped_stepping_element, plain, random_states,
     read, space, states_of_tip, step, subspace, supports,
 };
-use super::{C, Rows, Sample, built, rows};
-use crate::at::At;
-use crate::count::Untallied;
-use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
-use crate::scalar::Scalar;
-use crate::state::Space;
-use crate::subspace::{Plane, Subspace};
-use crate::tolerance::assert_close;
+use crate::elements::laws::{C, Rows, Sample, built, rows};
+use crate::model::state::Space;
+use crate::number::frequency_powers::At;
+use crate::number::scalar::Scalar;
+use crate::number::tolerance::assert_close;
+use crate::subspace::count::Untallied;
+use crate::subspace::minors::plane::Plane;
+use crate::subspace::minors::subspace::Subspace;
 use core::ops::Index;
 use std::vec::Vec;
 

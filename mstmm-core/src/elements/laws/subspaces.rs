@@ -1,12 +1,14 @@
 //! Random subspaces for the laws of the plane method, spanned by states, and their coordinates.
 
-use super::{C, Rows, Sample, built};
-use crate::at::At;
-use crate::count::Untallied;
-use crate::element::{Element, PlaneStep};
-use crate::scalar::Scalar;
-use crate::state::{Space, StateSpace, Support};
-use crate::subspace::{Line, Plane, Subspace};
+use crate::element::traits::{Element, PlaneStep};
+use crate::elements::laws::{C, Rows, Sample, built};
+use crate::model::state::{Space, StateSpace, Support};
+use crate::number::frequency_powers::At;
+use crate::number::scalar::Scalar;
+use crate::subspace::count::Untallied;
+use crate::subspace::minors::line::Line;
+use crate::subspace::minors::plane::Plane;
+use crate::subspace::minors::subspace::Subspace;
 use core::f64::consts::TAU;
 use proptest::test_runner::TestRunner;
 use std::vec;
@@ -128,7 +130,7 @@ pub(super) fn space<E: Element>() -> Space {
 /// The step of an element at a frequency.
 pub(super) fn step<E, S>(element: &E, x: S, input: Subspace<S>) -> Subspace<S>
 where
-    S: crate::scalar::Frequency<f64>,
+    S: crate::number::frequency::Frequency<f64>,
     E: Sample + PlaneStep<S>,
 {
     E::step(&E::coefficients(&built(*element), &At::new(x, E::WAVES)), input, &mut Untallied)

@@ -1,0 +1,128 @@
+//! Whether the states of a motion fit together, and a second look where they do not.
+//!
+//! Where several paths are near a frequency at which they vibrate with their ends held, displacements of their joint are small
+//! and rounded, and forces follow from them over the distance to that frequency: they do not add up.
+
+use crate::answer::dominant_entry::{UnitsOf, comparable};
+use crate::answer::error::MotionError;
+use crate::answer::mode_shape::ModeShape;
+use crate::answer::states::Field;
+use crate::model::layout::Step;
+use crate::model::state::{Coordinate, State};
+use crate::number::doubt::{MISFIT, REFUSED_MISFIT};
+use crate::number::frequency::Oscillation;
+use crate::number::frequency_powers::At;
+use crate::number::scalar::Scalar;
+use crate::pass::tree::Tree;
+
+impl<Y, S> Field<'_, Y, S>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    /// By how much states at connections do not fit together, relative to the largest in the system; made comparable as the root
+    /// of an energy.
+    fn misfit(&self) -> f64 {
+        let (mut whole, mut worst) = (0.0_f64, 0.0_f64);
+        let at = comparable(self.system, self.x);
+        for step in 0..Y::scheme().len() {
+            match Y::scheme().steps[step] {
+                Step::Element(..) => {
+                    let units = self.units(step, &at);
+                    let ends = self.ends(step);
+                    whole = whole.max(energy(&ends.input, units)).max(energy(&ends.output, units));
+                }
+                Step::Connection(inputs) => worst = worst.max(self.misfit_at(step, inputs, &at)),
+                Step::Tip(_) | Step::Root(..) => {}
+            }
+        }
+        (worst / whole).sqrt()
+    }
+
+    /// The same at a connection, as an energy.
+    fn misfit_at(&self, connection: usize, inputs: &[usize], at: &At<S>) -> f64 {
+        let behind = self.states.as_ref()[connection];
+        let mut units = [0.0_f64; 2];
+        let mut left = behind;
+        for &input in inputs {
+            let State { m, q, .. } = self.at(input, true);
+            left = State { m: left.m - m, q: left.q - q, ..left };
+            if let Step::Element(..) = Y::scheme().steps[input] {
+                let own = self.units(input, at);
+                units = [units[0].max(own[0]), units[1].max(own[1])];
+            }
+        }
+        let mut gap = State { y: S::zero(), theta: S::zero(), ..left };
+        for coordinate in [Coordinate::Y, Coordinate::Theta] {
+            let has = |step: &usize| Y::scheme().behind(*step).coordinates().contains(&coordinate);
+            let mut values =
+                inputs.iter().filter(|input| has(input)).map(|&input| self.at(input, true).entry(coordinate));
+            let Some(first) = values.next() else { continue };
+            let on = has(&connection).then(|| behind.entry(coordinate));
+            let farthest = values
+                .chain(on)
+                .map(|value| value - first)
+                .fold(S::zero(), |farthest, gap| if gap.size() > farthest.size() { gap } else { farthest });
+            gap = if coordinate == Coordinate::Y {
+                State { y: farthest, ..gap }
+            } else {
+                State { theta: farthest, ..gap }
+            };
+        }
+        energy(&gap, units)
+    }
+
+    fn units(&self, step: usize, at: &At<S>) -> [f64; 2] {
+        self.system.visit(step, UnitsOf(at)).unwrap_or_default()
+    }
+}
+
+impl<'a, Y, S> ModeShape<'a, Y, S>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    /// Whether its states do not fit together as well as they could.
+    pub(crate) fn is_doubtful(&self) -> bool {
+        let misfit = self.misfit();
+        misfit.is_nan() || misfit > MISFIT * S::EPSILON
+    }
+
+    /// Refuses a shape whose states do not fit together. One that is not doubtful is not refused.
+    pub(crate) fn accepted(self) -> Result<Self, MotionError> {
+        self.check().map(|()| self)
+    }
+
+    /// Whether its states fit together.
+    pub(crate) fn check(&self) -> Result<(), MotionError> {
+        let misfit = self.misfit();
+        if misfit <= REFUSED_MISFIT * S::EPSILON {
+            return Ok(());
+        }
+        Err(MotionError::Unresolved { root: self.x.modulus(), misfit })
+    }
+
+    /// A shape that the judging arithmetic found.
+    pub(crate) fn of_judge(judged: &ModeShape<'a, Y, S::Judge>) -> Self
+    where
+        Y: Tree<S::Judge>,
+    {
+        let mut states = Y::per_step(State::default());
+        for (state, judged) in states.as_mut().iter_mut().zip(judged.states.as_ref()) {
+            *state = judged.map(S::from_judge);
+        }
+        let (x, beyond) = (S::from_judge(judged.x), judged.beyond.map(S::from_judge));
+        ModeShape::of(Field { system: judged.system, x, states, source: judged.source, beyond })
+    }
+}
+
+/// The largest of the squares of the entries, as energies.
+fn energy<S: Scalar>(state: &State<S>, [by_y, by_theta]: [f64; 2]) -> f64 {
+    let squares = [
+        (state.y.size(), by_y),
+        (state.theta.size(), by_theta),
+        (state.m.size(), 1.0 / by_theta),
+        (state.q.size(), 1.0 / by_y),
+    ];
+    squares.iter().map(|(entry, unit)| entry * entry * unit).filter(|energy| energy.is_finite()).fold(0.0, f64::max)
+}

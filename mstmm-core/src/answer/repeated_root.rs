@@ -1,0 +1,313 @@
+//! The shapes of a multiple root: the residue of the response at its pole.
+//!
+//! Near a root x0 the motion caused by a jump f is `Σ φ (φᵀ f)/(x - x0)` over its shapes, up to a constant. A sum over points
+//! around x0 takes that residue out, for as many jumps as there are shapes, each where what is left shows best.
+
+use crate::answer::dominant_entry::Candidate;
+use crate::answer::error::MotionError;
+use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
+use crate::answer::root::Root;
+use crate::answer::states::Field;
+use crate::model::state::Coordinate;
+use crate::number::frequency::Oscillation;
+use crate::number::scalar::Scalar;
+use crate::number::scaled::Scaled;
+use crate::pass::both_ways::Passes;
+use crate::pass::jump::dual_of;
+use crate::pass::tree::{JudgedTree, Tree};
+
+/// All shapes of a root, of a multiple one sought again in the arithmetic that judges where their states do not fit together.
+pub(crate) fn all_shapes<'a, const CAP: usize, S, Y, R>(
+    system: &'a Y,
+    root: &R,
+) -> Result<ShapeList<'a, Y, S, CAP>, MotionError>
+where
+    S: Oscillation<Y::Parameter>,
+    Y: JudgedTree<S> + ?Sized,
+    R: Root<Y::Parameter, Frequency = S>,
+{
+    let mut list = ShapeList { shapes: [const { None }; CAP] };
+    if root.multiplicity() > 1 {
+        let plain = shapes(system, root.frequency(), root.multiplicity(), &mut list.shapes);
+        if S::HAS_JUDGE && (plain.is_err() || list.iter().any(ModeShape::is_doubtful)) {
+            let mut judged = [const { None }; CAP];
+            shapes(system, root.frequency().to_judge(), root.multiplicity(), &mut judged)?;
+            list.shapes = judged.map(|shape| shape.map(|shape| ModeShape::of_judge(&shape)));
+        } else {
+            plain?;
+        }
+        list.iter().try_for_each(ModeShape::check)?;
+        return Ok(list);
+    }
+    let place = list.shapes.first_mut().ok_or(MotionError::Capacity { capacity: CAP })?;
+    *place = Some(simple(system, root.frequency())?);
+    Ok(list)
+}
+
+/// Points around a root.
+const POINTS: usize = 8;
+/// Distances that are tried, each a quarter of the one before.
+const DISTANCES: u32 = 24;
+/// Change of residues from one ring to the next from which on there is no pole.
+const UNSETTLED: f64 = 1e-3;
+/// Digits that planes lose near a root, over those of the relative distance to it.
+const ROUNDING: f64 = 10.0;
+/// Roundings by which roots that count as one may differ.
+const SPREAD: f64 = 32.0;
+/// By how much a ring of a quarter of the size is better, where it is better at all: the rest of the response enters with
+/// the eighth power of the distance.
+const GAIN: f64 = 65_536.0;
+/// Part of the largest response on a ring that its mean has where the pole is of that order.
+const PART: f64 = 0.5;
+/// What is left of the residue after as many shapes as there are, relatively, with room for close roots.
+const NOTHING: f64 = 1e-5;
+
+/// Passes around a root.
+struct Ring<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+    passes: [Passes<'a, Y, S>; POINTS],
+    /// Their weights, and `x - x0`.
+    weights: [(S, S); POINTS],
+    /// At zero the pole is that of λ².
+    at_zero: bool,
+    /// Distance of the nearest points.
+    distance: f64,
+}
+
+/// The order of a pole, and so the power of `x - x0` that takes it out.
+#[derive(Clone, Copy, Debug)]
+enum Order {
+    Simple,
+    /// As where two eigenvalues have one shape between them.
+    Double,
+}
+
+/// Finds the shapes of a root.
+pub(crate) fn shapes<'a, Y, S>(
+    system: &'a Y,
+    x: S,
+    multiplicity: u64,
+    found: &mut [Option<ModeShape<'a, Y, S>>],
+) -> Result<(), MotionError>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    let mut widest = f64::INFINITY;
+    for _ in 0..DISTANCES {
+        let (ring, first) = Ring::of_best_distance(system, x, multiplicity, widest)?;
+        if ring.find(system, x, multiplicity, &first, found)? {
+            return Ok(());
+        }
+        // there are more shapes than the root has: other roots lie inside of the ring
+        widest = 0.25 * ring.distance;
+    }
+    Err(MotionError::Unresolved { root: x.modulus(), misfit: widest / x.size() })
+}
+
+impl<'a, Y, S> Ring<'a, Y, S>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    /// Finds the shapes in the residue; `false` if there are more of them than the root has.
+    fn find(
+        &self,
+        system: &'a Y,
+        x: S,
+        multiplicity: u64,
+        first: &Candidate,
+        found: &mut [Option<ModeShape<'a, Y, S>>],
+    ) -> Result<bool, MotionError> {
+        let size = x.modulus();
+        let capacity = found.len();
+        let mut count = 0;
+        let mut next = Some(*first);
+        while let Some(candidate) = next.take() {
+            if count as u64 == multiplicity {
+                return Ok(false);
+            }
+            let mut shape = self.shape(system, x, &candidate).ok_or(MotionError::NotFinite { frequency: size })?;
+            // twice: the second time takes what the first left to rounding
+            for _ in 0..2 {
+                for other in found[..count].iter().flatten() {
+                    let product = shape.product(other);
+                    shape.add(other, -product);
+                }
+                shape = ModeShape::normalised((*shape).clone()).ok_or(MotionError::NotFinite { frequency: size })?;
+            }
+            *found.get_mut(count).ok_or(MotionError::Capacity { capacity })? = Some(shape);
+            count += 1;
+            next = self.most_left(&found[..count], Some(first));
+        }
+        // at zero λ² is the root, and counts twice as an eigenvalue λ
+        let count = count as u64;
+        if count == multiplicity || (size == 0.0 && 2 * count == multiplicity) {
+            return Ok(true);
+        }
+        Err(MotionError::Defective { root: size, multiplicity, shapes: count })
+    }
+
+    fn new(system: &'a Y, x: S, distance: f64) -> Self {
+        let points = x.around(Scalar::from_f64(distance));
+        let passes = points.map(|(point, _)| Passes::whole(system, point));
+        Ring { passes, weights: points.map(|(point, weight)| (weight, point - x)), at_zero: x.is_zero(), distance }
+    }
+
+    /// The ring of the least error, by the change from the one before it and by rounding, and where residues show best on it.
+    fn of_best_distance(system: &'a Y, x: S, multiplicity: u64, widest: f64) -> Result<(Self, Candidate), MotionError> {
+        let lowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
+        let size = x.modulus();
+        let scale = if x.is_zero() { lowest } else { size };
+        let rounding = S::EPSILON * scale;
+        // the roots themselves are rounded, and lie off the middle of the ring
+        let of_root = |distance: f64| {
+            let away = SPREAD * <Y::Parameter as Scalar>::EPSILON * scale / distance;
+            let squared = away * away;
+            squared * squared * squared * squared
+        };
+        let mut best: [Option<(f64, f64)>; 2] = [None; 2];
+        let mut distance = widest.min(0.05 * scale);
+        let mut before = Ring::new(system, x, distance);
+        for _ in 0..DISTANCES {
+            distance *= 0.25;
+            let ring = Ring::new(system, x, distance);
+            for (order, best) in [Order::Simple, Order::Double].into_iter().zip(&mut best) {
+                let change = ring.change(&before, order);
+                let from_others = if change < UNSETTLED { change / GAIN } else { change };
+                let error = from_others.max(ROUNDING * rounding / distance).max(of_root(distance));
+                if change.is_finite() && best.is_none_or(|(least, _)| error < least) {
+                    *best = Some((error, distance));
+                }
+            }
+            before = ring;
+            // it can but become worse
+            if best.iter().all(|best| best.is_some_and(|(least, _)| ROUNDING * rounding / distance > least)) {
+                break;
+            }
+        }
+        let [Some((error, distance)), double] = best else { return Err(MotionError::NotFinite { frequency: size }) };
+        let ring = Ring::new(system, x, distance);
+        let has_settled = error < UNSETTLED;
+        let is_double = |ring: &Self| ring.part(Order::Double) > PART;
+        let settles_as_double =
+            || double.is_some_and(|(error, distance)| error < UNSETTLED && is_double(&Ring::new(system, x, distance)));
+        if is_double(&ring) || (!has_settled && settles_as_double()) {
+            return Err(MotionError::Defective { root: size, multiplicity, shapes: multiplicity.saturating_sub(1) });
+        }
+        if !has_settled && x.is_zero() {
+            // dampers alone hold the system there: its motions drift, and none is a pole of λ²
+            return Err(MotionError::Defective { root: size, multiplicity, shapes: 0 });
+        }
+        if !has_settled {
+            return Err(MotionError::NotARoot { frequency: size, mismatch: error });
+        }
+        let candidate = ring.largest().ok_or(MotionError::NotFinite { frequency: size })?;
+        Ok((ring, candidate))
+    }
+
+    /// The change of all residues as energies from another ring to this one, relatively: that of one entry alone is small by
+    /// chance now and then.
+    fn change(&self, before: &Self, order: Order) -> f64 {
+        let (mut change, mut whole) = (0.0, 0.0);
+        self.passes[0].for_each_candidate(|candidate| {
+            let now = self.coefficient(&candidate, order);
+            change += (now - before.coefficient(&candidate, order)).size() * candidate.unit;
+            whole += now.size() * candidate.unit;
+        });
+        change / whole
+    }
+
+    /// The coefficient of a pole of some order, relative to the largest response on the ring: 1 near such a pole, and nothing
+    /// where the pole is of lower order.
+    fn part(&self, order: Order) -> f64 {
+        let (mut mean, mut largest) = (0.0, 0.0);
+        self.passes[0].for_each_candidate(|candidate| {
+            mean += self.coefficient(&candidate, order).size() * candidate.unit;
+            let sizes = self.responses(&candidate, order).map(|(response, _)| response.size());
+            largest += sizes.fold(0.0, f64::max) * candidate.unit;
+        });
+        mean / largest
+    }
+
+    /// The response of an entry to a jump in its dual, times the power of `x - x0` for a pole of some order; and the weights.
+    fn responses(&self, candidate: &Candidate, order: Order) -> impl Iterator<Item = (S, S)> {
+        self.passes.iter().zip(self.weights).map(move |(passes, (weight, away))| {
+            let meeting = passes.meeting(candidate.step);
+            let square = meeting.square(candidate.coordinate);
+            (square.over(meeting.delta()).times(self.power(away, order)).value(), weight)
+        })
+    }
+
+    fn power(&self, away: S, order: Order) -> S {
+        let simple = if self.at_zero { away * away } else { away };
+        match order {
+            Order::Simple => simple,
+            Order::Double => simple * away,
+        }
+    }
+
+    /// The coefficient of a pole of some order in the response of an entry to a jump in its dual.
+    fn coefficient(&self, candidate: &Candidate, order: Order) -> S {
+        self.responses(candidate, order).fold(S::zero(), |sum, (response, weight)| sum + response * weight)
+    }
+
+    fn residue(&self, candidate: &Candidate) -> S {
+        self.coefficient(candidate, Order::Simple)
+    }
+
+    /// The candidate with the largest residue as an energy.
+    fn largest(&self) -> Option<Candidate> {
+        self.most_left(&[], None)
+    }
+
+    /// The candidate at which most of the residue is left beside the shapes that are known, if anything is.
+    fn most_left(&self, known: &[Option<ModeShape<'a, Y, S>>], first: Option<&Candidate>) -> Option<Candidate> {
+        // the constant between residue and squares of shapes is seen where the first shape was taken
+        let squares = |candidate: &Candidate| {
+            known.iter().flatten().fold(S::zero(), |sum, shape| {
+                let entry = shape.at(candidate.step, false).entry(candidate.coordinate);
+                sum + entry * entry
+            })
+        };
+        let signed = |candidate: &Candidate| {
+            let is_displacement = matches!(candidate.coordinate, Coordinate::Y | Coordinate::Theta);
+            let residue = self.residue(candidate);
+            if is_displacement { residue } else { -residue }
+        };
+        let ratio = first.map_or(S::zero(), |first| signed(first) / squares(first));
+        let mut most: Option<(f64, Candidate)> = None;
+        let mut whole = 0.0_f64;
+        self.passes[0].for_each_candidate(|candidate| {
+            let own = signed(&candidate);
+            let left = (own - squares(&candidate) * ratio).size() * candidate.unit;
+            whole = whole.max(own.size() * candidate.unit);
+            if left.is_finite() && most.is_none_or(|(size, _)| left > size) {
+                most = Some((left, candidate));
+            }
+        });
+        most.filter(|(left, _)| *left > whole * NOTHING).map(|(_, candidate)| candidate)
+    }
+
+    /// The residue of the motion that a jump causes, as a shape.
+    fn shape(&self, system: &'a Y, x: S, candidate: &Candidate) -> Option<ModeShape<'a, Y, S>> {
+        let mut sum: Option<Field<'a, Y, S>> = None;
+        let mut shift = 0;
+        for (passes, (weight, away)) in self.passes.iter().zip(self.weights) {
+            let factor =
+                Scaled::new(weight * self.power(away, Order::Simple), 0).over(passes.meeting(candidate.step).delta());
+            let exponent = factor.exponent().clamp(-1 << 30, 1 << 30) as i32;
+            let jump = passes.meeting(candidate.step).jump(dual_of(candidate.coordinate));
+            let [upstream, downstream] =
+                [jump.upstream, jump.downstream].map(|covector| covector.times(factor.mantissa(), exponent));
+            let spread = passes.spread(candidate.step, upstream, downstream);
+            match &mut sum {
+                None => {
+                    shift = -spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max()?;
+                    sum = Some(Field::of(system, x, &spread, shift));
+                }
+                Some(sum) => sum.add(&Field::of(system, x, &spread, shift), S::one()),
+            }
+        }
+        ModeShape::normalised(sum?)
+    }
+}

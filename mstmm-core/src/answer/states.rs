@@ -1,0 +1,128 @@
+//! The states of a whole system in one motion.
+
+use crate::answer::error::MotionError;
+use crate::element::energies::{Inside, Motion};
+use crate::element::traits::Element;
+use crate::model::ends::Ends;
+use crate::model::label::{Label, Point};
+use crate::model::layout::Step;
+use crate::model::state::State;
+use crate::number::scalar::Scalar;
+use crate::pass::state_recovery::Spread;
+use crate::pass::tree::{Tree, Visit};
+
+/// The states of a whole system in one motion; part of every result about motions.
+#[derive(Debug)]
+pub struct Field<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+    pub(crate) system: &'a Y,
+    pub(crate) x: S,
+    /// Behind each step; at the source on its upstream side.
+    pub(crate) states: Y::PerStep<State<S>>,
+    pub(crate) source: usize,
+    /// At the source on its downstream side.
+    pub(crate) beyond: State<S>,
+}
+
+impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for Field<'_, Y, S> {
+    fn clone(&self) -> Self {
+        Field { ..*self }
+    }
+}
+
+impl<'a, Y, S> Field<'a, Y, S>
+where
+    Y: Tree<S> + ?Sized,
+    S: Scalar,
+{
+    /// The states times `2^shift`.
+    pub(crate) fn of(system: &'a Y, x: S, spread: &Spread<Y, S>, shift: i32) -> Self {
+        let mut states = Y::per_step(State::default());
+        for (state, scaled) in states.as_mut().iter_mut().zip(spread.states.as_ref()) {
+            *state = scaled.shifted(shift);
+        }
+        Field { system, x, states, source: spread.source, beyond: spread.beyond.shifted(shift) }
+    }
+
+    /// Each state through one function.
+    pub(crate) fn map(&mut self, f: impl Fn(State<S>) -> State<S>) {
+        for state in self.states.as_mut() {
+            *state = f(*state);
+        }
+        self.beyond = f(self.beyond);
+    }
+
+    /// Adds the states of another motion times a factor; its source may be elsewhere.
+    pub(crate) fn add(&mut self, other: &Self, factor: S) {
+        let beyond = other.at(self.source, true);
+        for (state, other) in self.states.as_mut().iter_mut().zip(other.states.as_ref()) {
+            *state = state.plus(*other, factor);
+        }
+        self.beyond = self.beyond.plus(beyond, factor);
+    }
+
+    /// The states at both ends of the element of a step.
+    pub(crate) fn ends(&self, step: usize) -> Ends<S> {
+        let input = match Y::scheme().steps[step] {
+            Step::Element(input, _) if input == self.source => self.beyond,
+            Step::Element(input, _) => self.states.as_ref()[input],
+            _ => State::default(),
+        };
+        Ends { x: self.x, input, output: self.states.as_ref()[step] }
+    }
+
+    /// The inside of the element of a step.
+    pub(crate) fn inside(&self, step: usize) -> Option<Inside> {
+        self.system.visit(step, InsideOf(self.x)).flatten()
+    }
+
+    /// The state inside of the element of a step.
+    pub(crate) fn state_at(&self, step: usize, distance: f64) -> State<S> {
+        self.system.visit(step, StateAt { ends: self.ends(step), distance }).unwrap_or_default()
+    }
+
+    /// The state at a point of a step, on the side that the point is about.
+    pub(crate) fn at(&self, step: usize, beyond: bool) -> State<S> {
+        if beyond && step == self.source { self.beyond } else { self.states.as_ref()[step] }
+    }
+
+    /// The state at an end of an element, or at a connection that with which the path goes on. Entries that a path does not
+    /// carry are zero.
+    pub fn state(&self, point: Point<Y::Model>) -> State<S> {
+        self.at(point.step, point.beyond)
+    }
+
+    /// The state inside of an element, at a distance \[m\] from its input end.
+    ///
+    /// # Errors
+    /// [`MotionError::Outside`] for a distance beyond its ends; [`MotionError::NoInside`] for springs, masses and bodies.
+    pub fn along<E: Element>(&self, label: Label<Y::Model, E>, distance: f64) -> Result<State<S>, MotionError> {
+        let Inside { length, .. } = self.inside(label.step).ok_or(MotionError::NoInside)?;
+        if !(0.0..=length).contains(&distance) {
+            return Err(MotionError::Outside { distance, length });
+        }
+        Ok(self.state_at(label.step, distance))
+    }
+}
+
+struct InsideOf<S>(S);
+
+impl<S: Scalar> Visit<S> for InsideOf<S> {
+    type Output = Option<Inside>;
+
+    fn element<E: Motion<S>>(self, built: &E::Built) -> Option<Inside> {
+        E::inside(built, self.0)
+    }
+}
+
+struct StateAt<S> {
+    ends: Ends<S>,
+    distance: f64,
+}
+
+impl<S: Scalar> Visit<S> for StateAt<S> {
+    type Output = State<S>;
+
+    fn element<E: Motion<S>>(self, built: &E::Built) -> State<S> {
+        E::state_at(built, &self.ends, self.distance)
+    }
+}

@@ -1,0 +1,80 @@
+//! What an element says about its motion: how states go through it against the transfer direction, its energies, and how
+//! the parameters change them.
+
+use crate::element::traits::PlaneStep;
+use crate::model::ends::Ends;
+use crate::model::state::State;
+use crate::number::frequency_powers::At;
+use crate::number::scalar::Scalar;
+use crate::subspace::minors::covector::Covector;
+use crate::subspace::minors::subspace::Subspace;
+
+/// The inside of an element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inside {
+    /// Length \[m\].
+    pub length: f64,
+    /// Wave number [rad/m]: how fast the deflection changes along it.
+    pub wave_number: f64,
+}
+
+/// An element whose motion is known: what mode shapes, responses and sensitivities need besides the plane method.
+///
+/// The dynamic work of an element is `L = V + λ² T + λ D`, with `2V` its stiffness, `2T` its mass and `2D` its damping form.
+/// Summed over a system it is stationary at a motion of its own and zero there, so that `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not say how it moves",
+    label = "no `Motion<{S}>` for this element",
+    note = "mode shapes, responses and sensitivities need it; planar elements have none yet, an element of your own \
+            implements `mstmm::Motion<S>`"
+)]
+pub trait Motion<S: Scalar>: PlaneStep<S> {
+    /// What [`pull_back`](Motion::pull_back) needs of a frequency.
+    type Links;
+
+    /// The derivatives with respect to the parameters: the struct of the parameters, over `S`.
+    type Gradient;
+
+    /// Whether the element looks the same from both ends.
+    const SYMMETRIC: bool;
+
+    /// The element seen from its output end; itself if it is symmetric.
+    fn reversed(built: &Self::Built) -> Self::Built;
+
+    /// What `pull_back` needs of a frequency.
+    fn links(built: &Self::Built, at: &At<S>) -> Self::Links;
+
+    /// The covector at the input end: with the subspaces that `PlaneStep::step` takes and returns it gives the state at the
+    /// input end where `covector` gives that at the output end.
+    ///
+    /// `step` maps a plane to `c U P Uᵀ` and a line to `c U l`; this is `c Uᵀ η` or `c t`.
+    fn pull_back(links: &Self::Links, input: &Subspace<S>, covector: Covector<S>) -> Covector<S>;
+
+    /// Sizes of the forces per displacement, `[Q/Y, M/Θ]`, that are usual in the element: what makes entries of a state
+    /// comparable.
+    fn units(built: &Self::Built, at: &At<S>) -> [f64; 2];
+
+    /// The mass form of two motions, `∫ m Y₁ Y₂ dx` for a beam: twice the kinetic energy over `(dt)²` of one.
+    fn mass_form(built: &Self::Built, first: &Ends<S>, second: &Ends<S>) -> S;
+
+    /// The stiffness form of two motions, `∫ EI Y₁'' Y₂'' dx` for a beam: twice the strain energy of one.
+    fn stiffness_form(built: &Self::Built, first: &Ends<S>, second: &Ends<S>) -> S;
+
+    /// The damping form of two motions, `C ΔY₁ ΔY₂` for a damper.
+    fn damping_form(_built: &Self::Built, _first: &Ends<S>, _second: &Ends<S>) -> S {
+        S::zero()
+    }
+
+    /// What is between the ends; `None` for an element without an inside.
+    fn inside(_built: &Self::Built, _x: S) -> Option<Inside> {
+        None
+    }
+
+    /// The state at a distance from the input end, within the length that [`inside`](Motion::inside) tells.
+    fn state_at(_built: &Self::Built, ends: &Ends<S>, _distance: f64) -> State<S> {
+        ends.input
+    }
+
+    /// `∂L/∂p` for each parameter, with the displacements at both ends held.
+    fn gradient(built: &Self::Built, ends: &Ends<S>) -> Self::Gradient;
+}

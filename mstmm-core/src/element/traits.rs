@@ -1,0 +1,130 @@
+//! The few traits: what an element is, and what a built system can evaluate.
+
+use crate::model::error::{InvalidParameter, ParameterError};
+use crate::model::estimates::FrequencyBounds;
+use crate::model::state::{Space, StateSpace, Support};
+use crate::number::frequency_powers::At;
+use crate::number::scalar::{Branches, Scalar};
+use crate::number::scaled::Scaled;
+use crate::subspace::count::Tally;
+use crate::subspace::minors::subspace::Subspace;
+use core::fmt;
+
+/// The square matrix over the states of an element `E`.
+pub type MatrixOf<E, S> = <<E as Element>::State as StateSpace>::Matrix<S>;
+
+/// An element with one input end and one output end.
+///
+/// The type is the struct of its parameters, generic over their scalar `T`, with public fields of type `T`. An element of
+/// one's own takes part in a model by its path, `my_crate::Cable 4 { .. }`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an element: it does not implement `Element`",
+    label = "not an element",
+    note = "an element of your own is a struct `Cable<T>` that implements `mstmm::Element` and `mstmm::TransferMatrix<S>` \
+            for every `T: mstmm::Real`"
+)]
+pub trait Element: Sized {
+    /// Space of the states at both ends.
+    type State: StateSpace;
+
+    /// The element with all that does not depend on the frequency; `Self` where the parameters are all there is.
+    ///
+    /// `#[derive(Clone, Debug)]` it: the built system holds it, and can be cloned and printed.
+    type Built: Clone + fmt::Debug;
+
+    /// Checks every parameter against its range and computes what does not depend on the frequency.
+    ///
+    /// # Errors
+    /// [`InvalidParameter`] names the first parameter out of its range, with its value.
+    fn build(self) -> Result<Self::Built, InvalidParameter>;
+
+    /// Adds the element's stiffnesses and masses to the bounds from which searches take their first steps.
+    #[inline]
+    fn bound(_built: &Self::Built, _bounds: &mut FrequencyBounds) {}
+}
+
+/// The transfer equation `z_O = U(x) z_I` of an element at a frequency `x` (see [`Frequency`](crate::number::frequency::Frequency)).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no transfer matrix at a frequency of type `{S}`",
+    label = "no `TransferMatrix<{S}>` for this element",
+    note = "an element of your own implements `mstmm::TransferMatrix<S>` for every `S: mstmm::Frequency<T>`"
+)]
+pub trait TransferMatrix<S: Scalar>: Element {
+    /// The transfer matrix `U`.
+    fn transfer_matrix(built: &Self::Built, x: S) -> MatrixOf<Self, S>;
+
+    /// The factor that frees `U` of its poles, `K + Cλ` for a dashpot; `None` where `U` is an entire function.
+    #[inline]
+    fn denominator(_built: &Self::Built, _x: S) -> Option<S> {
+        None
+    }
+}
+
+/// The way of an element through the plane method: from the subspace at its input end to that at its output end.
+///
+/// Every step is a polynomial in the element's entire functions: no division, no pole.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` takes no part in the plane method",
+    label = "no `PlaneStep` for this element",
+    note = "planar elements have `overall_matrix` and `overall_determinant` only; an element of your own implements \
+            `mstmm::PlaneStep<S>`"
+)]
+pub trait PlaneStep<S: Scalar>: Element {
+    /// Whether the element needs the square root of the frequency, as waves do.
+    const WAVES: bool = false;
+
+    /// Whether blocks of frequencies may go through the element in straight-line code, where a number is NaN if a branch would
+    /// be needed: whether it computes by operators alone, so that a NaN comes through, what it makes of a kind of subspace is of
+    /// one kind, and `root` is what [`at_root`](Subspace::at_root) is after `step`. One that does not is evaluated at one frequency
+    /// after the other.
+    const STRAIGHT: bool = false;
+
+    /// Which formulas the element takes at a frequency.
+    #[doc(hidden)]
+    #[inline]
+    fn branches(_built: &Self::Built, _at: &At<S>) -> Branches {
+        if Self::STRAIGHT { Branches::Waves } else { Branches::All }
+    }
+
+    /// What depends on the frequency; computed once for equal elements.
+    type Coefficients;
+
+    /// The coefficients at a frequency.
+    fn coefficients(built: &Self::Built, at: &At<S>) -> Self::Coefficients;
+
+    /// Takes the subspace of the input end to the output end and tells the tally what the count needs.
+    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S>;
+
+    /// The last step before the root: Δ itself.
+    #[inline]
+    fn root<C: Tally<S>>(
+        coefficients: &Self::Coefficients,
+        input: Subspace<S>,
+        support: Support,
+        tally: &mut C,
+    ) -> Scaled<S> {
+        Self::step(coefficients, input, tally).at_root(support, tally)
+    }
+}
+
+/// The space of the states of an element.
+#[doc(hidden)]
+pub const fn space_of<E: Element>() -> Space {
+    E::State::SPACE
+}
+
+/// Builds an element under its name in the model.
+#[doc(hidden)]
+pub fn build<E: Element>(element: E, name: &'static str) -> Result<E::Built, ParameterError> {
+    element.build().map_err(|error| error.of(name))
+}
+
+/// A determinant times the denominator of an element, if the element has one.
+#[doc(hidden)]
+#[inline]
+pub fn without_pole<E: TransferMatrix<S>, S: Scalar>(determinant: Scaled<S>, built: &E::Built, x: S) -> Scaled<S> {
+    match E::denominator(built, x) {
+        None => determinant,
+        Some(denominator) => determinant.times(denominator),
+    }
+}

@@ -1,0 +1,107 @@
+//! Elements of any type, for lists of steps.
+
+use crate::element::traits::{Element, PlaneStep};
+use crate::elements::*;
+use crate::model::error::InvalidParameter;
+use crate::model::estimates::FrequencyBounds;
+use crate::model::state::{Space, StateSpace, Support};
+use crate::number::branch_free::Straight;
+use crate::number::frequency::{ComplexFrequency, Frequency, Real};
+use crate::number::frequency_powers::At;
+use crate::number::scaled::Scaled;
+use crate::pass::block::walk::Walker;
+use crate::pass::step_list::{ListElement, ListPass, ListWalk};
+use crate::subspace::count::Tally;
+use crate::subspace::minors::subspace::Subspace;
+
+/// Declares an enum of built elements with the traits of list elements.
+macro_rules! any_element {
+    ($(#[$doc:meta])* $name:ident, $frequency:ident: $($element:ident),*) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub enum $name<T: Real> {
+            $(
+                #[doc = concat!("A built [`", stringify!($element), "`].")]
+                $element(<$element<T> as Element>::Built),
+            )*
+        }
+
+        $(
+            impl<T: Real> TryFrom<$element<T>> for $name<T> {
+                type Error = InvalidParameter;
+
+                fn try_from(element: $element<T>) -> Result<Self, InvalidParameter> {
+                    element.build().map($name::$element)
+                }
+            }
+        )*
+
+        impl<T: Real> ListElement for $name<T> {
+            type Parameter = T;
+
+            fn space(&self) -> Space {
+                match self {
+                    $($name::$element(_) => <$element<T> as Element>::State::SPACE,)*
+                }
+            }
+
+            fn bound(&self, bounds: &mut FrequencyBounds) {
+                match self {
+                    $($name::$element(built) => <$element<T> as Element>::bound(built, bounds),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T>> ListWalk<S> for $name<T>
+        where
+            Straight<S, false>: $frequency<T>,
+            Straight<S, true>: $frequency<T>,
+        {
+            fn walk<W: Walker<S>>(&self, walker: &mut W) {
+                match self {
+                    $($name::$element(built) => walker.element::<$element<T>>(built),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T>> ListPass<S> for $name<T> {
+            fn step<C: Tally<S>>(&self, at: &At<S>, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+                match self {
+                    $($name::$element(built) => {
+                        $element::<T>::step(&$element::<T>::coefficients(built, at), input, tally)
+                    })*
+                }
+            }
+
+            fn root<C: Tally<S>>(
+                &self,
+                at: &At<S>,
+                input: Subspace<S>,
+                support: Support,
+                tally: &mut C,
+            ) -> Scaled<S> {
+                match self {
+                    $($name::$element(built) => {
+                        <$element<T> as PlaneStep<S>>::root(
+                            &$element::<T>::coefficients(built, at), input, support, tally,
+                        )
+                    })*
+                }
+            }
+        }
+    };
+}
+
+macro_rules! any_elements {
+    (undamped { $($element:ident),* } damped { $($damped:ident),* }) => {
+        any_element!(
+            /// Any built-in element without damping.
+            AnyUndamped, Frequency: $($element),*
+        );
+        any_element!(
+            /// Any built-in element; with a damper among them, a list has complex eigenvalues only.
+            AnyElement, ComplexFrequency: $($element,)* $($damped),*
+        );
+    };
+}
+crate::elements::stepping_elements!(any_elements);

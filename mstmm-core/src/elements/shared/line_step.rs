@@ -1,0 +1,42 @@
+//! The steps of spring-like and mass-like elements on lines; in rotation paths `q = -μ` makes them the same.
+
+use crate::model::state::Support;
+use crate::number::scalar::Scalar;
+use crate::subspace::count::Tally;
+use crate::subspace::minors::line::Line;
+use crate::subspace::minors::subspace::Subspace;
+
+/// Through a massless element of dynamic stiffness κ: `(κ y - q, κ q)`; a grounded one needs no line.
+#[inline(always)]
+pub(crate) fn through_stiffness<S: Scalar, C: Tally<S>>(kappa: S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    let space = input.space();
+    if let Subspace::Tip(Support::Fixed, _) = input {
+        return Subspace::Grounded(kappa, space);
+    }
+    let after = match input {
+        Subspace::Grounded(k, _) => Line::new(kappa + k, -(kappa * k), 0),
+        _ => {
+            let before = input.line();
+            Line::new(kappa * before.y - before.q, kappa * before.q, before.exponent)
+        }
+    };
+    if C::COUNTS {
+        tally.spring(&input.line(), &after);
+    }
+    Subspace::Line(after, space)
+}
+
+/// Through an inertia `m λ²`: `(y, q - mλ² y)`; a free one needs no line, a fixed one does not move.
+#[inline(always)]
+pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subspace<S> {
+    let space = input.space();
+    match input {
+        // a line and no longer a tip: what holds a translation need not hold a rotation
+        Subspace::Tip(Support::Fixed, _) => Subspace::Line(input.line(), space),
+        Subspace::Grounded(k, _) => Subspace::Grounded(k + inertia, space),
+        Subspace::Line(Line { y, q, exponent }, _) => Subspace::Line(Line { y, q: q - inertia * y, exponent }, space),
+        Subspace::Tip(..) | Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
+            Subspace::Grounded(inertia, space)
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Numbers of straight-line code.
+
+mod operators;
+
+use crate::number::frequency::{Frequency, Real};
+use crate::number::scalar::{Branches, Scalar};
+use crate::number::wave_functions::WaveProducts;
+use core::ops::Mul;
+
+/// A number that knows no branches: NaN wherever one would be needed, and never shifted into another range. Of the formulas
+/// for waves it knows the series for short ones, or those for all that need not be scaled.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Straight<S, const SERIES: bool>(pub(crate) S);
+
+impl<S: Scalar, const SERIES: bool> Scalar for Straight<S, SERIES> {
+    const BRANCHES: Branches = if SERIES { Branches::Series } else { Branches::Waves };
+    const EPSILON: f64 = S::EPSILON;
+    const WAVE_LIMIT: f64 = S::WAVE_LIMIT;
+    const SERIES_TERMS: usize = S::SERIES_TERMS;
+    const LONGEST_IN_LINE: usize = usize::MAX;
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        Straight(S::from_f64(value))
+    }
+
+    #[inline(always)]
+    fn reciprocal_factorial(n: usize) -> Self {
+        Straight(S::reciprocal_factorial(n))
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Straight(self.0.moderate_sqrt()).provided(self.0.is_plain())
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.0.sin_cos();
+        (Straight(sin), Straight(cos))
+    }
+
+    #[inline(always)]
+    fn sinh_cosh(self) -> (Self, Self) {
+        let (sinh, cosh) = self.0.sinh_cosh();
+        (Straight(sinh), Straight(cosh))
+    }
+
+    #[inline(always)]
+    fn wave_products(self) -> WaveProducts<Self> {
+        self.provided(self.size() < Self::WAVE_LIMIT).moderate_wave_products()
+    }
+
+    #[inline(always)]
+    fn moderate_wave_products(self) -> WaveProducts<Self> {
+        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent } = self.0.moderate_wave_products();
+        let [ch_cos, ch_sin, sh_cos, sh_sin, one] = [ch_cos, ch_sin, sh_cos, sh_sin, one].map(Straight);
+        WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent }
+    }
+
+    #[inline(always)]
+    fn size(self) -> f64 {
+        self.0.size()
+    }
+
+    #[inline(always)]
+    fn times_power_of_two(self, exponent: i32) -> Self {
+        Straight(self.0.times_power_of_two(exponent))
+    }
+
+    #[inline(always)]
+    fn times_normal_power_of_two(self, exponent: i32) -> Self {
+        Straight(self.0.times_normal_power_of_two(exponent))
+    }
+
+    #[inline(always)]
+    fn or_nan(self, condition: bool) -> Self {
+        Straight(self.0.or_nan(condition))
+    }
+
+    #[inline(always)]
+    fn provided(self, condition: bool) -> Self {
+        self.or_nan(condition)
+    }
+
+    /// Of a number below 2^32, as those are that count the waves below [`WAVE_LIMIT`](Scalar::WAVE_LIMIT): vectors have no
+    /// conversion to wider ones before AVX-512.
+    #[inline(always)]
+    fn whole(number: f64) -> u64 {
+        u64::from(number as u32)
+    }
+
+    /// Whoever runs straight-line code looks at the range of what comes of it.
+    #[inline(always)]
+    fn in_range<const N: usize>(entries: [Self; N], _: f64) -> ([Self; N], i32) {
+        (entries, 0)
+    }
+}
+
+impl<T: Real, S: Frequency<T>, const SERIES: bool> Frequency<T> for Straight<S, SERIES>
+where
+    Self: Mul<T, Output = Self>,
+{
+    type Meaning = S::Meaning;
+    const JUDGES: bool = S::JUDGES;
+
+    #[inline(always)]
+    fn lambda_squared(self) -> Self {
+        Straight(self.0.lambda_squared())
+    }
+
+    #[inline(always)]
+    fn omega(self) -> Self {
+        Straight(self.0.omega())
+    }
+
+    #[inline(always)]
+    fn from_parameter(parameter: T) -> Self {
+        Straight(S::from_parameter(parameter))
+    }
+}

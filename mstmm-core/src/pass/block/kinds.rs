@@ -1,0 +1,81 @@
+//! Kinds of subspaces, known to the compiler where a loop over lanes is in straight-line code.
+
+use crate::model::state::{Space, Support};
+use crate::number::scalar::Scalar;
+use crate::subspace::minors::line::Line;
+use crate::subspace::minors::plane::Plane;
+use crate::subspace::minors::subspace::Subspace;
+
+/// What kind of subspace all lanes have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    Tip(Support, Space),
+    Grounded(Space),
+    Springs { y: bool, theta: bool },
+    Line(Space),
+    Plane,
+    OnPin,
+}
+
+impl Shape {
+    pub(crate) fn of<S>(subspace: &Subspace<S>) -> Self {
+        match subspace {
+            Subspace::Tip(support, space) => Shape::Tip(*support, *space),
+            Subspace::Grounded(_, space) => Shape::Grounded(*space),
+            Subspace::Springs { y, theta } => Shape::Springs { y: y.is_some(), theta: theta.is_some() },
+            Subspace::Line(_, space) => Shape::Line(*space),
+            Subspace::Plane(_) => Shape::Plane,
+            Subspace::OnPin(_) => Shape::OnPin,
+        }
+    }
+
+    /// Columns in which its numbers are.
+    #[inline(always)]
+    pub(crate) fn columns(self) -> usize {
+        match self {
+            Shape::Tip(..) => 0,
+            Shape::Grounded(_) => 1,
+            Shape::Springs { .. } | Shape::Line(_) => 2,
+            Shape::Plane | Shape::OnPin => 5,
+        }
+    }
+
+    /// Space of the state.
+    pub(crate) fn space(self) -> Space {
+        match self {
+            Shape::Tip(_, space) | Shape::Grounded(space) | Shape::Line(space) => space,
+            Shape::Springs { .. } | Shape::Plane | Shape::OnPin => Space::Bending,
+        }
+    }
+
+    /// The subspace of this kind with such numbers.
+    #[inline(always)]
+    pub(crate) fn subspace<S: Scalar>(self, numbers: impl Fn(usize) -> S, exponent: i32) -> Subspace<S> {
+        let plane = || Plane::unscaled([numbers(0), numbers(1), numbers(2), numbers(3), numbers(4)], exponent);
+        match self {
+            Shape::Tip(support, space) => Subspace::Tip(support, space),
+            Shape::Grounded(space) => Subspace::Grounded(numbers(0), space),
+            Shape::Springs { y, theta } => {
+                Subspace::Springs { y: y.then(|| numbers(0)), theta: theta.then(|| numbers(1)) }
+            }
+            Shape::Line(space) => Subspace::Line(Line { y: numbers(0), q: numbers(1), exponent }, space),
+            Shape::Plane => Subspace::Plane(plane()),
+            Shape::OnPin => Subspace::OnPin(plane()),
+        }
+    }
+}
+
+/// The numbers of a subspace and its exponent; what it has not is zero.
+#[inline(always)]
+pub(crate) fn numbers<S: Scalar>(subspace: Subspace<S>) -> ([S; 5], i32) {
+    let zero = S::zero();
+    match subspace {
+        Subspace::Tip(..) => ([zero; 5], 0),
+        Subspace::Grounded(k, _) => ([k, zero, zero, zero, zero], 0),
+        Subspace::Springs { y, theta } => ([y.unwrap_or_default(), theta.unwrap_or_default(), zero, zero, zero], 0),
+        Subspace::Line(Line { y, q, exponent }, _) => ([y, q, zero, zero, zero], exponent),
+        Subspace::Plane(plane) | Subspace::OnPin(plane) => {
+            ([plane.y_theta, plane.y_m, plane.w, plane.theta_q, plane.m_q], plane.exponent)
+        }
+    }
+}

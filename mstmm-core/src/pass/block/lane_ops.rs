@@ -1,0 +1,192 @@
+//! What steps do to the subspace of a lane: once written, for straight-line code and for a lane of its own.
+
+use crate::element::traits::{Element, PlaneStep};
+use crate::model::state::{Space, StateSpace, Support};
+use crate::number::branch_free::Straight;
+use crate::number::columns::InColumns;
+use crate::number::scalar::{Branches, Scalar};
+use crate::pass::block::counters::Plainly;
+use crate::pass::block::frequencies::Frequencies;
+use crate::pass::block::lanes::Lanes;
+use crate::pass::block::loops::{Act, BENDING, KINDS, LINE, PLANE, ROTATION, Straightly, TRANSLATION, TURN};
+use crate::subspace::count::{Tally, Untallied, Watch};
+use crate::subspace::minors::join::{held, joined, moderated, narrowed, widened};
+use crate::subspace::minors::plane::Plane;
+use crate::subspace::minors::subspace::Subspace;
+
+/// Through an element.
+pub(crate) struct Through<'a, E: Element, S: InColumns> {
+    pub(crate) built: &'a E::Built,
+    pub(crate) at: &'a Frequencies<S>,
+}
+
+impl<S, C, E> Act<S, C> for Through<'_, E, S>
+where
+    S: InColumns,
+    C: Tally<S>,
+    E: PlaneStep<S> + PlaneStep<Straight<S, false>> + PlaneStep<Straight<S, true>>,
+{
+    const HAS_SERIES: bool = <E as PlaneStep<S>>::WAVES;
+
+    fn branches(&self) -> Branches {
+        E::branches(self.built, &self.at.lane(0, |number| number))
+    }
+
+    const SUITS: u32 = match E::State::SPACE {
+        Space::Bending => BENDING,
+        Space::Translation => TRANSLATION,
+        _ => ROTATION,
+    };
+
+    #[inline(always)]
+    fn alone(&self, lane: usize, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+        E::step(&E::coefficients(self.built, &self.at.lane(lane, |number| number)), input, tally)
+    }
+}
+
+impl<S, C, E, const SERIES: bool> Straightly<S, C, SERIES> for Through<'_, E, S>
+where
+    S: InColumns,
+    C: Tally<S>,
+    E: PlaneStep<Straight<S, SERIES>>,
+{
+    #[inline(always)]
+    fn straight(
+        &self,
+        lane: usize,
+        input: Subspace<Straight<S, SERIES>>,
+        tally: &mut C,
+    ) -> Subspace<Straight<S, SERIES>> {
+        E::step(&E::coefficients(self.built, &self.at.lane(lane, Straight)), input, &mut Plainly(tally))
+    }
+}
+
+impl<E: Element, S: InColumns> Clone for Through<'_, E, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<E: Element, S: InColumns> Copy for Through<'_, E, S> {}
+
+/// The join with another path, of the kind with a number in [`KINDS`].
+#[derive(Clone, Copy)]
+pub(crate) struct Join<'a, S: InColumns, const OTHER: usize>(pub(super) &'a Lanes<S>);
+
+impl<S: InColumns, const OTHER: usize> Act<S, Untallied> for Join<'_, S, OTHER> {
+    const SUITS: u32 = 1 << PLANE;
+
+    fn branches(&self) -> Branches {
+        if self.0.is_fit { Branches::Waves } else { Branches::All }
+    }
+
+    #[inline(always)]
+    fn alone(&self, lane: usize, input: Subspace<S>, _: &mut Untallied) -> Subspace<S> {
+        joined_alone(input, self.0.lane(lane))
+    }
+}
+
+impl<S: InColumns, const OTHER: usize, const SERIES: bool> Straightly<S, Untallied, SERIES> for Join<'_, S, OTHER> {
+    #[inline(always)]
+    fn other_exponent(&self, lane: usize) -> i32 {
+        self.0.exponents[lane]
+    }
+
+    #[inline(always)]
+    fn straight(
+        &self,
+        lane: usize,
+        input: Subspace<Straight<S, SERIES>>,
+        _: &mut Untallied,
+    ) -> Subspace<Straight<S, SERIES>> {
+        joined(moderated(input), moderated(self.0.known(KINDS[OTHER], lane, Straight)), &mut Untallied)
+    }
+}
+
+/// The join of two paths in a lane of its own. A sum that cancels is no number here: nobody listens, and such a frequency is
+/// evaluated alone.
+pub(crate) fn joined_alone<S: Scalar>(input: Subspace<S>, other: Subspace<S>) -> Subspace<S> {
+    let mut watch = Watch::default();
+    let sum = joined(moderated(input), moderated(other), &mut watch);
+    if watch.cancelled.any() { Subspace::Plane(Plane::unscaled([S::zero().or_nan(false); 5], 0)) } else { sum }
+}
+
+/// An act on one subspace by a function that is generic over scalars: what it is, its field, the kinds worth a loop, the
+/// function.
+macro_rules! act_by {
+    ($(#[$doc:meta])* $name:ident($field:ty), $suits:expr, |$own:ident, $input:ident, $tally:ident| $result:expr) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy)]
+        pub(crate) struct $name(pub(super) $field);
+
+        impl<S: InColumns, C: Tally<S>> Act<S, C> for $name {
+            const SUITS: u32 = $suits;
+
+            #[inline(always)]
+            fn alone(&self, _: usize, $input: Subspace<S>, $tally: &mut C) -> Subspace<S> {
+                let $own = self.0;
+                $result
+            }
+        }
+
+        impl<S: InColumns, C: Tally<S>, const SERIES: bool> Straightly<S, C, SERIES> for $name {
+            #[inline(always)]
+            fn straight(
+                &self,
+                _: usize,
+                $input: Subspace<Straight<S, SERIES>>,
+                tally: &mut C,
+            ) -> Subspace<Straight<S, SERIES>> {
+                let ($own, $tally) = (self.0, &mut Plainly(tally));
+                $result
+            }
+        }
+    };
+}
+
+act_by!(
+    /// The point goes on wider than its paths.
+    Widen(Option<Space>), 0, |output, input, _tally| widened(input, output)
+);
+act_by!(
+    /// The point goes on narrower than its paths.
+    Narrow(Option<Space>), 0b11 << PLANE,
+    |output, input, tally| narrowed(input, output, tally)
+);
+
+act_by!(
+    /// The one path of a connection, which is what others see of it.
+    Moderate(()), 0b11 << PLANE | 1 << LINE | 1 << TURN, |_own, input, _tally| moderated(input)
+);
+
+/// Supports by the constants of [`Hold`] and of the root.
+pub(crate) const SUPPORTS: [Support; 4] = [Support::Fixed, Support::Pinned, Support::Guided, Support::Free];
+pub(crate) const FIXED: usize = 0;
+pub(crate) const PINNED: usize = 1;
+pub(crate) const GUIDED: usize = 2;
+pub(crate) const FREE: usize = 3;
+
+/// A support holds the point; which is known to the compiler, since it decides what moves where.
+#[derive(Clone, Copy)]
+pub(crate) struct Hold<const SUPPORT: usize>;
+
+impl<S: InColumns, const SUPPORT: usize> Act<S, Untallied> for Hold<SUPPORT> {
+    const SUITS: u32 = 1 << PLANE;
+
+    #[inline(always)]
+    fn alone(&self, _: usize, input: Subspace<S>, _: &mut Untallied) -> Subspace<S> {
+        held(input, SUPPORTS[SUPPORT])
+    }
+}
+
+impl<S: InColumns, const SUPPORT: usize, const SERIES: bool> Straightly<S, Untallied, SERIES> for Hold<SUPPORT> {
+    #[inline(always)]
+    fn straight(
+        &self,
+        _: usize,
+        input: Subspace<Straight<S, SERIES>>,
+        _: &mut Untallied,
+    ) -> Subspace<Straight<S, SERIES>> {
+        held(input, SUPPORTS[SUPPORT])
+    }
+}

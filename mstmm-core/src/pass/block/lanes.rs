@@ -1,0 +1,101 @@
+//! Subspaces of all lanes, a column for each number.
+
+use crate::model::state::{Space, Support};
+use crate::number::columns::InColumns;
+use crate::number::scalar::{Scalar, is_moderate};
+use crate::pass::block::WIDTH;
+use crate::pass::block::kinds::{Shape, numbers};
+use crate::subspace::minors::plane::Plane;
+use crate::subspace::minors::subspace::Subspace;
+
+/// A subspace in each lane, all of one kind.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lanes<S: InColumns> {
+    pub(crate) shape: Shape,
+    pub(crate) columns: [S::Columns<WIDTH>; 5],
+    pub(crate) exponents: [i32; WIDTH],
+    /// Whether every lane is of that kind; an element of one's own may decide otherwise in each.
+    pub(crate) is_uniform: bool,
+    /// Whether every lane is in the range in which nothing is shifted.
+    pub(crate) is_fit: bool,
+}
+
+impl<S: InColumns> Lanes<S> {
+    /// Room for them.
+    pub(crate) fn new() -> Self {
+        let shape = Shape::Tip(Support::Free, Space::Bending);
+        let columns = [S::zero().columns(); 5];
+        Lanes { shape, columns, exponents: [0; WIDTH], is_uniform: true, is_fit: true }
+    }
+
+    /// The same support in all lanes; it has no numbers.
+    pub(crate) fn become_tip(&mut self, support: Support, space: Space) {
+        self.begin(Shape::Tip(support, space));
+        self.exponents = [0; WIDTH];
+    }
+
+    /// Subspaces of a kind are going to be set.
+    #[inline(always)]
+    pub(crate) fn begin(&mut self, shape: Shape) {
+        (self.shape, self.is_uniform, self.is_fit) = (shape, true, true);
+    }
+
+    /// The subspace in a lane.
+    pub(crate) fn lane(&self, lane: usize) -> Subspace<S> {
+        self.of_kind(self.shape, lane)
+    }
+
+    /// The same where the kind is known to the compiler.
+    #[inline(always)]
+    pub(crate) fn of_kind(&self, shape: Shape, lane: usize) -> Subspace<S> {
+        shape.subspace(|column| S::get(&self.columns[column], lane), self.exponents[lane])
+    }
+
+    /// The same over another scalar, without its exponent.
+    #[inline(always)]
+    pub(crate) fn known<X: Scalar>(&self, shape: Shape, lane: usize, number: impl Fn(S) -> X) -> Subspace<X> {
+        shape.subspace(|column| number(S::get(&self.columns[column], lane)), 0)
+    }
+
+    /// The subspaces seen from the other side, as [`Subspace::mirrored`].
+    pub(crate) fn mirror(&mut self) {
+        if let Shape::Plane | Shape::OnPin = self.shape {
+            let w = &mut self.columns[2];
+            for lane in 0..WIDTH {
+                (-S::get(w, lane)).put(w, lane);
+            }
+        }
+    }
+
+    /// Sets the subspace in a lane.
+    pub(crate) fn set(&mut self, lane: usize, subspace: Subspace<S>) {
+        self.is_uniform &= Shape::of(&subspace) == self.shape;
+        self.is_fit &= is_fit(&subspace);
+        let (entries, exponent) = numbers(subspace);
+        for (column, entry) in self.columns.iter_mut().zip(entries) {
+            entry.put(column, lane);
+        }
+        self.exponents[lane] = exponent;
+    }
+}
+
+/// Whether a subspace is where straight-line code may take it up: all its numbers are numbers, and neither it nor what a join
+/// makes of it would be shifted into another range.
+#[inline(always)]
+pub(crate) fn is_fit<S: Scalar>(subspace: &Subspace<S>) -> bool {
+    match subspace {
+        Subspace::Tip(..) => true,
+        Subspace::Grounded(k, _) => is_moderate(1.0 + k.size()),
+        Subspace::Springs { y, theta } => {
+            let size = |stiffness: &Option<S>| stiffness.map_or(0.0, Scalar::size);
+            let (y, theta) = (size(y), size(theta));
+            is_moderate((1.0 + y) + (theta + y * theta))
+        }
+        Subspace::Line(line, _) => is_moderate(line.y.size() + line.q.size()),
+        Subspace::Plane(plane) | Subspace::OnPin(plane) => {
+            let Plane { y_theta, y_m, w, theta_q, m_q, .. } = *plane;
+            // the third minor is between the others, but for what is not a number
+            is_moderate((y_theta.size() + y_m.size()) + (theta_q.size() + m_q.size())) & !w.size().is_nan()
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! What a built system offers to the searches: Δ by the plane method, with a tally.
+
+use crate::model::estimates::FrequencyBounds;
+use crate::number::frequency::Real;
+use crate::number::scalar::Scalar;
+use crate::number::scaled::Scaled;
+use crate::subspace::count::{CountOf, Tally, Untallied};
+
+/// A built system with parameters of type `Self::Parameter`.
+pub trait System {
+    /// Scalar of the parameters.
+    type Parameter: Real;
+
+    /// Bounds from which the searches take their first steps.
+    #[doc(hidden)]
+    fn bounds(&self) -> FrequencyBounds;
+}
+
+/// A system that the plane method can evaluate at a frequency `x`: ω for a real scalar (undamped systems only), λ for a
+/// complex one.
+pub trait Characteristic<S: Scalar>: System {
+    /// Δ by the plane method, in one pass with a tally.
+    #[doc(hidden)]
+    fn pass<C: Tally<S>>(&self, x: S, tally: &mut C) -> Scaled<S>;
+
+    /// Δ by the plane method: exact at every frequency, without poles, with mantissa and exponent.
+    ///
+    /// Equal to `overall_determinant` times one constant, the same at all frequencies; zero at the eigenvalues and nowhere
+    /// else. No matrix is formed.
+    #[inline]
+    fn characteristic(&self, x: S) -> Scaled<S> {
+        self.pass(x, &mut Untallied)
+    }
+}
+
+/// The count of natural frequencies below ω, and Δ(ω) from the same pass, which watches sums that cancel or does not.
+#[inline]
+pub(crate) fn count_and_value<const WATCHES: bool, Y, S>(system: &Y, x: S) -> (CountOf<false, WATCHES>, Scaled<S>)
+where
+    S: Real,
+    Y: Characteristic<S> + ?Sized,
+{
+    tallied(system, x, CountOf::default())
+}
+
+/// What a tally hears of a pass, and Δ.
+#[inline]
+pub(crate) fn tallied<C: Tally<S>, Y, S: Scalar>(system: &Y, x: S, mut tally: C) -> (C, Scaled<S>)
+where
+    Y: Characteristic<S> + ?Sized,
+{
+    let value = system.pass(x, &mut tally);
+    (tally, value)
+}

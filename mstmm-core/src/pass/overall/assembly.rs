@@ -1,0 +1,114 @@
+//! The overall transfer equation: matrix products per transfer path, geometrical equations at each connection.
+
+use crate::element::traits::{Element, MatrixOf};
+use crate::model::layout::{Layout, Step};
+use crate::model::state::{Coordinate, StateSpace, WIDEST};
+use crate::number::scalar::Scalar;
+use nalgebra::SMatrix;
+
+/// `U_all` under construction.
+///
+/// Each column belongs to one unknown boundary entry. It carries the state that this unknown causes at the current
+/// point of its path; an element multiplies it, a connection keeps the displacements of its first input and the
+/// forces of all.
+#[derive(Debug)]
+pub struct Assembly<'a, S, const N: usize, const STEPS: usize> {
+    layout: &'a Layout<'a, STEPS>,
+    /// State per column, indexed by [`Coordinate`].
+    states: [[S; WIDEST]; N],
+    matrix: SMatrix<S, N, N>,
+}
+
+impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS> {
+    /// An empty equation in which every tip has its unit states.
+    pub fn new(layout: &'a Layout<'a, STEPS>) -> Self {
+        let mut states = [[S::zero(); WIDEST]; N];
+        for (step, place) in layout.steps.iter().zip(&layout.places) {
+            let Step::Tip(support) = step else { continue };
+            let unknowns = support.unknowns(place.space).unwrap_or(&[]);
+            for (column, &unknown) in unknowns.iter().enumerate() {
+                states[place.first_column + column][unknown as usize] = S::one();
+            }
+        }
+        Assembly { layout, states, matrix: SMatrix::zeros() }
+    }
+
+    /// Takes the paths up to `step` through an element with transfer matrix `u`.
+    #[inline]
+    pub fn element<E: Element>(&mut self, step: usize, u: &MatrixOf<E, S>) {
+        let place = self.layout.places[step];
+        for state in &mut self.states[place.first_column..place.first_column + place.columns] {
+            E::State::transfer(u, state);
+        }
+    }
+
+    /// Joins the inputs of a connection: a geometrical equation `-H_1 z_1 + H_k z_k = 0` for each input `k` after the
+    /// first, and `z_O = U_1 z_1 + Σ U_k z_k`.
+    ///
+    /// # Source
+    /// Eqs. (20)-(29) of the paper.
+    pub fn connection(&mut self, step: usize) {
+        let layout = self.layout;
+        let Some((&first, others)) = layout.inputs(step).split_first() else { return };
+        let reference = layout.places[first];
+        let connection = layout.places[step];
+        let geometrical_rows: usize = others.iter().map(|&input| layout.places[input].space.size() / 2).sum();
+        let left_behind = layout.forces_left_behind(step);
+        let mut row = connection.first_row + connection.rows - geometrical_rows - left_behind;
+        for &input in others {
+            let input = layout.places[input];
+            let columns = input.first_column..input.first_column + input.columns;
+            for &displacement in input.space.displacements() {
+                for column in reference.first_column..reference.first_column + reference.columns {
+                    self.matrix[(row, column)] = -self.states[column][displacement as usize];
+                }
+                for column in columns.clone() {
+                    self.matrix[(row, column)] = self.states[column][displacement as usize];
+                    self.states[column][displacement as usize] = S::zero();
+                }
+                row += 1;
+            }
+        }
+        self.leave_behind(step, row);
+    }
+
+    /// What does not go on where a connection leads to fewer states: its forces are zero, its displacements free.
+    fn leave_behind(&mut self, step: usize, mut row: usize) {
+        let layout = self.layout;
+        let Some(output) = layout.output(step).filter(|_| layout.narrows(step)) else { return };
+        let place = layout.places[step];
+        for &coordinate in place.space.coordinates() {
+            if output.coordinates().contains(&coordinate) {
+                continue;
+            }
+            let is_force = !place.space.displacements().contains(&coordinate);
+            for column in place.first_column..place.first_column + place.columns {
+                if is_force {
+                    self.matrix[(row, column)] = self.states[column][coordinate as usize];
+                }
+                self.states[column][coordinate as usize] = S::zero();
+            }
+            row += usize::from(is_force);
+        }
+    }
+
+    /// Ends all paths at the root: `z_root` of the tips minus its own unknowns, eq. (30).
+    pub fn finish(mut self) -> SMatrix<S, N, N> {
+        let last = STEPS - 1;
+        let place = self.layout.places[last];
+        let Step::Root(_, support) = self.layout.steps[last] else { return self.matrix };
+        let unknowns: &[Coordinate] = support.unknowns(place.space).unwrap_or(&[]);
+        let own_column = N - unknowns.len();
+        for (row, &coordinate) in place.space.coordinates().iter().enumerate() {
+            for column in 0..own_column {
+                self.matrix[(row, column)] = self.states[column][coordinate as usize];
+            }
+            for (k, &unknown) in unknowns.iter().enumerate() {
+                if unknown == coordinate {
+                    self.matrix[(row, own_column + k)] = -S::one();
+                }
+            }
+        }
+        self.matrix
+    }
+}

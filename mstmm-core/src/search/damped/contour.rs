@@ -1,0 +1,262 @@
+//! The argument principle: how many eigenvalues a contour encloses.
+
+use crate::model::error::SearchError;
+use crate::number::dual::Dual;
+use crate::number::floats::argument;
+use crate::number::frequency::Real;
+use crate::number::frequency::modulus;
+use crate::number::frequency::{larger, smaller};
+use crate::pass::characteristic::{Characteristic, System};
+use crate::search::damped::deflation::{divided, turning};
+use crate::search::damped::found::Eigenvalue;
+use crate::search::damped::growth::Growth;
+use crate::search::damped::point::Point;
+use crate::search::damped::rectangle::Rectangle;
+use crate::search::damped::session::EigenvalueSearch;
+use num_complex::Complex;
+
+/// Steps after which a walk is given up: rounding noise can make it creep.
+const STEPS: u32 = 20_000;
+
+/// A step is at most so much longer than the one before: between two roots, where Δ' vanishes, the rate alone would let it
+/// leap over the next one, or the next two.
+const STEP_GROWTH: f64 = 2.0;
+
+/// Bound of `|step Δ'/Δ|` at both ends of a step.
+const STEP_BOUND: f64 = 1.5;
+
+/// Bound of the relative difference between Δ at the end of a step and what the rates at both ends make of its start.
+const STEP_MISMATCH: f64 = 0.4;
+
+/// Steps after a search for a root in vain, or for one that did not help, before the next.
+const PATIENCE: u32 = 8;
+
+/// No root is sought from points so close to the real axis, in lengths of `Δ/Δ'`.
+const LOW: f64 = 0.1;
+
+/// The second step as a part of the distance of the nearest root that the first one shows.
+const SECOND_STEP: f64 = 0.7;
+
+/// A root is sought where `|Δ'/Δ|` times the step that is wanted exceeds this and the root seems to lie inside,
+const HELD_UP: f64 = 0.9 * STEP_BOUND;
+
+/// or where it exceeds this, wherever it lies.
+const CLOSE: f64 = 8.0;
+
+/// What a walk along a contour found.
+pub(super) enum Walk {
+    /// By how much the argument of Δ grew.
+    Argument(f64),
+    /// The contour meets a root, or nearly.
+    MeetsRoot,
+}
+
+/// A polygon to walk along.
+pub(super) struct Way<'w, T: Real> {
+    pub(super) corners: &'w [Complex<T>],
+    /// As parts of the polygon's size: where steps would have to be shorter than the first of these, the polygon meets a
+    /// root; the first step, before anything is known about the way, is no longer than the second, the next than the third.
+    pub(super) steps: [f64; 3],
+    /// The rectangle whose contour it is: then roots that hold up the walk are sought, and divided out. None far from the
+    /// imaginary axis, where the growth of Δ stands for all roots beside it.
+    pub(super) rectangle: Option<&'w Rectangle<T>>,
+    /// What Δ is divided by from the beginning.
+    pub(super) growth: Growth<T>,
+}
+
+impl<T: Real> Way<'_, T> {
+    /// Whether the contour of a rectangle passes by a root, or its mirror image, within a distance.
+    fn meets(&self, root: &Eigenvalue<T>, distance: T) -> bool {
+        let passes = |lambda| {
+            self.rectangle
+                .is_some_and(|rectangle| rectangle.contains(lambda, distance) && !rectangle.contains(lambda, -distance))
+        };
+        passes(root.lambda) || passes(root.lambda.conj())
+    }
+}
+
+/// A walk in progress.
+struct Walker<'w, T: Real> {
+    way: &'w Way<'w, T>,
+    /// The corner ahead.
+    next: usize,
+    start: Point<T>,
+    /// With roots divided out.
+    here: Point<T>,
+    shortest: T,
+    longest: T,
+    angle: f64,
+    /// Steps to be made before the next search for a root.
+    patience: u32,
+    /// Whether the way meets a root.
+    is_stuck: bool,
+}
+
+impl<T: Real> Walker<'_, T> {
+    /// The way from here on.
+    fn rest(&self) -> impl Iterator<Item = Complex<T>> + Clone {
+        let ahead = self.way.corners.iter().skip(self.next).copied();
+        core::iter::once(self.here.lambda).chain(ahead)
+    }
+
+    /// A step that was accepted.
+    fn go(&mut self, there: Point<T>, corner: Complex<T>, change: f64) {
+        if there.lambda != corner {
+            self.longest = modulus(there.lambda - self.here.lambda) * T::from_f64(STEP_GROWTH);
+        }
+        (self.here, self.angle) = (there, self.angle + change);
+        self.patience = self.patience.saturating_sub(1);
+    }
+}
+
+impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+where
+    T: Real,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+{
+    /// Growth of the argument of Δ along a polygon. Every point on the way is shown to `visit`.
+    pub(super) fn walk(&mut self, way: &Way<'_, T>, mut visit: impl FnMut(&Point<T>)) -> Result<Walk, SearchError> {
+        let Some(&first) = way.corners.first() else { return Ok(Walk::Argument(0.0)) };
+        let size = way.corners.iter().map(|&corner| modulus(corner - first)).fold(T::zero(), larger);
+        let [shortest, longest, next] = way.steps.map(|part| size * T::from_f64(part));
+        let polygon = way.corners.iter().copied();
+        let known = if way.rectangle.is_some() { self.known.roots() } else { &[] };
+        if known.iter().any(|root| way.meets(root, shortest)) {
+            return Ok(Walk::MeetsRoot);
+        }
+        let angle =
+            way.growth.turning(polygon.clone()) + known.iter().map(|root| turning(root, polygon.clone())).sum::<f64>();
+        let start = self.evaluation.at(first)?;
+        let here = self.left(&start, way);
+        let mut walker = Walker { way, next: 1, start, here, shortest, longest, angle, patience: 0, is_stuck: false };
+        let mut steps = 0;
+        while let Some(&corner) = way.corners.get(walker.next) {
+            if walker.here.lambda == corner {
+                walker.next += 1;
+                continue;
+            }
+            steps += 1;
+            self.evaluation.check_effort::<T>(self.known.roots().len())?;
+            if walker.here.is_root || steps > STEPS || !self.step(&mut walker, corner)? {
+                return Ok(Walk::MeetsRoot);
+            }
+            visit(&walker.here);
+            if steps == 1 {
+                let bend = bend(&self.left(&start, way), &walker.here);
+                walker.longest = smaller(bend * T::from_f64(SECOND_STEP), next);
+            }
+        }
+        if walker.here.is_root { Ok(Walk::MeetsRoot) } else { Ok(Walk::Argument(walker.angle)) }
+    }
+
+    /// What is left of Δ along a way.
+    fn left(&self, point: &Point<T>, way: &Way<'_, T>) -> Point<T> {
+        let point = way.growth.taken_from(point);
+        if way.rectangle.is_some() { divided(&point, self.known.roots()) } else { point }
+    }
+
+    /// A step towards a corner; false if steps become too short.
+    ///
+    /// A step must be short beside `Δ/Δ'` at both ends, and the mean of `Δ'/Δ` must predict Δ: a phase alone could hide a
+    /// whole turn. Where it is not, or would have to be short, roots nearby are divided out.
+    fn step(&mut self, walker: &mut Walker<'_, T>, corner: Complex<T>) -> Result<bool, SearchError> {
+        let rest = corner - walker.here.lambda;
+        let length = modulus(rest);
+        let wanted = smaller(walker.longest, length);
+        while self.divide_out(walker, walker.here, wanted)? {}
+        let mut step = smaller(T::from_f64(HELD_UP) / modulus(walker.here.rate), walker.longest);
+        if step < smaller(walker.shortest, length) {
+            return Ok(false);
+        }
+        loop {
+            let there = if step < length { walker.here.lambda + rest * (step / length) } else { corner };
+            if walker.is_stuck || there == walker.here.lambda {
+                return Ok(false);
+            }
+            let seen = if there == walker.start.lambda { walker.start } else { self.evaluation.at(there)? };
+            loop {
+                let there = self.left(&seen, walker.way);
+                if let Some(change) = change_of_argument(&walker.here, &there) {
+                    walker.go(there, corner, change);
+                    return Ok(true);
+                }
+                if !self.divide_out(walker, there, smaller(step, length))? {
+                    break;
+                }
+            }
+            step = smaller(step, length) * T::from_f64(0.5);
+            if step < walker.shortest {
+                return Ok(false);
+            }
+        }
+    }
+
+    /// Finds a root near a point on the way that keeps steps shorter than wanted, and divides it out; false if none is found.
+    fn divide_out(&mut self, walker: &mut Walker<'_, T>, from: Point<T>, wanted: T) -> Result<bool, SearchError> {
+        let Some(rectangle) = walker.way.rectangle else { return Ok(false) };
+        let rate = modulus(from.rate);
+        let hold = rate * wanted;
+        let ahead = from.lambda - Complex::from(T::one()) / from.rate;
+        // one outside costs more than it saves, unless it is close
+        let is_worth_it =
+            hold > T::from_f64(CLOSE) || (hold > T::from_f64(HELD_UP) && rectangle.contains(ahead, T::zero()));
+        let is_ready = walker.patience == 0 && !self.known.is_full();
+        // near the real axis, which Newton's method would hardly leave
+        let is_low = from.lambda.im.abs() * rate < T::from_f64(LOW);
+        if !is_ready || !is_worth_it || is_low {
+            return Ok(false);
+        }
+        walker.patience = PATIENCE;
+        let Some(root) = self.find(&from, rectangle)? else { return Ok(false) };
+        walker.is_stuck = walker.way.meets(&root, walker.shortest);
+        walker.angle += turning(&root, walker.rest());
+        walker.here = divided(&walker.here, &[root]);
+        // what does not explain the rate is not what holds up the walk
+        if modulus(divided(&from, &[root]).rate) < rate {
+            walker.patience = 0;
+        }
+        Ok(!walker.is_stuck)
+    }
+}
+
+/// The length over which `Δ'/Δ` changes by its inverse. The root nearest to two points that are close together is no nearer
+/// than that if all roots lie on a line with them: no two contributions to the change cancel, as those to `Δ'/Δ` do
+/// half-way between two roots.
+fn bend<T: Real>(here: &Point<T>, there: &Point<T>) -> T {
+    (modulus(there.lambda - here.lambda) / modulus(there.rate - here.rate)).sqrt()
+}
+
+/// Growth of the argument of Δ from one point to the next, if they are close enough to tell.
+fn change_of_argument<T: Real>(here: &Point<T>, there: &Point<T>) -> Option<f64> {
+    let step = there.lambda - here.lambda;
+    let bound = T::from_f64(STEP_BOUND);
+    if there.is_root || modulus(step) * larger(modulus(here.rate), modulus(there.rate)) > bound {
+        return None;
+    }
+    let predicted = step * (here.rate + there.rate) * T::from_f64(0.5);
+    let (sin, cos) = predicted.im.sin_cos();
+    let found = there.value.over(here.value).value() / (Complex::new(cos, sin) * predicted.re.exp());
+    let mismatch = found - Complex::from(T::one());
+    let change = || predicted.im.to_f64() + argument(found.re.to_f64(), found.im.to_f64());
+    (modulus(mismatch) <= T::from_f64(STEP_MISMATCH)).then(change)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::scaled::Scaled;
+
+    /// Closed form: amid roots on a line `Δ'/Δ` vanishes half-way between two of them, where its change still shows how near
+    /// they are.
+    #[test]
+    fn two_points_half_way_between_roots_show_how_near_these_are() {
+        let at = |im: f64| {
+            let lambda = Complex::new(0.01, im);
+            let rate = (-20..=20).map(|k| (lambda - Complex::new(0.0, f64::from(k) + 0.5)).inv()).sum();
+            Point { lambda, value: Scaled::new(Complex::from(1.0), 0), rate, is_root: false }
+        };
+        assert!(modulus(at(0.0).rate) < 0.2);
+        let bend = bend(&at(0.0), &at(1e-6));
+        assert!(bend > 0.2 && bend < 0.5, "{bend}");
+    }
+}

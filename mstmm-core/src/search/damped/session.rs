@@ -1,0 +1,64 @@
+//! What a search for eigenvalues knows while it runs.
+
+use crate::model::estimates::FrequencyBounds;
+use crate::number::dual::Dual;
+use crate::number::frequency::modulus;
+use crate::number::frequency::{Real, larger};
+use crate::number::scalar::Scalar;
+use crate::pass::characteristic::{Characteristic, System};
+use crate::search::damped::deflation::Known;
+use crate::search::damped::evaluation::Evaluation;
+use crate::search::damped::found::Eigenvalue;
+use crate::search::damped::rectangle::Rectangle;
+use num_complex::Complex;
+
+/// Radius, in roots of eps, of a circle that the rounding of a double root explains.
+const BLUR: f64 = 64.0;
+
+/// Size of a rectangle, in radii of such a circle, from whose contour the roots within are told apart.
+const NEAR: f64 = 8.0;
+
+/// A search in progress.
+pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized, T: Real> {
+    pub(super) evaluation: Evaluation<'a, Y>,
+    /// The eigenvalues found so far, wherever they lie.
+    pub(super) known: Known<T>,
+    pub(super) bounds: FrequencyBounds,
+    /// Frequencies of this size are as good as zero.
+    pub(super) smallest: T,
+    /// The unit in the last place that results are good to: that of the parameters.
+    pub(super) precision: f64,
+}
+
+impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+where
+    T: Real,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+{
+    pub(super) fn new(system: &'a Y) -> Self {
+        let bounds = system.bounds();
+        let smallest = T::one().times_power_of_two(bounds.negligible_exponent());
+        let precision = <Y::Parameter as Scalar>::EPSILON;
+        EigenvalueSearch {
+            evaluation: Evaluation::new(system, bounds.lowest_exponent()),
+            known: Known::new(),
+            bounds,
+            smallest,
+            precision,
+        }
+    }
+
+    /// The modulus of an eigenvalue, or of one that is as good as zero the least one that is not.
+    pub(super) fn scale(&self, lambda: Complex<T>) -> T {
+        larger(modulus(lambda), self.smallest)
+    }
+
+    /// Whether a circle with several roots is so wide that rounding alone need not have blurred a double one, while the
+    /// rectangle is wide beside it: from nearer by, the roots may be told apart.
+    pub(super) fn may_be_a_cluster(&self, root: &Eigenvalue<T>, rectangle: &Rectangle<T>) -> bool {
+        let scale = self.scale(root.lambda);
+        let is_wide =
+            root.multiplicity > 1 && root.error > scale * T::from_f64(BLUR) * T::from_f64(self.precision).sqrt();
+        is_wide && rectangle.size() > root.error * T::from_f64(NEAR)
+    }
+}

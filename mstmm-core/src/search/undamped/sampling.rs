@@ -1,0 +1,217 @@
+//! Samples of a search: counts, Δ and its slope at frequencies, and what looks like rounding in them.
+
+use crate::model::error::SearchError;
+use crate::model::estimates::FrequencyBounds;
+use crate::number::doubt::{NEARLY_ZERO_EXPONENT, UNJUDGED, is_last, is_unjudged};
+use crate::number::dual::Dual;
+use crate::number::frequency::{Frequency, Real};
+use crate::number::scalar::Scalar;
+use crate::number::scaled::Scaled;
+use crate::pass::characteristic::{Characteristic, System, count_and_value, tallied};
+use crate::search::identity::check_identity;
+use crate::search::undamped::found::NaturalFrequency;
+use crate::subspace::count::{Cancelled, Count};
+
+/// Half the relative width of a certified interval, in units of eps: room for the roundings of z = βl (about four,
+/// doubled in ω) and of the planes.
+const HALF_WIDTH: f64 = 16.0;
+
+/// The same rounding in each of so many equal beams in a row adds up to one more such width.
+const BEAMS_PER_WIDTH: f64 = 64.0;
+
+/// Factor between the lowest estimate of a frequency and what is taken to be just above zero.
+pub(super) const ZERO_EXPONENT: i32 = 30;
+
+/// Below it the square of a frequency, with the masses that it multiplies, vanishes in the arithmetic.
+const LEAST: f64 = 1e-130;
+
+/// A frequency with its count and Δ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample<T> {
+    pub(super) omega: T,
+    pub(super) below: u64,
+    pub(super) value: Scaled<T>,
+}
+
+impl<T: Real> Default for Sample<T> {
+    fn default() -> Self {
+        Sample { omega: T::zero(), below: 0, value: Scaled::new(T::one(), 0) }
+    }
+}
+
+/// A frequency with its count, Δ and dΔ/dω; the power of two multiplies both.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slope<T> {
+    pub(super) omega: T,
+    pub(super) below: u64,
+    pub(super) value: T,
+    pub(super) derivative: T,
+    pub(super) exponent: i64,
+}
+
+impl<T: Real> From<Slope<T>> for Sample<T> {
+    fn from(slope: Slope<T>) -> Self {
+        Sample { omega: slope.omega, below: slope.below, value: Scaled::new(slope.value, slope.exponent) }
+    }
+}
+
+/// A search in progress.
+pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
+    system: &'a Y,
+    pub(super) bounds: FrequencyBounds,
+    /// A frequency below which rounding may have made one of a zero.
+    pub(super) nearly_zero: T,
+    /// Just above zero: below every frequency but those that are zero.
+    pub(super) just_above_zero: T,
+    /// Relative half width of a certified interval.
+    pub(super) half_width: T,
+    /// The unit in the last place that results are good to.
+    pub(super) precision: f64,
+    pub(super) evaluations: usize,
+    /// Whether something looked like rounding: counts that do not grow, slopes that do not fit, roots that coincide.
+    pub(super) is_doubtful: bool,
+    /// Whether Δ of a sample was less beside its terms than it is beside a well-conditioned root.
+    is_ill_conditioned: bool,
+    /// Whether samples are taken beside a root.
+    pub(super) is_at_root: bool,
+    /// Splits in a row that left all roots of a bracket on one side.
+    pub(super) idle_splits: u32,
+}
+
+impl<'a, T, Y> Isolation<'a, Y, T>
+where
+    T: Real,
+    Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Judge> + ?Sized,
+{
+    /// A search in arithmetic of type `T`, to the precision of the system's parameters.
+    pub(super) fn new(system: &'a Y) -> Self {
+        let precision = <Y::Parameter as Scalar>::EPSILON;
+        let bounds = system.bounds();
+        let power = |exponent| T::one().times_power_of_two(exponent);
+        let waves = f64::from(bounds.wave_count());
+        let half_width = T::from_f64(HALF_WIDTH * precision * (1.0 + waves / BEAMS_PER_WIDTH));
+        Isolation {
+            system,
+            nearly_zero: power(bounds.lowest_exponent() - NEARLY_ZERO_EXPONENT),
+            just_above_zero: power(bounds.least_exponent() - ZERO_EXPONENT),
+            bounds,
+            half_width,
+            precision,
+            evaluations: 0,
+            is_doubtful: false,
+            is_ill_conditioned: false,
+            is_at_root: false,
+            idle_splits: 0,
+        }
+    }
+
+    /// Count and Δ at a frequency.
+    pub(super) fn sample(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
+        self.evaluations += 1;
+        let (count, value) = tallied(self.system, omega, Count::new(self.is_at_root));
+        if !value.mantissa().size().is_finite() {
+            return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
+        }
+        self.look_at(count.cancelled(), omega)?;
+        if value.mantissa().is_zero() {
+            self.look_for_zeros(omega)?;
+        }
+        Ok(Sample { omega, below: count.below(), value })
+    }
+
+    /// The samples on both sides of a root.
+    pub(super) fn both_sides(&mut self, omega: T, away: T) -> Result<(Sample<T>, Sample<T>), SearchError> {
+        (self.is_at_root, self.is_ill_conditioned) = (true, false);
+        let samples = (self.sample(omega - away)?, self.sample(omega + away)?);
+        self.is_at_root = false;
+        Ok(samples)
+    }
+
+    /// Doubts a pass in which sums cancelled. One that judges has no other to ask.
+    fn look_at(&mut self, cancelled: Cancelled, omega: T) -> Result<(), SearchError> {
+        self.is_doubtful |= cancelled.any();
+        self.is_ill_conditioned |= cancelled.at_root;
+        if cancelled.partly && is_last::<T, Y::Parameter>() {
+            return Err(SearchError::Unresolved { near: omega.to_f64() });
+        }
+        Ok(())
+    }
+
+    /// Whether the counts at both ends of an interval are what they should be by the arithmetic that judges, if Δ was small beside
+    /// its terms there. Where nothing judges, the interval is widened.
+    pub(super) fn is_proven(&mut self, root: &mut NaturalFrequency<T>, counts: (u64, u64)) -> bool {
+        if !core::mem::take(&mut self.is_ill_conditioned) {
+            return true;
+        }
+        if is_unjudged::<T>() {
+            let room = root.omega * self.half_width * T::from_f64(UNJUDGED);
+            (root.lower, root.upper) = (root.omega - room, root.omega + room);
+        }
+        if !T::HAS_JUDGE {
+            return true;
+        }
+        self.evaluations += 2;
+        let [below, above] = [root.lower, root.upper].map(|omega| judged_below(self.system, omega));
+        (below, above) == counts
+    }
+
+    /// Gives up where Δ vanishes at one frequency, and at others far from it.
+    #[cold]
+    fn look_for_zeros(&mut self, omega: T) -> Result<(), SearchError> {
+        if omega.size() < LEAST {
+            return Err(SearchError::Unresolved { near: omega.to_f64() });
+        }
+        check_identity(omega, |x| {
+            self.evaluations += 1;
+            // counted like all samples, which are one piece of code then
+            count_and_value::<true, _, _>(self.system, x).1.mantissa().is_zero()
+        })
+    }
+
+    /// Count, Δ and its derivative at a frequency.
+    pub(super) fn slope(&mut self, omega: T) -> Result<Slope<T>, SearchError> {
+        self.evaluations += 2;
+        // what cancels here does so in other samples of the search
+        let (count, dual) = count_and_value::<false, _, _>(self.system, Dual::variable(omega));
+        let Dual { value, derivative } = dual.mantissa();
+        if !(value.size().is_finite() && derivative.size().is_finite()) {
+            return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
+        }
+        Ok(Slope { omega, below: count.below(), value, derivative, exponent: dual.exponent() })
+    }
+
+    /// Whether a bracket is no wider than a certified interval.
+    pub(super) fn is_narrow(&self, lower: &Sample<T>, upper: &Sample<T>) -> bool {
+        let half_width = self.half_width;
+        upper.omega - lower.omega <= (half_width + half_width) * upper.omega
+    }
+
+    /// The certified entry of the roots in a narrow bracket.
+    pub(super) fn settle(&mut self, lower: Sample<T>, upper: Sample<T>) -> Result<NaturalFrequency<T>, SearchError> {
+        let omega = lower.omega + (upper.omega - lower.omega) * T::from_f64(0.5);
+        let margin = omega * self.half_width;
+        let (below, above) = (self.sample(omega - margin)?, self.sample(omega + margin)?);
+        // where rounding blurs the counts, the interval takes in all that was seen to hold them
+        let start = if below.below == lower.below || below.omega < lower.omega { below } else { lower };
+        let end = if above.below == upper.below || above.omega > upper.omega { above } else { upper };
+        let multiplicity = upper.below - lower.below;
+        Ok(NaturalFrequency { omega, lower: start.omega, upper: end.omega, multiplicity })
+    }
+}
+
+/// The count by the arithmetic that judges; a call, since it is seldom asked.
+#[cold]
+#[inline(never)]
+fn judged_below<T: Real, Y: Characteristic<T::Judge> + ?Sized>(system: &Y, omega: T) -> u64 {
+    let exactly = <T::Judge as Frequency<T>>::from_parameter(omega);
+    count_and_value::<true, _, _>(system, exactly).0.below()
+}
+
+/// The middle of a bracket, in the square root of the frequency: there the frequencies of beams are evenly spaced.
+pub(super) fn middle<T: Real>(lower: T, upper: T) -> T {
+    if upper < lower + lower {
+        return lower + (upper - lower) * T::from_f64(0.5);
+    }
+    let root = (lower.sqrt() + upper.sqrt()) * T::from_f64(0.5);
+    root * root
+}

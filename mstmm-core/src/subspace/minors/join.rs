@@ -1,0 +1,287 @@
+//! Connections: joining subspaces, holding a point by a support, widening and narrowing.
+
+use crate::model::state::{Space, Support};
+use crate::number::doubt::ROUNDINGS;
+use crate::number::scalar::{Branches, Scalar};
+use crate::subspace::count::Tally;
+use crate::subspace::minors::line::Line;
+use crate::subspace::minors::plane::Plane;
+use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::remainder::Remainder;
+
+impl<S: Scalar> Plane<S> {
+    /// Joins a grounded stiffness of a translation or rotation path.
+    #[inline(always)]
+    pub(crate) fn with_stiffness(self, k: S, space: Space) -> Self {
+        let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = self;
+        let minors = if space.is(Space::Translation) {
+            [y_theta, y_m, w, theta_q + k * y_theta, m_q + k * y_m]
+        } else {
+            [y_theta, y_m + k * y_theta, w, theta_q, m_q + k * theta_q]
+        };
+        Plane::unscaled(minors, exponent)
+    }
+
+    /// Joins grounded stiffnesses against deflection and rotation.
+    #[inline(always)]
+    fn with_springs(self, y: Option<S>, theta: Option<S>) -> Self {
+        let (k_y, k_theta) = match (y, theta) {
+            (None, None) => return self,
+            (Some(k), None) => return self.with_stiffness(k, Space::Translation),
+            (None, Some(k)) => return self.with_stiffness(k, Space::Rotation),
+            (Some(k_y), Some(k_theta)) => (k_y, k_theta),
+        };
+        let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = self;
+        let minors = [
+            y_theta,
+            y_m + k_theta * y_theta,
+            w,
+            theta_q + k_y * y_theta,
+            // in pairs: a short chain of dependent operations
+            (m_q + k_y * y_m) + (k_theta * theta_q + (k_y * k_theta) * y_theta),
+        ];
+        Plane::unscaled(minors, exponent)
+    }
+
+    /// Joins a line of a translation or rotation path.
+    #[inline(always)]
+    pub(crate) fn with_line(self, Line { y, q, exponent }: Line<S>, space: Space) -> Self {
+        let Plane { y_theta, y_m, w, theta_q, m_q, .. } = self;
+        let minors = if space.is(Space::Translation) {
+            [y * y_theta, y * y_m, y * w, y * theta_q - q * y_theta, y * m_q - q * y_m]
+        } else {
+            [y * y_theta, y * y_m - q * y_theta, y * w, y * theta_q, y * m_q - q * theta_q]
+        };
+        Plane::unscaled(minors, self.exponent.saturating_add(exponent))
+    }
+
+    /// Joins another plane.
+    #[inline(always)]
+    pub(crate) fn with_plane<C: Tally<S>>(self, r: Plane<S>, tally: &mut C) -> Self {
+        let p = self;
+        let minors = [
+            p.y_theta * r.y_theta,
+            p.y_m * r.y_theta + p.y_theta * r.y_m,
+            p.w * r.y_theta + p.y_theta * r.w,
+            p.theta_q * r.y_theta + p.y_theta * r.theta_q,
+            p.m_q_with(&r, tally),
+        ];
+        Plane::unscaled(minors, p.exponent.saturating_add(r.exponent))
+    }
+
+    /// p_MQ of two joined planes: zero where no forces are needed at the point.
+    ///
+    /// Its mixed part is `p_YM r_ΘQ + r_YM p_ΘQ - 2 w_p w_r`. Where both planes are near a common clamped frequency or rigid-body mode
+    /// these terms cancel. With `w² = p_YM p_ΘQ - p_YΘ p_MQ` of either plane it is, for `skew = p_YM w_r - r_YM w_p`,
+    /// `skew²/(p_YM r_YM) + (r_YM/p_YM) p_YΘ p_MQ + (p_YM/r_YM) r_YΘ r_MQ`, in which every part is small itself.
+    #[inline(always)]
+    pub(crate) fn m_q_with<C: Tally<S>>(&self, r: &Plane<S>, tally: &mut C) -> S {
+        let ww = self.w * r.w;
+        let plain = (self.y_m * r.theta_q + r.y_m * self.theta_q) - (ww + ww);
+        let is_plain = (plain.size() * 16.0 >= ww.size()) | self.y_m.is_zero() | r.y_m.is_zero();
+        if S::BRANCHES != Branches::All || is_plain {
+            return (self.m_q * r.y_theta + self.y_theta * r.m_q) + plain.provided(is_plain);
+        }
+        self.m_q_by_squares(r, tally)
+    }
+
+    /// p_MQ of two joined planes where its mixed part cancels; watches what rounding leaves of it.
+    ///
+    /// A lever on a pin leaves a plane of a rigid constraint. Where a second one holds the same all minors of their sum vanish but
+    /// for rounding, which must not be taken for a clamp.
+    #[cold]
+    fn m_q_by_squares<C: Tally<S>>(&self, r: &Plane<S>, tally: &mut C) -> S {
+        let p = self;
+        let products = [p.y_m * r.w, r.y_m * p.w];
+        let skew = products[0] - products[1];
+        let ratio = r.y_m / p.y_m;
+        let mixed = skew / p.y_m * (skew / r.y_m) + ratio * p.y_theta * p.m_q + r.y_theta * r.m_q / ratio;
+        let m_q = (p.m_q * r.y_theta + p.y_theta * r.m_q) + mixed;
+        // in its unit `w²/p_YΘ` and `p_YM p_ΘQ/p_YΘ` of the sum say whether anything is left
+        let y_theta = (p.y_theta * r.y_theta).size();
+        let w = (p.w * r.y_theta + p.y_theta * r.w).size();
+        let diagonal = (p.y_m * r.y_theta + p.y_theta * r.y_m) * (p.theta_q * r.y_theta + p.y_theta * r.theta_q);
+        let beside = (w * w).max(diagonal.size());
+        let size = m_q.size();
+        let whole = size.max(if beside > 0.0 { beside / y_theta } else { 0.0 });
+        let rounding = |units: f64| {
+            let of_skew = units * S::EPSILON * products[0].size();
+            of_skew * (2.0 * skew.size() + of_skew) / (p.y_m * r.y_m).size()
+        };
+        let remainder = Remainder { size, whole, rounding: rounding(1.0), bound: rounding(ROUNDINGS) };
+        if remainder.tell(tally) { S::zero() } else { m_q }
+    }
+
+    /// Holds the point by a support: joins the support's own plane, most of whose minors are zero.
+    #[inline(always)]
+    fn held(self, support: Support) -> Self {
+        let zero = S::zero();
+        let minors = match support {
+            Support::Free | Support::Roller => return self,
+            Support::Pinned => [zero, zero, zero, self.y_theta, self.y_m],
+            Support::Guided => [zero, self.y_theta, zero, zero, self.theta_q],
+            Support::Fixed => [zero, zero, zero, zero, self.y_theta],
+        };
+        Plane::unscaled(minors, self.exponent)
+    }
+}
+
+impl<S: Scalar> Line<S> {
+    /// Joins another line of the same space.
+    #[inline(always)]
+    fn with_line(self, other: Line<S>) -> Self {
+        Line {
+            y: self.y * other.y,
+            q: self.q * other.y + self.y * other.q,
+            exponent: self.exponent.saturating_add(other.exponent),
+        }
+    }
+
+    /// Joins a grounded stiffness of the same space.
+    #[inline(always)]
+    fn with_stiffness(self, k: S) -> Self {
+        Line { q: self.q - k * self.y, ..self }
+    }
+}
+
+/// The stiffness of two springs side by side, each of which may not be there.
+#[inline(always)]
+pub(crate) fn in_parallel<S: Scalar>(a: Option<S>, b: Option<S>) -> Option<S> {
+    a.zip(b).map(|(a, b)| a + b).or(a).or(b)
+}
+
+/// Joins two subspaces that are no supports.
+#[inline(always)]
+pub(crate) fn joined<S: Scalar, C: Tally<S>>(a: Subspace<S>, b: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
+    // what a pin holds is an ordinary plane to others
+    let ordinary = |subspace| if let Subspace::OnPin(plane) = subspace { OfPlane(plane) } else { subspace };
+    let (a, b) = (ordinary(a), ordinary(b));
+    match (a, b) {
+        (Springs { y, theta }, Springs { y: other_y, theta: other_theta }) => {
+            Springs { y: in_parallel(y, other_y), theta: in_parallel(theta, other_theta) }
+        }
+        (Springs { y, theta }, Grounded(k, space)) | (Grounded(k, space), Springs { y, theta }) => {
+            if space.is(Space::Translation) {
+                Springs { y: in_parallel(y, Some(k)), theta }
+            } else {
+                Springs { y, theta: in_parallel(theta, Some(k)) }
+            }
+        }
+        (springs @ Springs { .. }, OfLine(line, space)) | (OfLine(line, space), springs @ Springs { .. }) => {
+            OfPlane(springs.plane().with_line(line, space))
+        }
+        (OfPlane(p), Springs { y, theta }) | (Springs { y, theta }, OfPlane(p)) => OfPlane(p.with_springs(y, theta)),
+        // behind springs and tips planes come without a look at their range, and here minors meet minors
+        (OfPlane(p), OfPlane(r)) => OfPlane(p.in_range().with_plane(r.in_range(), tally)),
+        (OfPlane(p), Grounded(k, space)) | (Grounded(k, space), OfPlane(p)) => OfPlane(p.with_stiffness(k, space)),
+        (OfPlane(p), OfLine(line, space)) | (OfLine(line, space), OfPlane(p)) => OfPlane(p.with_line(line, space)),
+        (Grounded(k, Space::Translation), Grounded(j, Space::Rotation))
+        | (Grounded(j, Space::Rotation), Grounded(k, Space::Translation)) => Springs { y: Some(k), theta: Some(j) },
+        (a, Grounded(k, space)) if !a.space().is(space) => OfPlane(a.plane().with_stiffness(k, space)),
+        (a, OfLine(line, space)) if !a.space().is(space) => OfPlane(a.plane().with_line(line, space)),
+        (Grounded(j, space), Grounded(k, _)) => Grounded(j + k, space),
+        (OfLine(line, space), Grounded(k, _)) | (Grounded(k, _), OfLine(line, space)) => {
+            OfLine(line.with_stiffness(k), space)
+        }
+        _ => OfLine(a.line().with_line(b.line()), a.space()),
+    }
+}
+
+/// The same subspace with its entries in the middle of the range: joins multiply entries and do not look at their size, so
+/// between two of them, also at two connections in a row, someone must.
+#[doc(hidden)]
+#[inline(always)]
+pub fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
+    match subspace {
+        Subspace::Plane(plane) | Subspace::OnPin(plane) => Subspace::Plane(plane.in_range()),
+        Subspace::Line(line, space) => Subspace::Line(Line::new(line.y, line.q, line.exponent), space),
+        Subspace::Tip(..) | Subspace::Grounded(..) | Subspace::Springs { .. } => subspace,
+    }
+}
+
+/// The join of one path more to a sum.
+#[inline(always)]
+pub(crate) fn joined_on<S: Scalar, C: Tally<S>>(sum: Subspace<S>, path: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    joined(moderated(sum), path, tally)
+}
+
+/// Joins a line to the free bending state of a connection that goes on otherwise, before supports hold the point.
+#[inline(always)]
+pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subspace<S> {
+    if output.is_none_or(|output| output.is(subspace.space())) {
+        return subspace;
+    }
+    match subspace {
+        Subspace::Grounded(k, Space::Translation) => Subspace::Springs { y: Some(k), theta: None },
+        Subspace::Grounded(k, _) => Subspace::Springs { y: None, theta: Some(k) },
+        Subspace::Springs { .. } => subspace,
+        _ => Subspace::Plane(subspace.plane()),
+    }
+}
+
+/// Holds a point by a support.
+#[inline(always)]
+pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
+    match subspace {
+        _ if support == Support::Free => subspace,
+        Subspace::Tip(Support::Free, space) => Subspace::Tip(support, space),
+        Subspace::Plane(_) | Subspace::Springs { .. } if support == Support::Pinned => {
+            Subspace::OnPin(subspace.plane().held(support))
+        }
+        Subspace::Tip(_, Space::Bending) | Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
+            Subspace::Plane(subspace.plane().held(support))
+        }
+        _ if support != Support::Fixed => subspace,
+        _ => {
+            let line = subspace.line();
+            Subspace::Line(Line { y: S::zero(), q: line.y, exponent: line.exponent }, subspace.space())
+        }
+    }
+}
+
+/// Leaves behind what does not go on to a narrower output: the moment of a bending path that goes on as a translation,
+/// the shear force of one that goes on as a rotation, is zero.
+#[inline(always)]
+pub fn narrowed<S: Scalar, C: Tally<S>>(subspace: Subspace<S>, output: Option<Space>, tally: &mut C) -> Subspace<S> {
+    match (subspace, output) {
+        (
+            Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. },
+            Some(space @ (Space::Translation | Space::Rotation)),
+        ) => {
+            let plane = subspace.plane();
+            tally.narrowing(&plane, space);
+            let y = if space.is(Space::Translation) { plane.y_m } else { plane.theta_q };
+            Subspace::Line(Line { y, q: -plane.m_q, exponent: plane.exponent }, space)
+        }
+        _ => subspace,
+    }
+}
+
+/// The connection of several inputs, supports among them, to an output that goes on as `output`; `None` at the root.
+///
+/// Paths are joined first; if the output is wider, they are joined to its free state; then supports hold the point; if
+/// the output is narrower, what does not go on has no force.
+pub(crate) fn connection<S: Scalar, C: Tally<S>>(
+    inputs: impl Iterator<Item = Subspace<S>> + Clone,
+    output: Option<Space>,
+    tally: &mut C,
+) -> Subspace<S> {
+    let is_tip = |input: &Subspace<S>| matches!(input, Subspace::Tip(..));
+    let mut paths = inputs.clone().filter(|input| !is_tip(input)).map(moderated);
+    let first = paths.next();
+    let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second, tally)));
+    let sum = pair.map(|pair| paths.fold(pair, |sum, path| joined_on(sum, path, tally)));
+    // supports alone hold what goes on
+    let alone = Subspace::Tip(Support::Free, output.unwrap_or(Space::Bending));
+    let mut sum = sum.map_or(alone, |sum| widened(sum, output));
+    for input in inputs {
+        if let Subspace::Tip(support, _) = input {
+            sum = held(sum, support);
+        }
+    }
+    narrowed(sum, output, tally)
+}
+
+#[cfg(test)]
+mod tests;
