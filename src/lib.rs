@@ -1,20 +1,20 @@
 //! Exact vibrations of linear systems of beams, rigid bodies, springs, dampers and masses.
 //!
 //! Models are declared with [`system!`](crate::system), on whose page is the language. What a built system answers is in
-//! [`NaturalFrequencies`](search::NaturalFrequencies), [`Eigenvalues`](search::Eigenvalues) and [`Motions`].
+//! [`NaturalFrequencies`](search::NaturalFrequencies), [`Eigenvalues`](search::Eigenvalues) and [`ModalAnalysis`].
 #![no_std]
 #![forbid(unsafe_code)]
 
 pub use mstmm_core::{
-    AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
-    ComplexFrequency, Coordinate, Count, Covector, DoubleDouble, Dual, Element, Ends, EnergyShares, Entry, Evaluate,
-    Field, ForceHistory, Frequency, FrequencyBounds, InBlocks, InColumns, Inside, InvalidParameter, JudgedTree, Label,
-    Layout, Line, ListElement, ListError, ListPass, ListStep, ListWalk, Load, Magnitude, ManyFrequencies, MatrixOf,
-    MayDecay, Motion, MotionError, Motions, Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point,
-    Real, RealFrequency, Requirement, Root, Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space,
-    State, StateSpace, StepList, Straight, Subspace, Support, System, Tally, TransferMatrix, Translation, Tree,
-    TreeInBlocks, Untallied, Visit, VisitAt, VisitInBlock, Walk, Walker, WaveFunctions, WaveProducts, determinant,
-    elements, search,
+    AnyElement, AnyUndamped, Assembly, BeamSigns, Bending, BranchFree, Characteristic, Complex, ComplexEigenvalue,
+    ComplexFrequency, Coordinate, Covector, DoubleDouble, Dual, Element, Ends, Energies, EnergyShares, Entry, Evaluate,
+    ExtendedTree, ForceHistory, Frequency, FrequencyEstimates, FrequencyPowers, InBlocks, InColumns, Inside,
+    InvalidParameter, Label, Layout, Line, ListElement, ListError, ListPass, ListStep, ListWalk, Load, Magnitude,
+    ManyFrequencies, MatrixOf, MayDecay, ModalAnalysis, MotionError, NoCount, Oscillation, ParameterError, Planar,
+    Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root, RootCounter, Rotation, SMatrix, Sample,
+    Scalar, Scaled, SearchError, ShapeList, Space, State, StateSpace, StepList, Subspace, Support, System,
+    SystemStates, TransferMatrix, Translation, Tree, TreeInBlocks, Visit, VisitAt, VisitInBlock, Walk, Walker,
+    WaveFunctions, WaveProducts, WittrickWilliams, determinant, elements, search,
 };
 
 /// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.
@@ -123,7 +123,7 @@ pub mod prelude {
         Eigenvalue, Eigenvalues, NaturalFrequencies, NaturalFrequency, Region, Spectrum, Undamped,
     };
     pub use crate::search::{fmin1d, fmin2d};
-    pub use crate::{Characteristic, Complex, Evaluate, ManyFrequencies, Motions, system};
+    pub use crate::{Characteristic, Complex, Evaluate, ManyFrequencies, ModalAnalysis, system};
 }
 
 /// What emitted code uses; not for use by hand.

@@ -16,7 +16,7 @@ use mstmm::elements::{
     TorsionSpringDamper,
 };
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, Count, ListStep, Scaled, SearchError, StepList, Support};
+use mstmm::{AnyUndamped, ListStep, Scaled, SearchError, StepList, Support, WittrickWilliams};
 use random_tree::{Random, random_tree};
 use tree::{Part, Tree};
 
@@ -124,7 +124,7 @@ fn a_beam_in_pieces_has_the_same_characteristic() {
 }
 
 fn count(steps: &[ListStep<AnyUndamped<f64>>], omega: f64) -> u64 {
-    let mut count = Count::default();
+    let mut count = WittrickWilliams::<false>::default();
     StepList::new(steps).unwrap().pass(omega, &mut count);
     count.below()
 }

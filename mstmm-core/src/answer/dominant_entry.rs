@@ -1,9 +1,9 @@
 //! Where a motion of the system shows best: the entries of states at all ends of elements, made comparable.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::model::layout::Step;
 use crate::model::state::{Coordinate, Space};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::{Tree, Visit};
@@ -20,18 +20,18 @@ pub(crate) struct Candidate {
 
 /// The frequency at which elements tell their usual stiffnesses: that of the motion, but where that is zero and inertia has no
 /// force that of the slowest motion.
-pub(crate) fn comparable<S: Scalar, Y: Tree<S> + ?Sized>(system: &Y, x: S) -> At<S> {
-    let slowest = || S::one().times_power_of_two(system.bounds().lowest_exponent());
+pub(crate) fn comparable<S: Scalar, Y: Tree<S> + ?Sized>(system: &Y, x: S) -> FrequencyPowers<S> {
+    let slowest = || S::one().times_power_of_two(system.estimates().lowest_exponent());
     Y::at(if x.is_zero() { slowest() } else { x })
 }
 
 /// Asks an element for its usual stiffnesses.
-pub(crate) struct UnitsOf<'a, S>(pub(super) &'a At<S>);
+pub(crate) struct UnitsOf<'a, S>(pub(super) &'a FrequencyPowers<S>);
 
 impl<S: Scalar> Visit<S> for UnitsOf<'_, S> {
     type Output = [f64; 2];
 
-    fn element<E: Motion<S>>(self, built: &E::Built) -> [f64; 2] {
+    fn element<E: Energies<S>>(self, built: &E::Built) -> [f64; 2] {
         E::units(built, self.0)
     }
 }

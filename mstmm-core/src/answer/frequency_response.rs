@@ -200,7 +200,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         if let Some(held) = self.held_at_rest()? {
             return Ok(held);
         }
-        let rest = AtRest::of::<Y::Parameter>(self.system.bounds().lowest_exponent(), 0.0, |x| self.sized(x));
+        let rest = AtRest::of::<Y::Parameter>(self.system.estimates().lowest_exponent(), 0.0, |x| self.sized(x));
         let moves_off = Err(MotionError::Resonance { frequency: 0.0 });
         match rest {
             Ok(AtRest { double, simple, finite, .. }) if double.is_zero() && simple.is_zero() => Ok(finite),
@@ -217,7 +217,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         S: Oscillation<Y::Parameter>,
     {
         let step = self.load.step;
-        let low = <Y::Parameter as One>::one().times_power_of_two(self.system.bounds().lowest_exponent());
+        let low = <Y::Parameter as One>::one().times_power_of_two(self.system.estimates().lowest_exponent());
         let rest = self.passes(S::zero());
         let (own, beside) = (rest.meeting(step).delta(), self.passes(S::of_omega(low)).meeting(step).delta());
         if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= NOTHING * S::EPSILON {
@@ -247,12 +247,12 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
                     let Some(&to) = inputs.iter().find(|input| Some(**input) != from && leads_over(input)) else {
                         return;
                     };
-                    motion.across(Crossing { at: next, from, to: Some(to) });
+                    motion.through_connection(Crossing { at: next, from, to: Some(to) });
                     is_downstream = false;
                     to
                 }
                 Step::Connection(_) => {
-                    motion.across(Crossing { at: next, from: Some(step), to: None });
+                    motion.through_connection(Crossing { at: next, from: Some(step), to: None });
                     next
                 }
                 Step::Element(input, _) => {

@@ -1,6 +1,6 @@
 //! What a motion does between the ends of elements: nodes and largest deflections.
 
-use crate::answer::states::Field;
+use crate::answer::states::SystemStates;
 use crate::element::energies::Inside;
 use crate::element::traits::Element;
 use crate::model::label::Label;
@@ -22,7 +22,7 @@ impl Inside {
     }
 }
 
-impl<Y, S> Field<'_, Y, S>
+impl<Y, S> SystemStates<'_, Y, S>
 where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
@@ -66,7 +66,7 @@ fn square<T: Real, S: Oscillation<T>>(y: S) -> f64 {
     S::to_complex(y * y.conjugate()).re.to_f64()
 }
 
-impl<Y, T> Field<'_, Y, T>
+impl<Y, T> SystemStates<'_, Y, T>
 where
     T: Real,
     Y: Tree<T, Parameter = T> + ?Sized,

@@ -9,7 +9,7 @@ use crate::pass::block::walk::Walk;
 use crate::pass::block::{WIDTH, WORTHWHILE};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::natural::{NaturalFrequencies, Undamped, agreed, count_margin};
-use crate::subspace::count::{CountOf, Untallied};
+use crate::subspace::count::{NoCount, WittrickWilliams};
 use num_traits::Zero;
 
 /// A system that can be evaluated at one frequency, and at a block of them.
@@ -65,7 +65,7 @@ pub trait ManyFrequencies: System {
         Self: InBlocks<S>,
     {
         check_room(frequencies, values)?;
-        let mut pass = BlockPass::<S, Untallied>::new();
+        let mut pass = BlockPass::<S, NoCount>::new();
         for (some, values) in frequencies.chunks(WIDTH).zip(values.chunks_mut(WIDTH)) {
             if some.len() >= WORTHWHILE && pass.run(self, some) {
                 for (lane, (value, &x)) in values.iter_mut().zip(some).enumerate() {
@@ -99,7 +99,7 @@ pub trait ManyFrequencies: System {
         Self::Parameter: InColumns,
     {
         check_room(omegas, counts)?;
-        let mut pass = BlockPass::<Self::Parameter, CountOf<true>>::new();
+        let mut pass = BlockPass::<Self::Parameter, WittrickWilliams<true>>::new();
         for (some, counts) in omegas.chunks(WIDTH).zip(counts.chunks_mut(WIDTH)) {
             let margin = count_margin::<Self::Parameter>();
             let both = [-margin, margin].map(|margin| count_block(self, &mut pass, some, margin));
@@ -116,12 +116,12 @@ pub trait ManyFrequencies: System {
 }
 
 /// Counts and Δ in the lanes of a block.
-type CountsOfBlock<T> = [(CountOf<true>, Scaled<T>); WIDTH];
+type CountsOfBlock<T> = [(WittrickWilliams<true>, Scaled<T>); WIDTH];
 
 /// Counts and Δ at a distance from the frequencies of a block; `None` where they have to go alone.
 fn count_block<Y, T>(
     system: &Y,
-    pass: &mut BlockPass<T, CountOf<true>>,
+    pass: &mut BlockPass<T, WittrickWilliams<true>>,
     omegas: &[T],
     margin: T,
 ) -> Option<CountsOfBlock<T>>
@@ -137,7 +137,7 @@ where
     if omegas.len() < WORTHWHILE || !pass.run(system, beside) {
         return None;
     }
-    Some(core::array::from_fn(|lane| (pass.tallies.heard()[lane], pass.values.lane(lane))))
+    Some(core::array::from_fn(|lane| (pass.counters.committed()[lane], pass.values.lane(lane))))
 }
 
 impl<Y: System + ?Sized> ManyFrequencies for Y {}

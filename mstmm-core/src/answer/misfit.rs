@@ -6,16 +6,16 @@
 use crate::answer::dominant_entry::{UnitsOf, comparable};
 use crate::answer::error::MotionError;
 use crate::answer::mode_shape::ModeShape;
-use crate::answer::states::Field;
+use crate::answer::states::SystemStates;
 use crate::model::layout::Step;
 use crate::model::state::{Coordinate, State};
 use crate::number::doubt::{MISFIT, REFUSED_MISFIT};
 use crate::number::frequency::Oscillation;
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::tree::Tree;
 
-impl<Y, S> Field<'_, Y, S>
+impl<Y, S> SystemStates<'_, Y, S>
 where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
@@ -40,7 +40,7 @@ where
     }
 
     /// The same at a connection, as an energy.
-    fn misfit_at(&self, connection: usize, inputs: &[usize], at: &At<S>) -> f64 {
+    fn misfit_at(&self, connection: usize, inputs: &[usize], at: &FrequencyPowers<S>) -> f64 {
         let behind = self.states.as_ref()[connection];
         let mut units = [0.0_f64; 2];
         let mut left = behind;
@@ -72,7 +72,7 @@ where
         energy(&gap, units)
     }
 
-    fn units(&self, step: usize, at: &At<S>) -> [f64; 2] {
+    fn units(&self, step: usize, at: &FrequencyPowers<S>) -> [f64; 2] {
         self.system.visit(step, UnitsOf(at)).unwrap_or_default()
     }
 }
@@ -103,16 +103,16 @@ where
     }
 
     /// A shape that the judging arithmetic found.
-    pub(crate) fn of_judge(judged: &ModeShape<'a, Y, S::Judge>) -> Self
+    pub(crate) fn of_extended(judged: &ModeShape<'a, Y, S::Extended>) -> Self
     where
-        Y: Tree<S::Judge>,
+        Y: Tree<S::Extended>,
     {
         let mut states = Y::per_step(State::default());
         for (state, judged) in states.as_mut().iter_mut().zip(judged.states.as_ref()) {
-            *state = judged.map(S::from_judge);
+            *state = judged.map(S::from_extended);
         }
-        let (x, beyond) = (S::from_judge(judged.x), judged.beyond.map(S::from_judge));
-        ModeShape::of(Field { system: judged.system, x, states, source: judged.source, beyond })
+        let (x, beyond) = (S::from_extended(judged.x), judged.beyond.map(S::from_extended));
+        ModeShape::of(SystemStates { system: judged.system, x, states, source: judged.source, beyond })
     }
 }
 

@@ -14,7 +14,7 @@ use crate::number::frequency::Oscillation;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Real, RealFrequency};
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
-use crate::pass::tree::{JudgedTree, Planned, Tree};
+use crate::pass::tree::{ExtendedTree, Planned, Tree};
 use core::marker::PhantomData;
 use num_complex::Complex;
 use num_traits::Zero;
@@ -68,7 +68,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     ) -> Result<Self, MotionError>
     where
         R: Root<T> + 'r,
-        Y: JudgedTree<R::Frequency> + System<Parameter = T>,
+        Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
     {
         let places = Places::new::<Y>(load, entry)?;
         let (rigid, residual) = (T::zero(), T::zero());
@@ -101,7 +101,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     fn add_all<const CAP: usize, Y, R>(&mut self, system: &Y, root: &R, places: &Places) -> Result<(), MotionError>
     where
         R: Root<T>,
-        Y: JudgedTree<R::Frequency> + System<Parameter = T>,
+        Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
     {
         let shapes = all_shapes::<CAP, _, _, _>(system, root)?;
         shapes.iter().try_for_each(|shape| self.add(shape, places))
@@ -134,7 +134,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     ) -> Result<(), MotionError>
     where
         R: Root<T>,
-        Y: JudgedTree<R::Frequency> + System<Parameter = T>,
+        Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
     {
         let held = self.held();
         let scale = self.terms.iter().fold(0.0, |sum, term| sum + term.at_rest().size());
@@ -156,7 +156,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
             let (sum, size) = self.at(Complex::new(-omega.im, omega.re));
             Ok(Part { value: whole.value - R::Frequency::from_complex(sum), size: whole.size + size })
         };
-        let rest = AtRest::of::<T>(system.bounds().lowest_exponent(), scale, left)?;
+        let rest = AtRest::of::<T>(system.estimates().lowest_exponent(), scale, left)?;
         let AtRest { double, simple, finite, uncertainty, .. } = rest;
         if uncertainty > 0.0 {
             return Err(MotionError::Unsettled { change: uncertainty });

@@ -3,14 +3,14 @@
 use crate::answer::dominant_entry::Candidate;
 use crate::answer::energies::Form;
 use crate::answer::error::MotionError;
-use crate::answer::states::Field;
+use crate::answer::states::SystemStates;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::{Magnitude, Scaled};
 use crate::pass::both_ways::Passes;
 use crate::pass::characteristic::System;
 use crate::pass::jump::dual_of;
-use crate::pass::tree::{JudgedTree, Tree};
+use crate::pass::tree::{ExtendedTree, Tree};
 use core::fmt;
 use core::ops::Deref;
 
@@ -23,7 +23,7 @@ const NEAR: f64 = 1e-13;
 /// [`with_unit_deflection`](ModeShape::with_unit_deflection) makes the largest deflection 1 m.
 #[derive(Debug)]
 pub struct ModeShape<'a, Y: Tree<S> + ?Sized, S: Scalar> {
-    field: Field<'a, Y, S>,
+    field: SystemStates<'a, Y, S>,
 }
 
 impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for ModeShape<'_, Y, S> {
@@ -33,9 +33,9 @@ impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for ModeShape<'_, Y, S> {
 }
 
 impl<'a, Y: Tree<S> + ?Sized, S: Scalar> Deref for ModeShape<'a, Y, S> {
-    type Target = Field<'a, Y, S>;
+    type Target = SystemStates<'a, Y, S>;
 
-    fn deref(&self) -> &Field<'a, Y, S> {
+    fn deref(&self) -> &SystemStates<'a, Y, S> {
         &self.field
     }
 }
@@ -68,7 +68,7 @@ impl<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> ShapeList<'a, Y, S, C
 /// Where its states do not fit together it is sought again in the arithmetic that judges.
 pub(crate) fn simple<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
 where
-    Y: JudgedTree<S> + ?Sized,
+    Y: ExtendedTree<S> + ?Sized,
     S: Oscillation<<Y as System>::Parameter>,
 {
     let plain = plainly(system, x);
@@ -78,11 +78,11 @@ where
         Err(MotionError::NotARoot { .. }) => Y::scheme().len() - 2,
         _ => return plain,
     };
-    if !S::HAS_JUDGE {
+    if !S::HAS_EXTENDED {
         return plain?.accepted();
     }
-    let nearer = nearer_root(system, x.to_judge(), point);
-    ModeShape::of_judge(&plainly(system, nearer)?).accepted()
+    let nearer = nearer_root(system, x.to_extended(), point);
+    ModeShape::of_extended(&plainly(system, nearer)?).accepted()
 }
 
 /// A step of the secant method from a root that is rounded in this arithmetic, by Δ at a point.
@@ -131,9 +131,9 @@ where
         return Err(MotionError::NotARoot { frequency, mismatch });
     }
     let jump = passes.meeting(best.step).jump(dual_of(best.coordinate));
-    let spread = passes.spread(best.step, jump.upstream, jump.downstream);
-    let largest = spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max();
-    let field = Field::of(system, x, &spread, -largest.unwrap_or(0));
+    let recovered = passes.recover(best.step, jump.upstream, jump.downstream);
+    let largest = recovered.states.as_ref().iter().filter_map(|state| state.magnitude()).max();
+    let field = SystemStates::of(system, x, &recovered, -largest.unwrap_or(0));
     ModeShape::normalised(field).ok_or(MotionError::NotFinite { frequency })
 }
 
@@ -151,12 +151,12 @@ where
     S: Oscillation<Y::Parameter>,
 {
     /// A motion that is a shape.
-    pub(crate) fn of(field: Field<'a, Y, S>) -> Self {
+    pub(crate) fn of(field: SystemStates<'a, Y, S>) -> Self {
         ModeShape { field }
     }
 
     /// Of unit modal mass; `None` if that of the states is not finite, or zero.
-    pub(crate) fn normalised(field: Field<'a, Y, S>) -> Option<Self> {
+    pub(crate) fn normalised(field: SystemStates<'a, Y, S>) -> Option<Self> {
         let mut shape = ModeShape { field };
         let mass = shape.modal_mass();
         if !(mass.size() > 0.0 && mass.size().is_finite()) {

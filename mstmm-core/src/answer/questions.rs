@@ -12,7 +12,7 @@ use crate::model::label::{Entry, Load};
 use crate::number::frequency::Frequency;
 use crate::number::frequency::Oscillation;
 use crate::pass::characteristic::System;
-use crate::pass::tree::{JudgedTree, Planned};
+use crate::pass::tree::{ExtendedTree, Planned};
 
 /// What the frequencies of a kind of roots mean: [`RealFrequency`](crate::number::frequency::RealFrequency) or
 /// [`ComplexEigenvalue`](crate::number::frequency::ComplexEigenvalue).
@@ -22,14 +22,14 @@ type MeaningOf<Y, R> =
 /// What can be asked about the motions of a built system.
 ///
 /// A thread of 192 kB is enough, of 768 kB in debug builds; for a response at one frequency 128 and 384.
-pub trait Motions: System {
+pub trait ModalAnalysis: System {
     /// The shape of a simple root, exact at any mode number: states at all ends of elements and at any point of a beam.
     ///
     /// Planes are carried from the tips to the root and from the root to the tips. Where they meet in the state that shows best,
-    /// the shape is taken and spread in all directions against those of the planes, which loses nothing to what grows.
+    /// the shape is taken and states are recovered in all directions against those of the planes, which loses nothing to what grows.
     ///
     /// # Errors
-    /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](Motions::mode_shapes);
+    /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](ModalAnalysis::mode_shapes);
     /// [`MotionError::NotARoot`] for a frequency that is none of this system's; [`MotionError::Unresolved`] where other roots
     /// are so close that the states do not fit together.
     fn mode_shape<S>(
@@ -38,7 +38,7 @@ pub trait Motions: System {
     ) -> Result<ModeShape<'_, Self, S>, MotionError>
     where
         S: Oscillation<<Self as System>::Parameter>,
-        Self: JudgedTree<S>,
+        Self: ExtendedTree<S>,
     {
         simple(self, simple_root(root)?)
     }
@@ -48,7 +48,7 @@ pub trait Motions: System {
     /// Those of a multiple root span the residue of the response at its pole, which is summed up over frequencies around it.
     ///
     /// # Errors
-    /// As [`mode_shape`](Motions::mode_shape); [`MotionError::Capacity`] for more than `CAP` shapes, and
+    /// As [`mode_shape`](ModalAnalysis::mode_shape); [`MotionError::Capacity`] for more than `CAP` shapes, and
     /// [`MotionError::Defective`] for a multiple eigenvalue with too few of them.
     fn mode_shapes<const CAP: usize, S>(
         &self,
@@ -56,7 +56,7 @@ pub trait Motions: System {
     ) -> Result<ShapeList<'_, Self, S, CAP>, MotionError>
     where
         S: Oscillation<<Self as System>::Parameter>,
-        Self: JudgedTree<S>,
+        Self: ExtendedTree<S>,
     {
         all_shapes(self, root)
     }
@@ -76,7 +76,7 @@ pub trait Motions: System {
     ) -> Result<Sensitivities<Self, S>, MotionError>
     where
         S: Oscillation<<Self as System>::Parameter>,
-        Self: JudgedTree<S> + Chain<S>,
+        Self: ExtendedTree<S> + Chain<S>,
     {
         sensitivities(self, simple_root(root)?)
     }
@@ -116,7 +116,7 @@ pub trait Motions: System {
     /// [`MotionError::NoSuchEntry`] for a load or an entry that no state at its point carries;
     /// [`MotionError::Capacity`] for more than `N` modes, or more than both 4 and `N` of one root;
     /// [`MotionError::Unsettled`] where roots close to zero hide what the modes leave; else as
-    /// [`mode_shape`](Motions::mode_shape) and [`mode_shapes`](Motions::mode_shapes).
+    /// [`mode_shape`](ModalAnalysis::mode_shape) and [`mode_shapes`](ModalAnalysis::mode_shapes).
     ///
     /// [`ModalResponse`] has an example.
     fn modal_response<'r, const N: usize, R>(
@@ -127,10 +127,10 @@ pub trait Motions: System {
     ) -> Result<ModalResponse<Self::Parameter, N, MeaningOf<Self, R>>, MotionError>
     where
         R: Root<<Self as System>::Parameter> + 'r,
-        Self: JudgedTree<R::Frequency> + Sized,
+        Self: ExtendedTree<R::Frequency> + Sized,
     {
         ModalResponse::new(self, roots, load, entry)
     }
 }
 
-impl<Y: System + ?Sized> Motions for Y {}
+impl<Y: System + ?Sized> ModalAnalysis for Y {}

@@ -7,14 +7,14 @@ use crate::answer::dominant_entry::Candidate;
 use crate::answer::error::MotionError;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::root::Root;
-use crate::answer::states::Field;
+use crate::answer::states::SystemStates;
 use crate::model::state::Coordinate;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
 use crate::pass::both_ways::Passes;
 use crate::pass::jump::dual_of;
-use crate::pass::tree::{JudgedTree, Tree};
+use crate::pass::tree::{ExtendedTree, Tree};
 
 /// All shapes of a root, of a multiple one sought again in the arithmetic that judges where their states do not fit together.
 pub(crate) fn all_shapes<'a, const CAP: usize, S, Y, R>(
@@ -23,16 +23,16 @@ pub(crate) fn all_shapes<'a, const CAP: usize, S, Y, R>(
 ) -> Result<ShapeList<'a, Y, S, CAP>, MotionError>
 where
     S: Oscillation<Y::Parameter>,
-    Y: JudgedTree<S> + ?Sized,
+    Y: ExtendedTree<S> + ?Sized,
     R: Root<Y::Parameter, Frequency = S>,
 {
     let mut list = ShapeList { shapes: [const { None }; CAP] };
     if root.multiplicity() > 1 {
         let plain = shapes(system, root.frequency(), root.multiplicity(), &mut list.shapes);
-        if S::HAS_JUDGE && (plain.is_err() || list.iter().any(ModeShape::is_doubtful)) {
+        if S::HAS_EXTENDED && (plain.is_err() || list.iter().any(ModeShape::is_doubtful)) {
             let mut judged = [const { None }; CAP];
-            shapes(system, root.frequency().to_judge(), root.multiplicity(), &mut judged)?;
-            list.shapes = judged.map(|shape| shape.map(|shape| ModeShape::of_judge(&shape)));
+            shapes(system, root.frequency().to_extended(), root.multiplicity(), &mut judged)?;
+            list.shapes = judged.map(|shape| shape.map(|shape| ModeShape::of_extended(&shape)));
         } else {
             plain?;
         }
@@ -63,7 +63,7 @@ const PART: f64 = 0.5;
 const NOTHING: f64 = 1e-5;
 
 /// Passes around a root.
-struct Ring<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+struct ContourRing<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     passes: [Passes<'a, Y, S>; POINTS],
     /// Their weights, and `x - x0`.
     weights: [(S, S); POINTS],
@@ -94,7 +94,7 @@ where
 {
     let mut widest = f64::INFINITY;
     for _ in 0..DISTANCES {
-        let (ring, first) = Ring::of_best_distance(system, x, multiplicity, widest)?;
+        let (ring, first) = ContourRing::of_best_distance(system, x, multiplicity, widest)?;
         if ring.find(system, x, multiplicity, &first, found)? {
             return Ok(());
         }
@@ -104,7 +104,7 @@ where
     Err(MotionError::Unresolved { root: x.modulus(), misfit: widest / x.size() })
 }
 
-impl<'a, Y, S> Ring<'a, Y, S>
+impl<'a, Y, S> ContourRing<'a, Y, S>
 where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
@@ -150,12 +150,17 @@ where
     fn new(system: &'a Y, x: S, distance: f64) -> Self {
         let points = x.around(Scalar::from_f64(distance));
         let passes = points.map(|(point, _)| Passes::whole(system, point));
-        Ring { passes, weights: points.map(|(point, weight)| (weight, point - x)), at_zero: x.is_zero(), distance }
+        ContourRing {
+            passes,
+            weights: points.map(|(point, weight)| (weight, point - x)),
+            at_zero: x.is_zero(),
+            distance,
+        }
     }
 
     /// The ring of the least error, by the change from the one before it and by rounding, and where residues show best on it.
     fn of_best_distance(system: &'a Y, x: S, multiplicity: u64, widest: f64) -> Result<(Self, Candidate), MotionError> {
-        let lowest = 1.0.times_power_of_two(system.bounds().lowest_exponent());
+        let lowest = 1.0.times_power_of_two(system.estimates().lowest_exponent());
         let size = x.modulus();
         let scale = if x.is_zero() { lowest } else { size };
         let rounding = S::EPSILON * scale;
@@ -167,10 +172,10 @@ where
         };
         let mut best: [Option<(f64, f64)>; 2] = [None; 2];
         let mut distance = widest.min(0.05 * scale);
-        let mut before = Ring::new(system, x, distance);
+        let mut before = ContourRing::new(system, x, distance);
         for _ in 0..DISTANCES {
             distance *= 0.25;
-            let ring = Ring::new(system, x, distance);
+            let ring = ContourRing::new(system, x, distance);
             for (order, best) in [Order::Simple, Order::Double].into_iter().zip(&mut best) {
                 let change = ring.change(&before, order);
                 let from_others = if change < UNSETTLED { change / GAIN } else { change };
@@ -186,11 +191,13 @@ where
             }
         }
         let [Some((error, distance)), double] = best else { return Err(MotionError::NotFinite { frequency: size }) };
-        let ring = Ring::new(system, x, distance);
+        let ring = ContourRing::new(system, x, distance);
         let has_settled = error < UNSETTLED;
         let is_double = |ring: &Self| ring.part(Order::Double) > PART;
-        let settles_as_double =
-            || double.is_some_and(|(error, distance)| error < UNSETTLED && is_double(&Ring::new(system, x, distance)));
+        let settles_as_double = || {
+            double
+                .is_some_and(|(error, distance)| error < UNSETTLED && is_double(&ContourRing::new(system, x, distance)))
+        };
         if is_double(&ring) || (!has_settled && settles_as_double()) {
             return Err(MotionError::Defective { root: size, multiplicity, shapes: multiplicity.saturating_sub(1) });
         }
@@ -290,7 +297,7 @@ where
 
     /// The residue of the motion that a jump causes, as a shape.
     fn shape(&self, system: &'a Y, x: S, candidate: &Candidate) -> Option<ModeShape<'a, Y, S>> {
-        let mut sum: Option<Field<'a, Y, S>> = None;
+        let mut sum: Option<SystemStates<'a, Y, S>> = None;
         let mut shift = 0;
         for (passes, (weight, away)) in self.passes.iter().zip(self.weights) {
             let factor =
@@ -299,13 +306,13 @@ where
             let jump = passes.meeting(candidate.step).jump(dual_of(candidate.coordinate));
             let [upstream, downstream] =
                 [jump.upstream, jump.downstream].map(|covector| covector.times(factor.mantissa(), exponent));
-            let spread = passes.spread(candidate.step, upstream, downstream);
+            let recovered = passes.recover(candidate.step, upstream, downstream);
             match &mut sum {
                 None => {
-                    shift = -spread.states.as_ref().iter().filter_map(|state| state.magnitude()).max()?;
-                    sum = Some(Field::of(system, x, &spread, shift));
+                    shift = -recovered.states.as_ref().iter().filter_map(|state| state.magnitude()).max()?;
+                    sum = Some(SystemStates::of(system, x, &recovered, shift));
                 }
-                Some(sum) => sum.add(&Field::of(system, x, &spread, shift), S::one()),
+                Some(sum) => sum.add(&SystemStates::of(system, x, &recovered, shift), S::one()),
             }
         }
         ModeShape::normalised(sum?)

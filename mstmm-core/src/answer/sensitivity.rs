@@ -6,7 +6,7 @@ use crate::model::chain_rule::{Chain, Fields};
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
-use crate::pass::tree::JudgedTree;
+use crate::pass::tree::ExtendedTree;
 use core::fmt;
 
 /// The derivatives of a root with respect to the fields of the model, dω/dp or dλ/dp, with their names.
@@ -46,7 +46,7 @@ impl<Y: Fields + ?Sized, S: Scalar> Sensitivities<Y, S> {
 /// `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`, where `∂L/∂λ = (dλ²/dλ)/2` for a shape of unit modal mass.
 pub(crate) fn sensitivities<Y, S>(system: &Y, x: S) -> Result<Sensitivities<Y, S>, MotionError>
 where
-    Y: JudgedTree<S> + Chain<S> + ?Sized,
+    Y: ExtendedTree<S> + Chain<S> + ?Sized,
     S: Oscillation<<Y as System>::Parameter>,
 {
     if x.is_zero() {

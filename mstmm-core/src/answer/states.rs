@@ -1,19 +1,19 @@
 //! The states of a whole system in one motion.
 
 use crate::answer::error::MotionError;
-use crate::element::energies::{Inside, Motion};
+use crate::element::energies::{Energies, Inside};
 use crate::element::traits::Element;
 use crate::model::ends::Ends;
 use crate::model::label::{Label, Point};
 use crate::model::layout::Step;
 use crate::model::state::State;
 use crate::number::scalar::Scalar;
-use crate::pass::state_recovery::Spread;
+use crate::pass::state_recovery::RecoveredStates;
 use crate::pass::tree::{Tree, Visit};
 
 /// The states of a whole system in one motion; part of every result about motions.
 #[derive(Debug)]
-pub struct Field<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+pub struct SystemStates<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     pub(crate) system: &'a Y,
     pub(crate) x: S,
     /// Behind each step; at the source on its upstream side.
@@ -23,24 +23,24 @@ pub struct Field<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     pub(crate) beyond: State<S>,
 }
 
-impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for Field<'_, Y, S> {
+impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for SystemStates<'_, Y, S> {
     fn clone(&self) -> Self {
-        Field { ..*self }
+        SystemStates { ..*self }
     }
 }
 
-impl<'a, Y, S> Field<'a, Y, S>
+impl<'a, Y, S> SystemStates<'a, Y, S>
 where
     Y: Tree<S> + ?Sized,
     S: Scalar,
 {
     /// The states times `2^shift`.
-    pub(crate) fn of(system: &'a Y, x: S, spread: &Spread<Y, S>, shift: i32) -> Self {
+    pub(crate) fn of(system: &'a Y, x: S, recovered: &RecoveredStates<Y, S>, shift: i32) -> Self {
         let mut states = Y::per_step(State::default());
-        for (state, scaled) in states.as_mut().iter_mut().zip(spread.states.as_ref()) {
+        for (state, scaled) in states.as_mut().iter_mut().zip(recovered.states.as_ref()) {
             *state = scaled.shifted(shift);
         }
-        Field { system, x, states, source: spread.source, beyond: spread.beyond.shifted(shift) }
+        SystemStates { system, x, states, source: recovered.source, beyond: recovered.beyond.shifted(shift) }
     }
 
     /// Each state through one function.
@@ -109,7 +109,7 @@ struct InsideOf<S>(S);
 impl<S: Scalar> Visit<S> for InsideOf<S> {
     type Output = Option<Inside>;
 
-    fn element<E: Motion<S>>(self, built: &E::Built) -> Option<Inside> {
+    fn element<E: Energies<S>>(self, built: &E::Built) -> Option<Inside> {
         E::inside(built, self.0)
     }
 }
@@ -122,7 +122,7 @@ struct StateAt<S> {
 impl<S: Scalar> Visit<S> for StateAt<S> {
     type Output = State<S>;
 
-    fn element<E: Motion<S>>(self, built: &E::Built) -> State<S> {
+    fn element<E: Energies<S>>(self, built: &E::Built) -> State<S> {
         E::state_at(built, &self.ends, self.distance)
     }
 }

@@ -4,7 +4,7 @@
 use crate::element::traits::PlaneStep;
 use crate::model::ends::Ends;
 use crate::model::state::State;
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
@@ -24,13 +24,13 @@ pub struct Inside {
 /// Summed over a system it is stationary at a motion of its own and zero there, so that `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say how it moves",
-    label = "no `Motion<{S}>` for this element",
+    label = "no `Energies<{S}>` for this element",
     note = "mode shapes, responses and sensitivities need it; planar elements have none yet, an element of your own \
-            implements `mstmm::Motion<S>`"
+            implements `mstmm::Energies<S>`"
 )]
-pub trait Motion<S: Scalar>: PlaneStep<S> {
-    /// What [`pull_back`](Motion::pull_back) needs of a frequency.
-    type Links;
+pub trait Energies<S: Scalar>: PlaneStep<S> {
+    /// What [`back_transfer`](Motion::back_transfer) needs of a frequency.
+    type BackCoefficients;
 
     /// The derivatives with respect to the parameters: the struct of the parameters, over `S`.
     type Gradient;
@@ -41,18 +41,18 @@ pub trait Motion<S: Scalar>: PlaneStep<S> {
     /// The element seen from its output end; itself if it is symmetric.
     fn reversed(built: &Self::Built) -> Self::Built;
 
-    /// What `pull_back` needs of a frequency.
-    fn links(built: &Self::Built, at: &At<S>) -> Self::Links;
+    /// What `back_transfer` needs of a frequency.
+    fn links(built: &Self::Built, at: &FrequencyPowers<S>) -> Self::BackCoefficients;
 
     /// The covector at the input end: with the subspaces that `PlaneStep::step` takes and returns it gives the state at the
     /// input end where `covector` gives that at the output end.
     ///
     /// `step` maps a plane to `c U P Uᵀ` and a line to `c U l`; this is `c Uᵀ η` or `c t`.
-    fn pull_back(links: &Self::Links, input: &Subspace<S>, covector: Covector<S>) -> Covector<S>;
+    fn back_transfer(links: &Self::BackCoefficients, input: &Subspace<S>, covector: Covector<S>) -> Covector<S>;
 
     /// Sizes of the forces per displacement, `[Q/Y, M/Θ]`, that are usual in the element: what makes entries of a state
     /// comparable.
-    fn units(built: &Self::Built, at: &At<S>) -> [f64; 2];
+    fn units(built: &Self::Built, at: &FrequencyPowers<S>) -> [f64; 2];
 
     /// The mass form of two motions, `∫ m Y₁ Y₂ dx` for a beam: twice the kinetic energy over `(dt)²` of one.
     fn mass_form(built: &Self::Built, first: &Ends<S>, second: &Ends<S>) -> S;

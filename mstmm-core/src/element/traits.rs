@@ -1,12 +1,12 @@
 //! The few traits: what an element is, and what a built system can evaluate.
 
 use crate::model::error::{InvalidParameter, ParameterError};
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Space, StateSpace, Support};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::{Branches, Scalar};
 use crate::number::scaled::Scaled;
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::subspace::Subspace;
 use core::fmt;
 
@@ -40,7 +40,7 @@ pub trait Element: Sized {
 
     /// Adds the element's stiffnesses and masses to the bounds from which searches take their first steps.
     #[inline]
-    fn bound(_built: &Self::Built, _bounds: &mut FrequencyBounds) {}
+    fn estimate(_built: &Self::Built, _bounds: &mut FrequencyEstimates) {}
 }
 
 /// The transfer equation `z_O = U(x) z_I` of an element at a frequency `x` (see [`Frequency`](crate::number::frequency::Frequency)).
@@ -77,33 +77,33 @@ pub trait PlaneStep<S: Scalar>: Element {
     /// be needed: whether it computes by operators alone, so that a NaN comes through, what it makes of a kind of subspace is of
     /// one kind, and `root` is what [`at_root`](Subspace::at_root) is after `step`. One that does not is evaluated at one frequency
     /// after the other.
-    const STRAIGHT: bool = false;
+    const BRANCH_FREE: bool = false;
 
     /// Which formulas the element takes at a frequency.
     #[doc(hidden)]
     #[inline]
-    fn branches(_built: &Self::Built, _at: &At<S>) -> Branches {
-        if Self::STRAIGHT { Branches::Waves } else { Branches::All }
+    fn branches(_built: &Self::Built, _at: &FrequencyPowers<S>) -> Branches {
+        if Self::BRANCH_FREE { Branches::Waves } else { Branches::All }
     }
 
     /// What depends on the frequency; computed once for equal elements.
     type Coefficients;
 
     /// The coefficients at a frequency.
-    fn coefficients(built: &Self::Built, at: &At<S>) -> Self::Coefficients;
+    fn coefficients(built: &Self::Built, at: &FrequencyPowers<S>) -> Self::Coefficients;
 
-    /// Takes the subspace of the input end to the output end and tells the tally what the count needs.
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S>;
+    /// Takes the subspace of the input end to the output end and tells the counter what the count needs.
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S>;
 
     /// The last step before the root: Δ itself.
     #[inline]
-    fn root<C: Tally<S>>(
+    fn root<C: RootCounter<S>>(
         coefficients: &Self::Coefficients,
         input: Subspace<S>,
         support: Support,
-        tally: &mut C,
+        counter: &mut C,
     ) -> Scaled<S> {
-        Self::step(coefficients, input, tally).at_root(support, tally)
+        Self::step(coefficients, input, counter).at_root(support, counter)
     }
 }
 

@@ -3,15 +3,15 @@
 use crate::element::traits::{Element, PlaneStep};
 use crate::elements::*;
 use crate::model::error::InvalidParameter;
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Space, StateSpace, Support};
-use crate::number::branch_free::Straight;
+use crate::number::branch_free::BranchFree;
 use crate::number::frequency::{ComplexFrequency, Frequency, Real};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scaled::Scaled;
 use crate::pass::block::walk::Walker;
 use crate::pass::step_list::{ListElement, ListPass, ListWalk};
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::subspace::Subspace;
 
 /// Declares an enum of built elements with the traits of list elements.
@@ -45,17 +45,17 @@ macro_rules! any_element {
                 }
             }
 
-            fn bound(&self, bounds: &mut FrequencyBounds) {
+            fn estimate(&self, estimates: &mut FrequencyEstimates) {
                 match self {
-                    $($name::$element(built) => <$element<T> as Element>::bound(built, bounds),)*
+                    $($name::$element(built) => <$element<T> as Element>::estimate(built, estimates),)*
                 }
             }
         }
 
         impl<T: Real, S: $frequency<T>> ListWalk<S> for $name<T>
         where
-            Straight<S, false>: $frequency<T>,
-            Straight<S, true>: $frequency<T>,
+            BranchFree<S, false>: $frequency<T>,
+            BranchFree<S, true>: $frequency<T>,
         {
             fn walk<W: Walker<S>>(&self, walker: &mut W) {
                 match self {
@@ -65,25 +65,25 @@ macro_rules! any_element {
         }
 
         impl<T: Real, S: $frequency<T>> ListPass<S> for $name<T> {
-            fn step<C: Tally<S>>(&self, at: &At<S>, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+            fn step<C: RootCounter<S>>(&self, at: &FrequencyPowers<S>, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
                 match self {
                     $($name::$element(built) => {
-                        $element::<T>::step(&$element::<T>::coefficients(built, at), input, tally)
+                        $element::<T>::step(&$element::<T>::coefficients(built, at), input, counter)
                     })*
                 }
             }
 
-            fn root<C: Tally<S>>(
+            fn root<C: RootCounter<S>>(
                 &self,
-                at: &At<S>,
+                at: &FrequencyPowers<S>,
                 input: Subspace<S>,
                 support: Support,
-                tally: &mut C,
+                counter: &mut C,
             ) -> Scaled<S> {
                 match self {
                     $($name::$element(built) => {
                         <$element<T> as PlaneStep<S>>::root(
-                            &$element::<T>::coefficients(built, at), input, support, tally,
+                            &$element::<T>::coefficients(built, at), input, support, counter,
                         )
                     })*
                 }

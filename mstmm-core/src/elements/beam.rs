@@ -4,15 +4,15 @@ use crate::element::traits::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::{bending_matrix, plane_series};
 use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Bending, Support};
 use crate::number::exponent::binary_exponent;
 use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Branches;
 use crate::number::scaled::Scaled;
 use crate::number::wave_functions::WaveProducts;
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix4;
 
@@ -81,15 +81,15 @@ impl<T: Real> Element for Beam<T> {
         })
     }
 
-    fn bound(built: &BuiltBeam<T>, bounds: &mut FrequencyBounds) {
+    fn estimate(built: &BuiltBeam<T>, estimates: &mut FrequencyEstimates) {
         let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
         let (l, ei, m) = (length.to_f64(), bending_stiffness.to_f64(), mass_per_length.to_f64());
-        bounds.waves(1.0 / (built.wave * built.wave).to_f64());
-        bounds.translational_stiffness(ei / (l * l * l));
-        bounds.torsional_stiffness(ei / l);
-        bounds.length(l);
-        bounds.mass(m * l);
-        bounds.moment_of_inertia(m * l * l * l);
+        estimates.waves(1.0 / (built.wave * built.wave).to_f64());
+        estimates.translational_stiffness(ei / (l * l * l));
+        estimates.torsional_stiffness(ei / l);
+        estimates.length(l);
+        estimates.mass(m * l);
+        estimates.moment_of_inertia(m * l * l * l);
     }
 }
 
@@ -114,17 +114,17 @@ impl<T: Real> Beam<T> {
                 worst = parameter;
             }
         }
-        InvalidParameter { parameter: worst.0, value: worst.1, requirement: Requirement::Moderate }
+        InvalidParameter { parameter: worst.0, value: worst.1, requirement: Requirement::Rescale }
     }
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     const WAVES: bool = true;
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = BendingCoefficients<S>;
 
     #[inline]
-    fn branches(built: &BuiltBeam<T>, at: &At<S>) -> Branches {
+    fn branches(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> Branches {
         let size = (at.powers[0] * built.wave).size();
         if size <= 1.0 {
             Branches::Series
@@ -136,40 +136,45 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     }
 
     #[inline(always)]
-    fn coefficients(built: &BuiltBeam<T>, at: &At<S>) -> BendingCoefficients<S> {
+    fn coefficients(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         let z = at.powers[0] * built.wave;
         let size = z.size();
         match S::BRANCHES {
             Branches::All if size <= 1.0 => built.small(z, at),
             Branches::All => built.waving(z, z.wave_products(), at),
-            Branches::Series => built.by_series(z, -at.lambda_squared.provided(size <= 1.0)),
+            Branches::Series => built.by_series(z, -at.lambda_squared.valid_if(size <= 1.0)),
             Branches::Waves => {
-                let products = z.provided((size > 1.0) & (size < S::WAVE_LIMIT)).moderate_wave_products();
+                let products = z.valid_if((size > 1.0) & (size < S::WAVE_LIMIT)).moderate_wave_products();
                 built.waving(z, products, at)
             }
         }
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
-        coefficients.step(input, tally)
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
+        coefficients.step(input, counter)
     }
 
     #[inline(always)]
-    fn root<C: Tally<S>>(
+    fn root<C: RootCounter<S>>(
         coefficients: &Self::Coefficients,
         input: Subspace<S>,
         support: Support,
-        tally: &mut C,
+        counter: &mut C,
     ) -> Scaled<S> {
-        coefficients.root(input, support, tally)
+        coefficients.root(input, support, counter)
     }
 }
 
 impl<T: Real> BuiltBeam<T> {
     /// The coefficients for `|z| > 1`.
     #[inline(always)]
-    fn waving<S: Frequency<T>>(&self, z: S, products: WaveProducts<S>, at: &At<S>) -> BendingCoefficients<S> {
+    fn waving<S: Frequency<T>>(
+        &self,
+        z: S,
+        products: WaveProducts<S>,
+        at: &FrequencyPowers<S>,
+    ) -> BendingCoefficients<S> {
         let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = products;
         let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
         let Units { factors, inverses } = self.units(at);
@@ -195,8 +200,8 @@ impl<T: Real> BuiltBeam<T> {
     /// Units of the minors with the wave number β. A judge needs them without rounding between them: only then is a step the
     /// compound of the transfer matrix.
     #[inline(always)]
-    fn units<S: Frequency<T>>(&self, at: &At<S>) -> Units<S> {
-        if S::JUDGES {
+    fn units<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> Units<S> {
+        if S::IS_EXTENDED {
             let number = S::from_parameter(self.wave) / S::from_parameter(self.parameters.length);
             return Units::new(S::from_parameter(self.parameters.bending_stiffness), at.powers[0] * number);
         }
@@ -209,7 +214,7 @@ impl<T: Real> BuiltBeam<T> {
     /// The same with `1/l` in place of β.
     #[inline(always)]
     fn short_units<S: Frequency<T>>(&self) -> Units<S> {
-        if S::JUDGES {
+        if S::IS_EXTENDED {
             let [length, stiffness] =
                 [self.parameters.length, self.parameters.bending_stiffness].map(S::from_parameter);
             return Units::new(stiffness, S::one() / length);
@@ -225,7 +230,7 @@ impl<T: Real> BuiltBeam<T> {
 
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     #[cold]
-    fn small<S: Frequency<T>>(&self, z: S, at: &At<S>) -> BendingCoefficients<S> {
+    fn small<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         self.by_series(z, -at.lambda_squared)
     }
 

@@ -1,17 +1,17 @@
 //! Rigid body in a bending path.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::element::traits::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_energies::half;
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Bending, Support};
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scaled::Scaled;
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
@@ -85,14 +85,14 @@ impl<T: Real> Element for Body<T> {
         })
     }
 
-    fn bound(built: &BuiltBody<T>, bounds: &mut FrequencyBounds) {
-        bounds.mass(built.mass.to_f64());
+    fn estimate(built: &BuiltBody<T>, estimates: &mut FrequencyEstimates) {
+        estimates.mass(built.mass.to_f64());
         let Levers { output, centre, .. } = built.levers;
         // what rounding leaves of the inertia about the mass centre moves fast
-        bounds.moment_of_inertia(built.central_inertia.abs().to_f64());
-        bounds.lever(output.length.to_f64());
-        bounds.lever(centre.length.to_f64());
-        bounds.moment_of_inertia((built.central_inertia + centre.times(centre.times(built.mass))).to_f64());
+        estimates.moment_of_inertia(built.central_inertia.abs().to_f64());
+        estimates.lever(output.length.to_f64());
+        estimates.lever(centre.length.to_f64());
+        estimates.moment_of_inertia((built.central_inertia + centre.times(centre.times(built.mass))).to_f64());
     }
 }
 
@@ -123,39 +123,39 @@ pub struct BodyCoefficients<T, S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = BodyCoefficients<T, S>;
 
     #[inline(always)]
-    fn coefficients(built: &BuiltBody<T>, at: &At<S>) -> BodyCoefficients<T, S> {
+    fn coefficients(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> BodyCoefficients<T, S> {
         BodyCoefficients::new(built, at.lambda_squared)
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
         let BodyCoefficients { a, j, to_output, about_output, .. } = *coefficients;
         if let Subspace::Tip(Support::Free, _) = input {
             return Subspace::Plane(Plane::new([S::one(), about_output, to_output, a, a * j], 0));
         }
         let p = input.plane();
         let inertia = about_output * p.y_theta;
-        let Behind { y_m, w, theta_q, m_q } = coefficients.behind(&p, inertia, tally);
+        let Behind { y_m, w, theta_q, m_q } = coefficients.behind(&p, inertia, counter);
         Subspace::Plane(Plane::new([p.y_theta, y_m + inertia, w + to_output * p.y_theta, theta_q, m_q], p.exponent))
     }
 
     #[inline(always)]
-    fn root<C: Tally<S>>(
+    fn root<C: RootCounter<S>>(
         coefficients: &Self::Coefficients,
         input: Subspace<S>,
         support: Support,
-        tally: &mut C,
+        counter: &mut C,
     ) -> Scaled<S> {
         if C::COUNTS || support != Support::Free {
-            return Self::step(coefficients, input, tally).at_root(support, tally);
+            return Self::step(coefficients, input, counter).at_root(support, counter);
         }
         // the shift to the output end does not change p_MQ
         let p = input.plane();
-        let Behind { m_q, .. } = coefficients.behind(&p, S::zero(), tally);
+        let Behind { m_q, .. } = coefficients.behind(&p, S::zero(), counter);
         Scaled::new(m_q, i64::from(p.exponent))
     }
 }
@@ -180,17 +180,17 @@ impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
     /// `p_ΘQ + a p_YΘ`, with it `p_MQ + a p_YM + j p_ΘQ` with p_YM of the mass centre, and what the shift to the output end makes
     /// of the others; at once, since by way of the mass centre a lever there and back would leave rounding.
     #[inline(always)]
-    fn behind<C: Tally<S>>(&self, p: &Plane<S>, inertia: S, tally: &mut C) -> Behind<S> {
+    fn behind<C: RootCounter<S>>(&self, p: &Plane<S>, inertia: S, counter: &mut C) -> Behind<S> {
         let theta_q = p.theta_q + self.a * p.y_theta;
         let turning = self.j * theta_q;
         let beside = || [inertia.size(), (p.m_q.size() + turning.size()) / self.a.size()];
-        let [[y_m, w], [at_centre, _]] = self.levers.far_ends(p, beside, tally);
+        let [[y_m, w], [at_centre, _]] = self.levers.far_ends(p, beside, counter);
         Behind { y_m, w, theta_q, m_q: p.m_q + self.a * at_centre + turning }
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for Body<T> {
-    type Links = BodyCoefficients<T, S>;
+impl<T: Real, S: Oscillation<T>> Energies<S> for Body<T> {
+    type BackCoefficients = BodyCoefficients<T, S>;
     type Gradient = Body<S>;
     const SYMMETRIC: bool = false;
 
@@ -200,11 +200,11 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Body<T> {
         BuiltBody { levers: Levers::new(output, built.centre_to_output), centre_to_output: centre, ..*built }
     }
 
-    fn links(built: &BuiltBody<T>, at: &At<S>) -> BodyCoefficients<T, S> {
+    fn links(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> BodyCoefficients<T, S> {
         Self::coefficients(built, at)
     }
 
-    fn pull_back(links: &BodyCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(links: &BodyCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
         let BodyCoefficients { a, j, to_output, levers: Levers { output, centre, .. }, .. } = *links;
         let force = a * q + to_output * m;
@@ -212,7 +212,7 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Body<T> {
         Covector::Plane(entries, exponent)
     }
 
-    fn units(built: &BuiltBody<T>, at: &At<S>) -> [f64; 2] {
+    fn units(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
         let BodyCoefficients { a, j, levers: Levers { centre, .. }, .. } = Self::coefficients(built, at);
         [S::size(a), S::size(j + centre.times(centre.times(a)))]
     }
@@ -267,6 +267,6 @@ mod tests {
     fn an_inertia_below_that_of_the_mass_centre_is_refused_with_its_bound() {
         let error = Body { mass: 2.0, inertia: 0.4, output_x: 1.0, centre_x: 0.5 }.build().unwrap_err();
         assert_eq!((error.parameter, error.value), ("inertia", 0.4));
-        assert_eq!(error.requirement, Requirement::AtLeast { bound: 0.5, formula: "mass * centre_x²" });
+        assert_eq!(error.requirement, Requirement::AtLeast { estimate: 0.5, formula: "mass * centre_x²" });
     }
 }

@@ -1,18 +1,18 @@
 //! Translational damper.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::element::traits::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_energies::{back_through_stiffness, elongations, half, massless_motion, unit_of};
 use crate::elements::shared::line_step::through_stiffness;
 use crate::elements::shared::reciprocal::off_pole;
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Coordinate, Translation};
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{ComplexFrequency, Real};
-use crate::number::frequency_powers::At;
-use crate::subspace::count::Tally;
+use crate::number::frequency_powers::FrequencyPowers;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix2;
@@ -39,8 +39,8 @@ impl<T: Real> Element for Damper<T> {
         Ok(self)
     }
 
-    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
-        bounds.translational_damping(built.damping.to_f64());
+    fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
+        estimates.translational_damping(built.damping.to_f64());
     }
 }
 
@@ -66,17 +66,17 @@ impl<T: Real> Damper<T> {
 }
 
 impl<T: Real, S: ComplexFrequency<T>> PlaneStep<S> for Damper<T> {
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = S;
 
     #[inline(always)]
-    fn coefficients(built: &Self, at: &At<S>) -> S {
+    fn coefficients(built: &Self, at: &FrequencyPowers<S>) -> S {
         built.dynamic_stiffness(at.x)
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
-        through_stiffness(*coefficients, input, tally)
+    fn step<C: RootCounter<S>>(coefficients: &S, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
+        through_stiffness(*coefficients, input, counter)
     }
 }
 

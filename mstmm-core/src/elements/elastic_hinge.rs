@@ -1,17 +1,17 @@
 //! Elastic hinge in a bending path.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::element::traits::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_energies::{elongations, half};
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Bending, Coordinate, Support};
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scaled::Scaled;
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
@@ -41,9 +41,9 @@ impl<T: Real> Element for ElasticHinge<T> {
         Ok(self)
     }
 
-    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
-        bounds.translational_stiffness(built.stiffness_y.to_f64());
-        bounds.torsional_stiffness(built.stiffness_theta.to_f64());
+    fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
+        estimates.translational_stiffness(built.stiffness_y.to_f64());
+        estimates.torsional_stiffness(built.stiffness_theta.to_f64());
     }
 }
 
@@ -67,36 +67,36 @@ pub struct HingeCoefficients<T, S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = HingeCoefficients<T, S>;
 
     #[inline(always)]
-    fn coefficients(built: &Self, _at: &At<S>) -> HingeCoefficients<T, S> {
+    fn coefficients(built: &Self, _at: &FrequencyPowers<S>) -> HingeCoefficients<T, S> {
         let (k_y, k_theta) = (built.stiffness_y, built.stiffness_theta);
         HingeCoefficients { k_y, k_theta, product: S::from_parameter(k_y) * k_theta }
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
         if let Subspace::Tip(Support::Fixed, _) = input {
             let (y, theta) = (S::from_parameter(coefficients.k_y), S::from_parameter(coefficients.k_theta));
             return Subspace::Springs { y: Some(y), theta: Some(theta) };
         }
         let before = input.plane();
         let after = coefficients.through(&before).in_range();
-        tally.hinge(&before, &after, S::from_parameter(coefficients.k_y));
+        counter.hinge(&before, &after, S::from_parameter(coefficients.k_y));
         Subspace::Plane(after)
     }
 
     #[inline(always)]
-    fn root<C: Tally<S>>(
+    fn root<C: RootCounter<S>>(
         coefficients: &Self::Coefficients,
         input: Subspace<S>,
         support: Support,
-        tally: &mut C,
+        counter: &mut C,
     ) -> Scaled<S> {
         if C::COUNTS || matches!(input, Subspace::Tip(..)) {
-            return Self::step(coefficients, input, tally).at_root(support, tally);
+            return Self::step(coefficients, input, counter).at_root(support, counter);
         }
         // no look at the range: only the minor that decides is needed
         let plane = coefficients.through(&input.plane());
@@ -120,8 +120,8 @@ impl<T: Real, S: Frequency<T>> HingeCoefficients<T, S> {
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for ElasticHinge<T> {
-    type Links = HingeCoefficients<T, S>;
+impl<T: Real, S: Oscillation<T>> Energies<S> for ElasticHinge<T> {
+    type BackCoefficients = HingeCoefficients<T, S>;
     type Gradient = ElasticHinge<S>;
     const SYMMETRIC: bool = true;
 
@@ -129,19 +129,19 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for ElasticHinge<T> {
         *built
     }
 
-    fn links(built: &Self, at: &At<S>) -> HingeCoefficients<T, S> {
+    fn links(built: &Self, at: &FrequencyPowers<S>) -> HingeCoefficients<T, S> {
         Self::coefficients(built, at)
     }
 
     /// `K_y K_θ Uᵀ η`, since the step multiplies by the stiffnesses.
-    fn pull_back(links: &HingeCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(links: &HingeCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
         let HingeCoefficients { k_y, k_theta, product } = *links;
         let entries = [y * product, theta * product, m * product + theta * k_y, q * product - y * k_theta];
         Covector::Plane(entries, exponent)
     }
 
-    fn units(built: &Self, _at: &At<S>) -> [f64; 2] {
+    fn units(built: &Self, _at: &FrequencyPowers<S>) -> [f64; 2] {
         [built.stiffness_y.to_f64(), built.stiffness_theta.to_f64()]
     }
 

@@ -1,17 +1,17 @@
 //! Lumped mass.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::element::traits::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_energies::{displacements, half, inertial_motion, unit_of};
 use crate::elements::shared::line_step::through_inertia;
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Coordinate, Translation};
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::At;
-use crate::subspace::count::Tally;
+use crate::number::frequency_powers::FrequencyPowers;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix2;
@@ -37,8 +37,8 @@ impl<T: Real> Element for Mass<T> {
         Ok(self)
     }
 
-    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
-        bounds.mass(built.mass.to_f64());
+    fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
+        estimates.mass(built.mass.to_f64());
     }
 }
 
@@ -50,16 +50,16 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Mass<T> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Mass<T> {
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = S;
 
     #[inline(always)]
-    fn coefficients(built: &Self, at: &At<S>) -> S {
+    fn coefficients(built: &Self, at: &FrequencyPowers<S>) -> S {
         at.lambda_squared * built.mass
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(coefficients: &S, input: Subspace<S>, _counter: &mut C) -> Subspace<S> {
         through_inertia(*coefficients, input)
     }
 }

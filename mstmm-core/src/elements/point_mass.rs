@@ -1,16 +1,16 @@
 //! Lumped mass inside a bending path.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::element::traits::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_energies::{displacements, half};
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Bending, Coordinate, Support};
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::At;
-use crate::subspace::count::Tally;
+use crate::number::frequency_powers::FrequencyPowers;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::join::in_parallel;
 use crate::subspace::minors::plane::Plane;
@@ -41,9 +41,9 @@ impl<T: Real> Element for PointMass<T> {
         Ok(self)
     }
 
-    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
-        bounds.mass(built.mass.to_f64());
-        bounds.moment_of_inertia(built.inertia.to_f64());
+    fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
+        estimates.mass(built.mass.to_f64());
+        estimates.moment_of_inertia(built.inertia.to_f64());
     }
 }
 
@@ -65,16 +65,16 @@ pub struct PointMassCoefficients<S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = PointMassCoefficients<S>;
 
     #[inline(always)]
-    fn coefficients(built: &Self, at: &At<S>) -> PointMassCoefficients<S> {
+    fn coefficients(built: &Self, at: &FrequencyPowers<S>) -> PointMassCoefficients<S> {
         PointMassCoefficients { a: at.lambda_squared * built.mass, j: at.lambda_squared * built.inertia }
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _counter: &mut C) -> Subspace<S> {
         let PointMassCoefficients { a, j } = *coefficients;
         match input {
             Subspace::Tip(Support::Free, _) => return Subspace::Springs { y: Some(a), theta: Some(j) },
@@ -90,8 +90,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for PointMass<T> {
-    type Links = PointMassCoefficients<S>;
+impl<T: Real, S: Oscillation<T>> Energies<S> for PointMass<T> {
+    type BackCoefficients = PointMassCoefficients<S>;
     type Gradient = PointMass<S>;
     const SYMMETRIC: bool = true;
 
@@ -99,16 +99,16 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for PointMass<T> {
         *built
     }
 
-    fn links(built: &Self, at: &At<S>) -> PointMassCoefficients<S> {
+    fn links(built: &Self, at: &FrequencyPowers<S>) -> PointMassCoefficients<S> {
         Self::coefficients(built, at)
     }
 
-    fn pull_back(links: &PointMassCoefficients<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(links: &PointMassCoefficients<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
         Covector::Plane([y - links.a * q, theta + links.j * m, m, q], exponent)
     }
 
-    fn units(built: &Self, at: &At<S>) -> [f64; 2] {
+    fn units(built: &Self, at: &FrequencyPowers<S>) -> [f64; 2] {
         let PointMassCoefficients { a, j } = Self::coefficients(built, at);
         [S::size(a), S::size(j)]
     }

@@ -1,17 +1,17 @@
 //! Translational spring.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::element::traits::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_energies::{back_through_stiffness, elongations, half, massless_motion, unit_of};
 use crate::elements::shared::line_step::through_stiffness;
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Coordinate, Translation};
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::At;
-use crate::subspace::count::Tally;
+use crate::number::frequency_powers::FrequencyPowers;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix2;
@@ -37,8 +37,8 @@ impl<T: Real> Element for Spring<T> {
         Ok(self)
     }
 
-    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
-        bounds.translational_stiffness(built.stiffness.to_f64());
+    fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
+        estimates.translational_stiffness(built.stiffness.to_f64());
     }
 }
 
@@ -51,17 +51,17 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Spring<T> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Spring<T> {
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = S;
 
     #[inline(always)]
-    fn coefficients(built: &Self, _at: &At<S>) -> S {
+    fn coefficients(built: &Self, _at: &FrequencyPowers<S>) -> S {
         S::from_parameter(built.stiffness)
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
-        through_stiffness(*coefficients, input, tally)
+    fn step<C: RootCounter<S>>(coefficients: &S, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
+        through_stiffness(*coefficients, input, counter)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::number::floats::elementary;
 ///
 /// Nothing is certified by these: they only say where to start counting.
 #[derive(Clone, Copy, Debug)]
-pub struct FrequencyBounds {
+pub struct FrequencyEstimates {
     stiffness: [Range; 2],
     inertia: [Range; 2],
     damping: [Range; 2],
@@ -40,9 +40,9 @@ impl Range {
     }
 }
 
-impl Default for FrequencyBounds {
+impl Default for FrequencyEstimates {
     fn default() -> Self {
-        FrequencyBounds {
+        FrequencyEstimates {
             stiffness: [Range::EMPTY; 2],
             inertia: [Range::EMPTY; 2],
             damping: [Range::EMPTY; 2],
@@ -55,7 +55,7 @@ impl Default for FrequencyBounds {
     }
 }
 
-impl FrequencyBounds {
+impl FrequencyEstimates {
     /// A translational stiffness [N/m].
     pub fn translational_stiffness(&mut self, value: f64) {
         self.stiffness[0].include(value);

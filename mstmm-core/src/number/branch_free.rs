@@ -10,9 +10,9 @@ use core::ops::Mul;
 /// A number that knows no branches: NaN wherever one would be needed, and never shifted into another range. Of the formulas
 /// for waves it knows the series for short ones, or those for all that need not be scaled.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Straight<S, const SERIES: bool>(pub(crate) S);
+pub struct BranchFree<S, const SERIES: bool>(pub(crate) S);
 
-impl<S: Scalar, const SERIES: bool> Scalar for Straight<S, SERIES> {
+impl<S: Scalar, const SERIES: bool> Scalar for BranchFree<S, SERIES> {
     const BRANCHES: Branches = if SERIES { Branches::Series } else { Branches::Waves };
     const EPSILON: f64 = S::EPSILON;
     const WAVE_LIMIT: f64 = S::WAVE_LIMIT;
@@ -21,40 +21,40 @@ impl<S: Scalar, const SERIES: bool> Scalar for Straight<S, SERIES> {
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Straight(S::from_f64(value))
+        BranchFree(S::from_f64(value))
     }
 
     #[inline(always)]
     fn reciprocal_factorial(n: usize) -> Self {
-        Straight(S::reciprocal_factorial(n))
+        BranchFree(S::reciprocal_factorial(n))
     }
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Straight(self.0.moderate_sqrt()).provided(self.0.is_plain())
+        BranchFree(self.0.moderate_sqrt()).valid_if(self.0.is_plain())
     }
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.0.sin_cos();
-        (Straight(sin), Straight(cos))
+        (BranchFree(sin), BranchFree(cos))
     }
 
     #[inline(always)]
     fn sinh_cosh(self) -> (Self, Self) {
         let (sinh, cosh) = self.0.sinh_cosh();
-        (Straight(sinh), Straight(cosh))
+        (BranchFree(sinh), BranchFree(cosh))
     }
 
     #[inline(always)]
     fn wave_products(self) -> WaveProducts<Self> {
-        self.provided(self.size() < Self::WAVE_LIMIT).moderate_wave_products()
+        self.valid_if(self.size() < Self::WAVE_LIMIT).moderate_wave_products()
     }
 
     #[inline(always)]
     fn moderate_wave_products(self) -> WaveProducts<Self> {
         let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent } = self.0.moderate_wave_products();
-        let [ch_cos, ch_sin, sh_cos, sh_sin, one] = [ch_cos, ch_sin, sh_cos, sh_sin, one].map(Straight);
+        let [ch_cos, ch_sin, sh_cos, sh_sin, one] = [ch_cos, ch_sin, sh_cos, sh_sin, one].map(BranchFree);
         WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent }
     }
 
@@ -65,21 +65,21 @@ impl<S: Scalar, const SERIES: bool> Scalar for Straight<S, SERIES> {
 
     #[inline(always)]
     fn times_power_of_two(self, exponent: i32) -> Self {
-        Straight(self.0.times_power_of_two(exponent))
+        BranchFree(self.0.times_power_of_two(exponent))
     }
 
     #[inline(always)]
     fn times_normal_power_of_two(self, exponent: i32) -> Self {
-        Straight(self.0.times_normal_power_of_two(exponent))
+        BranchFree(self.0.times_normal_power_of_two(exponent))
     }
 
     #[inline(always)]
     fn or_nan(self, condition: bool) -> Self {
-        Straight(self.0.or_nan(condition))
+        BranchFree(self.0.or_nan(condition))
     }
 
     #[inline(always)]
-    fn provided(self, condition: bool) -> Self {
+    fn valid_if(self, condition: bool) -> Self {
         self.or_nan(condition)
     }
 
@@ -97,25 +97,25 @@ impl<S: Scalar, const SERIES: bool> Scalar for Straight<S, SERIES> {
     }
 }
 
-impl<T: Real, S: Frequency<T>, const SERIES: bool> Frequency<T> for Straight<S, SERIES>
+impl<T: Real, S: Frequency<T>, const SERIES: bool> Frequency<T> for BranchFree<S, SERIES>
 where
     Self: Mul<T, Output = Self>,
 {
     type Meaning = S::Meaning;
-    const JUDGES: bool = S::JUDGES;
+    const IS_EXTENDED: bool = S::IS_EXTENDED;
 
     #[inline(always)]
     fn lambda_squared(self) -> Self {
-        Straight(self.0.lambda_squared())
+        BranchFree(self.0.lambda_squared())
     }
 
     #[inline(always)]
     fn omega(self) -> Self {
-        Straight(self.0.omega())
+        BranchFree(self.0.omega())
     }
 
     #[inline(always)]
     fn from_parameter(parameter: T) -> Self {
-        Straight(S::from_parameter(parameter))
+        BranchFree(S::from_parameter(parameter))
     }
 }

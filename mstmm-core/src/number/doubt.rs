@@ -24,21 +24,21 @@ pub(crate) const NEAR: f64 = 8.0;
 pub(crate) const NOISE: f64 = 0.2;
 
 /// How many times as wide as others the interval or circle of an ill-conditioned root is where nothing judges it.
-pub(crate) const UNJUDGED: f64 = 8.0;
+pub(crate) const UNPROVEN_WIDTH: f64 = 8.0;
 
 /// Whether what looks like rounding is refused, since no arithmetic has the digits to judge it.
-pub(crate) fn is_unjudged<T: Real>() -> bool {
-    !T::HAS_JUDGE && T::EPSILON == f64::EPSILON
+pub(crate) fn refuses_doubt<T: Real>() -> bool {
+    !T::HAS_EXTENDED && T::EPSILON == f64::EPSILON
 }
 
 /// Whether an arithmetic judges that of a system's parameters.
-pub(crate) fn is_judge<T: Real, P: Real>() -> bool {
+pub(crate) fn is_extended<T: Real, P: Real>() -> bool {
     T::EPSILON < P::EPSILON
 }
 
 /// Whether no other arithmetic judges what this one makes of a system.
 pub(crate) fn is_last<T: Real, P: Real>() -> bool {
-    is_judge::<T, P>() || is_unjudged::<T>()
+    is_extended::<T, P>() || refuses_doubt::<T>()
 }
 
 /// Whether Δ beside a root is less beside its terms than that of a well-conditioned root.
@@ -57,7 +57,7 @@ pub(crate) const USUAL_ERROR: f64 = 20.0;
 pub(crate) const NEARLY_ZERO_EXPONENT: i32 = 20;
 
 /// Least and largest growth of Δ across a root, by its slope beside it, that rounding leaves alone.
-pub(crate) const STRAIGHT: (f64, f64) = (0.5, 2.0);
+pub(crate) const BRANCH_FREE: (f64, f64) = (0.5, 2.0);
 
 /// Misfit of the states of a motion, in units of rounding, from which on it is computed again in the arithmetic that judges it.
 pub(crate) const MISFIT: f64 = 1e3;

@@ -306,7 +306,7 @@ impl<T: Real> Num for Dual<T> {
 }
 
 impl<T: Real> Real for Dual<T> {
-    type Judge = Self;
+    type Extended = Self;
 
     fn to_f64(self) -> f64 {
         self.value.to_f64()

@@ -170,7 +170,7 @@ macro_rules! real {
         }
 
         impl Real for $type {
-            type Judge = $judge;
+            type Extended = $judge;
 
             $($($kernel)*)?
 
@@ -194,13 +194,13 @@ macro_rules! real {
 
 /// The arithmetic that judges `f64`; without the feature `judge` none does, and programs are small.
 #[cfg(feature = "judge")]
-type JudgeOfDouble = DoubleDouble;
+type ExtendedOfDouble = DoubleDouble;
 #[cfg(not(feature = "judge"))]
-type JudgeOfDouble = f64;
+type ExtendedOfDouble = f64;
 
 real! {
-    f64, JudgeOfDouble, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
-    const HAS_JUDGE: bool = cfg!(feature = "judge");
+    f64, ExtendedOfDouble, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
+    const HAS_EXTENDED: bool = cfg!(feature = "judge");
 
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
         let product = DoubleDouble::from_product(a, b) * DoubleDouble::from_f64(c);

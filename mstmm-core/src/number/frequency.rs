@@ -12,10 +12,10 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     fn to_f64(self) -> f64;
 
     /// The arithmetic that judges the rounding of this one; the type itself where there is none. It has no other judge.
-    type Judge: Real<Judge = Self::Judge> + Oscillation<Self>;
+    type Extended: Real<Extended = Self::Extended> + Oscillation<Self>;
 
     /// Whether there is a judge.
-    const HAS_JUDGE: bool = false;
+    const HAS_EXTENDED: bool = false;
 
     /// `self - a b c`, rounded once where there is more to compute with: what is left may be far smaller than the product.
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
@@ -56,7 +56,7 @@ pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
     type Meaning;
 
     /// Whether it judges the rounding of the parameters' arithmetic: what was rounded in that is computed anew.
-    const JUDGES: bool = false;
+    const IS_EXTENDED: bool = false;
 
     /// `λ²`: `-ω²` for a real frequency.
     fn lambda_squared(self) -> Self;
@@ -101,21 +101,21 @@ where
 }
 
 /// The arithmetic that judges a frequency of a system with parameters of type `T`.
-pub type JudgeOf<S, T> = <S as Oscillation<T>>::Judge;
+pub type ExtendedOf<S, T> = <S as Oscillation<T>>::Extended;
 
 /// A frequency at which motions are computed.
 pub trait Oscillation<T: Real>: Frequency<T> {
     /// The same in the arithmetic that judges the rounding of this one; the type itself where there is none.
-    type Judge: Oscillation<T>;
+    type Extended: Oscillation<T>;
 
     /// Whether there is a judge.
-    const HAS_JUDGE: bool;
+    const HAS_EXTENDED: bool;
 
     /// The number in the judging arithmetic.
-    fn to_judge(self) -> Self::Judge;
+    fn to_extended(self) -> Self::Extended;
 
     /// Back from the judging arithmetic.
-    fn from_judge(value: Self::Judge) -> Self;
+    fn from_extended(value: Self::Extended) -> Self;
 
     /// Sine, cosine and their hyperbolic kin, free of overflow.
     fn wave_functions(self) -> WaveFunctions<Self>;

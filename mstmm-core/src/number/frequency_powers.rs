@@ -5,7 +5,7 @@ use crate::number::scalar::Scalar;
 
 /// A frequency `x` as the steps of the plane method need it.
 #[derive(Clone, Copy, Debug)]
-pub struct At<S> {
+pub struct FrequencyPowers<S> {
     /// The frequency itself: ω for a real scalar, λ for a complex one.
     pub x: S,
     /// λ².
@@ -16,7 +16,7 @@ pub struct At<S> {
     pub inverse_powers: [S; 4],
 }
 
-impl<S: Scalar> At<S> {
+impl<S: Scalar> FrequencyPowers<S> {
     /// The frequency `x`; its root is taken only if some element has waves.
     #[inline(always)]
     pub fn new<T>(x: S, waves: bool) -> Self
@@ -25,13 +25,13 @@ impl<S: Scalar> At<S> {
     {
         let lambda_squared = x.lambda_squared();
         if !waves {
-            return At { x, lambda_squared, powers: [S::one(); 4], inverse_powers: [S::one(); 4] };
+            return FrequencyPowers { x, lambda_squared, powers: [S::one(); 4], inverse_powers: [S::one(); 4] };
         }
         let s2 = x.omega();
         let s = s2.sqrt();
         let inverse = S::one() / s;
         let inverse2 = inverse * inverse;
-        At {
+        FrequencyPowers {
             x,
             lambda_squared,
             powers: [s, s2, s2 * s, -lambda_squared],

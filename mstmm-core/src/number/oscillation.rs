@@ -6,14 +6,14 @@ use crate::number::wave_functions::WaveFunctions;
 use num_complex::Complex;
 
 impl<T: Real> Oscillation<T> for T {
-    type Judge = T::Judge;
-    const HAS_JUDGE: bool = T::HAS_JUDGE;
+    type Extended = T::Extended;
+    const HAS_EXTENDED: bool = T::HAS_EXTENDED;
 
-    fn to_judge(self) -> T::Judge {
-        <T::Judge as Frequency<T>>::from_parameter(self)
+    fn to_extended(self) -> T::Extended {
+        <T::Extended as Frequency<T>>::from_parameter(self)
     }
 
-    fn from_judge(value: T::Judge) -> T {
+    fn from_extended(value: T::Extended) -> T {
         T::from_f64(value.to_f64())
     }
 
@@ -56,14 +56,14 @@ impl<T: Real> Oscillation<T> for T {
 }
 
 impl<T: Real> Oscillation<T> for Complex<T> {
-    type Judge = Self;
-    const HAS_JUDGE: bool = false;
+    type Extended = Self;
+    const HAS_EXTENDED: bool = false;
 
-    fn to_judge(self) -> Self {
+    fn to_extended(self) -> Self {
         self
     }
 
-    fn from_judge(value: Self) -> Self {
+    fn from_extended(value: Self) -> Self {
         value
     }
 

@@ -92,7 +92,7 @@ pub trait Scalar:
     /// The number itself. One that knows no branches is NaN where the condition does not hold: straight-line code does not
     /// hold there either.
     #[inline(always)]
-    fn provided(self, _condition: bool) -> Self {
+    fn valid_if(self, _condition: bool) -> Self {
         self
     }
 

@@ -30,7 +30,7 @@ impl<S: Scalar> Scaled<S> {
         let mantissa = if S::BRANCHES == Branches::All {
             value.times_power_of_two(-shift)
         } else {
-            value.provided(!is_extreme).times_normal_power_of_two(-shift)
+            value.valid_if(!is_extreme).times_normal_power_of_two(-shift)
         };
         Scaled { mantissa, exponent: exponent.saturating_add(i64::from(shift)) }
     }

@@ -1,13 +1,13 @@
 //! Subspaces behind every step of a tree: what the boundary conditions upstream leave of the state there, and what those
 //! downstream leave of it.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::model::layout::Step;
 use crate::model::state::{Space, Support};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::tree::{Tree, VisitAt};
-use crate::subspace::count::Untallied;
+use crate::subspace::count::NoCount;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
 
@@ -15,7 +15,7 @@ use crate::subspace::minors::subspace::Subspace;
 #[derive(Debug)]
 pub(crate) struct Passes<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     pub(crate) system: &'a Y,
-    pub(crate) at: At<S>,
+    pub(crate) at: FrequencyPowers<S>,
     pub(crate) evaluated: Y::Evaluated,
     /// Behind each step, what is upstream leaves this.
     pub(crate) upstream: Y::PerStep<Subspace<S>>,
@@ -25,7 +25,7 @@ pub(crate) struct Passes<'a, Y: Tree<S> + ?Sized, S: Scalar> {
 
 /// Takes a subspace through an element in the transfer direction, or against it.
 struct Through<'a, S> {
-    at: &'a At<S>,
+    at: &'a FrequencyPowers<S>,
     input: Subspace<S>,
     against: bool,
 }
@@ -33,12 +33,12 @@ struct Through<'a, S> {
 impl<S: Scalar> VisitAt<S> for Through<'_, S> {
     type Output = Subspace<S>;
 
-    fn element<E: Motion<S>>(self, built: &E::Built, coefficients: &E::Coefficients) -> Subspace<S> {
+    fn element<E: Energies<S>>(self, built: &E::Built, coefficients: &E::Coefficients) -> Subspace<S> {
         if self.against && !E::SYMMETRIC {
             let coefficients = E::coefficients(&E::reversed(built), self.at);
-            return E::step(&coefficients, self.input, &mut Untallied);
+            return E::step(&coefficients, self.input, &mut NoCount);
         }
-        E::step(coefficients, self.input, &mut Untallied)
+        E::step(coefficients, self.input, &mut NoCount)
     }
 }
 
@@ -121,6 +121,6 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
     ) -> Subspace<S> {
         let others = inputs.iter().filter(|input| Some(**input) != without);
         let paths = others.map(|&input| self.upstream.as_ref()[input]).chain(from_downstream);
-        connection(paths, output, &mut Untallied)
+        connection(paths, output, &mut NoCount)
     }
 }

@@ -1,10 +1,10 @@
-//! What a built system offers to the searches: Δ by the plane method, with a tally.
+//! What a built system offers to the searches: Δ by the plane method, with a counter.
 
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
-use crate::subspace::count::{CountOf, Tally, Untallied};
+use crate::subspace::count::{NoCount, RootCounter, WittrickWilliams};
 
 /// A built system with parameters of type `Self::Parameter`.
 pub trait System {
@@ -13,15 +13,15 @@ pub trait System {
 
     /// Bounds from which the searches take their first steps.
     #[doc(hidden)]
-    fn bounds(&self) -> FrequencyBounds;
+    fn estimates(&self) -> FrequencyEstimates;
 }
 
 /// A system that the plane method can evaluate at a frequency `x`: ω for a real scalar (undamped systems only), λ for a
 /// complex one.
 pub trait Characteristic<S: Scalar>: System {
-    /// Δ by the plane method, in one pass with a tally.
+    /// Δ by the plane method, in one pass with a counter.
     #[doc(hidden)]
-    fn pass<C: Tally<S>>(&self, x: S, tally: &mut C) -> Scaled<S>;
+    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S>;
 
     /// Δ by the plane method: exact at every frequency, without poles, with mantissa and exponent.
     ///
@@ -29,26 +29,29 @@ pub trait Characteristic<S: Scalar>: System {
     /// else. No matrix is formed.
     #[inline]
     fn characteristic(&self, x: S) -> Scaled<S> {
-        self.pass(x, &mut Untallied)
+        self.pass(x, &mut NoCount)
     }
 }
 
 /// The count of natural frequencies below ω, and Δ(ω) from the same pass, which watches sums that cancel or does not.
 #[inline]
-pub(crate) fn count_and_value<const WATCHES: bool, Y, S>(system: &Y, x: S) -> (CountOf<false, WATCHES>, Scaled<S>)
+pub(crate) fn count_and_value<const WATCHES: bool, Y, S>(
+    system: &Y,
+    x: S,
+) -> (WittrickWilliams<false, WATCHES>, Scaled<S>)
 where
     S: Real,
     Y: Characteristic<S> + ?Sized,
 {
-    tallied(system, x, CountOf::default())
+    counted_pass(system, x, WittrickWilliams::default())
 }
 
-/// What a tally hears of a pass, and Δ.
+/// What a counter hears of a pass, and Δ.
 #[inline]
-pub(crate) fn tallied<C: Tally<S>, Y, S: Scalar>(system: &Y, x: S, mut tally: C) -> (C, Scaled<S>)
+pub(crate) fn counted_pass<C: RootCounter<S>, Y, S: Scalar>(system: &Y, x: S, mut counter: C) -> (C, Scaled<S>)
 where
     Y: Characteristic<S> + ?Sized,
 {
-    let value = system.pass(x, &mut tally);
-    (tally, value)
+    let value = system.pass(x, &mut counter);
+    (counter, value)
 }

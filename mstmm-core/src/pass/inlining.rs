@@ -6,90 +6,93 @@
 
 use crate::element::traits::PlaneStep;
 use crate::model::state::Support;
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::join::{joined, joined_on};
 use crate::subspace::minors::subspace::Subspace;
 
 /// The coefficients of an element in a pass.
 #[doc(hidden)]
 #[inline(always)]
-pub fn coefficients<E: PlaneStep<S>, S: Scalar, const STEPS: usize>(built: &E::Built, at: &At<S>) -> E::Coefficients {
+pub fn coefficients<E: PlaneStep<S>, S: Scalar, const STEPS: usize>(
+    built: &E::Built,
+    at: &FrequencyPowers<S>,
+) -> E::Coefficients {
     if STEPS <= S::LONGEST_IN_LINE { E::coefficients(built, at) } else { called_coefficients::<E, S>(built, at) }
 }
 
 #[inline(never)]
-fn called_coefficients<E: PlaneStep<S>, S: Scalar>(built: &E::Built, at: &At<S>) -> E::Coefficients {
+fn called_coefficients<E: PlaneStep<S>, S: Scalar>(built: &E::Built, at: &FrequencyPowers<S>) -> E::Coefficients {
     E::coefficients(built, at)
 }
 
 /// A step of a pass.
 #[doc(hidden)]
 #[inline(always)]
-pub fn step<E: PlaneStep<S>, S: Scalar, C: Tally<S>, const STEPS: usize>(
+pub fn step<E: PlaneStep<S>, S: Scalar, C: RootCounter<S>, const STEPS: usize>(
     coefficients: &E::Coefficients,
     input: Subspace<S>,
-    tally: &mut C,
+    counter: &mut C,
 ) -> Subspace<S> {
     if STEPS <= S::LONGEST_IN_LINE {
-        E::step(coefficients, input, tally)
+        E::step(coefficients, input, counter)
     } else {
-        called_step::<E, S, C>(coefficients, input, tally)
+        called_step::<E, S, C>(coefficients, input, counter)
     }
 }
 
 #[inline(never)]
-fn called_step<E: PlaneStep<S>, S: Scalar, C: Tally<S>>(
+fn called_step<E: PlaneStep<S>, S: Scalar, C: RootCounter<S>>(
     coefficients: &E::Coefficients,
     input: Subspace<S>,
-    tally: &mut C,
+    counter: &mut C,
 ) -> Subspace<S> {
-    E::step(coefficients, input, tally)
+    E::step(coefficients, input, counter)
 }
 
 /// The last step of a pass, from the input of the last element to Δ.
 #[doc(hidden)]
 #[inline(always)]
-pub fn root<E: PlaneStep<S>, S: Scalar, C: Tally<S>, const STEPS: usize>(
+pub fn root<E: PlaneStep<S>, S: Scalar, C: RootCounter<S>, const STEPS: usize>(
     coefficients: &E::Coefficients,
     input: Subspace<S>,
     support: Support,
-    tally: &mut C,
+    counter: &mut C,
 ) -> Scaled<S> {
     if STEPS <= S::LONGEST_IN_LINE {
-        E::root(coefficients, input, support, tally)
+        E::root(coefficients, input, support, counter)
     } else {
-        called_root::<E, S, C>(coefficients, input, support, tally)
+        called_root::<E, S, C>(coefficients, input, support, counter)
     }
 }
 
 #[inline(never)]
-fn called_root<E: PlaneStep<S>, S: Scalar, C: Tally<S>>(
+fn called_root<E: PlaneStep<S>, S: Scalar, C: RootCounter<S>>(
     coefficients: &E::Coefficients,
     input: Subspace<S>,
     support: Support,
-    tally: &mut C,
+    counter: &mut C,
 ) -> Scaled<S> {
-    E::root(coefficients, input, support, tally)
+    E::root(coefficients, input, support, counter)
 }
 
 /// The join of the first two paths at a connection, in a pass; or of one more to their sum, which may have grown.
 #[doc(hidden)]
 #[inline(always)]
-pub fn join<S: Scalar, C: Tally<S>, const FIRST_TWO: bool, const STEPS: usize>(
+pub fn join<S: Scalar, C: RootCounter<S>, const FIRST_TWO: bool, const STEPS: usize>(
     sum: Subspace<S>,
     path: Subspace<S>,
-    tally: &mut C,
+    counter: &mut C,
 ) -> Subspace<S> {
     if STEPS > S::LONGEST_IN_LINE {
-        return called_join(sum, path, tally);
+        return called_join(sum, path, counter);
     }
-    if FIRST_TWO { joined(sum, path, tally) } else { joined_on(sum, path, tally) }
+    if FIRST_TWO { joined(sum, path, counter) } else { joined_on(sum, path, counter) }
 }
 
 #[inline(never)]
-fn called_join<S: Scalar, C: Tally<S>>(sum: Subspace<S>, path: Subspace<S>, tally: &mut C) -> Subspace<S> {
-    joined_on(sum, path, tally)
+fn called_join<S: Scalar, C: RootCounter<S>>(sum: Subspace<S>, path: Subspace<S>, counter: &mut C) -> Subspace<S> {
+    joined_on(sum, path, counter)
 }

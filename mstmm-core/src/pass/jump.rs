@@ -9,7 +9,7 @@ use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::Tree;
-use crate::subspace::count::Untallied;
+use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
@@ -50,7 +50,7 @@ impl<S: Scalar> Meeting<S> {
             let value = match (upstream, downstream) {
                 (_, Subspace::Tip(support, _)) => p.minor_at(support),
                 (Subspace::Tip(support, _), _) => r.minor_at(support),
-                _ => p.m_q_with(&r, &mut Untallied),
+                _ => p.m_q_with(&r, &mut NoCount),
             };
             return Scaled::new(value, i64::from(p.exponent) + i64::from(r.exponent));
         }

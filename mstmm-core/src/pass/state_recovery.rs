@@ -10,7 +10,7 @@ use crate::subspace::minors::covector::Covector;
 
 /// States behind steps, and at one of them, the source, on both sides.
 #[derive(Debug)]
-pub(crate) struct Spread<Y: Tree<S> + ?Sized, S: Scalar> {
+pub(crate) struct RecoveredStates<Y: Tree<S> + ?Sized, S: Scalar> {
     /// Behind each step; at the source on the upstream side.
     pub(crate) states: Y::PerStep<ScaledState<S>>,
     pub(crate) source: usize,
@@ -18,30 +18,35 @@ pub(crate) struct Spread<Y: Tree<S> + ?Sized, S: Scalar> {
     pub(crate) beyond: ScaledState<S>,
 }
 
-/// Covectors behind the steps that are still to be spread.
+/// Covectors behind the steps that are still to be recovered.
 type Pending<Y, S> = <Y as Planned>::PerStep<Option<Covector<S>>>;
 
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// Spreads the states from a source: a covector for what is upstream of it, and one for what is downstream, in the frame
     /// of a path that arrives from there.
-    pub(crate) fn spread(&self, source: usize, upstream: Covector<S>, downstream: Covector<S>) -> Spread<Y, S> {
+    pub(crate) fn recover(
+        &self,
+        source: usize,
+        upstream: Covector<S>,
+        downstream: Covector<S>,
+    ) -> RecoveredStates<Y, S> {
         let mut pending = Y::per_step(None);
         pending.as_mut()[source] = Some(upstream);
         let beyond = downstream.pick(&self.downstream.as_ref()[source]).backwards();
-        let mut spread = Spread { states: Y::per_step(ScaledState::zero()), source, beyond };
-        let last = self.spread_downstream(source, downstream, &mut spread, &mut pending);
-        self.spread_upstream(&mut spread, &mut pending);
-        let states = spread.states.as_mut();
-        states[Y::scheme().len() - 1] = if last == source { spread.beyond } else { states[last] };
-        spread
+        let mut recovered = RecoveredStates { states: Y::per_step(ScaledState::zero()), source, beyond };
+        let last = self.recover_downstream(source, downstream, &mut recovered, &mut pending);
+        self.recover_upstream(&mut recovered, &mut pending);
+        let states = recovered.states.as_mut();
+        states[Y::scheme().len() - 1] = if last == source { recovered.beyond } else { states[last] };
+        recovered
     }
 
     /// From the source to the root; returns the last step before the root.
-    fn spread_downstream(
+    fn recover_downstream(
         &self,
         source: usize,
         mut covector: Covector<S>,
-        spread: &mut Spread<Y, S>,
+        recovered: &mut RecoveredStates<Y, S>,
         pending: &mut Pending<Y, S>,
     ) -> usize {
         let scheme = Y::scheme();
@@ -54,22 +59,25 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
                 Step::Connection(inputs) => {
                     for &input in inputs.iter().filter(|input| **input != step) {
                         pending.as_mut()[input] =
-                            Some(self.across(Crossing { at: below, from: Some(step), to: Some(input) }, covector));
+                            Some(self.through_connection(
+                                Crossing { at: below, from: Some(step), to: Some(input) },
+                                covector,
+                            ));
                     }
-                    self.across(Crossing { at: below, from: Some(step), to: None }, covector)
+                    self.through_connection(Crossing { at: below, from: Some(step), to: None }, covector)
                 }
             };
-            spread.states.as_mut()[below] = covector.pick(&self.downstream.as_ref()[below]).backwards();
+            recovered.states.as_mut()[below] = covector.pick(&self.downstream.as_ref()[below]).backwards();
             step = below;
         }
     }
 
     /// From all steps with a covector to the tips.
-    fn spread_upstream(&self, spread: &mut Spread<Y, S>, pending: &mut Pending<Y, S>) {
+    fn recover_upstream(&self, recovered: &mut RecoveredStates<Y, S>, pending: &mut Pending<Y, S>) {
         let scheme = Y::scheme();
         for step in (0..scheme.len()).rev() {
             let Some(covector) = pending.as_ref()[step] else { continue };
-            spread.states.as_mut()[step] = covector.pick(&self.upstream.as_ref()[step]);
+            recovered.states.as_mut()[step] = covector.pick(&self.upstream.as_ref()[step]);
             match scheme.steps[step] {
                 Step::Tip(_) | Step::Root(..) => {}
                 Step::Element(input, _) => {
@@ -78,7 +86,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
                 Step::Connection(inputs) => {
                     for &input in inputs {
                         pending.as_mut()[input] =
-                            Some(self.across(Crossing { at: step, from: None, to: Some(input) }, covector));
+                            Some(self.through_connection(Crossing { at: step, from: None, to: Some(input) }, covector));
                     }
                 }
             }

@@ -1,14 +1,14 @@
 //! The plane method on a run-time list of steps: the same arithmetic as the macro's code, for chains of any length.
 
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Space, Support};
 use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
 use crate::pass::block::walk::{Walk, Walker};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
 use core::fmt;
@@ -53,15 +53,21 @@ pub trait ListElement {
     /// Space of the states at both ends.
     fn space(&self) -> Space;
     /// Adds the element to the bounds of the searches.
-    fn bound(&self, bounds: &mut FrequencyBounds);
+    fn estimate(&self, estimates: &mut FrequencyEstimates);
 }
 
 /// A [`ListElement`] that can be evaluated at frequencies of type `S`.
 pub trait ListPass<S: Scalar>: ListElement {
     /// Takes a subspace through the element.
-    fn step<C: Tally<S>>(&self, at: &At<S>, input: Subspace<S>, tally: &mut C) -> Subspace<S>;
+    fn step<C: RootCounter<S>>(&self, at: &FrequencyPowers<S>, input: Subspace<S>, counter: &mut C) -> Subspace<S>;
     /// The last step before the root.
-    fn root<C: Tally<S>>(&self, at: &At<S>, input: Subspace<S>, support: Support, tally: &mut C) -> Scaled<S>;
+    fn root<C: RootCounter<S>>(
+        &self,
+        at: &FrequencyPowers<S>,
+        input: Subspace<S>,
+        support: Support,
+        counter: &mut C,
+    ) -> Scaled<S>;
 }
 
 /// A [`ListElement`] that can be evaluated at many frequencies at once.
@@ -184,14 +190,14 @@ fn next_space<E: ListElement>(steps: &[ListStep<E>], step: usize) -> Option<Spac
 impl<E: ListElement> System for StepList<'_, E> {
     type Parameter = E::Parameter;
 
-    fn bounds(&self) -> FrequencyBounds {
-        let mut bounds = FrequencyBounds::default();
+    fn estimates(&self) -> FrequencyEstimates {
+        let mut estimates = FrequencyEstimates::default();
         for step in self.steps {
             if let ListStep::Element(element) = step {
-                element.bound(&mut bounds);
+                element.estimate(&mut estimates);
             }
         }
-        bounds
+        estimates
     }
 }
 
@@ -200,8 +206,8 @@ where
     E: ListPass<S>,
     S: Frequency<E::Parameter>,
 {
-    fn pass<C: Tally<S>>(&self, x: S, tally: &mut C) -> Scaled<S> {
-        let at = At::new(x, true);
+    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
+        let at = FrequencyPowers::new(x, true);
         let mut open = [Subspace::Tip(Support::Free, Space::Bending); OPEN_PATHS];
         let mut count = 0;
         for (index, step) in self.steps.iter().enumerate() {
@@ -214,17 +220,17 @@ where
                 ListStep::Element(element) => {
                     let input = open[count - 1];
                     if let Some(ListStep::Root(support)) = self.steps.get(index + 1) {
-                        return element.root(&at, input, *support, tally);
+                        return element.root(&at, input, *support, counter);
                     }
-                    open[count - 1] = element.step(&at, input, tally);
+                    open[count - 1] = element.step(&at, input, counter);
                 }
                 ListStep::Connection(inputs) => {
                     let joined =
-                        connection(open[count - inputs..count].iter().copied(), next_space(self.steps, index), tally);
+                        connection(open[count - inputs..count].iter().copied(), next_space(self.steps, index), counter);
                     count -= inputs - 1;
                     open[count - 1] = joined;
                 }
-                ListStep::Root(support) => return open[0].at_root(*support, tally),
+                ListStep::Root(support) => return open[0].at_root(*support, counter),
             }
         }
         Scaled::new(S::zero(), 0) // `new` has refused lists without a root

@@ -1,21 +1,21 @@
 //! The way of a covector through a tree, step by step: against an element, and across a connection from one path to another.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::model::layout::{Scheme, Step};
 use crate::model::scaled_state::ScaledState;
 use crate::model::state::Space;
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::{Tree, Visit};
-use crate::subspace::count::Untallied;
+use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
 
 /// Takes a covector to the input end of an element, or to its output end.
 struct PullBack<'a, S> {
-    at: &'a At<S>,
+    at: &'a FrequencyPowers<S>,
     input: &'a Subspace<S>,
     covector: Covector<S>,
     against: bool,
@@ -24,13 +24,13 @@ struct PullBack<'a, S> {
 impl<S: Scalar> Visit<S> for PullBack<'_, S> {
     type Output = Covector<S>;
 
-    fn element<E: Motion<S>>(self, built: &E::Built) -> Covector<S> {
+    fn element<E: Energies<S>>(self, built: &E::Built) -> Covector<S> {
         let links = if self.against && !E::SYMMETRIC {
             E::links(&E::reversed(built), self.at)
         } else {
             E::links(built, self.at)
         };
-        E::pull_back(&links, self.input, self.covector)
+        E::back_transfer(&links, self.input, self.covector)
     }
 }
 
@@ -42,15 +42,15 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
             _ => &self.downstream.as_ref()[step],
         };
         let visitor = PullBack { at: &self.at, input, covector, against };
-        self.system.visit(step, visitor).unwrap_or(covector).moderated()
+        self.system.visit(step, visitor).unwrap_or(covector).rescaled()
     }
 
     /// A covector across a connection; that of the path downstream is always in the frame of a path that arrives from there.
-    pub(crate) fn across(&self, crossing: Crossing, covector: Covector<S>) -> Covector<S> {
+    pub(crate) fn through_connection(&self, crossing: Crossing, covector: Covector<S>) -> Covector<S> {
         let (scheme, at) = (Y::scheme(), crossing.at);
         let others = crossing.others(scheme).map(|input| self.upstream.as_ref()[input]);
         let beyond = crossing.is_between_inputs().then(|| self.downstream.as_ref()[at].mirrored());
-        let others = connection(others.chain(beyond), Some(scheme.space(at)), &mut Untallied);
+        let others = connection(others.chain(beyond), Some(scheme.space(at)), &mut NoCount);
         crossing.carry(scheme, covector, others, self.downstream.as_ref()[at].space())
     }
 }
@@ -61,7 +61,7 @@ pub(crate) trait Follow {
     fn through(&mut self, step: usize, against: bool);
 
     /// Across a connection.
-    fn across(&mut self, crossing: Crossing);
+    fn through_connection(&mut self, crossing: Crossing);
 }
 
 /// A motion at one frequency.
@@ -75,8 +75,8 @@ impl<Y: Tree<S> + ?Sized, S: Scalar> Follow for Carried<'_, '_, Y, S> {
         self.covector = self.passes.pulled_back(step, self.covector, against);
     }
 
-    fn across(&mut self, crossing: Crossing) {
-        self.covector = self.passes.across(crossing, self.covector);
+    fn through_connection(&mut self, crossing: Crossing) {
+        self.covector = self.passes.through_connection(crossing, self.covector);
     }
 }
 
@@ -114,8 +114,8 @@ impl Crossing {
         let covector = if self.from.is_some() { covector.mirrored(space) } else { covector };
         let sum = widened(covector, space, scheme.space(self.at));
         match self.to {
-            Some(input) => beside(&others, sum, space_at(scheme, input, self.at)),
-            None => beside(&others, sum, downstream).mirrored(downstream),
+            Some(input) => share_of(&others, sum, space_at(scheme, input, self.at)),
+            None => share_of(&others, sum, downstream).mirrored(downstream),
         }
     }
 }
@@ -142,17 +142,17 @@ fn space_at(scheme: Scheme<'_>, input: usize, connection: usize) -> Space {
 }
 
 /// The covector of a path of some space at a connection of a wider one, given the sum of all other paths.
-fn beside<S: Scalar>(others: &Subspace<S>, sum: Covector<S>, space: Space) -> Covector<S> {
+fn share_of<S: Scalar>(others: &Subspace<S>, sum: Covector<S>, space: Space) -> Covector<S> {
     match sum {
         Covector::Line(t, exponent) => {
             let line = others.line();
-            Covector::Line(line.y * t, exponent.saturating_add(line.exponent)).moderated()
+            Covector::Line(line.y * t, exponent.saturating_add(line.exponent)).rescaled()
         }
-        Covector::Plane(..) if space.is(Space::Bending) => sum.beside(&others.plane()),
+        Covector::Plane(..) if space.is(Space::Bending) => sum.share_of(&others.plane()),
         Covector::Plane(..) => {
             let ScaledState { state, exponent } = sum.pick(&Subspace::Plane(others.plane()));
             let displacement = if space.is(Space::Translation) { state.y } else { state.theta };
-            Covector::Line(displacement, exponent).moderated()
+            Covector::Line(displacement, exponent).rescaled()
         }
     }
 }

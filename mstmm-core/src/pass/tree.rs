@@ -1,11 +1,11 @@
 //! A built system as a tree whose elements can be visited one by one: what the macro emits for motions.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::element::traits::PlaneStep;
 use crate::model::layout::Scheme;
-use crate::number::branch_free::Straight;
-use crate::number::frequency::{JudgeOf, Oscillation};
-use crate::number::frequency_powers::At;
+use crate::number::branch_free::BranchFree;
+use crate::number::frequency::{ExtendedOf, Oscillation};
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
 use core::fmt::Debug;
@@ -16,7 +16,7 @@ pub trait Visit<S: Scalar> {
     type Output;
 
     /// Visits an element.
-    fn element<E: Motion<S>>(self, built: &E::Built) -> Self::Output;
+    fn element<E: Energies<S>>(self, built: &E::Built) -> Self::Output;
 }
 
 /// What is done with an element at a frequency.
@@ -25,7 +25,7 @@ pub trait VisitAt<S: Scalar> {
     type Output;
 
     /// Visits an element with what was computed of it at the frequency.
-    fn element<E: Motion<S>>(self, built: &E::Built, coefficients: &E::Coefficients) -> Self::Output;
+    fn element<E: Energies<S>>(self, built: &E::Built, coefficients: &E::Coefficients) -> Self::Output;
 }
 
 /// A built system with its plan.
@@ -53,10 +53,10 @@ pub trait Tree<S: Scalar>: System + Planned {
     type Evaluated;
 
     /// The frequency with what the elements need of it.
-    fn at(x: S) -> At<S>;
+    fn at(x: S) -> FrequencyPowers<S>;
 
     /// Computes what depends on the frequency, once for equal elements.
-    fn evaluate(&self, at: &At<S>) -> Self::Evaluated;
+    fn evaluate(&self, at: &FrequencyPowers<S>) -> Self::Evaluated;
 
     /// Visits the element of a step; `None` where the step is none.
     fn visit<V: Visit<S>>(&self, step: usize, visitor: V) -> Option<V::Output>;
@@ -70,14 +70,14 @@ pub trait VisitInBlock<S: Scalar> {
     /// Visits an element.
     fn element<E>(self, built: &E::Built)
     where
-        E: Motion<S> + PlaneStep<Straight<S, false>> + PlaneStep<Straight<S, true>>;
+        E: Energies<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>>;
 }
 
 /// A tree whose elements take blocks of frequencies.
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at frequencies of type `{S}`",
     note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet; an element of your own \
-            implements `mstmm::PlaneStep<S>` and `mstmm::Motion<S>` for every `S`"
+            implements `mstmm::PlaneStep<S>` and `mstmm::Energies<S>` for every `S`"
 )]
 pub trait TreeInBlocks<S: Scalar>: Tree<S> {
     /// Visits the element of a step, if it is one.
@@ -85,15 +85,15 @@ pub trait TreeInBlocks<S: Scalar>: Tree<S> {
 }
 
 /// A tree at frequencies of some type, and at those in the arithmetic that judges them.
-pub trait JudgedTree<S>: Tree<S> + Tree<JudgeOf<S, <Self as System>::Parameter>>
+pub trait ExtendedTree<S>: Tree<S> + Tree<ExtendedOf<S, <Self as System>::Parameter>>
 where
     S: Oscillation<<Self as System>::Parameter>,
 {
 }
 
-impl<Y, S> JudgedTree<S> for Y
+impl<Y, S> ExtendedTree<S> for Y
 where
     S: Oscillation<<Y as System>::Parameter>,
-    Y: Tree<S> + Tree<JudgeOf<S, <Y as System>::Parameter>> + ?Sized,
+    Y: Tree<S> + Tree<ExtendedOf<S, <Y as System>::Parameter>> + ?Sized,
 {
 }

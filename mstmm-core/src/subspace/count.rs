@@ -1,6 +1,6 @@
 //! The count of natural frequencies below a frequency, in the same pass as Δ (Wittrick and Williams along a tree).
 //!
-//! The steps of the plane method tell a tally what happens; [`Untallied`] ignores it at no cost, [`Count`] applies the
+//! The steps of the plane method tell a counter what happens; [`NoCount`] ignores it at no cost, [`WittrickWilliams`] applies the
 //! rules. Each rule adds the negative eigenvalues of the stiffness that a step eliminates. A support is the limit of a
 //! stiff spring, hence the rules for exact zeros.
 
@@ -11,7 +11,7 @@ use crate::number::scalar::Scalar;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 
-/// What a beam tells the tally besides its planes.
+/// What a beam tells the counter besides its planes.
 #[derive(Clone, Copy, Debug)]
 pub struct BeamSigns<S> {
     /// Whole half waves along the beam, of `z/π` with `z = βl`; 0 where nothing oscillates (`z⁴ < 0`): then no clamped frequency
@@ -24,8 +24,8 @@ pub struct BeamSigns<S> {
 }
 
 /// Receives what the steps of the plane method have to say for the count.
-pub trait Tally<S: Scalar> {
-    /// Whether anything is received: a step may leave out what only the tally needs.
+pub trait RootCounter<S: Scalar> {
+    /// Whether anything is received: a step may leave out what only the counter needs.
     const COUNTS: bool;
     /// Whether sums that cancel are watched.
     const WATCHES: bool = Self::COUNTS;
@@ -65,11 +65,11 @@ pub trait Tally<S: Scalar> {
     fn root_sum(&mut self, _sum: f64, _terms: f64) {}
 }
 
-/// The tally that ignores everything: Δ alone.
+/// The counter that ignores everything: Δ alone.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Untallied;
+pub struct NoCount;
 
-impl<S: Scalar> Tally<S> for Untallied {
+impl<S: Scalar> RootCounter<S> for NoCount {
     const COUNTS: bool = false;
 }
 
@@ -102,13 +102,13 @@ impl Cancelled {
     }
 }
 
-/// The tally that watches sums that cancel, and counts nothing.
+/// The counter that watches sums that cancel, and counts nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Watch {
     pub(crate) cancelled: Cancelled,
 }
 
-impl<S: Scalar> Tally<S> for Watch {
+impl<S: Scalar> RootCounter<S> for Watch {
     const COUNTS: bool = false;
     const WATCHES: bool = true;
     #[inline(always)]
@@ -117,27 +117,26 @@ impl<S: Scalar> Tally<S> for Watch {
     }
 }
 
-/// The number of natural frequencies below the frequency of a pass.
-pub type Count = CountOf<false>;
-
-/// The same, without branches in straight-line code (`IN_LINE`), which are faster for a frequency of its own; and without a look
-/// at sums that cancel, for passes beside others that look (`WATCHES`).
+/// The number of natural frequencies below the frequency of a pass, by the algorithm of Wittrick and Williams.
+///
+/// `IN_LINE` counts without branches, as a block of frequencies needs it; a frequency of its own is faster with them. `WATCHES` is
+/// false for passes beside others that watch sums that cancel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct CountOf<const IN_LINE: bool, const WATCHES: bool = true> {
+pub struct WittrickWilliams<const IN_LINE: bool = false, const WATCHES: bool = true> {
     below: u64,
     cancelled: Cancelled,
     is_at_root: bool,
 }
 
-impl<const IN_LINE: bool, const WATCHES: bool> CountOf<IN_LINE, WATCHES> {
+impl<const IN_LINE: bool, const WATCHES: bool> WittrickWilliams<IN_LINE, WATCHES> {
     /// The count so far; of all frequencies once the pass has reached the root.
     pub fn below(&self) -> u64 {
         self.below
     }
 
-    /// The tally of a frequency beside a root, or of any.
+    /// The counter of a frequency beside a root, or of any.
     pub(crate) fn new(is_at_root: bool) -> Self {
-        CountOf { is_at_root, ..CountOf::default() }
+        WittrickWilliams { is_at_root, ..WittrickWilliams::default() }
     }
 
     /// What cancelled on the way.
@@ -188,7 +187,7 @@ fn line_negative<T: Real>(line: &Line<T>) -> bool {
     negative([line.y, -line.q])
 }
 
-impl<T: Real, const IN_LINE: bool, const WATCHES: bool> Tally<T> for CountOf<IN_LINE, WATCHES> {
+impl<T: Real, const IN_LINE: bool, const WATCHES: bool> RootCounter<T> for WittrickWilliams<IN_LINE, WATCHES> {
     const COUNTS: bool = true;
     // a judge always: it computes otherwise where sums cancel
     const WATCHES: bool = WATCHES || T::EPSILON < f64::EPSILON;
@@ -278,7 +277,8 @@ mod tests {
             let minor = |index: u32| sizes[place / sizes.len().pow(index) % sizes.len()];
             let plane = Plane::unscaled([minor(0), minor(1), 1.0, minor(2), minor(3)], 0);
             for support in [Support::Fixed, Support::Pinned, Support::Guided, Support::Free] {
-                let (mut alone, mut in_line) = (CountOf::<false>::default(), CountOf::<true>::default());
+                let (mut alone, mut in_line) =
+                    (WittrickWilliams::<false>::default(), WittrickWilliams::<true>::default());
                 alone.plane_root(&plane, support);
                 in_line.plane_root(&plane, support);
                 assert_eq!(alone.below(), in_line.below(), "{plane:?} at {support:?}");

@@ -2,7 +2,7 @@
 
 use crate::number::doubt::largest_loss;
 use crate::number::scalar::Scalar;
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 
 /// What rounding leaves of a sum that cancels.
 pub(crate) struct Remainder {
@@ -13,16 +13,16 @@ pub(crate) struct Remainder {
     /// What a last place of its terms makes of it.
     pub(crate) rounding: f64,
     /// What all roundings make of it that they may have gathered.
-    pub(crate) bound: f64,
+    pub(crate) estimate: f64,
 }
 
 impl Remainder {
-    /// Tells a tally of a sum that lost too many digits. Returns whether it lost all.
+    /// Tells a counter of a sum that lost too many digits. Returns whether it lost all.
     #[cold]
-    pub(crate) fn tell<S: Scalar, C: Tally<S>>(self, tally: &mut C) -> bool {
-        let is_nothing = self.whole <= self.bound;
+    pub(crate) fn tell<S: Scalar, C: RootCounter<S>>(self, counter: &mut C) -> bool {
+        let is_nothing = self.whole <= self.estimate;
         if is_nothing || self.rounding > largest_loss::<S>() * self.size {
-            tally.cancelled(is_nothing);
+            counter.cancelled(is_nothing);
         }
         is_nothing
     }

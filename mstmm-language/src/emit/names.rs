@@ -22,7 +22,7 @@ pub(super) struct Names {
     /// Type parameter: scalar of the frequency.
     pub(super) frequency: Ident,
     /// Type parameter: what counts during a pass.
-    pub(super) tally: Ident,
+    pub(super) counter: Ident,
 }
 
 impl Names {
@@ -36,7 +36,7 @@ impl Names {
             system: format_ident!("{}System", model.parameters.ident),
             parameter: fresh("T", &model.names, here),
             frequency: fresh("S", &model.names, here),
-            tally: fresh("C", &model.names, here),
+            counter: fresh("C", &model.names, here),
         }
     }
 

@@ -45,7 +45,7 @@ fn constant(keyword: &str, label: &Label, names: &Names) -> Ident {
 
 /// `impl Planned`: the plan.
 pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let (private, system, parameter, value) = (&names.private, &names.system, &names.parameter, &names.tally);
+    let (private, system, parameter, value) = (&names.private, &names.system, &names.parameter, &names.counter);
     let (name, count) = (&model.parameters.ident, plan.steps.len());
     let bounds = quote_spanned!(names.here=> ::core::marker::Copy + ::core::fmt::Debug);
     quote_spanned! {names.here=>
@@ -87,15 +87,15 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
         }
     });
     let some = quote_spanned!(names.here=> ::core::option::Option);
-    let visitor = &names.tally;
+    let visitor = &names.counter;
     let body = quote_spanned! {names.here=>
         type Evaluated = (#(#evaluated,)*);
 
-        fn at(x: #frequency) -> #private::At<#frequency> {
-            #private::At::new(x, false #(|| #waves::WAVES)*)
+        fn at(x: #frequency) -> #private::FrequencyPowers<#frequency> {
+            #private::FrequencyPowers::new(x, false #(|| #waves::WAVES)*)
         }
 
-        fn evaluate(&self, at: &#private::At<#frequency>) -> Self::Evaluated {
+        fn evaluate(&self, at: &#private::FrequencyPowers<#frequency>) -> Self::Evaluated {
             (#(#values,)*)
         }
 
@@ -122,12 +122,12 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
             })
         }
     };
-    implement("Tree", bounds("Motion", plan, names), &body, names)
+    implement("Tree", bounds("Energies", plan, names), &body, names)
 }
 
 /// `impl TreeInBlocks<S>`: a visit per element, of those that take blocks of frequencies.
 pub(super) fn tree_in_blocks(plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let (private, frequency, visitor) = (&names.private, &names.frequency, &names.tally);
+    let (private, frequency, visitor) = (&names.private, &names.frequency, &names.counter);
     let visits = plan.elements.iter().enumerate().map(|(index, element)| {
         let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
         quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
@@ -140,5 +140,5 @@ pub(super) fn tree_in_blocks(plan: &Plan<'_>, names: &Names) -> TokenStream {
             }
         }
     };
-    implement("TreeInBlocks", [bounds("Motion", plan, names), straight_bounds(plan, names)].concat(), &body, names)
+    implement("TreeInBlocks", [bounds("Energies", plan, names), straight_bounds(plan, names)].concat(), &body, names)
 }

@@ -8,7 +8,7 @@ use quote::quote_spanned;
 
 /// `impl Walk<S>`: a call per step, in the order of the plan.
 pub(super) fn walk(plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let Names { private, frequency, tally: walker, .. } = names;
+    let Names { private, frequency, counter: walker, .. } = names;
     let mut open = Vec::new();
     let steps = plan.steps.iter().enumerate().map(|(index, step)| {
         let call = match step {
@@ -51,7 +51,7 @@ pub(super) fn straight_bounds(plan: &Plan<'_>, names: &Names) -> Vec<TokenStream
         let bound = move |element: &Element| {
             let span = names.at_element(element);
             let (kind, private, frequency) = (names.element(element), &names.private, &names.frequency);
-            quote_spanned!(span=> #kind: #private::PlaneStep<#private::Straight<#frequency, #series>>)
+            quote_spanned!(span=> #kind: #private::PlaneStep<#private::BranchFree<#frequency, #series>>)
         };
         first_of_each_type(plan, names).into_iter().map(bound)
     };

@@ -7,7 +7,7 @@ use crate::model::state::State;
 use crate::number::exponentials::exponential;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::Real;
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use num_complex::Complex;
 use num_traits::Zero;
@@ -27,7 +27,7 @@ const GAUSS: [(f64, f64); 7] = [
 impl<T: Real> BuiltBeam<T> {
     /// The wave number times the length, `z = βl`.
     pub(super) fn z<S: Oscillation<T>>(&self, x: S) -> S {
-        At::new(x, true).powers[0] * self.wave
+        FrequencyPowers::new(x, true).powers[0] * self.wave
     }
 
     /// The state at a distance from the input end, given those at both ends.

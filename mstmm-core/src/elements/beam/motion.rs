@@ -1,8 +1,8 @@
 //! The motion of a beam: covectors through it, its energies, and how they change with its parameters.
 
-use crate::element::energies::{Inside, Motion};
+use crate::element::energies::{Energies, Inside};
 use crate::elements::beam::{Beam, BuiltBeam};
-use crate::elements::shared::back_transfer::BendingLinks;
+use crate::elements::shared::back_transfer::BendingBackTransfer;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::krylov::krylov;
 use crate::elements::shared::line_energies::half;
@@ -10,7 +10,7 @@ use crate::model::ends::Ends;
 use crate::model::state::State;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::Real;
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::wave_functions::WaveFunctions;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
@@ -20,8 +20,8 @@ const APART: f64 = 1e-3;
 /// Value of `z⁴` above which states at the ends tell the forms of a beam: they cancel to this part.
 const LONG: f64 = 1e-2;
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
-    type Links = BendingLinks<S>;
+impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
+    type BackCoefficients = BendingBackTransfer<S>;
     type Gradient = Beam<S>;
     const SYMMETRIC: bool = true;
 
@@ -29,7 +29,7 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
         *built
     }
 
-    fn links(built: &BuiltBeam<T>, at: &At<S>) -> BendingLinks<S> {
+    fn links(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
         let z = at.powers[0] * built.wave;
         if z.size() <= 1.0 {
             return built.short_links(at);
@@ -37,7 +37,7 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
         let WaveFunctions { sin, cos, sh, ch, exponent } = z.wave_functions();
         let krylov = [ch + cos, sh + sin, ch - cos, sh - sin];
         let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = built.units(at);
-        BendingLinks {
+        BendingBackTransfer {
             krylov,
             raised: [krylov[1], krylov[2], krylov[3]],
             factors: [second * first_inverse, first, second],
@@ -47,11 +47,11 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
         }
     }
 
-    fn pull_back(links: &BendingLinks<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
-        links.pull_back(covector)
+    fn back_transfer(links: &BendingBackTransfer<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+        links.back_transfer(covector)
     }
 
-    fn units(built: &BuiltBeam<T>, at: &At<S>) -> [f64; 2] {
+    fn units(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
         if S::size(at.powers[0] * built.wave) <= 1.0 {
             return [2, 0].map(|k| built.length_units.factors[k].size());
         }
@@ -90,12 +90,12 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
 
 impl<T: Real> BuiltBeam<T> {
     /// The links for `|z| <= 1`, entire in `z⁴`.
-    fn short_links<S: Oscillation<T>>(&self, at: &At<S>) -> BendingLinks<S> {
+    fn short_links<S: Oscillation<T>>(&self, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
         let x = -at.lambda_squared * self.wave_fourth;
         let functions = krylov(x);
         let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = self.short_units();
         let length = S::from_parameter(self.parameters.length);
-        BendingLinks {
+        BendingBackTransfer {
             krylov: functions,
             raised: [functions[1] * x, functions[2] * x, functions[3] * x],
             factors: [S::one() / length, first, second],

@@ -4,7 +4,7 @@ use crate::number::doubt::{ROUNDINGS, may_be_lost};
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::scalar::{Branches, Scalar};
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::remainder::Remainder;
 
@@ -25,11 +25,11 @@ impl<T: Real> Levers<T> {
 
     /// `p_YM` and `w` of a plane at the far end of either lever; beside each `p_YM` stands something else of a size in its unit.
     #[inline(always)]
-    pub(super) fn far_ends<S: Frequency<T>, C: Tally<S>>(
+    pub(super) fn far_ends<S: Frequency<T>, C: RootCounter<S>>(
         self,
         p: &Plane<S>,
         beside: impl Fn() -> [f64; 2],
-        tally: &mut C,
+        counter: &mut C,
     ) -> [[S; 2]; 2] {
         let levers = [self.output, self.centre];
         let ends = levers.map(|lever| lever.far_end(p));
@@ -40,14 +40,19 @@ impl<T: Real> Levers<T> {
         let terms = terms_of_y_m(p, reach);
         let is_kept = !(may_be_lost(terms, ends[0][0]) | may_be_lost(terms, ends[1][0]));
         if S::BRANCHES != Branches::All {
-            return ends.map(|end| end.map(|minor| minor.provided(is_kept)));
+            return ends.map(|end| end.map(|minor| minor.valid_if(is_kept)));
         }
-        if is_kept { ends } else { self.settled(p, beside(), tally) }
+        if is_kept { ends } else { self.settled(p, beside(), counter) }
     }
 
     #[cold]
-    fn settled<S: Frequency<T>, C: Tally<S>>(self, p: &Plane<S>, beside: [f64; 2], tally: &mut C) -> [[S; 2]; 2] {
-        [self.output.settled(p, beside[0], tally), self.centre.settled(p, beside[1], tally)]
+    fn settled<S: Frequency<T>, C: RootCounter<S>>(
+        self,
+        p: &Plane<S>,
+        beside: [f64; 2],
+        counter: &mut C,
+    ) -> [[S; 2]; 2] {
+        [self.output.settled(p, beside[0], counter), self.centre.settled(p, beside[1], counter)]
     }
 }
 
@@ -67,17 +72,17 @@ impl<T: Real> Lever<T> {
     /// The lever from one point to another, given their coordinates.
     pub(super) fn between(from: T, to: T) -> Self {
         let length = to - from;
-        if !T::HAS_JUDGE {
+        if !T::HAS_EXTENDED {
             return Lever::new(length);
         }
-        let exact = |parameter: T| <T::Judge as Frequency<T>>::from_parameter(parameter);
-        Lever { length, rest: T::from_judge(exact(to) - exact(from) - exact(length)) }
+        let exact = |parameter: T| <T::Extended as Frequency<T>>::from_parameter(parameter);
+        Lever { length, rest: T::from_extended(exact(to) - exact(from) - exact(length)) }
     }
 
     /// The product with the lever; a judge takes it with what rounding left out.
     #[inline(always)]
     pub(super) fn times<S: Frequency<T>>(self, value: S) -> S {
-        if S::JUDGES {
+        if S::IS_EXTENDED {
             return value * (S::from_parameter(self.length) + S::from_parameter(self.rest));
         }
         value * self.length
@@ -93,7 +98,7 @@ impl<T: Real> Lever<T> {
     /// `p_YM` and `w` at the far end where `p_YM` may cancel, with something else of a size beside it: as it does by chance, or where
     /// levers lead back to the place from which they came and leave rounding. A judge takes what is left from the other minors,
     /// `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
-    fn settled<S: Frequency<T>, C: Tally<S>>(self, p: &Plane<S>, beside: f64, tally: &mut C) -> [S; 2] {
+    fn settled<S: Frequency<T>, C: RootCounter<S>>(self, p: &Plane<S>, beside: f64, counter: &mut C) -> [S; 2] {
         let [y_m, w] = self.far_end(p);
         let (arm, theta_q) = (self.length.size(), p.theta_q.size());
         let product = p.y_theta * p.m_q;
@@ -103,16 +108,16 @@ impl<T: Real> Lever<T> {
             let of_squares = units * S::EPSILON * (w.size() * w.size() + product.size());
             (of_w * (2.0 * w.size() + of_w) + of_squares) / theta_q
         };
-        let is_by_others = S::JUDGES && by_others(1.0) < plain(1.0);
-        let (y_m, [rounding, bound]) = if is_by_others {
+        let is_by_others = S::IS_EXTENDED && by_others(1.0) < plain(1.0);
+        let (y_m, [rounding, estimate]) = if is_by_others {
             ((w * w + product) / p.theta_q, [1.0, ROUNDINGS].map(by_others))
         } else {
             (y_m, [1.0, ROUNDINGS].map(plain))
         };
         // beside `w²/p_ΘQ`, which is a length squared in the same unit, a chance zero of p_YM does not count
         let size = y_m.size().max(beside).max(w.size() * w.size() / theta_q);
-        let is_nothing = Remainder { size, whole: size, rounding, bound }.tell(tally);
-        if is_nothing && S::JUDGES { [S::zero(); 2] } else { [y_m, w] }
+        let is_nothing = Remainder { size, whole: size, rounding, estimate }.tell(counter);
+        if is_nothing && S::IS_EXTENDED { [S::zero(); 2] } else { [y_m, w] }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The motion of every element, against its transfer matrix.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::element::traits::{MatrixOf, TransferMatrix};
 use crate::elements::laws::subspaces::{
     check, coordinates, for_each_stepping_element, random_states, space, states_of_tip, step, subspace, supports,
@@ -8,7 +8,7 @@ use crate::elements::laws::subspaces::{
 use crate::elements::laws::{C, Rows, Sample, assert_same, built, product, rows};
 use crate::model::ends::Ends;
 use crate::model::state::{Coordinate, Space, State};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::tolerance::assert_close;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
@@ -19,8 +19,8 @@ use std::vec::Vec;
 const ORDINARY: core::ops::Range<f64> = -3.0..1.2;
 
 /// What the laws need of an element.
-trait Moving: Sample + TransferMatrix<C> + Motion<C> {}
-impl<E: Sample + TransferMatrix<C> + Motion<C>> Moving for E {}
+trait Moving: Sample + TransferMatrix<C> + Energies<C> {}
+impl<E: Sample + TransferMatrix<C> + Energies<C>> Moving for E {}
 
 /// The state behind an element.
 fn behind<E>(element: &E, lambda: C, input: State<C>) -> State<C>
@@ -79,7 +79,7 @@ where
             let states: Rows = states_of_tip(space, support);
             subspace(space, &coordinates(space, &states))
         });
-        let at = At::new(lambda, E::WAVES);
+        let at = FrequencyPowers::new(lambda, E::WAVES);
         for input in tips.chain(points).chain([random]) {
             let entries = [4, 5, 6, 7].map(|k| C::new(numbers[k], numbers[k - 3]));
             let covector = if space.size() == 2 { Covector::Line(entries[0], 3) } else { Covector::Plane(entries, 3) };
@@ -87,7 +87,7 @@ where
             if matches!(output, Subspace::Tip(..)) {
                 continue; // what holds a line holds it behind an inertia, too
             }
-            let back = E::pull_back(&E::links(&built(element), &at), &input, covector);
+            let back = E::back_transfer(&E::links(&built(element), &at), &input, covector);
             let (before, after) = (back.pick(&input).shifted(0), covector.pick(&output).shifted(0));
             let expected = behind(&element, lambda, before);
             let largest = rows(&element, lambda).iter().flatten().map(|z| z.norm()).fold(1.0, f64::max);

@@ -7,10 +7,10 @@ use crate::elements::laws::subspaces::{
 };
 use crate::elements::laws::{C, Rows, Sample, built, rows};
 use crate::model::state::Space;
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::number::tolerance::assert_close;
-use crate::subspace::count::Untallied;
+use crate::subspace::count::NoCount;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use core::ops::Index;
@@ -36,11 +36,11 @@ fn transferred(u: &Rows, states: &Rows) -> (Rows, Rows) {
 }
 
 /// Sums of the moduli of all terms of [`coordinates`]: what their roundings are relative to.
-fn scales(bounds: &Rows) -> Vec<f64> {
-    match bounds.as_slice() {
+fn scales(estimates: &Rows) -> Vec<f64> {
+    match estimates.as_slice() {
         [line] => line.iter().map(|entry| entry.re).collect(),
         [a, b] => MINORS.iter().map(|&(i, j)| a[i].re * b[j].re + a[j].re * b[i].re).collect(),
-        _ => panic!("{} states", bounds.len()),
+        _ => panic!("{} states", estimates.len()),
     }
 }
 
@@ -72,9 +72,9 @@ where
         let states = random_states(space::<E>(), numbers, 1.0);
         let output = plain(step(&element, lambda, subspace(space::<E>(), &coordinates(space::<E>(), &states))));
         let kappa = factor(&element, lambda);
-        let (behind, bounds) = transferred(&rows(&element, lambda), &states);
+        let (behind, estimates) = transferred(&rows(&element, lambda), &states);
         let expected = coordinates(space::<E>(), &behind);
-        for ((actual, expected), scale) in output.iter().zip(expected).zip(scales(&bounds)) {
+        for ((actual, expected), scale) in output.iter().zip(expected).zip(scales(&estimates)) {
             assert_close((actual - kappa * expected).norm(), 0.0, kappa.norm() * scale, ROUNDINGS);
         }
     });
@@ -141,7 +141,7 @@ where
     E: Sample + PlaneStep<C>,
 {
     check(ORDINARY, |element: E, lambda, numbers| {
-        let coefficients = E::coefficients(&built(element), &At::new(lambda, E::WAVES));
+        let coefficients = E::coefficients(&built(element), &FrequencyPowers::new(lambda, E::WAVES));
         let space = space::<E>();
         let random = subspace(space, &coordinates(space, &random_states(space, numbers, 1.0)));
         let mut inputs: Vec<_> = supports(space).into_iter().map(|support| Subspace::Tip(support, space)).collect();
@@ -151,8 +151,8 @@ where
         }
         for input in inputs {
             for support in supports(space) {
-                let root = E::root(&coefficients, input, support, &mut Untallied);
-                assert_eq!(root, E::step(&coefficients, input, &mut Untallied).at_root(support, &mut Untallied));
+                let root = E::root(&coefficients, input, support, &mut NoCount);
+                assert_eq!(root, E::step(&coefficients, input, &mut NoCount).at_root(support, &mut NoCount));
             }
         }
     });
@@ -171,9 +171,9 @@ where
         let real_input: Vec<f64> = input.iter().map(|z| z.re).collect();
         let real = plain(step(&element, omega, subspace(space::<E>(), &real_input)));
         let complex = plain(step(&element, C::new(0.0, omega), subspace(space::<E>(), &input)));
-        let (_, bounds) = transferred(&rows(&element, C::new(0.0, omega)), &states);
+        let (_, estimates) = transferred(&rows(&element, C::new(0.0, omega)), &states);
         let kappa = factor(&element, C::ZERO).norm();
-        for ((real, complex), scale) in real.iter().zip(complex).zip(scales(&bounds)) {
+        for ((real, complex), scale) in real.iter().zip(complex).zip(scales(&estimates)) {
             assert_close((complex - real).norm(), 0.0, kappa * scale, ROUNDINGS);
         }
     });

@@ -3,9 +3,9 @@
 use crate::element::traits::{Element, PlaneStep};
 use crate::elements::laws::{C, Rows, Sample, built};
 use crate::model::state::{Space, StateSpace, Support};
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
-use crate::subspace::count::Untallied;
+use crate::subspace::count::NoCount;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
@@ -133,5 +133,5 @@ where
     S: crate::number::frequency::Frequency<f64>,
     E: Sample + PlaneStep<S>,
 {
-    E::step(&E::coefficients(&built(*element), &At::new(x, E::WAVES)), input, &mut Untallied)
+    E::step(&E::coefficients(&built(*element), &FrequencyPowers::new(x, E::WAVES)), input, &mut NoCount)
 }

@@ -8,7 +8,7 @@ use crate::subspace::minors::covector::Covector;
 /// With the Krylov functions `s, t, u, v` of z, twice each and divided by `2^exponent`; for small z their series, divided by 1,
 /// z, z², z³, and for the lower triangle multiplied by z⁴ (`raised`).
 #[derive(Clone, Copy, Debug)]
-pub struct BendingLinks<S> {
+pub struct BendingBackTransfer<S> {
     pub(crate) krylov: [S; 4],
     /// `t, u, v` of the lower triangle.
     pub(crate) raised: [S; 3],
@@ -19,11 +19,11 @@ pub struct BendingLinks<S> {
     pub(crate) exponent: i32,
 }
 
-impl<S: Scalar> BendingLinks<S> {
+impl<S: Scalar> BendingBackTransfer<S> {
     /// `Uᵀ η` in units of `Y/b, Θ, M/(EI b), Q/(EI b²)`.
-    pub(crate) fn pull_back(&self, covector: Covector<S>) -> Covector<S> {
+    pub(crate) fn back_transfer(&self, covector: Covector<S>) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
-        let BendingLinks { krylov: [s, t, u, v], raised: [raised_t, raised_u, raised_v], .. } = *self;
+        let BendingBackTransfer { krylov: [s, t, u, v], raised: [raised_t, raised_u, raised_v], .. } = *self;
         let (factors, inverses) = (self.factors, self.inverses);
         let (y, m, q) = (y * inverses[0], m * factors[1], q * factors[2]);
         let entries = [

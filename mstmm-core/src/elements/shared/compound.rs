@@ -3,7 +3,7 @@
 use crate::model::state::Support;
 use crate::number::scalar::{Branches, Scalar};
 use crate::number::scaled::Scaled;
-use crate::subspace::count::{BeamSigns, Tally};
+use crate::subspace::count::{BeamSigns, RootCounter};
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 
@@ -58,7 +58,7 @@ pub struct BendingCoefficients<S> {
 impl<S: Scalar> BendingCoefficients<S> {
     /// Takes a subspace through the element.
     #[inline(always)]
-    pub(crate) fn step<C: Tally<S>>(&self, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    pub(crate) fn step<C: RootCounter<S>>(&self, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
         let after = match input {
             Subspace::Tip(support, _) if S::BRANCHES == Branches::All => self.called_behind_tip(support),
             Subspace::Tip(support, _) => self.behind_tip(support),
@@ -70,18 +70,18 @@ impl<S: Scalar> BendingCoefficients<S> {
             let BendingCoefficients { z, e, b, .. } = *self;
             let half_waves = S::whole(z.size() * core::f64::consts::FRAC_1_PI);
             let clamped_stiffness = self.factors[2] * b / e;
-            tally.beam(&input.plane(), &after, BeamSigns { half_waves, one_minus_product: e, clamped_stiffness });
+            counter.beam(&input.plane(), &after, BeamSigns { half_waves, one_minus_product: e, clamped_stiffness });
         }
         Subspace::Plane(after)
     }
 
     /// Takes a subspace into the root.
     #[inline(always)]
-    pub(crate) fn root<C: Tally<S>>(&self, input: Subspace<S>, support: Support, tally: &mut C) -> Scaled<S> {
+    pub(crate) fn root<C: RootCounter<S>>(&self, input: Subspace<S>, support: Support, counter: &mut C) -> Scaled<S> {
         if C::COUNTS || matches!(input, Subspace::Tip(..)) {
-            let delta = self.step(input, tally).at_root(support, tally);
-            if tally.looks_at_root() && !matches!(input, Subspace::Tip(..)) {
-                self.watch_root(&input.plane(), delta, support, tally);
+            let delta = self.step(input, counter).at_root(support, counter);
+            if counter.looks_at_root() && !matches!(input, Subspace::Tip(..)) {
+                self.watch_root(&input.plane(), delta, support, counter);
             }
             return delta;
         }
@@ -94,9 +94,9 @@ impl<S: Scalar> BendingCoefficients<S> {
         Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
     }
 
-    /// Shows a tally the sizes of Δ and of its terms: a beam before the root is where they are many and cancel.
+    /// Shows a counter the sizes of Δ and of its terms: a beam before the root is where they are many and cancel.
     #[inline(never)]
-    fn watch_root<C: Tally<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, tally: &mut C) {
+    fn watch_root<C: RootCounter<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, counter: &mut C) {
         let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, factors, .. } =
             *self;
         let (row, factor) = match support {
@@ -109,7 +109,7 @@ impl<S: Scalar> BendingCoefficients<S> {
         let terms = row.iter().zip(minors).map(|(&row, minor)| (row * minor).size());
         let exponent = i64::from(p.exponent.saturating_add(self.exponent)) - delta.exponent();
         let sum = delta.mantissa().size() * 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
-        tally.root_sum(sum, terms.sum::<f64>() * factor.size());
+        counter.root_sum(sum, terms.sum::<f64>() * factor.size());
     }
 
     /// The plane behind the beam, given its minors in the units of the coefficients.

@@ -36,8 +36,8 @@ pub(crate) fn half<S: Scalar>(form: S) -> S {
 /// The motion of a massless element with the elongation of a coordinate, given the names of its stiffness and its damping.
 macro_rules! massless_motion {
     ($element:ident, $coordinate:ident, $frequency:ident, [$($stiffness:ident)?], [$($damping:ident)?]) => {
-        impl<T: Real, S: $frequency<T> + Oscillation<T>> Motion<S> for $element<T> {
-            type Links = S;
+        impl<T: Real, S: $frequency<T> + Oscillation<T>> Energies<S> for $element<T> {
+            type BackCoefficients = S;
             type Gradient = $element<S>;
             const SYMMETRIC: bool = true;
 
@@ -45,16 +45,16 @@ macro_rules! massless_motion {
                 *built
             }
 
-            fn links(built: &Self, at: &At<S>) -> S {
+            fn links(built: &Self, at: &FrequencyPowers<S>) -> S {
                 Self::coefficients(built, at)
             }
 
-            fn pull_back(kappa: &S, input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+            fn back_transfer(kappa: &S, input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
                 back_through_stiffness(*kappa, input, covector)
             }
 
             /// Of the parts, not of their sum: an overdamped motion is where they cancel.
-            fn units(built: &Self, at: &At<S>) -> [f64; 2] {
+            fn units(built: &Self, at: &FrequencyPowers<S>) -> [f64; 2] {
                 let _lambda = S::size(Oscillation::<T>::lambda(at.x));
                 let size = 0.0 $(+ built.$stiffness.to_f64())? $(+ built.$damping.to_f64() * _lambda)?;
                 unit_of(Coordinate::$coordinate, size)
@@ -83,8 +83,8 @@ macro_rules! massless_motion {
 /// The motion of an element that has inertia alone, given the coordinate that it moves in and the name of its parameter.
 macro_rules! inertial_motion {
     ($element:ident, $coordinate:ident, $inertia:ident) => {
-        impl<T: Real, S: Oscillation<T>> Motion<S> for $element<T> {
-            type Links = ();
+        impl<T: Real, S: Oscillation<T>> Energies<S> for $element<T> {
+            type BackCoefficients = ();
             type Gradient = $element<S>;
             const SYMMETRIC: bool = true;
 
@@ -92,13 +92,13 @@ macro_rules! inertial_motion {
                 *built
             }
 
-            fn links(_built: &Self, _at: &At<S>) {}
+            fn links(_built: &Self, _at: &FrequencyPowers<S>) {}
 
-            fn pull_back(_links: &(), _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+            fn back_transfer(_links: &(), _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
                 covector
             }
 
-            fn units(built: &Self, at: &At<S>) -> [f64; 2] {
+            fn units(built: &Self, at: &FrequencyPowers<S>) -> [f64; 2] {
                 unit_of(Coordinate::$coordinate, (at.lambda_squared * built.$inertia).size())
             }
 

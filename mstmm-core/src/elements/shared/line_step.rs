@@ -2,13 +2,17 @@
 
 use crate::model::state::Support;
 use crate::number::scalar::Scalar;
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::subspace::Subspace;
 
 /// Through a massless element of dynamic stiffness κ: `(κ y - q, κ q)`; a grounded one needs no line.
 #[inline(always)]
-pub(crate) fn through_stiffness<S: Scalar, C: Tally<S>>(kappa: S, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+pub(crate) fn through_stiffness<S: Scalar, C: RootCounter<S>>(
+    kappa: S,
+    input: Subspace<S>,
+    counter: &mut C,
+) -> Subspace<S> {
     let space = input.space();
     if let Subspace::Tip(Support::Fixed, _) = input {
         return Subspace::Grounded(kappa, space);
@@ -21,7 +25,7 @@ pub(crate) fn through_stiffness<S: Scalar, C: Tally<S>>(kappa: S, input: Subspac
         }
     };
     if C::COUNTS {
-        tally.spring(&input.line(), &after);
+        counter.spring(&input.line(), &after);
     }
     Subspace::Line(after, space)
 }

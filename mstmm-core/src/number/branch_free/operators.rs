@@ -1,6 +1,6 @@
 //! Arithmetic of straight numbers: that of the numbers themselves.
 
-use crate::number::branch_free::Straight;
+use crate::number::branch_free::BranchFree;
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -9,11 +9,11 @@ use num_traits::{One, Zero};
 /// Implements operators of two numbers.
 macro_rules! operators {
     ($($trait:ident, $method:ident, $operator:tt;)*) => {$(
-        impl<S: Scalar, const SERIES: bool> $trait for Straight<S, SERIES> {
+        impl<S: Scalar, const SERIES: bool> $trait for BranchFree<S, SERIES> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Straight(self.0 $operator other.0)
+                BranchFree(self.0 $operator other.0)
             }
         }
     )*};
@@ -23,7 +23,7 @@ operators! { Add, add, +; Sub, sub, -; Mul, mul, *; Div, div, /; }
 /// Implements the assigning form of operators.
 macro_rules! assigning_operators {
     ($($trait:ident, $method:ident, $operator:tt;)*) => {$(
-        impl<S: Scalar, const SERIES: bool> $trait for Straight<S, SERIES> {
+        impl<S: Scalar, const SERIES: bool> $trait for BranchFree<S, SERIES> {
             #[inline(always)]
             fn $method(&mut self, other: Self) {
                 *self = *self $operator other;
@@ -33,26 +33,26 @@ macro_rules! assigning_operators {
 }
 assigning_operators! { AddAssign, add_assign, +; SubAssign, sub_assign, -; MulAssign, mul_assign, *; }
 
-impl<S: Scalar, const SERIES: bool> Neg for Straight<S, SERIES> {
+impl<S: Scalar, const SERIES: bool> Neg for BranchFree<S, SERIES> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Straight(-self.0)
+        BranchFree(-self.0)
     }
 }
 
-impl<S: Scalar + Mul<T, Output = S>, T: Real, const SERIES: bool> Mul<T> for Straight<S, SERIES> {
+impl<S: Scalar + Mul<T, Output = S>, T: Real, const SERIES: bool> Mul<T> for BranchFree<S, SERIES> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, factor: T) -> Self {
-        Straight(self.0 * factor)
+        BranchFree(self.0 * factor)
     }
 }
 
-impl<S: Scalar, const SERIES: bool> Zero for Straight<S, SERIES> {
+impl<S: Scalar, const SERIES: bool> Zero for BranchFree<S, SERIES> {
     #[inline(always)]
     fn zero() -> Self {
-        Straight(S::zero())
+        BranchFree(S::zero())
     }
     #[inline(always)]
     fn is_zero(&self) -> bool {
@@ -60,9 +60,9 @@ impl<S: Scalar, const SERIES: bool> Zero for Straight<S, SERIES> {
     }
 }
 
-impl<S: Scalar, const SERIES: bool> One for Straight<S, SERIES> {
+impl<S: Scalar, const SERIES: bool> One for BranchFree<S, SERIES> {
     #[inline(always)]
     fn one() -> Self {
-        Straight(S::one())
+        BranchFree(S::one())
     }
 }

@@ -8,14 +8,14 @@ use crate::number::wave_functions::WaveFunctions;
 use num_complex::Complex;
 
 impl Oscillation<f64> for DoubleDouble {
-    type Judge = Self;
-    const HAS_JUDGE: bool = false;
+    type Extended = Self;
+    const HAS_EXTENDED: bool = false;
 
-    fn to_judge(self) -> Self {
+    fn to_extended(self) -> Self {
         self
     }
 
-    fn from_judge(value: Self) -> Self {
+    fn from_extended(value: Self) -> Self {
         value
     }
 

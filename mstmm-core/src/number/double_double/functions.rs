@@ -189,7 +189,7 @@ impl InColumns for DoubleDouble {
 }
 
 impl Real for DoubleDouble {
-    type Judge = Self;
+    type Extended = Self;
 
     #[inline]
     fn to_f64(self) -> f64 {
@@ -224,7 +224,7 @@ impl core::ops::Mul<f64> for DoubleDouble {
 /// A system with `f64` parameters, judged in double-double.
 impl Frequency<f64> for DoubleDouble {
     type Meaning = RealFrequency;
-    const JUDGES: bool = true;
+    const IS_EXTENDED: bool = true;
 
     #[inline]
     fn lambda_squared(self) -> Self {
@@ -253,7 +253,7 @@ impl core::ops::Mul<f64> for Dual<DoubleDouble> {
 
 impl Frequency<f64> for Dual<DoubleDouble> {
     type Meaning = RealFrequency;
-    const JUDGES: bool = true;
+    const IS_EXTENDED: bool = true;
 
     #[inline]
     fn lambda_squared(self) -> Self {
@@ -282,7 +282,7 @@ impl Mul<f64> for Dual<Complex<DoubleDouble>> {
 
 impl Frequency<f64> for Dual<Complex<DoubleDouble>> {
     type Meaning = ComplexEigenvalue;
-    const JUDGES: bool = true;
+    const IS_EXTENDED: bool = true;
 
     #[inline]
     fn lambda_squared(self) -> Self {

@@ -49,20 +49,20 @@ fn nearest(value: &Exact) -> DoubleDouble {
     DoubleDouble::from_sum(hi, (value - exact_double(hi)).to_f64().value())
 }
 
-/// `|actual - expected| <= bound · UNIT · scale`, and that the parts are normalised.
+/// `|actual - expected| <= estimate · UNIT · scale`, and that the parts are normalised.
 #[track_caller]
-fn assert_near(actual: DoubleDouble, expected: &Exact, scale: f64, bound: f64) {
+fn assert_near(actual: DoubleDouble, expected: &Exact, scale: f64, estimate: f64) {
     let (hi, lo) = actual.parts();
     assert_eq!(hi + lo, hi, "not normalised");
     let difference = (exact(actual) - expected).to_f64().value().abs();
     let error = if difference == 0.0 { 0.0 } else { difference / (UNIT * scale) };
-    assert!(error <= bound, "{actual} is off by {error} units of {scale:e}, not {bound}");
+    assert!(error <= estimate, "{actual} is off by {error} units of {scale:e}, not {estimate}");
 }
 
 /// Relative.
 #[track_caller]
-fn assert_equal(actual: DoubleDouble, expected: &Exact, bound: f64) {
-    assert_near(actual, expected, expected.to_f64().value().abs(), bound);
+fn assert_equal(actual: DoubleDouble, expected: &Exact, estimate: f64) {
+    assert_near(actual, expected, expected.to_f64().value().abs(), estimate);
 }
 
 /// All 106 bits random.

@@ -1,16 +1,16 @@
 //! Subspaces behind the steps of a tree at all frequencies of a block: what is upstream leaves of the state there, and what is
 //! downstream.
 
-use crate::element::energies::Motion;
+use crate::element::energies::Energies;
 use crate::element::traits::PlaneStep;
 use crate::model::layout::Step;
 use crate::model::state::Space;
-use crate::number::branch_free::Straight;
+use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::frequency::Frequency;
 use crate::pass::block::WIDTH;
 use crate::pass::block::connection::connection;
-use crate::pass::block::counters::Tallies;
+use crate::pass::block::counters::Counters;
 use crate::pass::block::frequencies::Frequencies;
 use crate::pass::block::lane_ops::Through;
 use crate::pass::block::lanes::Lanes;
@@ -18,7 +18,7 @@ use crate::pass::block::loops::act;
 use crate::pass::jump::Meeting;
 use crate::pass::transfer_path::{Crossing, Follow};
 use crate::pass::tree::{TreeInBlocks, Visit, VisitInBlock};
-use crate::subspace::count::Untallied;
+use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 
@@ -53,7 +53,7 @@ impl<'a, Y: TreeInBlocks<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
     pub(crate) fn run<T>(&mut self, frequencies: &[S], needed: impl Fn(usize) -> bool, down_to: usize) -> bool
     where
         S: Frequency<T>,
-        Straight<S, false>: Frequency<T>,
+        BranchFree<S, false>: Frequency<T>,
     {
         if !self.at.take::<T>(frequencies) {
             return false;
@@ -137,7 +137,7 @@ impl<'a, Y: TreeInBlocks<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
     fn connect(&mut self, inputs: impl Iterator<Item = usize> + Clone, output: Option<Space>, to: usize) {
         let lanes = self.lanes.as_mut().as_flattened_mut();
         self.is_lost |= inputs.clone().any(|input| !lanes[input].is_uniform);
-        let sum = connection(lanes, inputs, output, Self::free(), &mut Tallies::<Untallied>::new());
+        let sum = connection(lanes, inputs, output, Self::free(), &mut Counters::<NoCount>::new());
         lanes[to] = lanes[sum];
     }
 }
@@ -153,20 +153,20 @@ struct GoThrough<'a, S: InColumns> {
 impl<S: InColumns> VisitInBlock<S> for GoThrough<'_, S> {
     fn element<E>(self, built: &E::Built)
     where
-        E: Motion<S> + PlaneStep<Straight<S, false>> + PlaneStep<Straight<S, true>>,
+        E: Energies<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>>,
     {
         let GoThrough { at, input, output, against } = self;
-        let nobody = &mut Tallies::<Untallied>::new();
+        let no_count = &mut Counters::<NoCount>::new();
         if against && !E::SYMMETRIC {
             let built = &E::reversed(built);
-            act(&Through::<E, S> { built, at }, input, output, nobody);
+            act(&Through::<E, S> { built, at }, input, output, no_count);
         } else {
-            act(&Through::<E, S> { built, at }, input, output, nobody);
+            act(&Through::<E, S> { built, at }, input, output, no_count);
         }
     }
 }
 
-/// Motions in all lanes.
+/// ModalAnalysis in all lanes.
 pub(crate) struct CarriedInBlock<'a, 'y, Y: TreeInBlocks<S> + ?Sized, S: InColumns> {
     pub(crate) passes: &'a mut BlockPasses<'y, Y, S>,
     pub(crate) covectors: [Covector<S>; WIDTH],
@@ -183,7 +183,7 @@ impl<Y: TreeInBlocks<S> + ?Sized, S: InColumns> Follow for CarriedInBlock<'_, '_
         passes.system.visit(step, visitor);
     }
 
-    fn across(&mut self, crossing: Crossing) {
+    fn through_connection(&mut self, crossing: Crossing) {
         let (scheme, at) = (Y::scheme(), crossing.at);
         let passes = &mut *self.passes;
         let beyond = downstream(at);
@@ -193,7 +193,7 @@ impl<Y: TreeInBlocks<S> + ?Sized, S: InColumns> Follow for CarriedInBlock<'_, '_
         passes.places()[beyond].mirror();
         passes.connect(others, Some(scheme.space(at)), to);
         passes.places()[beyond].mirror();
-        let space = passes.places()[beyond].shape.space();
+        let space = passes.places()[beyond].kind.space();
         for (lane, covector) in self.covectors.iter_mut().enumerate() {
             *covector = crossing.carry(scheme, *covector, passes.places()[to].lane(lane), space);
         }
@@ -211,12 +211,12 @@ struct PullBack<'a, S: InColumns> {
 impl<S: InColumns> Visit<S> for PullBack<'_, S> {
     type Output = ();
 
-    fn element<E: Motion<S>>(self, built: &E::Built) {
+    fn element<E: Energies<S>>(self, built: &E::Built) {
         let reversed = (self.against && !E::SYMMETRIC).then(|| E::reversed(built));
         let built = reversed.as_ref().unwrap_or(built);
         for (lane, covector) in self.covectors.iter_mut().enumerate() {
             let links = E::links(built, &self.at.lane(lane, |number| number));
-            *covector = E::pull_back(&links, &self.inputs.lane(lane), *covector).moderated();
+            *covector = E::back_transfer(&links, &self.inputs.lane(lane), *covector).rescaled();
         }
     }
 }

@@ -3,28 +3,30 @@
 use crate::model::state::{Space, Support};
 use crate::number::columns::InColumns;
 use crate::pass::block::WIDTH;
-use crate::pass::block::counters::Tallies;
-use crate::pass::block::kinds::Shape;
-use crate::pass::block::lane_ops::{FIXED, GUIDED, Hold, Join, Moderate, Narrow, PINNED, Widen, joined_alone};
+use crate::pass::block::counters::Counters;
+use crate::pass::block::kinds::Kind;
+use crate::pass::block::lane_ops::{FIXED, GUIDED, Hold, Join, Narrow, PINNED, Rescale, Widen, joined_fallback};
 use crate::pass::block::lanes::Lanes;
-use crate::pass::block::loops::{Act, GROUNDED, GROUNDED_TURN, LINE, PLANE, SPRING, SPRINGS, TURN, TURN_SPRING, act};
-use crate::subspace::count::{Tally, Untallied};
+use crate::pass::block::loops::{
+    GROUNDED, GROUNDED_TURN, LINE, LaneOp, PLANE, SPRING, SPRINGS, TURN, TURN_SPRING, act,
+};
+use crate::subspace::count::{NoCount, RootCounter};
 
 /// The connection of the inputs in some places, supports among them, to an output that goes on as `output`: what
 /// [`connection`](crate::subspace::minors::join::connection) does in each lane. Returns the place of the sum: one of the two free ones, or that of
 /// the only path where nothing is done to it.
-pub(crate) fn connection<S: InColumns, C: Tally<S> + Copy>(
+pub(crate) fn connection<S: InColumns, C: RootCounter<S> + Copy>(
     lanes: &mut [Lanes<S>],
     inputs: impl Iterator<Item = usize> + Clone,
     output: Option<Space>,
     free: [usize; 2],
-    tallies: &mut Tallies<C>,
+    counters: &mut Counters<C>,
 ) -> usize {
-    let nobody = &mut Tallies::<Untallied>::new();
+    let no_count = &mut Counters::<NoCount>::new();
     let (mut first, mut joins) = (None, 0);
     let mut sum = Sum { lanes, free, place: free[0] };
     for path in inputs.clone() {
-        if matches!(sum.lanes[path].shape, Shape::Tip(..)) {
+        if matches!(sum.lanes[path].kind, Kind::Tip(..)) {
             continue;
         }
         if first.is_some() {
@@ -37,23 +39,23 @@ pub(crate) fn connection<S: InColumns, C: Tally<S> + Copy>(
     if first.is_none() {
         // supports alone hold what goes on
         sum.lanes[free[0]].become_tip(Support::Free, output.unwrap_or(Space::Bending));
-    } else if joins == 0 && !matches!(sum.shape(), Shape::Springs { .. } | Shape::Grounded(_)) {
+    } else if joins == 0 && !matches!(sum.kind(), Kind::Springs { .. } | Kind::Grounded(_)) {
         // springs are never shifted
-        sum.act(&Moderate(()), nobody);
+        sum.act(&Rescale(()), no_count);
     }
     if sum.goes_on_otherwise(output) {
-        sum.act(&Widen(output), nobody);
+        sum.act(&Widen(output), no_count);
     }
     for input in inputs {
-        match sum.lanes[input].shape {
-            Shape::Tip(Support::Fixed, _) => sum.act(&Hold::<FIXED>, nobody),
-            Shape::Tip(Support::Pinned, _) => sum.act(&Hold::<PINNED>, nobody),
-            Shape::Tip(Support::Guided, _) => sum.act(&Hold::<GUIDED>, nobody),
+        match sum.lanes[input].kind {
+            Kind::Tip(Support::Fixed, _) => sum.act(&Hold::<FIXED>, no_count),
+            Kind::Tip(Support::Pinned, _) => sum.act(&Hold::<PINNED>, no_count),
+            Kind::Tip(Support::Guided, _) => sum.act(&Hold::<GUIDED>, no_count),
             _ => {}
         }
     }
     if sum.goes_on_otherwise(output) {
-        sum.act(&Narrow(output), tallies);
+        sum.act(&Narrow(output), counters);
     }
     sum.place
 }
@@ -66,13 +68,13 @@ struct Sum<'a, S: InColumns> {
 }
 
 impl<S: InColumns> Sum<'_, S> {
-    fn shape(&self) -> Shape {
-        self.lanes[self.place].shape
+    fn kind(&self) -> Kind {
+        self.lanes[self.place].kind
     }
 
     /// Whether the connection goes on in another state.
     fn goes_on_otherwise(&self, output: Option<Space>) -> bool {
-        output.is_some_and(|output| !output.is(self.shape().space()))
+        output.is_some_and(|output| !output.is(self.kind().space()))
     }
 
     /// The free place in which it is not.
@@ -91,10 +93,10 @@ impl<S: InColumns> Sum<'_, S> {
     }
 
     /// Acts on it.
-    fn act<C: Copy, A: Act<S, C>>(&mut self, task: &A, tallies: &mut Tallies<C>) {
+    fn act<C: Copy, A: LaneOp<S, C>>(&mut self, task: &A, counters: &mut Counters<C>) {
         let to = self.next();
         if let Ok([sum, output]) = self.lanes.get_disjoint_mut([self.place, to]) {
-            act(task, sum, output, tallies);
+            act(task, sum, output, counters);
         }
         self.place = to;
     }
@@ -102,21 +104,21 @@ impl<S: InColumns> Sum<'_, S> {
 
 /// Joins a path to another.
 fn join<S: InColumns>(input: &Lanes<S>, other: &Lanes<S>, output: &mut Lanes<S>) {
-    let nobody = &mut Tallies::<Untallied>::new();
-    match other.shape {
-        Shape::Plane => act(&Join::<S, PLANE>(other), input, output, nobody),
-        Shape::Line(Space::Translation) => act(&Join::<S, LINE>(other), input, output, nobody),
-        Shape::Grounded(Space::Translation) => act(&Join::<S, GROUNDED>(other), input, output, nobody),
-        Shape::Line(_) => act(&Join::<S, TURN>(other), input, output, nobody),
-        Shape::Grounded(_) => act(&Join::<S, GROUNDED_TURN>(other), input, output, nobody),
-        Shape::Springs { y: true, theta: true } => act(&Join::<S, SPRINGS>(other), input, output, nobody),
-        Shape::Springs { y: true, .. } => act(&Join::<S, SPRING>(other), input, output, nobody),
-        Shape::Springs { theta: true, .. } => act(&Join::<S, TURN_SPRING>(other), input, output, nobody),
+    let no_count = &mut Counters::<NoCount>::new();
+    match other.kind {
+        Kind::Plane => act(&Join::<S, PLANE>(other), input, output, no_count),
+        Kind::Line(Space::Translation) => act(&Join::<S, LINE>(other), input, output, no_count),
+        Kind::Grounded(Space::Translation) => act(&Join::<S, GROUNDED>(other), input, output, no_count),
+        Kind::Line(_) => act(&Join::<S, TURN>(other), input, output, no_count),
+        Kind::Grounded(_) => act(&Join::<S, GROUNDED_TURN>(other), input, output, no_count),
+        Kind::Springs { y: true, theta: true } => act(&Join::<S, SPRINGS>(other), input, output, no_count),
+        Kind::Springs { y: true, .. } => act(&Join::<S, SPRING>(other), input, output, no_count),
+        Kind::Springs { theta: true, .. } => act(&Join::<S, TURN_SPRING>(other), input, output, no_count),
         _ => {
             for lane in 0..WIDTH {
-                let sum = joined_alone(input.lane(lane), other.lane(lane));
+                let sum = joined_fallback(input.lane(lane), other.lane(lane));
                 if lane == 0 {
-                    output.begin(Shape::of(&sum));
+                    output.begin(Kind::of(&sum));
                 }
                 output.set(lane, sum);
             }

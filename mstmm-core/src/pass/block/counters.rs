@@ -1,67 +1,67 @@
-//! Tallies of a block, and what they hear of straight numbers.
+//! Counters of a block, and what they receive of numbers without branches.
 
 use crate::model::state::{Space, Support};
-use crate::number::branch_free::Straight;
+use crate::number::branch_free::BranchFree;
 use crate::number::scalar::Scalar;
 use crate::pass::block::WIDTH;
-use crate::subspace::count::{BeamSigns, Tally};
+use crate::subspace::count::{BeamSigns, RootCounter};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 
-/// A tally in each lane, and room for what they are about to hear: a lane that has to go alone starts from what it has heard
+/// A counter in each lane, and room for what they are about to receive: a lane that has to go alone starts from what it has received
 /// before.
-pub(crate) struct Tallies<C> {
+pub(crate) struct Counters<C> {
     two: [[C; WIDTH]; 2],
     is_second: bool,
 }
 
-impl<C: Copy + Default> Tallies<C> {
-    /// Tallies that have heard nothing.
+impl<C: Copy + Default> Counters<C> {
+    /// Counters that have received nothing.
     pub(crate) fn new() -> Self {
-        Tallies { two: [[C::default(); WIDTH]; 2], is_second: false }
+        Counters { two: [[C::default(); WIDTH]; 2], is_second: false }
     }
 }
 
-impl<C> Tallies<C> {
-    /// What they have heard, and room for what they hear next.
+impl<C> Counters<C> {
+    /// What they have received, and room for what they receive next.
     #[inline]
     pub(crate) fn both(&mut self) -> (&[C; WIDTH], &mut [C; WIDTH]) {
         let [first, second] = &mut self.two;
         if self.is_second { (second, first) } else { (first, second) }
     }
 
-    /// What they were about to hear is what they have heard.
+    /// What they were about to receive is what they have received.
     #[inline]
-    pub(crate) fn have_heard(&mut self) {
+    pub(crate) fn commit(&mut self) {
         self.is_second = !self.is_second;
     }
 
-    /// What they have heard.
+    /// What they have received.
     #[inline]
-    pub(crate) fn heard(&self) -> &[C; WIDTH] {
+    pub(crate) fn committed(&self) -> &[C; WIDTH] {
         &self.two[usize::from(self.is_second)]
     }
 
-    /// The same, to hear more.
+    /// The same, to receive more.
     #[inline]
-    pub(crate) fn heard_mut(&mut self) -> &mut [C; WIDTH] {
+    pub(crate) fn committed_mut(&mut self) -> &mut [C; WIDTH] {
         &mut self.two[usize::from(self.is_second)]
     }
 }
 
-/// Tells a tally of plain numbers what straight ones do.
-pub(crate) struct Plainly<'a, C>(pub(super) &'a mut C);
+/// Tells a counter of plain numbers what straight ones do.
+pub(crate) struct Unwrapped<'a, C>(pub(super) &'a mut C);
 
-fn line<S: Scalar, const SERIES: bool>(line: &Line<Straight<S, SERIES>>) -> Line<S> {
+fn line<S: Scalar, const SERIES: bool>(line: &Line<BranchFree<S, SERIES>>) -> Line<S> {
     Line { y: line.y.0, q: line.q.0, exponent: line.exponent }
 }
 
-fn plane<S: Scalar, const SERIES: bool>(plane: &Plane<Straight<S, SERIES>>) -> Plane<S> {
+fn plane<S: Scalar, const SERIES: bool>(plane: &Plane<BranchFree<S, SERIES>>) -> Plane<S> {
     let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = *plane;
     Plane::unscaled([y_theta.0, y_m.0, w.0, theta_q.0, m_q.0], exponent)
 }
 
-impl<S: Scalar, C: Tally<S>, const SERIES: bool> Tally<Straight<S, SERIES>> for Plainly<'_, C> {
+impl<S: Scalar, C: RootCounter<S>, const SERIES: bool> RootCounter<BranchFree<S, SERIES>> for Unwrapped<'_, C> {
     const COUNTS: bool = C::COUNTS;
     const WATCHES: bool = C::WATCHES;
 
@@ -81,16 +81,16 @@ impl<S: Scalar, C: Tally<S>, const SERIES: bool> Tally<Straight<S, SERIES>> for 
     }
 
     #[inline(always)]
-    fn spring(&mut self, before: &Line<Straight<S, SERIES>>, after: &Line<Straight<S, SERIES>>) {
+    fn spring(&mut self, before: &Line<BranchFree<S, SERIES>>, after: &Line<BranchFree<S, SERIES>>) {
         self.0.spring(&line(before), &line(after));
     }
 
     #[inline(always)]
     fn hinge(
         &mut self,
-        before: &Plane<Straight<S, SERIES>>,
-        after: &Plane<Straight<S, SERIES>>,
-        k_y: Straight<S, SERIES>,
+        before: &Plane<BranchFree<S, SERIES>>,
+        after: &Plane<BranchFree<S, SERIES>>,
+        k_y: BranchFree<S, SERIES>,
     ) {
         self.0.hinge(&plane(before), &plane(after), k_y.0);
     }
@@ -98,9 +98,9 @@ impl<S: Scalar, C: Tally<S>, const SERIES: bool> Tally<Straight<S, SERIES>> for 
     #[inline(always)]
     fn beam(
         &mut self,
-        before: &Plane<Straight<S, SERIES>>,
-        after: &Plane<Straight<S, SERIES>>,
-        signs: BeamSigns<Straight<S, SERIES>>,
+        before: &Plane<BranchFree<S, SERIES>>,
+        after: &Plane<BranchFree<S, SERIES>>,
+        signs: BeamSigns<BranchFree<S, SERIES>>,
     ) {
         let BeamSigns { half_waves, one_minus_product, clamped_stiffness } = signs;
         let signs =
@@ -111,8 +111,8 @@ impl<S: Scalar, C: Tally<S>, const SERIES: bool> Tally<Straight<S, SERIES>> for 
     #[inline(always)]
     fn line_waves(
         &mut self,
-        before: &Line<Straight<S, SERIES>>,
-        after: &Line<Straight<S, SERIES>>,
+        before: &Line<BranchFree<S, SERIES>>,
+        after: &Line<BranchFree<S, SERIES>>,
         held: u64,
         odd: bool,
     ) {
@@ -120,17 +120,17 @@ impl<S: Scalar, C: Tally<S>, const SERIES: bool> Tally<Straight<S, SERIES>> for 
     }
 
     #[inline(always)]
-    fn narrowing(&mut self, own: &Plane<Straight<S, SERIES>>, space: Space) {
+    fn narrowing(&mut self, own: &Plane<BranchFree<S, SERIES>>, space: Space) {
         self.0.narrowing(&plane(own), space);
     }
 
     #[inline(always)]
-    fn plane_root(&mut self, own: &Plane<Straight<S, SERIES>>, support: Support) {
+    fn plane_root(&mut self, own: &Plane<BranchFree<S, SERIES>>, support: Support) {
         self.0.plane_root(&plane(own), support);
     }
 
     #[inline(always)]
-    fn line_root(&mut self, own: &Line<Straight<S, SERIES>>, support: Support) {
+    fn line_root(&mut self, own: &Line<BranchFree<S, SERIES>>, support: Support) {
         self.0.line_root(&line(own), support);
     }
 }

@@ -1,9 +1,9 @@
 //! Frequencies of all lanes with their powers, a column for each number.
 
-use crate::number::branch_free::Straight;
+use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::frequency::Frequency;
-use crate::number::frequency_powers::At;
+use crate::number::frequency_powers::FrequencyPowers;
 use crate::pass::block::WIDTH;
 use crate::pass::block::loops::{Task, widest};
 use core::marker::PhantomData;
@@ -25,7 +25,7 @@ impl<S: InColumns> Frequencies<S> {
     pub(crate) fn take<T>(&mut self, frequencies: &[S]) -> bool
     where
         S: Frequency<T>,
-        Straight<S, false>: Frequency<T>,
+        BranchFree<S, false>: Frequency<T>,
     {
         let Some(&last) = frequencies.last() else { return false };
         let filled: [S; WIDTH];
@@ -50,15 +50,15 @@ impl<S: InColumns> Frequencies<S> {
     {
         for (lane, &x) in all.iter().enumerate() {
             if self.lane(lane, |number| number).powers[0].size().is_nan() {
-                self.set(lane, At::new::<T>(x, true), |number| number);
+                self.set(lane, FrequencyPowers::new::<T>(x, true), |number| number);
             }
         }
     }
 
     /// Sets the frequency in a lane, from another scalar.
     #[inline(always)]
-    fn set<X>(&mut self, lane: usize, at: At<X>, number: impl Fn(X) -> S) {
-        let At { x, lambda_squared, powers: [s, s2, s3, s4], inverse_powers: [i, i2, i3, i4] } = at;
+    fn set<X>(&mut self, lane: usize, at: FrequencyPowers<X>, number: impl Fn(X) -> S) {
+        let FrequencyPowers { x, lambda_squared, powers: [s, s2, s3, s4], inverse_powers: [i, i2, i3, i4] } = at;
         number(x).put(&mut self.x, lane);
         for (column, power) in self.powers.iter_mut().zip([lambda_squared, s, s2, s3, s4, i, i2, i3, i4]) {
             number(power).put(column, lane);
@@ -67,9 +67,9 @@ impl<S: InColumns> Frequencies<S> {
 
     /// The frequency in a lane, over another scalar.
     #[inline(always)]
-    pub(crate) fn lane<X>(&self, lane: usize, number: impl Fn(S) -> X) -> At<X> {
+    pub(crate) fn lane<X>(&self, lane: usize, number: impl Fn(S) -> X) -> FrequencyPowers<X> {
         let power = |column: usize| number(S::get(&self.powers[column], lane));
-        At {
+        FrequencyPowers {
             x: number(S::get(&self.x, lane)),
             lambda_squared: power(0),
             powers: [power(1), power(2), power(3), power(4)],
@@ -87,7 +87,7 @@ struct Powers<'a, S: InColumns, T> {
 
 impl<T, S: Frequency<T> + InColumns> Task for Powers<'_, S, T>
 where
-    Straight<S, false>: Frequency<T>,
+    BranchFree<S, false>: Frequency<T>,
 {
     /// Whether all frequencies have a root in straight-line code.
     type Output = bool;
@@ -96,7 +96,7 @@ where
     fn run(self) -> bool {
         let mut are_good = true;
         for lane in 0..WIDTH {
-            let at = At::new::<T>(Straight::<S, false>(self.of[lane]), true);
+            let at = FrequencyPowers::new::<T>(BranchFree::<S, false>(self.of[lane]), true);
             are_good &= !at.powers[0].0.size().is_nan();
             self.to.set(lane, at, |number| number.0);
         }

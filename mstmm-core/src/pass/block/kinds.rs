@@ -8,7 +8,7 @@ use crate::subspace::minors::subspace::Subspace;
 
 /// What kind of subspace all lanes have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shape {
+pub(crate) enum Kind {
     Tip(Support, Space),
     Grounded(Space),
     Springs { y: bool, theta: bool },
@@ -17,15 +17,15 @@ pub(crate) enum Shape {
     OnPin,
 }
 
-impl Shape {
+impl Kind {
     pub(crate) fn of<S>(subspace: &Subspace<S>) -> Self {
         match subspace {
-            Subspace::Tip(support, space) => Shape::Tip(*support, *space),
-            Subspace::Grounded(_, space) => Shape::Grounded(*space),
-            Subspace::Springs { y, theta } => Shape::Springs { y: y.is_some(), theta: theta.is_some() },
-            Subspace::Line(_, space) => Shape::Line(*space),
-            Subspace::Plane(_) => Shape::Plane,
-            Subspace::OnPin(_) => Shape::OnPin,
+            Subspace::Tip(support, space) => Kind::Tip(*support, *space),
+            Subspace::Grounded(_, space) => Kind::Grounded(*space),
+            Subspace::Springs { y, theta } => Kind::Springs { y: y.is_some(), theta: theta.is_some() },
+            Subspace::Line(_, space) => Kind::Line(*space),
+            Subspace::Plane(_) => Kind::Plane,
+            Subspace::OnPin(_) => Kind::OnPin,
         }
     }
 
@@ -33,18 +33,18 @@ impl Shape {
     #[inline(always)]
     pub(crate) fn columns(self) -> usize {
         match self {
-            Shape::Tip(..) => 0,
-            Shape::Grounded(_) => 1,
-            Shape::Springs { .. } | Shape::Line(_) => 2,
-            Shape::Plane | Shape::OnPin => 5,
+            Kind::Tip(..) => 0,
+            Kind::Grounded(_) => 1,
+            Kind::Springs { .. } | Kind::Line(_) => 2,
+            Kind::Plane | Kind::OnPin => 5,
         }
     }
 
     /// Space of the state.
     pub(crate) fn space(self) -> Space {
         match self {
-            Shape::Tip(_, space) | Shape::Grounded(space) | Shape::Line(space) => space,
-            Shape::Springs { .. } | Shape::Plane | Shape::OnPin => Space::Bending,
+            Kind::Tip(_, space) | Kind::Grounded(space) | Kind::Line(space) => space,
+            Kind::Springs { .. } | Kind::Plane | Kind::OnPin => Space::Bending,
         }
     }
 
@@ -53,14 +53,14 @@ impl Shape {
     pub(crate) fn subspace<S: Scalar>(self, numbers: impl Fn(usize) -> S, exponent: i32) -> Subspace<S> {
         let plane = || Plane::unscaled([numbers(0), numbers(1), numbers(2), numbers(3), numbers(4)], exponent);
         match self {
-            Shape::Tip(support, space) => Subspace::Tip(support, space),
-            Shape::Grounded(space) => Subspace::Grounded(numbers(0), space),
-            Shape::Springs { y, theta } => {
+            Kind::Tip(support, space) => Subspace::Tip(support, space),
+            Kind::Grounded(space) => Subspace::Grounded(numbers(0), space),
+            Kind::Springs { y, theta } => {
                 Subspace::Springs { y: y.then(|| numbers(0)), theta: theta.then(|| numbers(1)) }
             }
-            Shape::Line(space) => Subspace::Line(Line { y: numbers(0), q: numbers(1), exponent }, space),
-            Shape::Plane => Subspace::Plane(plane()),
-            Shape::OnPin => Subspace::OnPin(plane()),
+            Kind::Line(space) => Subspace::Line(Line { y: numbers(0), q: numbers(1), exponent }, space),
+            Kind::Plane => Subspace::Plane(plane()),
+            Kind::OnPin => Subspace::OnPin(plane()),
         }
     }
 }

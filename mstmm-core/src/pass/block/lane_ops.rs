@@ -2,15 +2,15 @@
 
 use crate::element::traits::{Element, PlaneStep};
 use crate::model::state::{Space, StateSpace, Support};
-use crate::number::branch_free::Straight;
+use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::scalar::{Branches, Scalar};
-use crate::pass::block::counters::Plainly;
+use crate::pass::block::counters::Unwrapped;
 use crate::pass::block::frequencies::Frequencies;
 use crate::pass::block::lanes::Lanes;
-use crate::pass::block::loops::{Act, BENDING, KINDS, LINE, PLANE, ROTATION, Straightly, TRANSLATION, TURN};
-use crate::subspace::count::{Tally, Untallied, Watch};
-use crate::subspace::minors::join::{held, joined, moderated, narrowed, widened};
+use crate::pass::block::loops::{BENDING, BranchFreeOp, KINDS, LINE, LaneOp, PLANE, ROTATION, TRANSLATION, TURN};
+use crate::subspace::count::{NoCount, RootCounter, Watch};
+use crate::subspace::minors::join::{held, joined, narrowed, rescaled, widened};
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 
@@ -20,11 +20,11 @@ pub(crate) struct Through<'a, E: Element, S: InColumns> {
     pub(crate) at: &'a Frequencies<S>,
 }
 
-impl<S, C, E> Act<S, C> for Through<'_, E, S>
+impl<S, C, E> LaneOp<S, C> for Through<'_, E, S>
 where
     S: InColumns,
-    C: Tally<S>,
-    E: PlaneStep<S> + PlaneStep<Straight<S, false>> + PlaneStep<Straight<S, true>>,
+    C: RootCounter<S>,
+    E: PlaneStep<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>>,
 {
     const HAS_SERIES: bool = <E as PlaneStep<S>>::WAVES;
 
@@ -39,25 +39,25 @@ where
     };
 
     #[inline(always)]
-    fn alone(&self, lane: usize, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
-        E::step(&E::coefficients(self.built, &self.at.lane(lane, |number| number)), input, tally)
+    fn fallback(&self, lane: usize, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
+        E::step(&E::coefficients(self.built, &self.at.lane(lane, |number| number)), input, counter)
     }
 }
 
-impl<S, C, E, const SERIES: bool> Straightly<S, C, SERIES> for Through<'_, E, S>
+impl<S, C, E, const SERIES: bool> BranchFreeOp<S, C, SERIES> for Through<'_, E, S>
 where
     S: InColumns,
-    C: Tally<S>,
-    E: PlaneStep<Straight<S, SERIES>>,
+    C: RootCounter<S>,
+    E: PlaneStep<BranchFree<S, SERIES>>,
 {
     #[inline(always)]
     fn straight(
         &self,
         lane: usize,
-        input: Subspace<Straight<S, SERIES>>,
-        tally: &mut C,
-    ) -> Subspace<Straight<S, SERIES>> {
-        E::step(&E::coefficients(self.built, &self.at.lane(lane, Straight)), input, &mut Plainly(tally))
+        input: Subspace<BranchFree<S, SERIES>>,
+        counter: &mut C,
+    ) -> Subspace<BranchFree<S, SERIES>> {
+        E::step(&E::coefficients(self.built, &self.at.lane(lane, BranchFree)), input, &mut Unwrapped(counter))
     }
 }
 
@@ -73,7 +73,7 @@ impl<E: Element, S: InColumns> Copy for Through<'_, E, S> {}
 #[derive(Clone, Copy)]
 pub(crate) struct Join<'a, S: InColumns, const OTHER: usize>(pub(super) &'a Lanes<S>);
 
-impl<S: InColumns, const OTHER: usize> Act<S, Untallied> for Join<'_, S, OTHER> {
+impl<S: InColumns, const OTHER: usize> LaneOp<S, NoCount> for Join<'_, S, OTHER> {
     const SUITS: u32 = 1 << PLANE;
 
     fn branches(&self) -> Branches {
@@ -81,12 +81,12 @@ impl<S: InColumns, const OTHER: usize> Act<S, Untallied> for Join<'_, S, OTHER> 
     }
 
     #[inline(always)]
-    fn alone(&self, lane: usize, input: Subspace<S>, _: &mut Untallied) -> Subspace<S> {
-        joined_alone(input, self.0.lane(lane))
+    fn fallback(&self, lane: usize, input: Subspace<S>, _: &mut NoCount) -> Subspace<S> {
+        joined_fallback(input, self.0.lane(lane))
     }
 }
 
-impl<S: InColumns, const OTHER: usize, const SERIES: bool> Straightly<S, Untallied, SERIES> for Join<'_, S, OTHER> {
+impl<S: InColumns, const OTHER: usize, const SERIES: bool> BranchFreeOp<S, NoCount, SERIES> for Join<'_, S, OTHER> {
     #[inline(always)]
     fn other_exponent(&self, lane: usize) -> i32 {
         self.0.exponents[lane]
@@ -96,48 +96,48 @@ impl<S: InColumns, const OTHER: usize, const SERIES: bool> Straightly<S, Untalli
     fn straight(
         &self,
         lane: usize,
-        input: Subspace<Straight<S, SERIES>>,
-        _: &mut Untallied,
-    ) -> Subspace<Straight<S, SERIES>> {
-        joined(moderated(input), moderated(self.0.known(KINDS[OTHER], lane, Straight)), &mut Untallied)
+        input: Subspace<BranchFree<S, SERIES>>,
+        _: &mut NoCount,
+    ) -> Subspace<BranchFree<S, SERIES>> {
+        joined(rescaled(input), rescaled(self.0.known(KINDS[OTHER], lane, BranchFree)), &mut NoCount)
     }
 }
 
 /// The join of two paths in a lane of its own. A sum that cancels is no number here: nobody listens, and such a frequency is
 /// evaluated alone.
-pub(crate) fn joined_alone<S: Scalar>(input: Subspace<S>, other: Subspace<S>) -> Subspace<S> {
+pub(crate) fn joined_fallback<S: Scalar>(input: Subspace<S>, other: Subspace<S>) -> Subspace<S> {
     let mut watch = Watch::default();
-    let sum = joined(moderated(input), moderated(other), &mut watch);
+    let sum = joined(rescaled(input), rescaled(other), &mut watch);
     if watch.cancelled.any() { Subspace::Plane(Plane::unscaled([S::zero().or_nan(false); 5], 0)) } else { sum }
 }
 
 /// An act on one subspace by a function that is generic over scalars: what it is, its field, the kinds worth a loop, the
 /// function.
 macro_rules! act_by {
-    ($(#[$doc:meta])* $name:ident($field:ty), $suits:expr, |$own:ident, $input:ident, $tally:ident| $result:expr) => {
+    ($(#[$doc:meta])* $name:ident($field:ty), $suits:expr, |$own:ident, $input:ident, $counter:ident| $result:expr) => {
         $(#[$doc])*
         #[derive(Clone, Copy)]
         pub(crate) struct $name(pub(super) $field);
 
-        impl<S: InColumns, C: Tally<S>> Act<S, C> for $name {
+        impl<S: InColumns, C: RootCounter<S>> LaneOp<S, C> for $name {
             const SUITS: u32 = $suits;
 
             #[inline(always)]
-            fn alone(&self, _: usize, $input: Subspace<S>, $tally: &mut C) -> Subspace<S> {
+            fn fallback(&self, _: usize, $input: Subspace<S>, $counter: &mut C) -> Subspace<S> {
                 let $own = self.0;
                 $result
             }
         }
 
-        impl<S: InColumns, C: Tally<S>, const SERIES: bool> Straightly<S, C, SERIES> for $name {
+        impl<S: InColumns, C: RootCounter<S>, const SERIES: bool> BranchFreeOp<S, C, SERIES> for $name {
             #[inline(always)]
             fn straight(
                 &self,
                 _: usize,
-                $input: Subspace<Straight<S, SERIES>>,
-                tally: &mut C,
-            ) -> Subspace<Straight<S, SERIES>> {
-                let ($own, $tally) = (self.0, &mut Plainly(tally));
+                $input: Subspace<BranchFree<S, SERIES>>,
+                counter: &mut C,
+            ) -> Subspace<BranchFree<S, SERIES>> {
+                let ($own, $counter) = (self.0, &mut Unwrapped(counter));
                 $result
             }
         }
@@ -146,17 +146,17 @@ macro_rules! act_by {
 
 act_by!(
     /// The point goes on wider than its paths.
-    Widen(Option<Space>), 0, |output, input, _tally| widened(input, output)
+    Widen(Option<Space>), 0, |output, input, _counter| widened(input, output)
 );
 act_by!(
     /// The point goes on narrower than its paths.
     Narrow(Option<Space>), 0b11 << PLANE,
-    |output, input, tally| narrowed(input, output, tally)
+    |output, input, counter| narrowed(input, output, counter)
 );
 
 act_by!(
     /// The one path of a connection, which is what others see of it.
-    Moderate(()), 0b11 << PLANE | 1 << LINE | 1 << TURN, |_own, input, _tally| moderated(input)
+    Rescale(()), 0b11 << PLANE | 1 << LINE | 1 << TURN, |_own, input, _counter| rescaled(input)
 );
 
 /// Supports by the constants of [`Hold`] and of the root.
@@ -170,23 +170,23 @@ pub(crate) const FREE: usize = 3;
 #[derive(Clone, Copy)]
 pub(crate) struct Hold<const SUPPORT: usize>;
 
-impl<S: InColumns, const SUPPORT: usize> Act<S, Untallied> for Hold<SUPPORT> {
+impl<S: InColumns, const SUPPORT: usize> LaneOp<S, NoCount> for Hold<SUPPORT> {
     const SUITS: u32 = 1 << PLANE;
 
     #[inline(always)]
-    fn alone(&self, _: usize, input: Subspace<S>, _: &mut Untallied) -> Subspace<S> {
+    fn fallback(&self, _: usize, input: Subspace<S>, _: &mut NoCount) -> Subspace<S> {
         held(input, SUPPORTS[SUPPORT])
     }
 }
 
-impl<S: InColumns, const SUPPORT: usize, const SERIES: bool> Straightly<S, Untallied, SERIES> for Hold<SUPPORT> {
+impl<S: InColumns, const SUPPORT: usize, const SERIES: bool> BranchFreeOp<S, NoCount, SERIES> for Hold<SUPPORT> {
     #[inline(always)]
     fn straight(
         &self,
         _: usize,
-        input: Subspace<Straight<S, SERIES>>,
-        _: &mut Untallied,
-    ) -> Subspace<Straight<S, SERIES>> {
+        input: Subspace<BranchFree<S, SERIES>>,
+        _: &mut NoCount,
+    ) -> Subspace<BranchFree<S, SERIES>> {
         held(input, SUPPORTS[SUPPORT])
     }
 }

@@ -4,14 +4,14 @@ use crate::model::state::{Space, Support};
 use crate::number::columns::InColumns;
 use crate::number::scalar::{Scalar, is_moderate};
 use crate::pass::block::WIDTH;
-use crate::pass::block::kinds::{Shape, numbers};
+use crate::pass::block::kinds::{Kind, numbers};
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 
 /// A subspace in each lane, all of one kind.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lanes<S: InColumns> {
-    pub(crate) shape: Shape,
+    pub(crate) kind: Kind,
     pub(crate) columns: [S::Columns<WIDTH>; 5],
     pub(crate) exponents: [i32; WIDTH],
     /// Whether every lane is of that kind; an element of one's own may decide otherwise in each.
@@ -23,43 +23,43 @@ pub(crate) struct Lanes<S: InColumns> {
 impl<S: InColumns> Lanes<S> {
     /// Room for them.
     pub(crate) fn new() -> Self {
-        let shape = Shape::Tip(Support::Free, Space::Bending);
+        let kind = Kind::Tip(Support::Free, Space::Bending);
         let columns = [S::zero().columns(); 5];
-        Lanes { shape, columns, exponents: [0; WIDTH], is_uniform: true, is_fit: true }
+        Lanes { kind, columns, exponents: [0; WIDTH], is_uniform: true, is_fit: true }
     }
 
     /// The same support in all lanes; it has no numbers.
     pub(crate) fn become_tip(&mut self, support: Support, space: Space) {
-        self.begin(Shape::Tip(support, space));
+        self.begin(Kind::Tip(support, space));
         self.exponents = [0; WIDTH];
     }
 
     /// Subspaces of a kind are going to be set.
     #[inline(always)]
-    pub(crate) fn begin(&mut self, shape: Shape) {
-        (self.shape, self.is_uniform, self.is_fit) = (shape, true, true);
+    pub(crate) fn begin(&mut self, kind: Kind) {
+        (self.kind, self.is_uniform, self.is_fit) = (kind, true, true);
     }
 
     /// The subspace in a lane.
     pub(crate) fn lane(&self, lane: usize) -> Subspace<S> {
-        self.of_kind(self.shape, lane)
+        self.of_kind(self.kind, lane)
     }
 
     /// The same where the kind is known to the compiler.
     #[inline(always)]
-    pub(crate) fn of_kind(&self, shape: Shape, lane: usize) -> Subspace<S> {
-        shape.subspace(|column| S::get(&self.columns[column], lane), self.exponents[lane])
+    pub(crate) fn of_kind(&self, kind: Kind, lane: usize) -> Subspace<S> {
+        kind.subspace(|column| S::get(&self.columns[column], lane), self.exponents[lane])
     }
 
     /// The same over another scalar, without its exponent.
     #[inline(always)]
-    pub(crate) fn known<X: Scalar>(&self, shape: Shape, lane: usize, number: impl Fn(S) -> X) -> Subspace<X> {
-        shape.subspace(|column| number(S::get(&self.columns[column], lane)), 0)
+    pub(crate) fn known<X: Scalar>(&self, kind: Kind, lane: usize, number: impl Fn(S) -> X) -> Subspace<X> {
+        kind.subspace(|column| number(S::get(&self.columns[column], lane)), 0)
     }
 
     /// The subspaces seen from the other side, as [`Subspace::mirrored`].
     pub(crate) fn mirror(&mut self) {
-        if let Shape::Plane | Shape::OnPin = self.shape {
+        if let Kind::Plane | Kind::OnPin = self.kind {
             let w = &mut self.columns[2];
             for lane in 0..WIDTH {
                 (-S::get(w, lane)).put(w, lane);
@@ -69,7 +69,7 @@ impl<S: InColumns> Lanes<S> {
 
     /// Sets the subspace in a lane.
     pub(crate) fn set(&mut self, lane: usize, subspace: Subspace<S>) {
-        self.is_uniform &= Shape::of(&subspace) == self.shape;
+        self.is_uniform &= Kind::of(&subspace) == self.kind;
         self.is_fit &= is_fit(&subspace);
         let (entries, exponent) = numbers(subspace);
         for (column, entry) in self.columns.iter_mut().zip(entries) {

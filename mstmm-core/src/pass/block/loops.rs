@@ -1,17 +1,17 @@
 //! Loops over the lanes: in straight-line code first, then alone for each lane in which that does not hold.
 
 use crate::model::state::{Space, Support};
-use crate::number::branch_free::Straight;
+use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::scalar::Branches;
 use crate::pass::block::WIDTH;
-use crate::pass::block::counters::Tallies;
-use crate::pass::block::kinds::{Shape, numbers};
+use crate::pass::block::counters::Counters;
+use crate::pass::block::kinds::{Kind, numbers};
 use crate::pass::block::lanes::{Lanes, is_fit};
 use crate::subspace::minors::subspace::Subspace;
 
 /// What is done to the subspace of each lane.
-pub(crate) trait Act<S: InColumns, C>: Straightly<S, C, false> + Straightly<S, C, true> {
+pub(crate) trait LaneOp<S: InColumns, C>: BranchFreeOp<S, C, false> + BranchFreeOp<S, C, true> {
     /// Whether there are series for short waves.
     const HAS_SERIES: bool = false;
 
@@ -24,11 +24,11 @@ pub(crate) trait Act<S: InColumns, C>: Straightly<S, C, false> + Straightly<S, C
     const SUITS: u32;
 
     /// In a lane of its own.
-    fn alone(&self, lane: usize, input: Subspace<S>, tally: &mut C) -> Subspace<S>;
+    fn fallback(&self, lane: usize, input: Subspace<S>, counter: &mut C) -> Subspace<S>;
 }
 
 /// The same in straight-line code, on subspaces whose exponents are left out: all that is done to them is to add others.
-pub(crate) trait Straightly<S: InColumns, C, const SERIES: bool>: Copy {
+pub(crate) trait BranchFreeOp<S: InColumns, C, const SERIES: bool>: Copy {
     /// The exponent of what else takes part.
     #[inline(always)]
     fn other_exponent(&self, _lane: usize) -> i32 {
@@ -39,33 +39,33 @@ pub(crate) trait Straightly<S: InColumns, C, const SERIES: bool>: Copy {
     fn straight(
         &self,
         lane: usize,
-        input: Subspace<Straight<S, SERIES>>,
-        tally: &mut C,
-    ) -> Subspace<Straight<S, SERIES>>;
+        input: Subspace<BranchFree<S, SERIES>>,
+        counter: &mut C,
+    ) -> Subspace<BranchFree<S, SERIES>>;
 }
 
 /// Kinds for which there are loops in straight-line code, by their number.
-pub(crate) const KINDS: [Shape; 17] = {
+pub(crate) const KINDS: [Kind; 17] = {
     use Space::{Bending, Rotation, Translation};
     use Support::{Fixed, Free, Guided, Pinned};
     [
-        Shape::Plane,
-        Shape::OnPin,
-        Shape::Tip(Fixed, Bending),
-        Shape::Tip(Pinned, Bending),
-        Shape::Tip(Guided, Bending),
-        Shape::Tip(Free, Bending),
-        Shape::Springs { y: true, theta: true },
-        Shape::Springs { y: true, theta: false },
-        Shape::Springs { y: false, theta: true },
-        Shape::Line(Translation),
-        Shape::Grounded(Translation),
-        Shape::Tip(Fixed, Translation),
-        Shape::Tip(Free, Translation),
-        Shape::Line(Rotation),
-        Shape::Grounded(Rotation),
-        Shape::Tip(Fixed, Rotation),
-        Shape::Tip(Free, Rotation),
+        Kind::Plane,
+        Kind::OnPin,
+        Kind::Tip(Fixed, Bending),
+        Kind::Tip(Pinned, Bending),
+        Kind::Tip(Guided, Bending),
+        Kind::Tip(Free, Bending),
+        Kind::Springs { y: true, theta: true },
+        Kind::Springs { y: true, theta: false },
+        Kind::Springs { y: false, theta: true },
+        Kind::Line(Translation),
+        Kind::Grounded(Translation),
+        Kind::Tip(Fixed, Translation),
+        Kind::Tip(Free, Translation),
+        Kind::Line(Rotation),
+        Kind::Grounded(Rotation),
+        Kind::Tip(Fixed, Rotation),
+        Kind::Tip(Free, Rotation),
     ]
 };
 
@@ -86,7 +86,7 @@ pub(crate) const GROUNDED_TURN: usize = 14;
 
 /// The number of a kind in [`KINDS`]; not a search, which would take as long as the loop.
 #[inline]
-fn kind_of(shape: Shape) -> Option<usize> {
+fn kind_of(kind: Kind) -> Option<usize> {
     use Support::{Fixed, Free, Guided, Pinned};
     let behind_bending_tip = |support| match support {
         Fixed => Some(2),
@@ -100,114 +100,120 @@ fn kind_of(shape: Shape) -> Option<usize> {
         Space::Rotation => Some(TURN + place),
         Space::Bending | Space::Planar => None,
     };
-    match shape {
-        Shape::Plane => Some(PLANE),
-        Shape::OnPin => Some(1),
-        Shape::Tip(support, Space::Bending) => behind_bending_tip(support),
-        Shape::Springs { y: true, theta: true } => Some(SPRINGS),
-        Shape::Springs { y: true, theta: false } => Some(SPRING),
-        Shape::Springs { y: false, theta: true } => Some(TURN_SPRING),
-        Shape::Springs { y: false, theta: false } => None,
-        Shape::Line(space) => of_path(0, space),
-        Shape::Grounded(space) => of_path(1, space),
-        Shape::Tip(Fixed, space) => of_path(2, space),
-        Shape::Tip(Free, space) => of_path(3, space),
-        Shape::Tip(..) => None,
+    match kind {
+        Kind::Plane => Some(PLANE),
+        Kind::OnPin => Some(1),
+        Kind::Tip(support, Space::Bending) => behind_bending_tip(support),
+        Kind::Springs { y: true, theta: true } => Some(SPRINGS),
+        Kind::Springs { y: true, theta: false } => Some(SPRING),
+        Kind::Springs { y: false, theta: true } => Some(TURN_SPRING),
+        Kind::Springs { y: false, theta: false } => None,
+        Kind::Line(space) => of_path(0, space),
+        Kind::Grounded(space) => of_path(1, space),
+        Kind::Tip(Fixed, space) => of_path(2, space),
+        Kind::Tip(Free, space) => of_path(3, space),
+        Kind::Tip(..) => None,
     }
 }
 
 /// Acts on all lanes.
-pub(crate) fn act<S: InColumns, C: Copy, A: Act<S, C>>(
+pub(crate) fn act<S: InColumns, C: Copy, A: LaneOp<S, C>>(
     act: &A,
     input: &Lanes<S>,
     output: &mut Lanes<S>,
-    tallies: &mut Tallies<C>,
+    counters: &mut Counters<C>,
 ) {
     match act.branches() {
-        _ if !input.is_fit => alone_everywhere::<S, C, A>(act, input, output, tallies),
-        Branches::All => alone_everywhere::<S, C, A>(act, input, output, tallies),
-        Branches::Waves => in_straight_line::<S, C, A, false>(act, input, output, tallies),
-        Branches::Series if const { A::HAS_SERIES } => in_straight_line::<S, C, A, true>(act, input, output, tallies),
-        Branches::Series => alone_everywhere::<S, C, A>(act, input, output, tallies),
+        _ if !input.is_fit => fallback_everywhere::<S, C, A>(act, input, output, counters),
+        Branches::All => fallback_everywhere::<S, C, A>(act, input, output, counters),
+        Branches::Waves => in_straight_line::<S, C, A, false>(act, input, output, counters),
+        Branches::Series if const { A::HAS_SERIES } => in_straight_line::<S, C, A, true>(act, input, output, counters),
+        Branches::Series => fallback_everywhere::<S, C, A>(act, input, output, counters),
     }
 }
 
-fn in_straight_line<S: InColumns, C: Copy, A: Act<S, C> + Straightly<S, C, SERIES>, const SERIES: bool>(
+fn in_straight_line<S: InColumns, C: Copy, A: LaneOp<S, C> + BranchFreeOp<S, C, SERIES>, const SERIES: bool>(
     act: &A,
     input: &Lanes<S>,
     output: &mut Lanes<S>,
-    tallies: &mut Tallies<C>,
+    counters: &mut Counters<C>,
 ) {
     macro_rules! kinds {
         ($($kind:literal)*) => {
-            match kind_of(input.shape) {
+            match kind_of(input.kind) {
                 $(Some($kind) if const { A::SUITS >> $kind & 1 == 1 } => {
-                    straight::<S, C, A, SERIES, $kind>(act, input, output, tallies)
+                    straight::<S, C, A, SERIES, $kind>(act, input, output, counters)
                 })*
-                _ => alone_everywhere::<S, C, A>(act, input, output, tallies),
+                _ => fallback_everywhere::<S, C, A>(act, input, output, counters),
             }
         };
     }
     kinds!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
 }
 
-fn alone_everywhere<S: InColumns, C: Copy, A: Act<S, C>>(
+fn fallback_everywhere<S: InColumns, C: Copy, A: LaneOp<S, C>>(
     act: &A,
     input: &Lanes<S>,
     output: &mut Lanes<S>,
-    tallies: &mut Tallies<C>,
+    counters: &mut Counters<C>,
 ) {
-    for (lane, tally) in tallies.heard_mut().iter_mut().enumerate() {
-        let subspace = act.alone(lane, input.lane(lane), tally);
+    for (lane, counter) in counters.committed_mut().iter_mut().enumerate() {
+        let subspace = act.fallback(lane, input.lane(lane), counter);
         if lane == 0 {
-            output.begin(Shape::of(&subspace));
+            output.begin(Kind::of(&subspace));
         }
         output.set(lane, subspace);
     }
 }
 
-fn straight<S: InColumns, C: Copy, A: Act<S, C> + Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize>(
+fn straight<
+    S: InColumns,
+    C: Copy,
+    A: LaneOp<S, C> + BranchFreeOp<S, C, SERIES>,
+    const SERIES: bool,
+    const KIND: usize,
+>(
     act: &A,
     input: &Lanes<S>,
     output: &mut Lanes<S>,
-    tallies: &mut Tallies<C>,
+    counters: &mut Counters<C>,
 ) {
-    let (heard, hearing) = tallies.both();
-    let are_good = widest(StraightLoop::<S, C, A, SERIES, KIND> { act, input, output, heard, hearing });
+    let (committed, pending) = counters.both();
+    let are_good = widest(BranchFreeLoop::<S, C, A, SERIES, KIND> { act, input, output, committed, pending });
     if !are_good {
         for lane in 0..WIDTH {
             if !is_fit(&output.lane(lane)) {
-                hearing[lane] = heard[lane];
-                output.set(lane, act.alone(lane, input.lane(lane), &mut hearing[lane]));
+                pending[lane] = committed[lane];
+                output.set(lane, act.fallback(lane, input.lane(lane), &mut pending[lane]));
             }
         }
     }
-    tallies.have_heard();
+    counters.commit();
 }
 
 /// A loop in straight-line code.
-struct StraightLoop<'a, S: InColumns, C, A, const SERIES: bool, const KIND: usize> {
+struct BranchFreeLoop<'a, S: InColumns, C, A, const SERIES: bool, const KIND: usize> {
     act: &'a A,
     input: &'a Lanes<S>,
     output: &'a mut Lanes<S>,
-    heard: &'a [C; WIDTH],
-    hearing: &'a mut [C; WIDTH],
+    committed: &'a [C; WIDTH],
+    pending: &'a mut [C; WIDTH],
 }
 
-impl<S: InColumns, C: Copy, A: Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize> Task
-    for StraightLoop<'_, S, C, A, SERIES, KIND>
+impl<S: InColumns, C: Copy, A: BranchFreeOp<S, C, SERIES>, const SERIES: bool, const KIND: usize> Task
+    for BranchFreeLoop<'_, S, C, A, SERIES, KIND>
 {
     /// Whether no number is NaN.
     type Output = bool;
 
     #[inline(always)]
     fn run(self) -> bool {
-        let StraightLoop { act, input, output, heard, hearing } = self;
-        let mut unheard = heard[0];
-        let first = act.straight(0, input.known(KINDS[KIND], 0, Straight::<S, SERIES>), &mut unheard);
-        output.begin(Shape::of(&first));
+        let BranchFreeLoop { act, input, output, committed, pending } = self;
+        let mut unused = committed[0];
+        let first = act.straight(0, input.known(KINDS[KIND], 0, BranchFree::<S, SERIES>), &mut unused);
+        output.begin(Kind::of(&first));
         let Lanes { columns, exponents, .. } = output;
-        let are_good = each_lane::<S, C, A, SERIES, KIND>(*act, input, columns, exponents, heard, hearing);
+        let are_good = each_lane::<S, C, A, SERIES, KIND>(*act, input, columns, exponents, committed, pending);
         add_exponents::<S, C, A, SERIES>(*act, input, exponents);
         are_good
     }
@@ -215,7 +221,7 @@ impl<S: InColumns, C: Copy, A: Straightly<S, C, SERIES>, const SERIES: bool, con
 
 /// Adds the exponents of what took part; what it writes is an argument of its own.
 #[inline(always)]
-fn add_exponents<S: InColumns, C, A: Straightly<S, C, SERIES>, const SERIES: bool>(
+fn add_exponents<S: InColumns, C, A: BranchFreeOp<S, C, SERIES>, const SERIES: bool>(
     act: A,
     input: &Lanes<S>,
     exponents: &mut [i32; WIDTH],
@@ -229,22 +235,22 @@ fn add_exponents<S: InColumns, C, A: Straightly<S, C, SERIES>, const SERIES: boo
 /// The loop itself, in which exponents are those that the act adds. What it writes are arguments of their own: then the compiler
 /// knows that they are apart.
 #[inline(always)]
-fn each_lane<S: InColumns, C: Copy, A: Straightly<S, C, SERIES>, const SERIES: bool, const KIND: usize>(
+fn each_lane<S: InColumns, C: Copy, A: BranchFreeOp<S, C, SERIES>, const SERIES: bool, const KIND: usize>(
     act: A,
     input: &Lanes<S>,
     columns: &mut [S::Columns<WIDTH>; 5],
     own_exponents: &mut [i32; WIDTH],
-    heard: &[C; WIDTH],
-    hearing: &mut [C; WIDTH],
+    committed: &[C; WIDTH],
+    pending: &mut [C; WIDTH],
 ) -> bool {
     let mut are_good = true;
     for lane in 0..WIDTH {
-        let before = input.known(KINDS[KIND], lane, Straight::<S, SERIES>);
-        let mut tally = heard[lane];
-        let after = act.straight(lane, before, &mut tally);
-        hearing[lane] = tally;
+        let before = input.known(KINDS[KIND], lane, BranchFree::<S, SERIES>);
+        let mut counter = committed[lane];
+        let after = act.straight(lane, before, &mut counter);
+        pending[lane] = counter;
         are_good &= is_fit(&after);
-        let used = Shape::of(&after).columns();
+        let used = Kind::of(&after).columns();
         let (entries, exponent) = numbers(after);
         for column in 0..5 {
             if column < used {
@@ -279,11 +285,11 @@ mod tests {
 
     #[test]
     fn kinds_have_the_numbers_of_their_places() {
-        for (number, shape) in KINDS.into_iter().enumerate() {
-            assert_eq!(kind_of(shape), Some(number), "{shape:?}");
+        for (number, kind) in KINDS.into_iter().enumerate() {
+            assert_eq!(kind_of(kind), Some(number), "{kind:?}");
         }
-        assert_eq!(KINDS[LINE], Shape::Line(Space::Translation));
-        assert_eq!(KINDS[GROUNDED_TURN], Shape::Grounded(Space::Rotation));
-        assert_eq!(kind_of(Shape::Springs { y: false, theta: false }), None);
+        assert_eq!(KINDS[LINE], Kind::Line(Space::Translation));
+        assert_eq!(KINDS[GROUNDED_TURN], Kind::Grounded(Space::Rotation));
+        assert_eq!(kind_of(Kind::Springs { y: false, theta: false }), None);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! The loop over the steps is outside, that over the frequencies of a block inside: a step is one loop over [`Lanes`] in
 //! straight-line code, which the compiler turns into vector instructions. What has branches is rare, and is not taken there:
-//! a [`Straight`] number becomes NaN where a branch would be needed, and such a lane goes through the step alone, as does one
+//! a [`BranchFree`] number becomes NaN where a branch would be needed, and such a lane goes through the step alone, as does one
 //! outside of the range in which nothing is shifted. So each lane has the bits that it has outside of a block, whatever is
 //! beside it, unless a minor under- or overflows.
 

@@ -1,16 +1,16 @@
 //! Δ in each lane: the last subspaces meet the root.
 
 use crate::model::state::{Space, Support};
-use crate::number::branch_free::Straight;
+use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::scaled::Scaled;
 use crate::pass::block::WIDTH;
-use crate::pass::block::counters::{Plainly, Tallies};
-use crate::pass::block::kinds::Shape;
+use crate::pass::block::counters::{Counters, Unwrapped};
+use crate::pass::block::kinds::Kind;
 use crate::pass::block::lane_ops::{FIXED, FREE, GUIDED, PINNED, SUPPORTS};
 use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::{KINDS, LINE, PLANE, TURN, Task, widest};
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 
 /// A number with an exponent of its own in each lane.
 pub(crate) struct Values<S: InColumns> {
@@ -37,63 +37,63 @@ impl<S: InColumns> Values<S> {
 }
 
 /// Δ where the last subspaces meet the support of the root; planes and lines of any range, since nothing is multiplied.
-pub(crate) fn at_root<S: InColumns, C: Tally<S> + Copy>(
+pub(crate) fn at_root<S: InColumns, C: RootCounter<S> + Copy>(
     last: &Lanes<S>,
     support: Support,
-    tallies: &mut Tallies<C>,
+    counters: &mut Counters<C>,
     values: &mut Values<S>,
 ) {
-    match (last.shape, support) {
-        (Shape::Plane, Support::Fixed) => straight::<S, C, PLANE, FIXED>(last, tallies, values),
-        (Shape::Plane, Support::Pinned) => straight::<S, C, PLANE, PINNED>(last, tallies, values),
-        (Shape::Plane, Support::Guided) => straight::<S, C, PLANE, GUIDED>(last, tallies, values),
-        (Shape::Plane, Support::Free) => straight::<S, C, PLANE, FREE>(last, tallies, values),
-        (Shape::Line(Space::Translation), Support::Fixed) => straight::<S, C, LINE, FIXED>(last, tallies, values),
-        (Shape::Line(Space::Translation), Support::Free) => straight::<S, C, LINE, FREE>(last, tallies, values),
-        (Shape::Line(Space::Rotation), Support::Fixed) => straight::<S, C, TURN, FIXED>(last, tallies, values),
-        (Shape::Line(Space::Rotation), Support::Free) => straight::<S, C, TURN, FREE>(last, tallies, values),
-        _ => alone_everywhere(last, support, tallies, values),
+    match (last.kind, support) {
+        (Kind::Plane, Support::Fixed) => straight::<S, C, PLANE, FIXED>(last, counters, values),
+        (Kind::Plane, Support::Pinned) => straight::<S, C, PLANE, PINNED>(last, counters, values),
+        (Kind::Plane, Support::Guided) => straight::<S, C, PLANE, GUIDED>(last, counters, values),
+        (Kind::Plane, Support::Free) => straight::<S, C, PLANE, FREE>(last, counters, values),
+        (Kind::Line(Space::Translation), Support::Fixed) => straight::<S, C, LINE, FIXED>(last, counters, values),
+        (Kind::Line(Space::Translation), Support::Free) => straight::<S, C, LINE, FREE>(last, counters, values),
+        (Kind::Line(Space::Rotation), Support::Fixed) => straight::<S, C, TURN, FIXED>(last, counters, values),
+        (Kind::Line(Space::Rotation), Support::Free) => straight::<S, C, TURN, FREE>(last, counters, values),
+        _ => fallback_everywhere(last, support, counters, values),
     }
 }
 
-fn alone_everywhere<S: InColumns, C: Tally<S>>(
+fn fallback_everywhere<S: InColumns, C: RootCounter<S>>(
     last: &Lanes<S>,
     support: Support,
-    tallies: &mut Tallies<C>,
+    counters: &mut Counters<C>,
     values: &mut Values<S>,
 ) {
-    for (lane, tally) in tallies.heard_mut().iter_mut().enumerate() {
-        values.set(lane, last.lane(lane).at_root(support, tally));
+    for (lane, counter) in counters.committed_mut().iter_mut().enumerate() {
+        values.set(lane, last.lane(lane).at_root(support, counter));
     }
 }
 
-fn straight<S: InColumns, C: Tally<S> + Copy, const KIND: usize, const SUPPORT: usize>(
+fn straight<S: InColumns, C: RootCounter<S> + Copy, const KIND: usize, const SUPPORT: usize>(
     last: &Lanes<S>,
-    tallies: &mut Tallies<C>,
+    counters: &mut Counters<C>,
     values: &mut Values<S>,
 ) {
-    let (heard, hearing) = tallies.both();
-    let are_good = widest(RootLoop::<S, C, KIND, SUPPORT> { last, values, heard, hearing });
+    let (committed, pending) = counters.both();
+    let are_good = widest(RootLoop::<S, C, KIND, SUPPORT> { last, values, committed, pending });
     if !are_good {
         for lane in 0..WIDTH {
             if S::get(&values.mantissas, lane).size().is_nan() {
-                hearing[lane] = heard[lane];
-                values.set(lane, last.lane(lane).at_root(SUPPORTS[SUPPORT], &mut hearing[lane]));
+                pending[lane] = committed[lane];
+                values.set(lane, last.lane(lane).at_root(SUPPORTS[SUPPORT], &mut pending[lane]));
             }
         }
     }
-    tallies.have_heard();
+    counters.commit();
 }
 
 /// The loop in straight-line code.
 struct RootLoop<'a, S: InColumns, C, const KIND: usize, const SUPPORT: usize> {
     last: &'a Lanes<S>,
     values: &'a mut Values<S>,
-    heard: &'a [C; WIDTH],
-    hearing: &'a mut [C; WIDTH],
+    committed: &'a [C; WIDTH],
+    pending: &'a mut [C; WIDTH],
 }
 
-impl<S: InColumns, C: Tally<S> + Copy, const KIND: usize, const SUPPORT: usize> Task
+impl<S: InColumns, C: RootCounter<S> + Copy, const KIND: usize, const SUPPORT: usize> Task
     for RootLoop<'_, S, C, KIND, SUPPORT>
 {
     /// Whether no number is NaN.
@@ -101,27 +101,27 @@ impl<S: InColumns, C: Tally<S> + Copy, const KIND: usize, const SUPPORT: usize> 
 
     #[inline(always)]
     fn run(self) -> bool {
-        let RootLoop { last, values, heard, hearing } = self;
+        let RootLoop { last, values, committed, pending } = self;
         let Values { mantissas, exponents } = values;
-        each_lane::<S, C, KIND, SUPPORT>(last, mantissas, exponents, heard, hearing)
+        each_lane::<S, C, KIND, SUPPORT>(last, mantissas, exponents, committed, pending)
     }
 }
 
 /// The loop itself; what it writes are arguments of their own, as in that of a step.
 #[inline(always)]
-fn each_lane<S: InColumns, C: Tally<S> + Copy, const KIND: usize, const SUPPORT: usize>(
+fn each_lane<S: InColumns, C: RootCounter<S> + Copy, const KIND: usize, const SUPPORT: usize>(
     last: &Lanes<S>,
     mantissas: &mut S::Columns<WIDTH>,
     exponents: &mut [i64; WIDTH],
-    heard: &[C; WIDTH],
-    hearing: &mut [C; WIDTH],
+    committed: &[C; WIDTH],
+    pending: &mut [C; WIDTH],
 ) -> bool {
     let mut are_good = true;
     for lane in 0..WIDTH {
-        let mut tally = heard[lane];
-        let subspace = last.known(KINDS[KIND], lane, Straight::<S, false>);
-        let value = subspace.at_root(SUPPORTS[SUPPORT], &mut Plainly(&mut tally));
-        hearing[lane] = tally;
+        let mut counter = committed[lane];
+        let subspace = last.known(KINDS[KIND], lane, BranchFree::<S, false>);
+        let value = subspace.at_root(SUPPORTS[SUPPORT], &mut Unwrapped(&mut counter));
+        pending[lane] = counter;
         let mantissa = value.mantissa().0;
         are_good &= !mantissa.size().is_nan();
         mantissa.put(mantissas, lane);

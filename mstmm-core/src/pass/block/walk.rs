@@ -2,7 +2,7 @@
 
 use crate::element::traits::PlaneStep;
 use crate::model::state::{Space, Support};
-use crate::number::branch_free::Straight;
+use crate::number::branch_free::BranchFree;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
 
@@ -20,7 +20,7 @@ pub trait Walker<S: Scalar> {
     /// The last open path goes through an element.
     fn element<E>(&mut self, built: &E::Built)
     where
-        E: PlaneStep<S> + PlaneStep<Straight<S, false>> + PlaneStep<Straight<S, true>>;
+        E: PlaneStep<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>>;
 
     /// Open paths are joined, each told by the number of those opened after it; what is joined goes on as `output`, or into the
     /// root.

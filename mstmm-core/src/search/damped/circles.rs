@@ -1,7 +1,7 @@
 //! The circles of the eigenvalues that a search found: which of them are doubtful, and which nobody can tell apart.
 
 use crate::model::error::SearchError;
-use crate::number::doubt::{CONDITION, USUAL_ERROR, is_judge, is_last};
+use crate::number::doubt::{CONDITION, USUAL_ERROR, is_extended, is_last};
 use crate::number::dual::Dual;
 use crate::number::frequency::Real;
 use crate::number::frequency::modulus;
@@ -15,7 +15,7 @@ use num_complex::Complex;
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// Whether something looked like rounding: sums that cancelled, wide circles, roots so close beside the distance of others that
     /// rounding moves them farther than their circles reach.
@@ -58,7 +58,7 @@ where
         }
         let mut roots = self.known.roots();
         while let [root, others @ ..] = roots {
-            let is_cut = is_judge::<T, Y::Parameter>()
+            let is_cut = is_extended::<T, Y::Parameter>()
                 && self.is_wide(root)
                 && region.is_some_and(|region| is_on_edge(root, region));
             let is_near_axis = root.lambda.im > T::zero() && root.lambda.im <= root.error;
@@ -71,8 +71,8 @@ where
     }
 
     /// Whether the arithmetic that judges this one has to be asked.
-    pub(super) fn asks_judge(&self) -> bool {
-        Y::Parameter::HAS_JUDGE && !is_judge::<T, Y::Parameter>() && self.is_doubtful()
+    pub(super) fn asks_extended(&self) -> bool {
+        Y::Parameter::HAS_EXTENDED && !is_extended::<T, Y::Parameter>() && self.is_doubtful()
     }
 }
 

@@ -44,7 +44,7 @@ const HELD_UP: f64 = 0.9 * STEP_BOUND;
 const CLOSE: f64 = 8.0;
 
 /// What a walk along a contour found.
-pub(super) enum Walk {
+pub(super) enum Traversal {
     /// By how much the argument of Δ grew.
     Argument(f64),
     /// The contour meets a root, or nearly.
@@ -52,7 +52,7 @@ pub(super) enum Walk {
 }
 
 /// A polygon to walk along.
-pub(super) struct Way<'w, T: Real> {
+pub(super) struct Polygon<'w, T: Real> {
     pub(super) corners: &'w [Complex<T>],
     /// As parts of the polygon's size: where steps would have to be shorter than the first of these, the polygon meets a
     /// root; the first step, before anything is known about the way, is no longer than the second, the next than the third.
@@ -64,7 +64,7 @@ pub(super) struct Way<'w, T: Real> {
     pub(super) growth: Growth<T>,
 }
 
-impl<T: Real> Way<'_, T> {
+impl<T: Real> Polygon<'_, T> {
     /// Whether the contour of a rectangle passes by a root, or its mirror image, within a distance.
     fn meets(&self, root: &Eigenvalue<T>, distance: T) -> bool {
         let passes = |lambda| {
@@ -76,8 +76,8 @@ impl<T: Real> Way<'_, T> {
 }
 
 /// A walk in progress.
-struct Walker<'w, T: Real> {
-    way: &'w Way<'w, T>,
+struct Traverse<'w, T: Real> {
+    way: &'w Polygon<'w, T>,
     /// The corner ahead.
     next: usize,
     start: Point<T>,
@@ -92,7 +92,7 @@ struct Walker<'w, T: Real> {
     is_stuck: bool,
 }
 
-impl<T: Real> Walker<'_, T> {
+impl<T: Real> Traverse<'_, T> {
     /// The way from here on.
     fn rest(&self) -> impl Iterator<Item = Complex<T>> + Clone {
         let ahead = self.way.corners.iter().skip(self.next).copied();
@@ -112,45 +112,50 @@ impl<T: Real> Walker<'_, T> {
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// Growth of the argument of Δ along a polygon. Every point on the way is shown to `visit`.
-    pub(super) fn walk(&mut self, way: &Way<'_, T>, mut visit: impl FnMut(&Point<T>)) -> Result<Walk, SearchError> {
-        let Some(&first) = way.corners.first() else { return Ok(Walk::Argument(0.0)) };
+    pub(super) fn traverse(
+        &mut self,
+        way: &Polygon<'_, T>,
+        mut visit: impl FnMut(&Point<T>),
+    ) -> Result<Traversal, SearchError> {
+        let Some(&first) = way.corners.first() else { return Ok(Traversal::Argument(0.0)) };
         let size = way.corners.iter().map(|&corner| modulus(corner - first)).fold(T::zero(), larger);
         let [shortest, longest, next] = way.steps.map(|part| size * T::from_f64(part));
         let polygon = way.corners.iter().copied();
         let known = if way.rectangle.is_some() { self.known.roots() } else { &[] };
         if known.iter().any(|root| way.meets(root, shortest)) {
-            return Ok(Walk::MeetsRoot);
+            return Ok(Traversal::MeetsRoot);
         }
         let angle =
             way.growth.turning(polygon.clone()) + known.iter().map(|root| turning(root, polygon.clone())).sum::<f64>();
         let start = self.evaluation.at(first)?;
         let here = self.left(&start, way);
-        let mut walker = Walker { way, next: 1, start, here, shortest, longest, angle, patience: 0, is_stuck: false };
+        let mut traverse =
+            Traverse { way, next: 1, start, here, shortest, longest, angle, patience: 0, is_stuck: false };
         let mut steps = 0;
-        while let Some(&corner) = way.corners.get(walker.next) {
-            if walker.here.lambda == corner {
-                walker.next += 1;
+        while let Some(&corner) = way.corners.get(traverse.next) {
+            if traverse.here.lambda == corner {
+                traverse.next += 1;
                 continue;
             }
             steps += 1;
             self.evaluation.check_effort::<T>(self.known.roots().len())?;
-            if walker.here.is_root || steps > STEPS || !self.step(&mut walker, corner)? {
-                return Ok(Walk::MeetsRoot);
+            if traverse.here.is_root || steps > STEPS || !self.step(&mut traverse, corner)? {
+                return Ok(Traversal::MeetsRoot);
             }
-            visit(&walker.here);
+            visit(&traverse.here);
             if steps == 1 {
-                let bend = bend(&self.left(&start, way), &walker.here);
-                walker.longest = smaller(bend * T::from_f64(SECOND_STEP), next);
+                let bend = bend(&self.left(&start, way), &traverse.here);
+                traverse.longest = smaller(bend * T::from_f64(SECOND_STEP), next);
             }
         }
-        if walker.here.is_root { Ok(Walk::MeetsRoot) } else { Ok(Walk::Argument(walker.angle)) }
+        if traverse.here.is_root { Ok(Traversal::MeetsRoot) } else { Ok(Traversal::Argument(traverse.angle)) }
     }
 
     /// What is left of Δ along a way.
-    fn left(&self, point: &Point<T>, way: &Way<'_, T>) -> Point<T> {
+    fn left(&self, point: &Point<T>, way: &Polygon<'_, T>) -> Point<T> {
         let point = way.growth.taken_from(point);
         if way.rectangle.is_some() { divided(&point, self.known.roots()) } else { point }
     }
@@ -159,63 +164,63 @@ where
     ///
     /// A step must be short beside `Δ/Δ'` at both ends, and the mean of `Δ'/Δ` must predict Δ: a phase alone could hide a
     /// whole turn. Where it is not, or would have to be short, roots nearby are divided out.
-    fn step(&mut self, walker: &mut Walker<'_, T>, corner: Complex<T>) -> Result<bool, SearchError> {
-        let rest = corner - walker.here.lambda;
+    fn step(&mut self, traverse: &mut Traverse<'_, T>, corner: Complex<T>) -> Result<bool, SearchError> {
+        let rest = corner - traverse.here.lambda;
         let length = modulus(rest);
-        let wanted = smaller(walker.longest, length);
-        while self.divide_out(walker, walker.here, wanted)? {}
-        let mut step = smaller(T::from_f64(HELD_UP) / modulus(walker.here.rate), walker.longest);
-        if step < smaller(walker.shortest, length) {
+        let wanted = smaller(traverse.longest, length);
+        while self.divide_out(traverse, traverse.here, wanted)? {}
+        let mut step = smaller(T::from_f64(HELD_UP) / modulus(traverse.here.rate), traverse.longest);
+        if step < smaller(traverse.shortest, length) {
             return Ok(false);
         }
         loop {
-            let there = if step < length { walker.here.lambda + rest * (step / length) } else { corner };
-            if walker.is_stuck || there == walker.here.lambda {
+            let there = if step < length { traverse.here.lambda + rest * (step / length) } else { corner };
+            if traverse.is_stuck || there == traverse.here.lambda {
                 return Ok(false);
             }
-            let seen = if there == walker.start.lambda { walker.start } else { self.evaluation.at(there)? };
+            let seen = if there == traverse.start.lambda { traverse.start } else { self.evaluation.at(there)? };
             loop {
-                let there = self.left(&seen, walker.way);
-                if let Some(change) = change_of_argument(&walker.here, &there) {
-                    walker.go(there, corner, change);
+                let there = self.left(&seen, traverse.way);
+                if let Some(change) = change_of_argument(&traverse.here, &there) {
+                    traverse.go(there, corner, change);
                     return Ok(true);
                 }
-                if !self.divide_out(walker, there, smaller(step, length))? {
+                if !self.divide_out(traverse, there, smaller(step, length))? {
                     break;
                 }
             }
             step = smaller(step, length) * T::from_f64(0.5);
-            if step < walker.shortest {
+            if step < traverse.shortest {
                 return Ok(false);
             }
         }
     }
 
     /// Finds a root near a point on the way that keeps steps shorter than wanted, and divides it out; false if none is found.
-    fn divide_out(&mut self, walker: &mut Walker<'_, T>, from: Point<T>, wanted: T) -> Result<bool, SearchError> {
-        let Some(rectangle) = walker.way.rectangle else { return Ok(false) };
+    fn divide_out(&mut self, traverse: &mut Traverse<'_, T>, from: Point<T>, wanted: T) -> Result<bool, SearchError> {
+        let Some(rectangle) = traverse.way.rectangle else { return Ok(false) };
         let rate = modulus(from.rate);
         let hold = rate * wanted;
         let ahead = from.lambda - Complex::from(T::one()) / from.rate;
         // one outside costs more than it saves, unless it is close
         let is_worth_it =
             hold > T::from_f64(CLOSE) || (hold > T::from_f64(HELD_UP) && rectangle.contains(ahead, T::zero()));
-        let is_ready = walker.patience == 0 && !self.known.is_full();
+        let is_ready = traverse.patience == 0 && !self.known.is_full();
         // near the real axis, which Newton's method would hardly leave
         let is_low = from.lambda.im.abs() * rate < T::from_f64(LOW);
         if !is_ready || !is_worth_it || is_low {
             return Ok(false);
         }
-        walker.patience = PATIENCE;
+        traverse.patience = PATIENCE;
         let Some(root) = self.find(&from, rectangle)? else { return Ok(false) };
-        walker.is_stuck = walker.way.meets(&root, walker.shortest);
-        walker.angle += turning(&root, walker.rest());
-        walker.here = divided(&walker.here, &[root]);
+        traverse.is_stuck = traverse.way.meets(&root, traverse.shortest);
+        traverse.angle += turning(&root, traverse.rest());
+        traverse.here = divided(&traverse.here, &[root]);
         // what does not explain the rate is not what holds up the walk
         if modulus(divided(&from, &[root]).rate) < rate {
-            walker.patience = 0;
+            traverse.patience = 0;
         }
-        Ok(!walker.is_stuck)
+        Ok(!traverse.is_stuck)
     }
 }
 
@@ -229,8 +234,8 @@ fn bend<T: Real>(here: &Point<T>, there: &Point<T>) -> T {
 /// Growth of the argument of Δ from one point to the next, if they are close enough to tell.
 fn change_of_argument<T: Real>(here: &Point<T>, there: &Point<T>) -> Option<f64> {
     let step = there.lambda - here.lambda;
-    let bound = T::from_f64(STEP_BOUND);
-    if there.is_root || modulus(step) * larger(modulus(here.rate), modulus(there.rate)) > bound {
+    let estimate = T::from_f64(STEP_BOUND);
+    if there.is_root || modulus(step) * larger(modulus(here.rate), modulus(there.rate)) > estimate {
         return None;
     }
     let predicted = step * (here.rate + there.rate) * T::from_f64(0.5);

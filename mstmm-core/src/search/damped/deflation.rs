@@ -15,14 +15,14 @@ pub(super) const ROOM: usize = 256;
 
 /// Certified eigenvalues in the closed upper half plane, each of which stands for its mirror image, too.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Known<T: Real> {
+pub(super) struct KnownRoots<T: Real> {
     roots: List<Eigenvalue<T>, ROOM>,
 }
 
-impl<T: Real> Known<T> {
+impl<T: Real> KnownRoots<T> {
     /// None yet.
     pub(super) fn new() -> Self {
-        Known { roots: List::new() }
+        KnownRoots { roots: List::new() }
     }
 
     /// In the order in which they were found.

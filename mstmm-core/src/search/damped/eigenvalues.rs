@@ -17,14 +17,14 @@ use num_complex::Complex;
 pub trait Spectrum:
     System
     + Characteristic<Dual<Complex<<Self as System>::Parameter>>>
-    + Characteristic<Dual<Complex<<<Self as System>::Parameter as Real>::Judge>>>
+    + Characteristic<Dual<Complex<<<Self as System>::Parameter as Real>::Extended>>>
 {
 }
 
 impl<Y> Spectrum for Y where
     Y: System
         + Characteristic<Dual<Complex<<Y as System>::Parameter>>>
-        + Characteristic<Dual<Complex<<<Y as System>::Parameter as Real>::Judge>>>
+        + Characteristic<Dual<Complex<<<Y as System>::Parameter as Real>::Extended>>>
         + ?Sized
 {
 }
@@ -53,12 +53,12 @@ pub trait Eigenvalues: System {
     where
         Self: Spectrum,
     {
-        let (plain, asks_judge) = searched(self, |search| search.count(&region));
-        if !asks_judge {
+        let (plain, asks_extended) = searched(self, |search| search.count(&region));
+        if !asks_extended {
             return plain;
         }
         let region = region.map(exactly);
-        searched::<Self, JudgeOf<Self>, _>(self, |search| search.count(&region)).0
+        searched::<Self, ExtendedOf<Self>, _>(self, |search| search.count(&region)).0
     }
 
     /// Every eigenvalue in a region, each certified, with multiplicity: by ascending imaginary part.
@@ -91,31 +91,31 @@ pub trait Eigenvalues: System {
 }
 
 /// The arithmetic that judges that of a system's parameters.
-type JudgeOf<Y> = <<Y as System>::Parameter as Real>::Judge;
+type ExtendedOf<Y> = <<Y as System>::Parameter as Real>::Extended;
 
 /// A list of eigenvalues, or the error of a search for them.
 type Found<T, const CAP: usize> = Result<EigenvalueList<T, CAP>, SearchError>;
 
 /// A number in the arithmetic that judges its own.
-fn exactly<T: Real>(number: T) -> T::Judge {
-    <T::Judge as Frequency<T>>::from_parameter(number)
+fn exactly<T: Real>(number: T) -> T::Extended {
+    <T::Extended as Frequency<T>>::from_parameter(number)
 }
 
 /// What a search finds, or where that is doubtful what the judging arithmetic finds.
 fn judged<Y: Spectrum + ?Sized, const CAP: usize>(
     system: &Y,
     plain: impl FnOnce(&mut EigenvalueSearch<'_, Y, Y::Parameter>) -> Found<Y::Parameter, CAP>,
-    judge: impl FnOnce(&mut EigenvalueSearch<'_, Y, JudgeOf<Y>>) -> Found<JudgeOf<Y>, CAP>,
+    judge: impl FnOnce(&mut EigenvalueSearch<'_, Y, ExtendedOf<Y>>) -> Found<ExtendedOf<Y>, CAP>,
 ) -> Found<Y::Parameter, CAP> {
-    let (found, asks_judge) = searched(system, plain);
-    if !asks_judge {
+    let (found, asks_extended) = searched(system, plain);
+    if !asks_extended {
         return found;
     }
     let plain = found.map_or(0, |found| found.evaluations);
     let judged = searched(system, judge).0?;
     let mut eigenvalues = List::new();
     for root in &judged {
-        let plainly = |x: JudgeOf<Y>| <Y::Parameter as Scalar>::from_f64(x.to_f64());
+        let plainly = |x: ExtendedOf<Y>| <Y::Parameter as Scalar>::from_f64(x.to_f64());
         let lambda = Complex::new(plainly(root.lambda.re), plainly(root.lambda.im));
         let root = Eigenvalue { lambda, error: plainly(root.error), multiplicity: root.multiplicity };
         eigenvalues.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
@@ -128,11 +128,11 @@ fn judged<Y: Spectrum + ?Sized, const CAP: usize>(
 fn searched<'a, Y, T, R>(system: &'a Y, run: impl FnOnce(&mut EigenvalueSearch<'a, Y, T>) -> R) -> (R, bool)
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     let mut search = EigenvalueSearch::new(system);
     let found = run(&mut search);
-    (found, search.asks_judge())
+    (found, search.asks_extended())
 }
 
 impl<Y: System + ?Sized> Eigenvalues for Y {}

@@ -1,13 +1,13 @@
 //! Δ on the complex plane: evaluated, counted, watched, and given up where it takes too long.
 
 use crate::model::error::SearchError;
-use crate::number::doubt::{UNJUDGED, is_judge, is_last, is_unjudged};
+use crate::number::doubt::{UNPROVEN_WIDTH, is_extended, is_last, refuses_doubt};
 use crate::number::dual::Dual;
 use crate::number::frequency::modulus;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
-use crate::pass::characteristic::{Characteristic, System, tallied};
+use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::search::damped::point::Point;
 use crate::search::identity::check_identity;
 use crate::subspace::count::Watch;
@@ -15,7 +15,7 @@ use num_complex::Complex;
 
 /// Evaluations that a search may take before it has found anything; one that judges takes some fifty times as long for each.
 const EVALUATIONS: usize = 100_000;
-const JUDGED_EVALUATIONS: usize = 30_000;
+const EXTENDED_EVALUATIONS: usize = 30_000;
 
 /// Further ones for each root that it finds: narrow regions between close roots take some hundred.
 const EVALUATIONS_PER_ROOT: usize = 2_000;
@@ -42,7 +42,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         Y: Characteristic<Dual<Complex<T>>>,
     {
         self.evaluations += 2;
-        let (watch, dual) = tallied(self.system, Dual::variable(lambda), Watch::default());
+        let (watch, dual) = counted_pass(self.system, Dual::variable(lambda), Watch::default());
         let Dual { value, derivative } = dual.mantissa();
         let rate = derivative / value;
         let is_root = !rate.size().is_finite();
@@ -66,14 +66,14 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
     pub(super) fn proven_radius<T>(&mut self, lambda: Complex<T>, radius: T) -> T
     where
         T: Real,
-        Y: Characteristic<Dual<Complex<T::Judge>>>,
+        Y: Characteristic<Dual<Complex<T::Extended>>>,
     {
-        if is_unjudged::<T>() {
-            return radius * T::from_f64(UNJUDGED);
+        if refuses_doubt::<T>() {
+            return radius * T::from_f64(UNPROVEN_WIDTH);
         }
-        if T::HAS_JUDGE {
+        if T::HAS_EXTENDED {
             self.evaluations += 2;
-            let is_inside = judged_step(self.system, lambda) <= radius.to_f64();
+            let is_inside = extended_step(self.system, lambda) <= radius.to_f64();
             self.is_doubtful |= !is_inside;
         }
         radius
@@ -90,7 +90,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
             self.evaluations += 2;
             let elsewhere = Complex::new(-far, far);
             // watched like all passes, which are one piece of code then
-            let (_, value) = tallied(self.system, Dual::variable(elsewhere), Watch::default());
+            let (_, value) = counted_pass(self.system, Dual::variable(elsewhere), Watch::default());
             let size = value.mantissa().value.size();
             // what is not a number does not say that anything is there
             size.is_nan() || size == 0.0
@@ -99,7 +99,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
 
     /// Gives up a search that takes too long for the number of roots that it found.
     pub(super) fn check_effort<T: Real>(&self, found: usize) -> Result<(), SearchError> {
-        let most = if is_judge::<T, Y::Parameter>() { JUDGED_EVALUATIONS } else { EVALUATIONS };
+        let most = if is_extended::<T, Y::Parameter>() { EXTENDED_EVALUATIONS } else { EVALUATIONS };
         if self.evaluations <= most + EVALUATIONS_PER_ROOT * found {
             return Ok(());
         }
@@ -110,13 +110,13 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
 /// The length of Newton's step by the arithmetic that judges; a call, since it is seldom asked.
 #[cold]
 #[inline(never)]
-fn judged_step<T, Y>(system: &Y, lambda: Complex<T>) -> f64
+fn extended_step<T, Y>(system: &Y, lambda: Complex<T>) -> f64
 where
     T: Real,
-    Y: Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+    Y: Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
-    let exactly = |part: T| <T::Judge as Frequency<T>>::from_parameter(part);
+    let exactly = |part: T| <T::Extended as Frequency<T>>::from_parameter(part);
     let lambda = Complex::new(exactly(lambda.re), exactly(lambda.im));
-    let Dual { value, derivative } = tallied(system, Dual::variable(lambda), Watch::default()).1.mantissa();
+    let Dual { value, derivative } = counted_pass(system, Dual::variable(lambda), Watch::default()).1.mantissa();
     modulus(value / derivative).to_f64()
 }

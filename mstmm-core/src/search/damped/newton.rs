@@ -8,7 +8,7 @@ use crate::number::frequency::larger;
 use crate::number::frequency::modulus;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::damped::contour::{Walk, Way};
+use crate::search::damped::contour::{Polygon, Traversal};
 use crate::search::damped::deflation::divided;
 use crate::search::damped::found::Eigenvalue;
 use crate::search::damped::growth::Growth;
@@ -144,7 +144,7 @@ fn settled<T: Real>(estimate: Complex<T>, radius: T) -> Complex<T> {
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// A root that is not yet known near a point, where those are divided out: certified, and known from now on.
     pub(super) fn find(
@@ -169,7 +169,7 @@ where
 
     /// A root near a start, other than those that are known; `None` if the steps lead away or do not end.
     ///
-    /// Known roots, with their mirror images, are divided out of Δ: `Δ'/Δ - Σ m/(λ - λ_k)`.
+    /// KnownRoots roots, with their mirror images, are divided out of Δ: `Δ'/Δ - Σ m/(λ - λ_k)`.
     fn newton(
         &mut self,
         start: &Point<T>,
@@ -242,24 +242,24 @@ where
             let lambda = settled(centre, radius);
             let rim = Complex::new(T::from_f64(RIM.0), T::from_f64(RIM.1)) * radius;
             let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
-            let bound = T::from_f64(OFF_CENTRE);
+            let estimate = T::from_f64(OFF_CENTRE);
             let is_straight = |point: &Point<T>| {
                 let ratio = point.slope().over(nearest.slope()).value();
-                modulus(ratio - Complex::from(T::one())) <= bound
+                modulus(ratio - Complex::from(T::one())) <= estimate
             };
             if !(is_straight(&left) && is_straight(&right)) {
                 return Ok(None);
             }
             let offset = |point: &Point<T>| point.lambda - lambda - Complex::from(T::one()) / point.rate;
             let offsets = [offset(&left), offset(&right)];
-            if offsets.iter().all(|&offset| modulus(offset) <= radius * bound) {
+            if offsets.iter().all(|&offset| modulus(offset) <= radius * estimate) {
                 // both make out the same root but for the rounding of either
                 let is_noisy = modulus(offsets[0] - offsets[1]) > radius * T::from_f64(NOISE);
                 let error =
                     if is_noisy { self.evaluation.proven_radius(lambda, radius + radius) } else { radius + radius };
                 return Ok(Some(Eigenvalue { lambda, error, multiplicity: 1 }));
             }
-            if modulus(offsets[0] - offsets[1]) > radius * (bound + bound) {
+            if modulus(offsets[0] - offsets[1]) > radius * (estimate + estimate) {
                 return Ok(None);
             }
             centre = lambda + (offsets[0] + offsets[1]) * T::from_f64(0.5);
@@ -274,8 +274,8 @@ where
             let lambda = settled(estimate, radius);
             let corner = |(re, im): (f64, f64)| lambda + Complex::new(T::from_f64(re), T::from_f64(im)) * radius;
             let way =
-                Way { corners: &OCTAGON.map(corner), steps: STEPS_AROUND, rectangle: None, growth: Growth::none() };
-            if let Walk::Argument(argument) = self.walk(&way, |_| ())?
+                Polygon { corners: &OCTAGON.map(corner), steps: STEPS_AROUND, rectangle: None, growth: Growth::none() };
+            if let Traversal::Argument(argument) = self.traverse(&way, |_| ())?
                 && let Some(multiplicity @ 1..) = whole(argument / core::f64::consts::TAU)
             {
                 return Ok(Some(Eigenvalue { lambda, error: radius + radius, multiplicity }));

@@ -9,7 +9,7 @@ use crate::number::frequency::larger;
 use crate::number::frequency::modulus;
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::circles::belongs;
-use crate::search::damped::contour::{Walk, Way};
+use crate::search::damped::contour::{Polygon, Traversal};
 use crate::search::damped::deflation::{ROOM, divided, with_image};
 use crate::search::damped::found::{Eigenvalue, EigenvalueList, Region};
 use crate::search::damped::growth::Growth;
@@ -75,7 +75,7 @@ impl<T: Real> Starts<T> {
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// Number of eigenvalues in a closed region.
     pub(super) fn count(&mut self, region: &Region<T>) -> Result<u64, SearchError> {
@@ -128,7 +128,7 @@ where
             return Err(SearchError::Capacity { capacity: ROOM });
         }
         let wanted = N as u64;
-        let mut exponent = self.bounds.lowest_exponent() + 3;
+        let mut exponent = self.estimates.lowest_exponent() + 3;
         let (mut radius, mut most) = (T::one().times_power_of_two(exponent), 0);
         loop {
             let next = T::one().times_power_of_two(exponent);
@@ -137,7 +137,7 @@ where
             if count > most {
                 (radius, most) = (next, count);
             }
-            let is_last = !self.bounds.is_continuous() && exponent > self.bounds.highest_exponent() + 30;
+            let is_last = !self.estimates.is_continuous() && exponent > self.estimates.highest_exponent() + 30;
             // a square holds roots beyond its radius in its corners: those the next one has within
             let is_new = radius == next || radius + radius == next;
             // each but the real ones has a mirror image
@@ -218,13 +218,13 @@ where
         let slenderness = rectangle.slenderness();
         let first = if slenderness < SLENDER { slenderness } else { 1.0 };
         let steps = [STEPS[0] * slenderness, STEPS[1] * first, STEPS[2] * first];
-        let growth = Growth::far_from_axis(&rectangle, T::from_f64(self.bounds.wave_sum()));
+        let growth = Growth::far_from_axis(&rectangle, T::from_f64(self.estimates.wave_sum()));
         let passed = rectangle.far_side().is_none().then_some(&rectangle);
-        let way = Way { corners: &rectangle.contour(), steps, rectangle: passed, growth };
+        let way = Polygon { corners: &rectangle.contour(), steps, rectangle: passed, growth };
         for _ in 0..2 {
             let mut starts = Starts::default();
-            let walk = self.walk(&way, |point| starts.visit(point))?;
-            let Walk::Argument(argument) = walk else { return Ok(None) };
+            let walk = self.traverse(&way, |point| starts.visit(point))?;
+            let Traversal::Argument(argument) = walk else { return Ok(None) };
             let roots = rectangle.roots(argument).ok_or(unresolved(rectangle))?;
             // a walk that overlooked what is known goes round again, now with all of it divided out
             if self.known_in(&rectangle) <= roots {

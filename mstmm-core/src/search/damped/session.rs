@@ -1,12 +1,12 @@
 //! What a search for eigenvalues knows while it runs.
 
-use crate::model::estimates::FrequencyBounds;
+use crate::model::estimates::FrequencyEstimates;
 use crate::number::dual::Dual;
 use crate::number::frequency::modulus;
 use crate::number::frequency::{Real, larger};
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::damped::deflation::Known;
+use crate::search::damped::deflation::KnownRoots;
 use crate::search::damped::evaluation::Evaluation;
 use crate::search::damped::found::Eigenvalue;
 use crate::search::damped::rectangle::Rectangle;
@@ -22,8 +22,8 @@ const NEAR: f64 = 8.0;
 pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized, T: Real> {
     pub(super) evaluation: Evaluation<'a, Y>,
     /// The eigenvalues found so far, wherever they lie.
-    pub(super) known: Known<T>,
-    pub(super) bounds: FrequencyBounds,
+    pub(super) known: KnownRoots<T>,
+    pub(super) estimates: FrequencyEstimates,
     /// Frequencies of this size are as good as zero.
     pub(super) smallest: T,
     /// The unit in the last place that results are good to: that of the parameters.
@@ -33,16 +33,16 @@ pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized, T: Real> {
 impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Judge>>> + ?Sized,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     pub(super) fn new(system: &'a Y) -> Self {
-        let bounds = system.bounds();
-        let smallest = T::one().times_power_of_two(bounds.negligible_exponent());
+        let estimates = system.estimates();
+        let smallest = T::one().times_power_of_two(estimates.negligible_exponent());
         let precision = <Y::Parameter as Scalar>::EPSILON;
         EigenvalueSearch {
-            evaluation: Evaluation::new(system, bounds.lowest_exponent()),
-            known: Known::new(),
-            bounds,
+            evaluation: Evaluation::new(system, estimates.lowest_exponent()),
+            known: KnownRoots::new(),
+            estimates,
             smallest,
             precision,
         }

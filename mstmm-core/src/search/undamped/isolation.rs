@@ -18,7 +18,7 @@ const CLUSTER: u32 = 2;
 impl<'a, T, Y> Isolation<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Judge> + ?Sized,
+    Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
 {
     /// All frequencies of a range.
     pub(super) fn in_range<const CAP: usize>(
@@ -54,17 +54,17 @@ where
     /// The lowest frequencies.
     pub(super) fn first<const N: usize>(&mut self) -> Result<FrequencyList<T, N>, SearchError> {
         let wanted = N as u64;
-        let bounds = self.bounds;
+        let estimates = self.estimates;
         let mut found = List::new();
         let mut lower = self.sample(self.just_above_zero)?;
         Self::push(&mut found, Self::rigid_body_modes(&lower))?;
         let mut settled = lower.below;
         // upper ends in ascending order first, to be turned round
         let mut waiting = List::<Sample<T>, WAITING>::new();
-        let mut exponent = bounds.lowest_exponent() + 1;
+        let mut exponent = estimates.lowest_exponent() + 1;
         let mut highest = lower;
         while highest.below < wanted {
-            if !bounds.is_continuous() && exponent > bounds.highest_exponent() + ZERO_EXPONENT {
+            if !estimates.is_continuous() && exponent > estimates.highest_exponent() + ZERO_EXPONENT {
                 return Err(SearchError::TooFewRoots { found: highest.below });
             }
             highest = self.sample(T::one().times_power_of_two(exponent))?;

@@ -1,7 +1,7 @@
 //! Natural frequencies of undamped systems: what users call.
 
 use crate::model::error::SearchError;
-use crate::number::doubt::is_unjudged;
+use crate::number::doubt::refuses_doubt;
 use crate::number::dual::Dual;
 use crate::number::fixed_list::List;
 use crate::number::frequency::{Frequency, Real};
@@ -10,7 +10,7 @@ use crate::number::scaled::Scaled;
 use crate::pass::characteristic::{Characteristic, System, count_and_value};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;
-use crate::subspace::count::CountOf;
+use crate::subspace::count::WittrickWilliams;
 use core::ops::RangeInclusive;
 use num_traits::Zero;
 
@@ -22,8 +22,8 @@ pub trait Undamped:
     System
     + Characteristic<<Self as System>::Parameter>
     + Characteristic<Dual<<Self as System>::Parameter>>
-    + Characteristic<<<Self as System>::Parameter as Real>::Judge>
-    + Characteristic<Dual<<<Self as System>::Parameter as Real>::Judge>>
+    + Characteristic<<<Self as System>::Parameter as Real>::Extended>
+    + Characteristic<Dual<<<Self as System>::Parameter as Real>::Extended>>
 {
 }
 
@@ -31,8 +31,8 @@ impl<Y> Undamped for Y where
     Y: System
         + Characteristic<<Y as System>::Parameter>
         + Characteristic<Dual<<Y as System>::Parameter>>
-        + Characteristic<<<Y as System>::Parameter as Real>::Judge>
-        + Characteristic<Dual<<<Y as System>::Parameter as Real>::Judge>>
+        + Characteristic<<<Y as System>::Parameter as Real>::Extended>
+        + Characteristic<Dual<<<Y as System>::Parameter as Real>::Extended>>
         + ?Sized
 {
 }
@@ -67,7 +67,7 @@ pub trait NaturalFrequencies: System {
         }
         match count_beside(self, omega)? {
             Some(below) => Ok(below),
-            None if Self::Parameter::HAS_JUDGE => judged_count(self, omega),
+            None if Self::Parameter::HAS_EXTENDED => extended_count(self, omega),
             None => Err(SearchError::Unresolved { near: omega.to_f64() }),
         }
     }
@@ -91,7 +91,7 @@ pub trait NaturalFrequencies: System {
         let found = plain.in_range(*range.start(), *range.end());
         judged::<Self, CAP>(found, plain.is_doubtful, || {
             let [start, end] = [range.start(), range.end()].map(|end| Scalar::from_f64(end.to_f64()));
-            Isolation::<Self, <Self::Parameter as Real>::Judge>::new(self).in_range(start, end)
+            Isolation::<Self, <Self::Parameter as Real>::Extended>::new(self).in_range(start, end)
         })
     }
 
@@ -107,7 +107,7 @@ pub trait NaturalFrequencies: System {
         let mut plain = Isolation::<Self, Self::Parameter>::new(self);
         let found = plain.first();
         judged::<Self, N>(found, plain.is_doubtful, || {
-            Isolation::<Self, <Self::Parameter as Real>::Judge>::new(self).first()
+            Isolation::<Self, <Self::Parameter as Real>::Extended>::new(self).first()
         })
     }
 }
@@ -124,7 +124,7 @@ pub(crate) fn count_margin<T: Real>() -> T {
 }
 
 /// The same for the arithmetic that judges, in units of the last place of a parameter.
-const JUDGED_MARGIN: f64 = 4.0;
+const EXTENDED_MARGIN: f64 = 4.0;
 
 /// The count on both sides of a frequency, if it is the same and no sum cancelled.
 fn count_beside<Y, T>(system: &Y, omega: T) -> Result<Option<u64>, SearchError>
@@ -140,7 +140,7 @@ where
 /// The count that two passes beside a frequency agree on.
 pub(crate) fn agreed<T: Real, const IN_LINE: bool>(
     omega: T,
-    [(below, at_below), (above, at_above)]: [(CountOf<IN_LINE>, Scaled<T>); 2],
+    [(below, at_below), (above, at_above)]: [(WittrickWilliams<IN_LINE>, Scaled<T>); 2],
 ) -> Result<Option<u64>, SearchError> {
     let [lower, upper] = [at_below, at_above].map(|value| value.mantissa());
     if !(lower.size().is_finite() && upper.size().is_finite()) {
@@ -153,14 +153,14 @@ pub(crate) fn agreed<T: Real, const IN_LINE: bool>(
 /// The count by the arithmetic that judges.
 #[cold]
 #[inline(never)]
-fn judged_count<Y, T>(system: &Y, omega: T) -> Result<u64, SearchError>
+fn extended_count<Y, T>(system: &Y, omega: T) -> Result<u64, SearchError>
 where
     T: Real,
-    Y: Characteristic<T::Judge> + Characteristic<Dual<T::Judge>> + System<Parameter = T> + ?Sized,
+    Y: Characteristic<T::Extended> + Characteristic<Dual<T::Extended>> + System<Parameter = T> + ?Sized,
 {
-    let mut judge = Isolation::<Y, T::Judge>::new(system);
-    let x = <T::Judge as Frequency<T>>::from_parameter(omega);
-    let away = x * <T::Judge as Scalar>::from_f64(JUDGED_MARGIN * T::EPSILON);
+    let mut judge = Isolation::<Y, T::Extended>::new(system);
+    let x = <T::Extended as Frequency<T>>::from_parameter(omega);
+    let away = x * <T::Extended as Scalar>::from_f64(EXTENDED_MARGIN * T::EPSILON);
     let (below, above) = (judge.sample(x - away)?, judge.sample(x + away)?);
     let is_clear = !(below.value.mantissa().is_zero() || above.value.mantissa().is_zero());
     if is_clear && below.below == above.below {
@@ -173,15 +173,15 @@ where
 fn judged<Y: System + ?Sized, const CAP: usize>(
     found: Result<FrequencyList<Y::Parameter, CAP>, SearchError>,
     is_doubtful: bool,
-    judge: impl FnOnce() -> Result<FrequencyList<<Y::Parameter as Real>::Judge, CAP>, SearchError>,
+    judge: impl FnOnce() -> Result<FrequencyList<<Y::Parameter as Real>::Extended, CAP>, SearchError>,
 ) -> Result<FrequencyList<Y::Parameter, CAP>, SearchError> {
     if !is_doubtful {
         return found;
     }
-    if !Y::Parameter::HAS_JUDGE {
+    if !Y::Parameter::HAS_EXTENDED {
         let near = |list: FrequencyList<Y::Parameter, CAP>| list.first().map_or(0.0, |root| root.omega.to_f64());
         let refused = |list| {
-            if is_unjudged::<Y::Parameter>() { Err(SearchError::Unresolved { near: near(list) }) } else { Ok(list) }
+            if refuses_doubt::<Y::Parameter>() { Err(SearchError::Unresolved { near: near(list) }) } else { Ok(list) }
         };
         return found.and_then(refused);
     }

@@ -1,7 +1,7 @@
 //! The last digits of a single root: inverse interpolation with derivatives inside a bracket of counts.
 
 use crate::model::error::SearchError;
-use crate::number::doubt::STRAIGHT;
+use crate::number::doubt::BRANCH_FREE;
 use crate::number::dual::Dual;
 use crate::number::frequency::Real;
 use crate::number::scaled::Scaled;
@@ -37,7 +37,7 @@ impl<T: Real> Slope<T> {
 impl<'a, T, Y> Isolation<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Judge> + ?Sized,
+    Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
 {
     /// The single root of a bracket.
     pub(super) fn polish(
@@ -136,7 +136,7 @@ fn is_straight<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>
     };
     let growth = at_scale(above.value) - at_scale(below.value);
     let ratio = growth / (nearest.derivative * (above.omega - below.omega));
-    let (least, greatest) = STRAIGHT;
+    let (least, greatest) = BRANCH_FREE;
     ratio > T::from_f64(least) && ratio < T::from_f64(greatest)
 }
 

@@ -1,16 +1,16 @@
 //! Samples of a search: counts, Δ and its slope at frequencies, and what looks like rounding in them.
 
 use crate::model::error::SearchError;
-use crate::model::estimates::FrequencyBounds;
-use crate::number::doubt::{NEARLY_ZERO_EXPONENT, UNJUDGED, is_last, is_unjudged};
+use crate::model::estimates::FrequencyEstimates;
+use crate::number::doubt::{NEARLY_ZERO_EXPONENT, UNPROVEN_WIDTH, is_last, refuses_doubt};
 use crate::number::dual::Dual;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
-use crate::pass::characteristic::{Characteristic, System, count_and_value, tallied};
+use crate::pass::characteristic::{Characteristic, System, count_and_value, counted_pass};
 use crate::search::identity::check_identity;
 use crate::search::undamped::found::NaturalFrequency;
-use crate::subspace::count::{Cancelled, Count};
+use crate::subspace::count::{Cancelled, WittrickWilliams};
 
 /// Half the relative width of a certified interval, in units of eps: room for the roundings of z = βl (about four,
 /// doubled in ω) and of the planes.
@@ -58,7 +58,7 @@ impl<T: Real> From<Slope<T>> for Sample<T> {
 /// A search in progress.
 pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     system: &'a Y,
-    pub(super) bounds: FrequencyBounds,
+    pub(super) estimates: FrequencyEstimates,
     /// A frequency below which rounding may have made one of a zero.
     pub(super) nearly_zero: T,
     /// Just above zero: below every frequency but those that are zero.
@@ -81,20 +81,20 @@ pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
 impl<'a, T, Y> Isolation<'a, Y, T>
 where
     T: Real,
-    Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Judge> + ?Sized,
+    Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
 {
     /// A search in arithmetic of type `T`, to the precision of the system's parameters.
     pub(super) fn new(system: &'a Y) -> Self {
         let precision = <Y::Parameter as Scalar>::EPSILON;
-        let bounds = system.bounds();
+        let estimates = system.estimates();
         let power = |exponent| T::one().times_power_of_two(exponent);
-        let waves = f64::from(bounds.wave_count());
+        let waves = f64::from(estimates.wave_count());
         let half_width = T::from_f64(HALF_WIDTH * precision * (1.0 + waves / BEAMS_PER_WIDTH));
         Isolation {
             system,
-            nearly_zero: power(bounds.lowest_exponent() - NEARLY_ZERO_EXPONENT),
-            just_above_zero: power(bounds.least_exponent() - ZERO_EXPONENT),
-            bounds,
+            nearly_zero: power(estimates.lowest_exponent() - NEARLY_ZERO_EXPONENT),
+            just_above_zero: power(estimates.least_exponent() - ZERO_EXPONENT),
+            estimates,
             half_width,
             precision,
             evaluations: 0,
@@ -108,7 +108,7 @@ where
     /// Count and Δ at a frequency.
     pub(super) fn sample(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
         self.evaluations += 1;
-        let (count, value) = tallied(self.system, omega, Count::new(self.is_at_root));
+        let (count, value) = counted_pass(self.system, omega, WittrickWilliams::<false>::new(self.is_at_root));
         if !value.mantissa().size().is_finite() {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
@@ -143,15 +143,15 @@ where
         if !core::mem::take(&mut self.is_ill_conditioned) {
             return true;
         }
-        if is_unjudged::<T>() {
-            let room = root.omega * self.half_width * T::from_f64(UNJUDGED);
+        if refuses_doubt::<T>() {
+            let room = root.omega * self.half_width * T::from_f64(UNPROVEN_WIDTH);
             (root.lower, root.upper) = (root.omega - room, root.omega + room);
         }
-        if !T::HAS_JUDGE {
+        if !T::HAS_EXTENDED {
             return true;
         }
         self.evaluations += 2;
-        let [below, above] = [root.lower, root.upper].map(|omega| judged_below(self.system, omega));
+        let [below, above] = [root.lower, root.upper].map(|omega| extended_below(self.system, omega));
         (below, above) == counts
     }
 
@@ -202,8 +202,8 @@ where
 /// The count by the arithmetic that judges; a call, since it is seldom asked.
 #[cold]
 #[inline(never)]
-fn judged_below<T: Real, Y: Characteristic<T::Judge> + ?Sized>(system: &Y, omega: T) -> u64 {
-    let exactly = <T::Judge as Frequency<T>>::from_parameter(omega);
+fn extended_below<T: Real, Y: Characteristic<T::Extended> + ?Sized>(system: &Y, omega: T) -> u64 {
+    let exactly = <T::Extended as Frequency<T>>::from_parameter(omega);
     count_and_value::<true, _, _>(system, exactly).0.below()
 }
 

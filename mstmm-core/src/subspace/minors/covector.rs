@@ -30,7 +30,7 @@ impl<S: Scalar> Covector<S> {
     }
 
     /// The same with entries near 1 and the rest in the exponent.
-    pub(crate) fn moderated(self) -> Self {
+    pub(crate) fn rescaled(self) -> Self {
         match self {
             Covector::Plane(entries, exponent) => {
                 let size = entries.iter().fold(0.0_f64, |size, entry| size.max(entry.size()));
@@ -96,7 +96,7 @@ impl<S: Scalar> Covector<S> {
 
     /// The covector of one path at a connection, given that of the sum and the sum of all other paths:
     /// `η_k = s_YΘ η + Kᵀ (η_M, η_Q)` with the stiffness `K = [[-w, s_YM], [-s_ΘQ, w]]` of the others, times s_YΘ.
-    pub(crate) fn beside(self, others: &Plane<S>) -> Self {
+    pub(crate) fn share_of(self, others: &Plane<S>) -> Self {
         let ([y, theta, m, q], exponent) = self.entries();
         let s = others;
         let entries = [
@@ -105,7 +105,7 @@ impl<S: Scalar> Covector<S> {
             s.y_theta * m,
             s.y_theta * q,
         ];
-        Covector::Plane(entries, exponent.saturating_add(s.exponent)).moderated()
+        Covector::Plane(entries, exponent.saturating_add(s.exponent)).rescaled()
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::model::state::{Space, Support};
 use crate::number::doubt::ROUNDINGS;
 use crate::number::scalar::{Branches, Scalar};
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
@@ -57,14 +57,14 @@ impl<S: Scalar> Plane<S> {
 
     /// Joins another plane.
     #[inline(always)]
-    pub(crate) fn with_plane<C: Tally<S>>(self, r: Plane<S>, tally: &mut C) -> Self {
+    pub(crate) fn with_plane<C: RootCounter<S>>(self, r: Plane<S>, counter: &mut C) -> Self {
         let p = self;
         let minors = [
             p.y_theta * r.y_theta,
             p.y_m * r.y_theta + p.y_theta * r.y_m,
             p.w * r.y_theta + p.y_theta * r.w,
             p.theta_q * r.y_theta + p.y_theta * r.theta_q,
-            p.m_q_with(&r, tally),
+            p.m_q_with(&r, counter),
         ];
         Plane::unscaled(minors, p.exponent.saturating_add(r.exponent))
     }
@@ -75,14 +75,14 @@ impl<S: Scalar> Plane<S> {
     /// these terms cancel. With `w² = p_YM p_ΘQ - p_YΘ p_MQ` of either plane it is, for `skew = p_YM w_r - r_YM w_p`,
     /// `skew²/(p_YM r_YM) + (r_YM/p_YM) p_YΘ p_MQ + (p_YM/r_YM) r_YΘ r_MQ`, in which every part is small itself.
     #[inline(always)]
-    pub(crate) fn m_q_with<C: Tally<S>>(&self, r: &Plane<S>, tally: &mut C) -> S {
+    pub(crate) fn m_q_with<C: RootCounter<S>>(&self, r: &Plane<S>, counter: &mut C) -> S {
         let ww = self.w * r.w;
         let plain = (self.y_m * r.theta_q + r.y_m * self.theta_q) - (ww + ww);
         let is_plain = (plain.size() * 16.0 >= ww.size()) | self.y_m.is_zero() | r.y_m.is_zero();
         if S::BRANCHES != Branches::All || is_plain {
-            return (self.m_q * r.y_theta + self.y_theta * r.m_q) + plain.provided(is_plain);
+            return (self.m_q * r.y_theta + self.y_theta * r.m_q) + plain.valid_if(is_plain);
         }
-        self.m_q_by_squares(r, tally)
+        self.m_q_by_squares(r, counter)
     }
 
     /// p_MQ of two joined planes where its mixed part cancels; watches what rounding leaves of it.
@@ -90,7 +90,7 @@ impl<S: Scalar> Plane<S> {
     /// A lever on a pin leaves a plane of a rigid constraint. Where a second one holds the same all minors of their sum vanish but
     /// for rounding, which must not be taken for a clamp.
     #[cold]
-    fn m_q_by_squares<C: Tally<S>>(&self, r: &Plane<S>, tally: &mut C) -> S {
+    fn m_q_by_squares<C: RootCounter<S>>(&self, r: &Plane<S>, counter: &mut C) -> S {
         let p = self;
         let products = [p.y_m * r.w, r.y_m * p.w];
         let skew = products[0] - products[1];
@@ -108,8 +108,8 @@ impl<S: Scalar> Plane<S> {
             let of_skew = units * S::EPSILON * products[0].size();
             of_skew * (2.0 * skew.size() + of_skew) / (p.y_m * r.y_m).size()
         };
-        let remainder = Remainder { size, whole, rounding: rounding(1.0), bound: rounding(ROUNDINGS) };
-        if remainder.tell(tally) { S::zero() } else { m_q }
+        let remainder = Remainder { size, whole, rounding: rounding(1.0), estimate: rounding(ROUNDINGS) };
+        if remainder.tell(counter) { S::zero() } else { m_q }
     }
 
     /// Holds the point by a support: joins the support's own plane, most of whose minors are zero.
@@ -152,7 +152,7 @@ pub(crate) fn in_parallel<S: Scalar>(a: Option<S>, b: Option<S>) -> Option<S> {
 
 /// Joins two subspaces that are no supports.
 #[inline(always)]
-pub(crate) fn joined<S: Scalar, C: Tally<S>>(a: Subspace<S>, b: Subspace<S>, tally: &mut C) -> Subspace<S> {
+pub(crate) fn joined<S: Scalar, C: RootCounter<S>>(a: Subspace<S>, b: Subspace<S>, counter: &mut C) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
     // what a pin holds is an ordinary plane to others
     let ordinary = |subspace| if let Subspace::OnPin(plane) = subspace { OfPlane(plane) } else { subspace };
@@ -173,7 +173,7 @@ pub(crate) fn joined<S: Scalar, C: Tally<S>>(a: Subspace<S>, b: Subspace<S>, tal
         }
         (OfPlane(p), Springs { y, theta }) | (Springs { y, theta }, OfPlane(p)) => OfPlane(p.with_springs(y, theta)),
         // behind springs and tips planes come without a look at their range, and here minors meet minors
-        (OfPlane(p), OfPlane(r)) => OfPlane(p.in_range().with_plane(r.in_range(), tally)),
+        (OfPlane(p), OfPlane(r)) => OfPlane(p.in_range().with_plane(r.in_range(), counter)),
         (OfPlane(p), Grounded(k, space)) | (Grounded(k, space), OfPlane(p)) => OfPlane(p.with_stiffness(k, space)),
         (OfPlane(p), OfLine(line, space)) | (OfLine(line, space), OfPlane(p)) => OfPlane(p.with_line(line, space)),
         (Grounded(k, Space::Translation), Grounded(j, Space::Rotation))
@@ -192,7 +192,7 @@ pub(crate) fn joined<S: Scalar, C: Tally<S>>(a: Subspace<S>, b: Subspace<S>, tal
 /// between two of them, also at two connections in a row, someone must.
 #[doc(hidden)]
 #[inline(always)]
-pub fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
+pub fn rescaled<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
     match subspace {
         Subspace::Plane(plane) | Subspace::OnPin(plane) => Subspace::Plane(plane.in_range()),
         Subspace::Line(line, space) => Subspace::Line(Line::new(line.y, line.q, line.exponent), space),
@@ -202,8 +202,12 @@ pub fn moderated<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
 
 /// The join of one path more to a sum.
 #[inline(always)]
-pub(crate) fn joined_on<S: Scalar, C: Tally<S>>(sum: Subspace<S>, path: Subspace<S>, tally: &mut C) -> Subspace<S> {
-    joined(moderated(sum), path, tally)
+pub(crate) fn joined_on<S: Scalar, C: RootCounter<S>>(
+    sum: Subspace<S>,
+    path: Subspace<S>,
+    counter: &mut C,
+) -> Subspace<S> {
+    joined(rescaled(sum), path, counter)
 }
 
 /// Joins a line to the free bending state of a connection that goes on otherwise, before supports hold the point.
@@ -243,14 +247,18 @@ pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
 /// Leaves behind what does not go on to a narrower output: the moment of a bending path that goes on as a translation,
 /// the shear force of one that goes on as a rotation, is zero.
 #[inline(always)]
-pub fn narrowed<S: Scalar, C: Tally<S>>(subspace: Subspace<S>, output: Option<Space>, tally: &mut C) -> Subspace<S> {
+pub fn narrowed<S: Scalar, C: RootCounter<S>>(
+    subspace: Subspace<S>,
+    output: Option<Space>,
+    counter: &mut C,
+) -> Subspace<S> {
     match (subspace, output) {
         (
             Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. },
             Some(space @ (Space::Translation | Space::Rotation)),
         ) => {
             let plane = subspace.plane();
-            tally.narrowing(&plane, space);
+            counter.narrowing(&plane, space);
             let y = if space.is(Space::Translation) { plane.y_m } else { plane.theta_q };
             Subspace::Line(Line { y, q: -plane.m_q, exponent: plane.exponent }, space)
         }
@@ -262,16 +270,16 @@ pub fn narrowed<S: Scalar, C: Tally<S>>(subspace: Subspace<S>, output: Option<Sp
 ///
 /// Paths are joined first; if the output is wider, they are joined to its free state; then supports hold the point; if
 /// the output is narrower, what does not go on has no force.
-pub(crate) fn connection<S: Scalar, C: Tally<S>>(
+pub(crate) fn connection<S: Scalar, C: RootCounter<S>>(
     inputs: impl Iterator<Item = Subspace<S>> + Clone,
     output: Option<Space>,
-    tally: &mut C,
+    counter: &mut C,
 ) -> Subspace<S> {
     let is_tip = |input: &Subspace<S>| matches!(input, Subspace::Tip(..));
-    let mut paths = inputs.clone().filter(|input| !is_tip(input)).map(moderated);
+    let mut paths = inputs.clone().filter(|input| !is_tip(input)).map(rescaled);
     let first = paths.next();
-    let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second, tally)));
-    let sum = pair.map(|pair| paths.fold(pair, |sum, path| joined_on(sum, path, tally)));
+    let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second, counter)));
+    let sum = pair.map(|pair| paths.fold(pair, |sum, path| joined_on(sum, path, counter)));
     // supports alone hold what goes on
     let alone = Subspace::Tip(Support::Free, output.unwrap_or(Space::Bending));
     let mut sum = sum.map_or(alone, |sum| widened(sum, output));
@@ -280,7 +288,7 @@ pub(crate) fn connection<S: Scalar, C: Tally<S>>(
             sum = held(sum, support);
         }
     }
-    narrowed(sum, output, tally)
+    narrowed(sum, output, counter)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 use crate::model::state::{Space, Support};
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
-use crate::subspace::count::Tally;
+use crate::subspace::count::RootCounter;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 
@@ -76,15 +76,15 @@ impl<S: Scalar> Subspace<S> {
 
     /// Δ: vanishes where the subspace meets the boundary condition of the root.
     #[inline(always)]
-    pub fn at_root<C: Tally<S>>(self, support: Support, tally: &mut C) -> Scaled<S> {
+    pub fn at_root<C: RootCounter<S>>(self, support: Support, counter: &mut C) -> Scaled<S> {
         if let Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } = self {
             let plane = self.plane();
-            tally.plane_root(&plane, support);
+            counter.plane_root(&plane, support);
             let minors = || [plane.y_theta, plane.y_m, plane.theta_q, plane.m_q];
             return Scaled::new(counted::<S, C, 4>(plane.minor_at(support), minors), i64::from(plane.exponent));
         }
         let line = self.line();
-        tally.line_root(&line, support);
+        counter.line_root(&line, support);
         let value = if support == Support::Fixed { line.y } else { line.q };
         Scaled::new(counted::<S, C, 2>(value, || [line.y, line.q]), i64::from(line.exponent))
     }
@@ -92,7 +92,7 @@ impl<S: Scalar> Subspace<S> {
 
 /// Δ of a pass that counts: the count looks at all entries, so that Δ is a number only if all of them are.
 #[inline(always)]
-fn counted<S: Scalar, C: Tally<S>, const N: usize>(delta: S, entries: impl Fn() -> [S; N]) -> S {
+fn counted<S: Scalar, C: RootCounter<S>, const N: usize>(delta: S, entries: impl Fn() -> [S; N]) -> S {
     if !C::COUNTS {
         return delta;
     }

@@ -37,8 +37,8 @@ proptest! {
     fn what_is_shown_is_read_again(x in sizes()) {
         let text = x.to_string();
         // half a unit of the thirty-second digit, and the powers of ten on both ways
-        let bound = 0.5e-31 / UNIT + 2.0 * DECIMAL;
-        assert_equal(text.parse().unwrap(), &exact(x), bound);
+        let estimate = 0.5e-31 / UNIT + 2.0 * DECIMAL;
+        assert_equal(text.parse().unwrap(), &exact(x), estimate);
     }
 }
 

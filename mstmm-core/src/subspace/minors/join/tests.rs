@@ -5,7 +5,7 @@ use crate::number::double_double::DoubleDouble;
 use crate::number::frequency::Real;
 use crate::number::scaled::Scaled;
 use crate::number::tolerance::assert_close;
-use crate::subspace::count::{Count, Untallied};
+use crate::subspace::count::{NoCount, WittrickWilliams};
 use proptest::option;
 use proptest::prelude::*;
 use std::vec::Vec;
@@ -59,7 +59,7 @@ fn scale(paths: &[Path]) -> f64 {
 fn joined_at(paths: &[Path], supports: &[Support], output: Option<Space>) -> Subspace<f64> {
     let tips = supports.iter().map(|&support| Subspace::Tip(support, Space::Bending));
     let inputs: Vec<_> = paths.iter().map(|path| path.subspace).chain(tips).collect();
-    connection(inputs.iter().copied(), output, &mut Untallied)
+    connection(inputs.iter().copied(), output, &mut NoCount)
 }
 
 /// Asserts the stiffness of a subspace and, of a plane, `p_YΘ p_MQ = p_YM p_ΘQ - w²`.
@@ -139,7 +139,7 @@ proptest! {
         let sum = joined_at(&paths, &[], Some(Space::Bending)).plane();
         for support in [Support::Free, Support::Pinned, Support::Guided, Support::Fixed] {
             let held = joined_at(&paths, &[support], Some(Space::Bending)).plane();
-            prop_assert_eq!(held, sum.with_plane(Plane::of_tip(support), &mut Untallied));
+            prop_assert_eq!(held, sum.with_plane(Plane::of_tip(support), &mut NoCount));
         }
     }
 
@@ -181,7 +181,7 @@ proptest! {
         let [kept, coupling, left] = k;
         prop_assume!(left.abs() > 0.01);
         for (space, k) in [(Space::Translation, k), (Space::Rotation, [left, coupling, kept])] {
-            let mut count = Count::default();
+            let mut count = WittrickWilliams::<false>::default();
             let narrow = connection([Path::plane(k, factor).subspace].into_iter(), Some(space), &mut count);
             prop_assert!(narrow.space().is(space));
             let expected = kept - coupling * coupling / left;
@@ -198,7 +198,7 @@ proptest! {
     fn a_line_that_goes_on_otherwise_is_left_behind(k in prop_oneof![0.01..5.0f64, -5.0..-0.01f64], factor in factor()) {
         for (space, other) in [(Space::Translation, Space::Rotation), (Space::Rotation, Space::Translation)] {
             for path in [Path::line(k, space, factor), Path::grounded(k, space)] {
-                let mut count = Count::default();
+                let mut count = WittrickWilliams::<false>::default();
                 let free = connection([path.subspace, Subspace::Tip(Support::Free, Space::Bending)].into_iter(), Some(other), &mut count);
                 prop_assert!(free.space().is(other) && free.line().y != 0.0 && free.line().q == 0.0, "{free:?}");
                 prop_assert_eq!(count.below(), u64::from(k < 0.0));
@@ -225,9 +225,9 @@ proptest! {
         let rounded = |p: Plane<DoubleDouble>| {
             Plane::unscaled([p.y_theta, p.y_m, p.w, p.theta_q, p.m_q].map(Real::to_f64), 0)
         };
-        let expected = p.with_plane(r, &mut Untallied).m_q.to_f64();
+        let expected = p.with_plane(r, &mut NoCount).m_q.to_f64();
         // the offset of 1e-9 is known to 1e-7 of itself
-        assert_close(rounded(p).with_plane(rounded(r), &mut Untallied).m_q, expected, 1e-18, 1e-5 / f64::EPSILON);
+        assert_close(rounded(p).with_plane(rounded(r), &mut NoCount).m_q, expected, 1e-18, 1e-5 / f64::EPSILON);
     }
 
     /// At the root of a joined line or plane the count is the number of negative eigenvalues of the sum.
@@ -237,7 +237,7 @@ proptest! {
         let determinant = a * d - b * b;
         prop_assume!(determinant.abs() > 1e-9 * scale(&paths) * scale(&paths));
         let joined = joined_at(&paths, &[], Some(Space::Bending));
-        let mut count = Count::default();
+        let mut count = WittrickWilliams::<false>::default();
         joined.at_root(Support::Free, &mut count);
         let expected = if determinant < 0.0 { 1 } else if a + d < 0.0 { 2 } else { 0 };
         prop_assert_eq!(count.below(), expected);
