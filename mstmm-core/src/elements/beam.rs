@@ -10,8 +10,9 @@ use crate::number::exponent::binary_exponent;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Branches;
+use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
-use crate::number::wave_functions::WaveProducts;
+use crate::number::wave_functions::WaveFunctions;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::subspace::Subspace;
 use nalgebra::Matrix4;
@@ -141,11 +142,11 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
         let size = z.size();
         match S::BRANCHES {
             Branches::All if size <= 1.0 => built.small(z, at),
-            Branches::All => built.waving(z, z.wave_products(), at),
+            Branches::All => built.waving(z, S::Plain::wave_functions, at),
             Branches::Series => built.by_series(z, -at.lambda_squared.valid_if(size <= 1.0)),
             Branches::Waves => {
-                let products = z.valid_if((size > 1.0) & (size < S::WAVE_LIMIT)).moderate_wave_products();
-                built.waving(z, products, at)
+                let z = z.valid_if((size > 1.0) & (size < S::WAVE_LIMIT));
+                built.waving(z, S::Plain::moderate_wave_functions, at)
             }
         }
     }
@@ -172,10 +173,11 @@ impl<T: Real> BuiltBeam<T> {
     fn waving<S: Frequency<T>>(
         &self,
         z: S,
-        products: WaveProducts<S>,
+        waves: impl FnOnce(S::Plain) -> WaveFunctions<S::Plain>,
         at: &FrequencyPowers<S>,
     ) -> BendingCoefficients<S> {
-        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = products;
+        let ([ch_cos, ch_sin, sh_cos, f], (one, exponent)) = wave_products(z, waves);
+        let one = S::constant(one);
         let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
         let Units { factors, inverses } = self.units(at);
         BendingCoefficients {
@@ -257,6 +259,22 @@ impl<T: Real> BuiltBeam<T> {
             exponent: 0,
         }
     }
+}
+
+/// `ch z cos z`, `ch z sin z`, `sh z cos z`, `sh z sin z`, and 1 beside them, all divided by a power of two: its exponent.
+#[inline(always)]
+fn wave_products<S: Scalar>(
+    z: S,
+    waves: impl FnOnce(S::Plain) -> WaveFunctions<S::Plain>,
+) -> ([S; 4], (S::Plain, i32)) {
+    let values = |z| {
+        let WaveFunctions { sin, cos, sh, ch, one, exponents: [j, k] } = waves(z);
+        ([ch * cos, ch * sin, sh * cos, sh * sin], (one, j.saturating_add(k)))
+    };
+    let slopes = |[ch_cos, ch_sin, sh_cos, sh_sin]: [S::Plain; 4]| {
+        [sh_cos - ch_sin, sh_sin + ch_cos, ch_cos - sh_sin, ch_sin + sh_cos]
+    };
+    z.functions(values, slopes)
 }
 
 /// Products of powers with what belongs to each.

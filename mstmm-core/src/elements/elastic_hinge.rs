@@ -11,7 +11,7 @@ use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scaled::Scaled;
-use crate::subspace::count::RootCounter;
+use crate::subspace::count::{Held, RootCounter};
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
@@ -84,7 +84,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
         }
         let before = input.plane();
         let after = coefficients.through(&before).in_range();
-        counter.hinge(&before, &after, S::from_parameter(coefficients.k_y));
+        let held = Held { below: 0, is_negative: false, stiffness: S::from_parameter(coefficients.k_y) };
+        counter.plane(&before, &after, held);
         Subspace::Plane(after)
     }
 

@@ -4,7 +4,7 @@ mod operators;
 
 use crate::number::frequency::{Frequency, Real};
 use crate::number::scalar::{Branches, Scalar};
-use crate::number::wave_functions::WaveProducts;
+use crate::number::wave_functions::WaveFunctions;
 use core::ops::Mul;
 
 /// A number that knows no branches: NaN wherever one would be needed, and never shifted into another range. Of the formulas
@@ -13,6 +13,7 @@ use core::ops::Mul;
 pub struct BranchFree<S, const SERIES: bool>(pub(crate) S);
 
 impl<S: Scalar, const SERIES: bool> Scalar for BranchFree<S, SERIES> {
+    type Plain = BranchFree<S::Plain, SERIES>;
     const BRANCHES: Branches = if SERIES { Branches::Series } else { Branches::Waves };
     const EPSILON: f64 = S::EPSILON;
     const WAVE_LIMIT: f64 = S::WAVE_LIMIT;
@@ -47,15 +48,40 @@ impl<S: Scalar, const SERIES: bool> Scalar for BranchFree<S, SERIES> {
     }
 
     #[inline(always)]
-    fn wave_products(self) -> WaveProducts<Self> {
-        self.valid_if(self.size() < Self::WAVE_LIMIT).moderate_wave_products()
+    fn wave_functions(self) -> WaveFunctions<Self> {
+        self.valid_if(self.size() < Self::WAVE_LIMIT).moderate_wave_functions()
     }
 
     #[inline(always)]
-    fn moderate_wave_products(self) -> WaveProducts<Self> {
-        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent } = self.0.moderate_wave_products();
-        let [ch_cos, ch_sin, sh_cos, sh_sin, one] = [ch_cos, ch_sin, sh_cos, sh_sin, one].map(BranchFree);
-        WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent }
+    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
+        let WaveFunctions { sin, cos, sh, ch, one, exponents } = self.0.moderate_wave_functions();
+        let [sin, cos, sh, ch, one] = [sin, cos, sh, ch, one].map(BranchFree);
+        WaveFunctions { sin, cos, sh, ch, one, exponents }
+    }
+
+    #[inline(always)]
+    fn functions<const N: usize, R>(
+        self,
+        values: impl FnOnce(Self::Plain) -> ([Self::Plain; N], R),
+        slopes: impl FnOnce([Self::Plain; N]) -> [Self::Plain; N],
+    ) -> ([Self; N], R) {
+        let plain = |numbers: [Self::Plain; N]| numbers.map(|number| number.0);
+        let values = |number| {
+            let (values, rest) = values(BranchFree(number));
+            (plain(values), rest)
+        };
+        let (values, rest) = self.0.functions(values, |values| plain(slopes(values.map(BranchFree))));
+        (values.map(BranchFree), rest)
+    }
+
+    #[inline(always)]
+    fn constant(value: Self::Plain) -> Self {
+        BranchFree(S::constant(value.0))
+    }
+
+    #[inline(always)]
+    fn is_negative(self) -> bool {
+        self.0.is_negative()
     }
 
     #[inline(always)]

@@ -4,11 +4,12 @@ use crate::number::columns::InColumns;
 use crate::number::exponent::binary_exponent;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Real};
 use crate::number::scalar::Scalar;
-use crate::number::wave_functions::WaveProducts;
+use crate::number::wave_functions::WaveFunctions;
 use num_complex::Complex;
 use num_traits::Zero;
 
 impl<T: Real> Scalar for Complex<T> {
+    type Plain = Self;
     const EPSILON: f64 = T::EPSILON;
     const WAVE_LIMIT: f64 = T::WAVE_LIMIT;
     const SERIES_TERMS: usize = T::SERIES_TERMS;
@@ -64,13 +65,32 @@ impl<T: Real> Scalar for Complex<T> {
     }
 
     #[inline]
-    fn wave_products(self) -> WaveProducts<Self> {
-        WaveProducts::of_complex(self)
+    fn wave_functions(self) -> WaveFunctions<Self> {
+        WaveFunctions::of_parts(&WaveFunctions::of_real(self.re), &WaveFunctions::of_real(self.im))
     }
 
     #[inline(always)]
-    fn moderate_wave_products(self) -> WaveProducts<Self> {
-        WaveProducts::of_moderate_complex(self)
+    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
+        WaveFunctions::of_parts(&WaveFunctions::of_moderate(self.re), &WaveFunctions::of_moderate(self.im))
+    }
+
+    #[inline(always)]
+    fn functions<const N: usize, R>(
+        self,
+        values: impl FnOnce(Self) -> ([Self; N], R),
+        _slopes: impl FnOnce([Self; N]) -> [Self; N],
+    ) -> ([Self; N], R) {
+        values(self)
+    }
+
+    #[inline(always)]
+    fn constant(value: Self) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn is_negative(self) -> bool {
+        false
     }
 
     #[inline]

@@ -3,7 +3,7 @@
 use crate::number::columns::InColumns;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Real, RealFrequency};
 use crate::number::scalar::Scalar;
-use crate::number::wave_functions::WaveProducts;
+use crate::number::wave_functions::WaveFunctions;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 use num_complex::Complex;
 use num_traits::{Num, One, Zero};
@@ -23,28 +23,23 @@ impl<S: Scalar> Dual<S> {
         Dual { value, derivative: S::one() }
     }
 
-    /// A constant: derivative 0.
-    pub fn constant(value: S) -> Self {
-        Dual { value, derivative: S::zero() }
-    }
-
     /// Both parts through one linear map.
     #[inline]
     fn map(self, f: impl Fn(S) -> S) -> Self {
         Dual { value: f(self.value), derivative: f(self.derivative) }
     }
 
-    /// Products of functions of `self`, given those of its value.
+    /// Waves of `self`, given those of its value.
     #[inline(always)]
-    fn of_products(self, products: WaveProducts<S>) -> WaveProducts<Self> {
-        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent } = products;
-        WaveProducts {
-            ch_cos: self.chain(ch_cos, sh_cos - ch_sin),
-            ch_sin: self.chain(ch_sin, sh_sin + ch_cos),
-            sh_cos: self.chain(sh_cos, ch_cos - sh_sin),
-            sh_sin: self.chain(sh_sin, ch_sin + sh_cos),
+    fn of_waves(self, waves: WaveFunctions<S>) -> WaveFunctions<Self> {
+        let WaveFunctions { sin, cos, sh, ch, one, exponents } = waves;
+        WaveFunctions {
+            sin: self.chain(sin, cos),
+            cos: self.chain(cos, -sin),
+            sh: self.chain(sh, ch),
+            ch: self.chain(ch, sh),
             one: Dual::constant(one),
-            exponent,
+            exponents,
         }
     }
 
@@ -150,6 +145,7 @@ impl<S: Scalar> One for Dual<S> {
 }
 
 impl<S: Scalar> Scalar for Dual<S> {
+    type Plain = S;
     const EPSILON: f64 = S::EPSILON;
     const WAVE_LIMIT: f64 = S::WAVE_LIMIT;
     const SERIES_TERMS: usize = S::SERIES_TERMS;
@@ -192,13 +188,34 @@ impl<S: Scalar> Scalar for Dual<S> {
     }
 
     #[inline]
-    fn wave_products(self) -> WaveProducts<Self> {
-        self.of_products(self.value.wave_products())
+    fn wave_functions(self) -> WaveFunctions<Self> {
+        self.of_waves(self.value.wave_functions())
     }
 
     #[inline(always)]
-    fn moderate_wave_products(self) -> WaveProducts<Self> {
-        self.of_products(self.value.moderate_wave_products())
+    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
+        self.of_waves(self.value.moderate_wave_functions())
+    }
+
+    #[inline(always)]
+    fn functions<const N: usize, R>(
+        self,
+        values: impl FnOnce(S) -> ([S; N], R),
+        slopes: impl FnOnce([S; N]) -> [S; N],
+    ) -> ([Self; N], R) {
+        let (values, rest) = values(self.value);
+        let slopes = slopes(values);
+        (core::array::from_fn(|k| self.chain(values[k], slopes[k])), rest)
+    }
+
+    #[inline(always)]
+    fn constant(value: S) -> Self {
+        Dual { value, derivative: S::zero() }
+    }
+
+    #[inline(always)]
+    fn is_negative(self) -> bool {
+        self.value.is_negative()
     }
 
     #[inline]

@@ -5,7 +5,7 @@ use crate::number::double_double::DoubleDouble;
 use crate::number::frequency::{Frequency, Real, RealFrequency};
 use crate::number::kernel;
 use crate::number::scalar::Scalar;
-use crate::number::wave_functions::WaveProducts;
+use crate::number::wave_functions::WaveFunctions;
 
 impl<T: Real> Frequency<T> for T {
     type Meaning = RealFrequency;
@@ -90,6 +90,7 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
 macro_rules! real {
     ($type:ty, $judge:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, $($kernel:item)*)?) => {
         impl Scalar for $type {
+            type Plain = Self;
             const EPSILON: f64 = <$type>::EPSILON as f64;
             const WAVE_LIMIT: f64 = $limit;
             const SERIES_TERMS: usize = $terms;
@@ -121,13 +122,32 @@ macro_rules! real {
 
             // a call: in line its many constants and registers cost short models more than the call does
             #[inline(never)]
-            fn wave_products(self) -> WaveProducts<Self> {
-                WaveProducts::of_real(self)
+            fn wave_functions(self) -> WaveFunctions<Self> {
+                WaveFunctions::of_real(self)
             }
 
             #[inline(always)]
-            fn moderate_wave_products(self) -> WaveProducts<Self> {
-                WaveProducts::of_moderate(self)
+            fn moderate_wave_functions(self) -> WaveFunctions<Self> {
+                WaveFunctions::of_moderate(self)
+            }
+
+            #[inline(always)]
+            fn functions<const N: usize, R>(
+                self,
+                values: impl FnOnce(Self) -> ([Self; N], R),
+                _slopes: impl FnOnce([Self; N]) -> [Self; N],
+            ) -> ([Self; N], R) {
+                values(self)
+            }
+
+            #[inline(always)]
+            fn constant(value: Self) -> Self {
+                value
+            }
+
+            #[inline(always)]
+            fn is_negative(self) -> bool {
+                self < 0.0
             }
 
             #[inline]

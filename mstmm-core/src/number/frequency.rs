@@ -1,7 +1,6 @@
 //! What parameters are, and what a frequency is.
 
 use crate::number::scalar::Scalar;
-use crate::number::wave_functions::WaveFunctions;
 use core::ops::Mul;
 use num_complex::Complex;
 use num_traits::NumAssign;
@@ -116,9 +115,6 @@ pub trait Oscillation<T: Real>: Frequency<T> {
 
     /// Back from the judging arithmetic.
     fn from_extended(value: Self::Extended) -> Self;
-
-    /// Sine, cosine and their hyperbolic kin, free of overflow.
-    fn wave_functions(self) -> WaveFunctions<Self>;
 
     /// The number as a complex one.
     fn to_complex(self) -> Complex<T>;

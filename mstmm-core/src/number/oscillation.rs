@@ -2,7 +2,6 @@
 
 use crate::number::frequency::{Frequency, Oscillation, Real};
 use crate::number::scalar::Scalar;
-use crate::number::wave_functions::WaveFunctions;
 use num_complex::Complex;
 
 impl<T: Real> Oscillation<T> for T {
@@ -15,10 +14,6 @@ impl<T: Real> Oscillation<T> for T {
 
     fn from_extended(value: T::Extended) -> T {
         T::from_f64(value.to_f64())
-    }
-
-    fn wave_functions(self) -> WaveFunctions<T> {
-        WaveFunctions::of_real(self)
     }
 
     fn to_complex(self) -> Complex<T> {
@@ -65,10 +60,6 @@ impl<T: Real> Oscillation<T> for Complex<T> {
 
     fn from_extended(value: Self) -> Self {
         value
-    }
-
-    fn wave_functions(self) -> WaveFunctions<Complex<T>> {
-        WaveFunctions::of_complex(self)
     }
 
     fn to_complex(self) -> Complex<T> {

@@ -1,7 +1,7 @@
 //! Scalars: what matrices are made of.
 
 use crate::number::exponent::binary_exponent;
-use crate::number::wave_functions::WaveProducts;
+use crate::number::wave_functions::WaveFunctions;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{One, Zero};
 
@@ -26,6 +26,9 @@ pub trait Scalar:
 {
     /// Which of the formulas for waves are taken.
     const BRANCHES: Branches = Branches::All;
+
+    /// The number without its derivative.
+    type Plain: Scalar;
 
     /// The unit in the last place of 1.
     const EPSILON: f64;
@@ -67,11 +70,25 @@ pub trait Scalar:
     /// Hyperbolic sine and cosine.
     fn sinh_cosh(self) -> (Self, Self);
 
-    /// Products of the circular and hyperbolic functions of `z`, scaled so that nothing overflows.
-    fn wave_products(self) -> WaveProducts<Self>;
+    /// Sine, cosine and their hyperbolic kin of this number, scaled so that nothing overflows.
+    fn wave_functions(self) -> WaveFunctions<Self>;
 
     /// The same for a size below [`WAVE_LIMIT`](Self::WAVE_LIMIT), where nothing needs to be scaled: no branches.
-    fn moderate_wave_products(self) -> WaveProducts<Self>;
+    fn moderate_wave_functions(self) -> WaveFunctions<Self>;
+
+    /// Functions of this number whose slopes follow from their values, as those of sines, waves and their products do: both are
+    /// given for the number without its derivative, and what comes along with the values is handed on.
+    fn functions<const N: usize, R>(
+        self,
+        values: impl FnOnce(Self::Plain) -> ([Self::Plain; N], R),
+        slopes: impl FnOnce([Self::Plain; N]) -> [Self::Plain; N],
+    ) -> ([Self; N], R);
+
+    /// A constant.
+    fn constant(value: Self::Plain) -> Self;
+
+    /// Whether a real number is below zero; complex ones have no order.
+    fn is_negative(self) -> bool;
 
     /// Largest modulus among the real components, of a dual number those of its value: what pivots and branches compare. NaN if any
     /// of them is.

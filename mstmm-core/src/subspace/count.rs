@@ -11,16 +11,16 @@ use crate::number::scalar::Scalar;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 
-/// What a beam tells the counter besides its planes.
+/// What a bending element says of itself with both its ends held: its clamped count, and what stands beside it in the rule of a
+/// plane.
 #[derive(Clone, Copy, Debug)]
-pub struct BeamSigns<S> {
-    /// Whole half waves along the beam, of `z/π` with `z = βl`; 0 where nothing oscillates (`z⁴ < 0`): then no clamped frequency
-    /// is below.
-    pub half_waves: u64,
-    /// Positive multiple of `1 - ch z cos z`.
-    pub one_minus_product: S,
-    /// `(EI/l³) B/E`, the clamped-clamped stiffness of the input end against deflection.
-    pub clamped_stiffness: S,
+pub struct Held<S> {
+    /// Number of its own frequencies below this one.
+    pub below: u64,
+    /// Whether the factor by which its step has multiplied the minors is negative.
+    pub is_negative: bool,
+    /// Its stiffness against deflection of the input end.
+    pub stiffness: S,
 }
 
 /// Receives what the steps of the plane method have to say for the count.
@@ -29,19 +29,13 @@ pub trait RootCounter<S: Scalar> {
     const COUNTS: bool;
     /// Whether sums that cancel are watched.
     const WATCHES: bool = Self::COUNTS;
-    /// A spring took a line from `before` to `after`.
+    /// An element took a line from `before` to `after`; held at both ends it has `held` frequencies below this one, and its step
+    /// has multiplied the line by a number that `is_negative`.
     #[inline(always)]
-    fn spring(&mut self, _before: &Line<S>, _after: &Line<S>) {}
-    /// A hinge with stiffness `k_y` took a plane from `before` to `after`.
+    fn line(&mut self, _before: &Line<S>, _after: &Line<S>, _held: u64, _is_negative: bool) {}
+    /// An element took a plane from `before` to `after`.
     #[inline(always)]
-    fn hinge(&mut self, _before: &Plane<S>, _after: &Plane<S>, _k_y: S) {}
-    /// A beam took a plane from `before` to `after`.
-    #[inline(always)]
-    fn beam(&mut self, _before: &Plane<S>, _after: &Plane<S>, _signs: BeamSigns<S>) {}
-    /// A wave element of one's own took a line from `before` to `after`; held at both ends it has `held` frequencies
-    /// below this one.
-    #[inline(always)]
-    fn line_waves(&mut self, _before: &Line<S>, _after: &Line<S>, _held: u64, _odd: bool) {}
+    fn plane(&mut self, _before: &Plane<S>, _after: &Plane<S>, _held: Held<S>) {}
     /// A plane goes on as a line of `space`.
     #[inline(always)]
     fn narrowing(&mut self, _plane: &Plane<S>, _space: Space) {}
@@ -192,28 +186,16 @@ impl<T: Real, const IN_LINE: bool, const WATCHES: bool> RootCounter<T> for Wittr
     // a judge always: it computes otherwise where sums cancel
     const WATCHES: bool = WATCHES || T::EPSILON < f64::EPSILON;
 
-    fn spring(&mut self, before: &Line<T>, after: &Line<T>) {
-        self.add_if(line_negative(before) != line_negative(after));
-    }
-
-    fn hinge(&mut self, before: &Plane<T>, after: &Plane<T>, k_y: T) {
-        let determinant_negative = plane_negative(before) != plane_negative(after);
-        self.negative_eigenvalues(determinant_negative, is_stiff(before, k_y));
-    }
-
-    fn beam(&mut self, before: &Plane<T>, after: &Plane<T>, signs: BeamSigns<T>) {
-        let product_negative = signs.one_minus_product < T::zero();
-        let half_waves = signs.half_waves;
-        // clamped-clamped frequencies below: i - (1 - (-1)^i sgn(1 - ch z cos z))/2
-        let odd = half_waves % 2 == 1;
-        self.below = self.below.saturating_add(half_waves.saturating_sub(u64::from(odd != product_negative)));
-        let determinant_negative = plane_negative(before) != (plane_negative(after) != product_negative);
-        self.negative_eigenvalues(determinant_negative, is_stiff(before, signs.clamped_stiffness));
-    }
-
-    fn line_waves(&mut self, before: &Line<T>, after: &Line<T>, held: u64, odd: bool) {
+    fn line(&mut self, before: &Line<T>, after: &Line<T>, held: u64, is_negative: bool) {
         self.below = self.below.saturating_add(held);
-        self.add_if(line_negative(before) != (line_negative(after) != odd));
+        self.add_if(line_negative(before) != (line_negative(after) != is_negative));
+    }
+
+    fn plane(&mut self, before: &Plane<T>, after: &Plane<T>, held: Held<T>) {
+        let Held { below, is_negative, stiffness } = held;
+        self.below = self.below.saturating_add(below);
+        let determinant_negative = plane_negative(before) != (plane_negative(after) != is_negative);
+        self.negative_eigenvalues(determinant_negative, is_stiff(before, stiffness));
     }
 
     fn narrowing(&mut self, plane: &Plane<T>, space: Space) {

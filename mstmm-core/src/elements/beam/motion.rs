@@ -34,7 +34,9 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
         if z.size() <= 1.0 {
             return built.short_links(at);
         }
-        let WaveFunctions { sin, cos, sh, ch, exponent } = z.wave_functions();
+        let WaveFunctions { sin, cos, sh, ch, exponents: [j, k], .. } = z.wave_functions();
+        let [sin, cos] = [sin, cos].map(|circular| circular.times_power_of_two(-k));
+        let [sh, ch] = [sh, ch].map(|hyperbolic| hyperbolic.times_power_of_two(-j));
         let krylov = [ch + cos, sh + sin, ch - cos, sh - sin];
         let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = built.units(at);
         BendingBackTransfer {
@@ -43,7 +45,7 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
             factors: [second * first_inverse, first, second],
             inverses: [first * second_inverse, first_inverse, second_inverse],
             // above stands twice of each
-            exponent: exponent - 1,
+            exponent: j.saturating_add(k) - 1,
         }
     }
 

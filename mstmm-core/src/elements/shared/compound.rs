@@ -3,7 +3,7 @@
 use crate::model::state::Support;
 use crate::number::scalar::{Branches, Scalar};
 use crate::number::scaled::Scaled;
-use crate::subspace::count::{BeamSigns, RootCounter};
+use crate::subspace::count::{Held, RootCounter};
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 
@@ -67,12 +67,21 @@ impl<S: Scalar> BendingCoefficients<S> {
             _ => self.through(&input.plane()).in_range(),
         };
         if C::COUNTS {
-            let BendingCoefficients { z, e, b, .. } = *self;
-            let half_waves = S::whole(z.size() * core::f64::consts::FRAC_1_PI);
-            let clamped_stiffness = self.factors[2] * b / e;
-            counter.beam(&input.plane(), &after, BeamSigns { half_waves, one_minus_product: e, clamped_stiffness });
+            counter.plane(&input.plane(), &after, self.held());
         }
         Subspace::Plane(after)
+    }
+
+    /// The beam with both ends clamped: of `i` whole half waves of `z/π` all frequencies are below but the last where
+    /// `1 - ch z cos z`, a positive multiple of e, has not yet the sign of `(-1)^i`. Nothing oscillates where `z⁴ < 0`.
+    #[inline(always)]
+    fn held(&self) -> Held<S> {
+        let BendingCoefficients { z, e, b, .. } = *self;
+        let half_waves = S::whole(z.size() * core::f64::consts::FRAC_1_PI);
+        let is_negative = e.is_negative();
+        let is_odd = half_waves % 2 == 1;
+        let below = half_waves.saturating_sub(u64::from(is_odd != is_negative));
+        Held { below, is_negative, stiffness: self.factors[2] * b / e }
     }
 
     /// Takes a subspace into the root.

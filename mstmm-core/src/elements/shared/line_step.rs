@@ -25,7 +25,7 @@ pub(crate) fn through_stiffness<S: Scalar, C: RootCounter<S>>(
         }
     };
     if C::COUNTS {
-        counter.spring(&input.line(), &after);
+        counter.line(&input.line(), &after, 0, false);
     }
     Subspace::Line(after, space)
 }

@@ -4,7 +4,6 @@ use crate::number::double_double::DoubleDouble;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
-use crate::number::wave_functions::WaveFunctions;
 use num_complex::Complex;
 
 impl Oscillation<f64> for DoubleDouble {
@@ -17,10 +16,6 @@ impl Oscillation<f64> for DoubleDouble {
 
     fn from_extended(value: Self) -> Self {
         value
-    }
-
-    fn wave_functions(self) -> WaveFunctions<Self> {
-        Oscillation::<DoubleDouble>::wave_functions(self)
     }
 
     /// To the digits of an `f64`: what is inside of a beam is not judged.

@@ -5,7 +5,7 @@ use crate::number::double_double::DoubleDouble;
 use crate::number::dual::Dual;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Real, RealFrequency};
 use crate::number::scalar::Scalar;
-use crate::number::wave_functions::WaveProducts;
+use crate::number::wave_functions::WaveFunctions;
 use core::f64::consts;
 use core::ops::Mul;
 use num_complex::Complex;
@@ -83,6 +83,7 @@ fn nearest_integer(value: f64) -> f64 {
 }
 
 impl Scalar for DoubleDouble {
+    type Plain = Self;
     /// 2^-104: what a handful of roundings may leave, each being up to `5 · 2^-106`.
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
     const WAVE_LIMIT: f64 = 100.0;
@@ -137,13 +138,32 @@ impl Scalar for DoubleDouble {
     }
 
     #[inline]
-    fn wave_products(self) -> WaveProducts<Self> {
-        WaveProducts::of_real(self)
+    fn wave_functions(self) -> WaveFunctions<Self> {
+        WaveFunctions::of_real(self)
     }
 
     #[inline]
-    fn moderate_wave_products(self) -> WaveProducts<Self> {
-        WaveProducts::of_moderate(self)
+    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
+        WaveFunctions::of_moderate(self)
+    }
+
+    #[inline(always)]
+    fn functions<const N: usize, R>(
+        self,
+        values: impl FnOnce(Self) -> ([Self; N], R),
+        _slopes: impl FnOnce([Self; N]) -> [Self; N],
+    ) -> ([Self; N], R) {
+        values(self)
+    }
+
+    #[inline(always)]
+    fn constant(value: Self) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn is_negative(self) -> bool {
+        self.hi < 0.0
     }
 
     #[inline]

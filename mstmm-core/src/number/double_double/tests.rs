@@ -257,12 +257,12 @@ fn scalars_over_double_doubles() {
 
     let mut root = DoubleDouble::from(1.875);
     for _ in 0..4 {
-        let waves = Dual::variable(root).wave_products();
-        let value = waves.ch_cos + waves.one;
+        let waves = Dual::variable(root).wave_functions();
+        let value = waves.ch * waves.cos + waves.one;
         root -= value.value / value.derivative;
     }
     let expected = "1.8751040687119611664453082410782141626".parse::<DoubleDouble>().unwrap();
     assert!((root - expected).size() < FUNCTION * UNIT * 4.0);
-    let waves = Complex::from_parameter(root).wave_products();
-    assert!((waves.ch_cos + waves.one).size() < FUNCTION * UNIT * 8.0);
+    let waves = Complex::from_parameter(root).wave_functions();
+    assert!((waves.ch * waves.cos + waves.one).size() < FUNCTION * UNIT * 8.0);
 }

@@ -4,7 +4,7 @@ use crate::model::state::{Space, Support};
 use crate::number::branch_free::BranchFree;
 use crate::number::scalar::Scalar;
 use crate::pass::block::WIDTH;
-use crate::subspace::count::{BeamSigns, RootCounter};
+use crate::subspace::count::{Held, RootCounter};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 
@@ -81,42 +81,25 @@ impl<S: Scalar, C: RootCounter<S>, const SERIES: bool> RootCounter<BranchFree<S,
     }
 
     #[inline(always)]
-    fn spring(&mut self, before: &Line<BranchFree<S, SERIES>>, after: &Line<BranchFree<S, SERIES>>) {
-        self.0.spring(&line(before), &line(after));
-    }
-
-    #[inline(always)]
-    fn hinge(
-        &mut self,
-        before: &Plane<BranchFree<S, SERIES>>,
-        after: &Plane<BranchFree<S, SERIES>>,
-        k_y: BranchFree<S, SERIES>,
-    ) {
-        self.0.hinge(&plane(before), &plane(after), k_y.0);
-    }
-
-    #[inline(always)]
-    fn beam(
-        &mut self,
-        before: &Plane<BranchFree<S, SERIES>>,
-        after: &Plane<BranchFree<S, SERIES>>,
-        signs: BeamSigns<BranchFree<S, SERIES>>,
-    ) {
-        let BeamSigns { half_waves, one_minus_product, clamped_stiffness } = signs;
-        let signs =
-            BeamSigns { half_waves, one_minus_product: one_minus_product.0, clamped_stiffness: clamped_stiffness.0 };
-        self.0.beam(&plane(before), &plane(after), signs);
-    }
-
-    #[inline(always)]
-    fn line_waves(
+    fn line(
         &mut self,
         before: &Line<BranchFree<S, SERIES>>,
         after: &Line<BranchFree<S, SERIES>>,
         held: u64,
-        odd: bool,
+        is_negative: bool,
     ) {
-        self.0.line_waves(&line(before), &line(after), held, odd);
+        self.0.line(&line(before), &line(after), held, is_negative);
+    }
+
+    #[inline(always)]
+    fn plane(
+        &mut self,
+        before: &Plane<BranchFree<S, SERIES>>,
+        after: &Plane<BranchFree<S, SERIES>>,
+        held: Held<BranchFree<S, SERIES>>,
+    ) {
+        let Held { below, is_negative, stiffness } = held;
+        self.0.plane(&plane(before), &plane(after), Held { below, is_negative, stiffness: stiffness.0 });
     }
 
     #[inline(always)]
