@@ -1,6 +1,6 @@
 //! Where a motion of the system shows best: the entries of states at all ends of elements, made comparable.
 
-use crate::element::energies::Energies;
+use crate::element::moving::{CoefficientsOf, Moving};
 use crate::model::layout::Step;
 use crate::model::state::{Coordinate, Space};
 use crate::number::frequency_powers::FrequencyPowers;
@@ -31,7 +31,7 @@ pub(crate) struct UnitsOf<'a, S>(pub(super) &'a FrequencyPowers<S>);
 impl<S: Scalar> Visit<S> for UnitsOf<'_, S> {
     type Output = [f64; 2];
 
-    fn element<E: Energies<S>>(self, built: &E::Built) -> [f64; 2] {
+    fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> [f64; 2] {
         E::units(built, self.0)
     }
 }
@@ -40,9 +40,9 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// Calls a function with every candidate.
     pub(crate) fn for_each_candidate(&self, mut f: impl FnMut(Candidate)) {
         let at = comparable(self.system, self.at.x);
-        for step in 0..Y::scheme().len() {
-            let Step::Element(input, space) = Y::scheme().steps[step] else { continue };
-            let Some([y, theta]) = self.system.visit(step, UnitsOf(&at)) else { continue };
+        for step in 0..self.system.scheme().len() {
+            let Step::Element(input, space) = self.system.scheme().steps[step] else { continue };
+            let Some([y, theta]) = self.system.visit(None, step, UnitsOf(&at)) else { continue };
             let entries: &[(Coordinate, f64)] = match space {
                 Space::Translation => &[(Coordinate::Y, y), (Coordinate::Q, 1.0 / y)],
                 Space::Rotation => &[(Coordinate::Theta, theta), (Coordinate::M, 1.0 / theta)],

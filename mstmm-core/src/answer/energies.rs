@@ -1,7 +1,7 @@
 //! Forms of motions: mass, stiffness and damping of elements, and their sums over a system.
 
 use crate::answer::states::SystemStates;
-use crate::element::energies::Energies;
+use crate::element::moving::{CoefficientsOf, Moving};
 use crate::model::ends::Ends;
 use crate::number::scalar::Scalar;
 use crate::pass::tree::{Tree, Visit};
@@ -24,7 +24,7 @@ pub(crate) struct FormOf<S> {
 impl<S: Scalar> Visit<S> for FormOf<S> {
     type Output = S;
 
-    fn element<E: Energies<S>>(self, built: &E::Built) -> S {
+    fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> S {
         match self.form {
             Form::Mass => E::mass_form(built, &self.first, &self.second),
             Form::Stiffness => E::stiffness_form(built, &self.first, &self.second),
@@ -36,7 +36,8 @@ impl<S: Scalar> Visit<S> for FormOf<S> {
 impl<Y: Tree<S> + ?Sized, S: Scalar> SystemStates<'_, Y, S> {
     /// A form of this motion and another, summed over the system.
     pub(crate) fn form(&self, form: Form, other: &Self) -> S {
-        let of = |step| self.system.visit(step, FormOf { form, first: self.ends(step), second: other.ends(step) });
-        (0..Y::scheme().len()).filter_map(of).fold(S::zero(), |sum, form| sum + form)
+        let of =
+            |step| self.system.visit(None, step, FormOf { form, first: self.ends(step), second: other.ends(step) });
+        (0..self.system.scheme().len()).filter_map(of).fold(S::zero(), |sum, form| sum + form)
     }
 }

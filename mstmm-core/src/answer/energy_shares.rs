@@ -32,7 +32,8 @@ where
     pub fn energy_shares<E: Element>(&self, label: Label<Y::Model, E>) -> EnergyShares<Y::Parameter> {
         let share = |form: Form| {
             let of = |step: usize| self.energy(form, step);
-            let whole = (0..Y::scheme().len()).map(of).fold(Y::Parameter::from_f64(0.0), |sum, part| sum + part);
+            let whole =
+                (0..self.system.scheme().len()).map(of).fold(Y::Parameter::from_f64(0.0), |sum, part| sum + part);
             if whole.is_zero() { whole } else { of(label.step) / whole }
         };
         EnergyShares { strain: share(Form::Stiffness), kinetic: share(Form::Mass), dissipated: share(Form::Damping) }
@@ -43,7 +44,7 @@ where
         let first = self.ends(step);
         let conjugate = |state: State<S>| state.map(S::conjugate);
         let second = Ends { x: first.x.conjugate(), input: conjugate(first.input), output: conjugate(first.output) };
-        let value = self.system.visit(step, FormOf { form, first, second });
+        let value = self.system.visit(None, step, FormOf { form, first, second });
         value.map_or(Y::Parameter::from_f64(0.0), |value| value.to_complex().re)
     }
 }

@@ -15,7 +15,7 @@ use crate::pass::both_ways::Passes;
 use crate::pass::characteristic::System;
 use crate::pass::jump::{Jump, Meeting, dual_of};
 use crate::pass::transfer_path::{Carried, Crossing, Follow};
-use crate::pass::tree::{Planned, Tree, TreeInBlocks};
+use crate::pass::tree::{Planned, Tree};
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 use num_traits::One;
@@ -67,13 +67,13 @@ pub(crate) struct Place {
 
 impl Place {
     /// Where a load acts, and what it makes jump: Q or M.
-    pub(crate) fn of_load<Y: Planned + ?Sized>(load: Load<Y::Model>) -> Result<Self, MotionError> {
-        Place::new(Y::scheme(), load.point.step, false, load.coordinate)
+    pub(crate) fn of_load<Y: Planned + ?Sized>(system: &Y, load: Load<Y::Model>) -> Result<Self, MotionError> {
+        Place::new(system.scheme(), load.point.step, false, load.coordinate)
     }
 
     /// Where an entry is.
-    pub(crate) fn of_entry<Y: Planned + ?Sized>(entry: Entry<Y::Model>) -> Result<Self, MotionError> {
-        Place::new(Y::scheme(), entry.point.step, entry.point.beyond, entry.coordinate)
+    pub(crate) fn of_entry<Y: Planned + ?Sized>(system: &Y, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
+        Place::new(system.scheme(), entry.point.step, entry.point.beyond, entry.coordinate)
     }
 
     /// The entry at a point; at a connection that goes on to fewer states one of its inputs may have what it leaves behind.
@@ -96,9 +96,9 @@ impl Place {
 
 impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     pub(crate) fn new(system: &'a Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
-        let scheme = Y::scheme();
-        let load = Place::of_load::<Y>(load)?;
-        let entry = Place::of_entry::<Y>(entry)?;
+        let scheme = system.scheme();
+        let load = Place::of_load(system, load)?;
+        let entry = Place::of_entry(system, entry)?;
         let (mut between, mut below) = (Y::per_step(false), Y::per_step(false));
         let mut course = Course::Aside;
         for end in [load.step, entry.step] {
@@ -234,7 +234,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
 
     /// Follows the motion from the load to the entry.
     fn follow(&self, motion: &mut impl Follow) {
-        let scheme = Y::scheme();
+        let scheme = self.system.scheme();
         let leads_over = |step: &usize| self.between.as_ref()[*step];
         let mut step = self.load.step;
         let mut is_downstream = self.course != Course::Upstream;
@@ -294,13 +294,13 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     /// shorter than `grid`.
     pub fn on<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
     where
-        Y: TreeInBlocks<S>,
+        Y: Tree<S>,
         S: Oscillation<Y::Parameter> + InColumns,
     {
         if values.len() < grid.len() {
             return Err(MotionError::Capacity { capacity: values.len() });
         }
-        if grid.len() >= WORTHWHILE && Y::scheme().len() <= LARGEST_IN_BLOCKS {
+        if grid.len() >= WORTHWHILE && self.system.scheme().len() <= LARGEST_IN_BLOCKS {
             return self.in_blocks(grid, values);
         }
         self.one_by_one(grid, values)
@@ -321,7 +321,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     #[inline(never)]
     fn in_blocks<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
     where
-        Y: TreeInBlocks<S>,
+        Y: Tree<S>,
         S: Oscillation<Y::Parameter> + InColumns,
     {
         let mut passes = BlockPasses::new(self.system);

@@ -35,7 +35,7 @@ where
                 largest = y;
             }
         };
-        for step in 0..Y::scheme().len() {
+        for step in 0..self.system.scheme().len() {
             keep(self.states.as_ref()[step].y);
             let Some(inside) = self.inside(step) else { continue };
             let width = inside.length / f64::from(inside.samples());

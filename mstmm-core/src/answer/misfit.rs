@@ -25,8 +25,8 @@ where
     fn misfit(&self) -> f64 {
         let (mut whole, mut worst) = (0.0_f64, 0.0_f64);
         let at = comparable(self.system, self.x);
-        for step in 0..Y::scheme().len() {
-            match Y::scheme().steps[step] {
+        for step in 0..self.system.scheme().len() {
+            match self.system.scheme().steps[step] {
                 Step::Element(..) => {
                     let units = self.units(step, &at);
                     let ends = self.ends(step);
@@ -47,14 +47,14 @@ where
         for &input in inputs {
             let State { m, q, .. } = self.at(input, true);
             left = State { m: left.m - m, q: left.q - q, ..left };
-            if let Step::Element(..) = Y::scheme().steps[input] {
+            if let Step::Element(..) = self.system.scheme().steps[input] {
                 let own = self.units(input, at);
                 units = [units[0].max(own[0]), units[1].max(own[1])];
             }
         }
         let mut gap = State { y: S::zero(), theta: S::zero(), ..left };
         for coordinate in [Coordinate::Y, Coordinate::Theta] {
-            let has = |step: &usize| Y::scheme().behind(*step).coordinates().contains(&coordinate);
+            let has = |step: &usize| self.system.scheme().behind(*step).coordinates().contains(&coordinate);
             let mut values =
                 inputs.iter().filter(|input| has(input)).map(|&input| self.at(input, true).entry(coordinate));
             let Some(first) = values.next() else { continue };
@@ -73,7 +73,7 @@ where
     }
 
     fn units(&self, step: usize, at: &FrequencyPowers<S>) -> [f64; 2] {
-        self.system.visit(step, UnitsOf(at)).unwrap_or_default()
+        self.system.visit(None, step, UnitsOf(at)).unwrap_or_default()
     }
 }
 

@@ -70,7 +70,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         R: Root<T> + 'r,
         Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
     {
-        let places = Places::new::<Y>(load, entry)?;
+        let places = Places::new(system, load, entry)?;
         let (rigid, residual) = (T::zero(), T::zero());
         let mut response = ModalResponse { terms: List::new(), rigid, residual, meaning: PhantomData };
         let mut at_rest = None;
@@ -260,11 +260,11 @@ struct Places {
 }
 
 impl Places {
-    fn new<Y: Planned + ?Sized>(load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
-        let mut load = Place::of_load::<Y>(load)?;
+    fn new<Y: Planned + ?Sized>(system: &Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
+        let mut load = Place::of_load(system, load)?;
         // a force does work along the deflection, a moment along the rotation
         load.coordinate = if load.coordinate == Coordinate::M { Coordinate::Theta } else { Coordinate::Y };
-        Ok(Places { load, entry: Place::of_entry::<Y>(entry)? })
+        Ok(Places { load, entry: Place::of_entry(system, entry)? })
     }
 
     /// `φ φ` of a shape.

@@ -75,7 +75,7 @@ where
     // the root, too, is rounded, which is too much where others are close: its nearer value is sought where the shape shows
     let point = match &plain {
         Ok(shape) if shape.is_doubtful() => shape.source,
-        Err(MotionError::NotARoot { .. }) => Y::scheme().len() - 2,
+        Err(MotionError::NotARoot { .. }) => system.scheme().len() - 2,
         _ => return plain,
     };
     if !S::HAS_EXTENDED {

@@ -1,7 +1,8 @@
 //! The states of a whole system in one motion.
 
 use crate::answer::error::MotionError;
-use crate::element::energies::{Energies, Inside};
+use crate::element::energies::Inside;
+use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::traits::Element;
 use crate::model::ends::Ends;
 use crate::model::label::{Label, Point};
@@ -62,7 +63,7 @@ where
 
     /// The states at both ends of the element of a step.
     pub(crate) fn ends(&self, step: usize) -> Ends<S> {
-        let input = match Y::scheme().steps[step] {
+        let input = match self.system.scheme().steps[step] {
             Step::Element(input, _) if input == self.source => self.beyond,
             Step::Element(input, _) => self.states.as_ref()[input],
             _ => State::default(),
@@ -72,12 +73,12 @@ where
 
     /// The inside of the element of a step.
     pub(crate) fn inside(&self, step: usize) -> Option<Inside> {
-        self.system.visit(step, InsideOf(self.x)).flatten()
+        self.system.visit(None, step, InsideOf(self.x)).flatten()
     }
 
     /// The state inside of the element of a step.
     pub(crate) fn state_at(&self, step: usize, distance: f64) -> State<S> {
-        self.system.visit(step, StateAt { ends: self.ends(step), distance }).unwrap_or_default()
+        self.system.visit(None, step, StateAt { ends: self.ends(step), distance }).unwrap_or_default()
     }
 
     /// The state at a point of a step, on the side that the point is about.
@@ -109,7 +110,7 @@ struct InsideOf<S>(S);
 impl<S: Scalar> Visit<S> for InsideOf<S> {
     type Output = Option<Inside>;
 
-    fn element<E: Energies<S>>(self, built: &E::Built) -> Option<Inside> {
+    fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> Option<Inside> {
         E::inside(built, self.0)
     }
 }
@@ -122,7 +123,7 @@ struct StateAt<S> {
 impl<S: Scalar> Visit<S> for StateAt<S> {
     type Output = State<S>;
 
-    fn element<E: Energies<S>>(self, built: &E::Built) -> State<S> {
+    fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> State<S> {
         E::state_at(built, &self.ends, self.distance)
     }
 }

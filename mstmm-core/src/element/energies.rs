@@ -1,13 +1,10 @@
-//! What an element says about its motion: how states go through it against the transfer direction, its energies, and how
-//! the parameters change them.
+//! The energies of an element, and how its parameters change them.
 
-use crate::element::traits::PlaneStep;
+use crate::element::traits::Element;
 use crate::model::ends::Ends;
 use crate::model::state::State;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::subspace::Subspace;
 
 /// The inside of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +15,7 @@ pub struct Inside {
     pub wave_number: f64,
 }
 
-/// An element whose motion is known: what mode shapes, responses and sensitivities need besides the plane method.
+/// An element whose energies are known, whatever carries states through it.
 ///
 /// The dynamic work of an element is `L = V + λ² T + λ D`, with `2V` its stiffness, `2T` its mass and `2D` its damping form.
 /// Summed over a system it is stationary at a motion of its own and zero there, so that `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`.
@@ -28,27 +25,9 @@ pub struct Inside {
     note = "mode shapes, responses and sensitivities need it; planar elements have none yet, an element of your own \
             implements `mstmm::Energies<S>`"
 )]
-pub trait Energies<S: Scalar>: PlaneStep<S> {
-    /// What [`back_transfer`](Motion::back_transfer) needs of a frequency.
-    type BackCoefficients;
-
+pub trait Energies<S: Scalar>: Element {
     /// The derivatives with respect to the parameters: the struct of the parameters, over `S`.
     type Gradient;
-
-    /// Whether the element looks the same from both ends.
-    const SYMMETRIC: bool;
-
-    /// The element seen from its output end; itself if it is symmetric.
-    fn reversed(built: &Self::Built) -> Self::Built;
-
-    /// What `back_transfer` needs of a frequency.
-    fn links(built: &Self::Built, at: &FrequencyPowers<S>) -> Self::BackCoefficients;
-
-    /// The covector at the input end: with the subspaces that `PlaneStep::step` takes and returns it gives the state at the
-    /// input end where `covector` gives that at the output end.
-    ///
-    /// `step` maps a plane to `c U P Uᵀ` and a line to `c U l`; this is `c Uᵀ η` or `c t`.
-    fn back_transfer(links: &Self::BackCoefficients, input: &Subspace<S>, covector: Covector<S>) -> Covector<S>;
 
     /// Sizes of the forces per displacement, `[Q/Y, M/Θ]`, that are usual in the element: what makes entries of a state
     /// comparable.
@@ -70,7 +49,7 @@ pub trait Energies<S: Scalar>: PlaneStep<S> {
         None
     }
 
-    /// The state at a distance from the input end, within the length that [`inside`](Motion::inside) tells.
+    /// The state at a distance from the input end, within the length that [`inside`](Energies::inside) tells.
     fn state_at(_built: &Self::Built, ends: &Ends<S>, _distance: f64) -> State<S> {
         ends.input
     }

@@ -1,4 +1,6 @@
 //! What an element is, how subspaces go through it, and its energies.
 
+pub(crate) mod back_transfer;
 pub(crate) mod energies;
+pub(crate) mod moving;
 pub(crate) mod traits;

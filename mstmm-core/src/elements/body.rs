@@ -1,8 +1,9 @@
 //! Rigid body in a bending path.
 
+use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::Energies;
 use crate::element::traits::{Element, PlaneStep, TransferMatrix};
-use crate::elements::shared::line_energies::half;
+use crate::elements::shared::line_forms::half;
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
 use crate::model::estimates::FrequencyEstimates;
@@ -189,9 +190,8 @@ impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Energies<S> for Body<T> {
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Body<T> {
     type BackCoefficients = BodyCoefficients<T, S>;
-    type Gradient = Body<S>;
     const SYMMETRIC: bool = false;
 
     /// The same body about its output end: the levers from its mass centre change places.
@@ -200,7 +200,7 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Body<T> {
         BuiltBody { levers: Levers::new(output, built.centre_to_output), centre_to_output: centre, ..*built }
     }
 
-    fn links(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> BodyCoefficients<T, S> {
+    fn back_coefficients(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> BodyCoefficients<T, S> {
         Self::coefficients(built, at)
     }
 
@@ -211,6 +211,10 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Body<T> {
         let entries = [y - force, theta + output.times(y) + j * m - centre.times(force), m, q + output.times(m)];
         Covector::Plane(entries, exponent)
     }
+}
+
+impl<T: Real, S: Oscillation<T>> Energies<S> for Body<T> {
+    type Gradient = Body<S>;
 
     fn units(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
         let BodyCoefficients { a, j, levers: Levers { centre, .. }, .. } = Self::coefficients(built, at);

@@ -1,8 +1,9 @@
 //! Elastic hinge in a bending path.
 
+use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::Energies;
 use crate::element::traits::{Element, PlaneStep, TransferMatrix};
-use crate::elements::shared::line_energies::{elongations, half};
+use crate::elements::shared::line_forms::{elongations, half};
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
 use crate::model::estimates::FrequencyEstimates;
@@ -121,16 +122,15 @@ impl<T: Real, S: Frequency<T>> HingeCoefficients<T, S> {
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Energies<S> for ElasticHinge<T> {
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for ElasticHinge<T> {
     type BackCoefficients = HingeCoefficients<T, S>;
-    type Gradient = ElasticHinge<S>;
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &Self) -> Self {
         *built
     }
 
-    fn links(built: &Self, at: &FrequencyPowers<S>) -> HingeCoefficients<T, S> {
+    fn back_coefficients(built: &Self, at: &FrequencyPowers<S>) -> HingeCoefficients<T, S> {
         Self::coefficients(built, at)
     }
 
@@ -141,6 +141,10 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for ElasticHinge<T> {
         let entries = [y * product, theta * product, m * product + theta * k_y, q * product - y * k_theta];
         Covector::Plane(entries, exponent)
     }
+}
+
+impl<T: Real, S: Oscillation<T>> Energies<S> for ElasticHinge<T> {
+    type Gradient = ElasticHinge<S>;
 
     fn units(built: &Self, _at: &FrequencyPowers<S>) -> [f64; 2] {
         [built.stiffness_y.to_f64(), built.stiffness_theta.to_f64()]

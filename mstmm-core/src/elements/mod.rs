@@ -3,39 +3,25 @@
 mod any;
 mod beam;
 mod body;
-mod damper;
 mod elastic_hinge;
-mod inertia;
 #[cfg(test)]
 mod laws;
-mod mass;
+mod line;
 mod planar_beam;
 mod planar_body;
 mod planar_hinge;
 mod point_mass;
 pub(crate) mod shared;
-mod spring;
-mod spring_damper;
-mod torsion_damper;
-mod torsion_spring;
-mod torsion_spring_damper;
 
 pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
 pub use body::Body;
-pub use damper::Damper;
 pub use elastic_hinge::ElasticHinge;
-pub use inertia::Inertia;
-pub use mass::Mass;
+pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 pub use planar_beam::PlanarBeam;
 pub use planar_body::PlanarBody;
 pub use planar_hinge::PlanarHinge;
 pub use point_mass::PointMass;
-pub use spring::Spring;
-pub use spring_damper::SpringDamper;
-pub use torsion_damper::TorsionDamper;
-pub use torsion_spring::TorsionSpring;
-pub use torsion_spring_damper::TorsionSpringDamper;
 
 /// Declares the list of the elements, which the laws of the tests and the lists of steps share. Planar elements, which have
 /// no step of the plane method and no damping, stand apart.

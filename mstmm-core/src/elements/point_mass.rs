@@ -1,8 +1,9 @@
 //! Lumped mass inside a bending path.
 
+use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::Energies;
 use crate::element::traits::{Element, PlaneStep, TransferMatrix};
-use crate::elements::shared::line_energies::{displacements, half};
+use crate::elements::shared::line_forms::{displacements, half};
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
 use crate::model::estimates::FrequencyEstimates;
@@ -90,16 +91,15 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Energies<S> for PointMass<T> {
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for PointMass<T> {
     type BackCoefficients = PointMassCoefficients<S>;
-    type Gradient = PointMass<S>;
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &Self) -> Self {
         *built
     }
 
-    fn links(built: &Self, at: &FrequencyPowers<S>) -> PointMassCoefficients<S> {
+    fn back_coefficients(built: &Self, at: &FrequencyPowers<S>) -> PointMassCoefficients<S> {
         Self::coefficients(built, at)
     }
 
@@ -107,6 +107,10 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for PointMass<T> {
         let ([y, theta, m, q], exponent) = covector.entries();
         Covector::Plane([y - links.a * q, theta + links.j * m, m, q], exponent)
     }
+}
+
+impl<T: Real, S: Oscillation<T>> Energies<S> for PointMass<T> {
+    type Gradient = PointMass<S>;
 
     fn units(built: &Self, at: &FrequencyPowers<S>) -> [f64; 2] {
         let PointMassCoefficients { a, j } = Self::coefficients(built, at);

@@ -1,12 +1,12 @@
 //! Subspaces behind every step of a tree: what the boundary conditions upstream leave of the state there, and what those
 //! downstream leave of it.
 
-use crate::element::energies::Energies;
+use crate::element::moving::{CoefficientsOf, Moving};
 use crate::model::layout::Step;
 use crate::model::state::{Space, Support};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
-use crate::pass::tree::{Tree, VisitAt};
+use crate::pass::tree::{Tree, Visit};
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
@@ -30,15 +30,17 @@ struct Through<'a, S> {
     against: bool,
 }
 
-impl<S: Scalar> VisitAt<S> for Through<'_, S> {
+impl<S: Scalar> Visit<S> for Through<'_, S> {
     type Output = Subspace<S>;
 
-    fn element<E: Energies<S>>(self, built: &E::Built, coefficients: &E::Coefficients) -> Subspace<S> {
-        if self.against && !E::SYMMETRIC {
-            let coefficients = E::coefficients(&E::reversed(built), self.at);
-            return E::step(&coefficients, self.input, &mut NoCount);
+    fn element<E: Moving<S>>(self, built: &E::Built, coefficients: Option<&CoefficientsOf<E, S>>) -> Subspace<S> {
+        match coefficients {
+            Some(coefficients) if E::SYMMETRIC || !self.against => E::step(coefficients, self.input, &mut NoCount),
+            _ => {
+                let reversed = if self.against { &E::reversed(built) } else { built };
+                E::step(&E::coefficients(reversed, self.at), self.input, &mut NoCount)
+            }
         }
-        E::step(coefficients, self.input, &mut NoCount)
     }
 }
 
@@ -54,7 +56,7 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
             upstream: Y::per_step(nothing),
             downstream: Y::per_step(nothing),
         };
-        let scheme = Y::scheme();
+        let scheme = system.scheme();
         for step in (0..scheme.len()).filter(|step| needed(*step)) {
             let subspace = match scheme.steps[step] {
                 Step::Tip(support) => Subspace::Tip(support, scheme.space(step)),
@@ -76,7 +78,7 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
 
     /// The pass from the root to a step.
     pub(crate) fn down_to(&mut self, step: usize) {
-        let scheme = Y::scheme();
+        let scheme = self.system.scheme();
         let below = scheme.downstream(step);
         if let Step::Connection(_) | Step::Element(..) = scheme.steps[below] {
             self.down_to(below);
@@ -86,14 +88,14 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
 
     /// The pass from the root to all steps.
     fn down_to_all(&mut self) {
-        for step in (0..Y::scheme().len() - 1).rev() {
+        for step in (0..self.system.scheme().len() - 1).rev() {
             self.look_down(step);
         }
     }
 
     /// What is downstream of a step, given what is downstream of the next.
     fn look_down(&mut self, step: usize) {
-        let scheme = Y::scheme();
+        let scheme = self.system.scheme();
         let below = scheme.downstream(step);
         let beyond = self.downstream.as_ref()[below];
         self.downstream.as_mut()[step] = match scheme.steps[below] {
@@ -107,7 +109,7 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
 
     /// A subspace through the element of a step.
     fn through(&self, step: usize, input: Subspace<S>, against: bool) -> Subspace<S> {
-        self.system.visit_at(&self.evaluated, step, Through { at: &self.at, input, against }).unwrap_or(input)
+        self.system.visit(Some(&self.evaluated), step, Through { at: &self.at, input, against }).unwrap_or(input)
     }
 
     /// The sum of the paths at a connection, that from downstream among them if it is given, without one of the inputs, to go

@@ -36,7 +36,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
         Meeting {
             upstream: self.upstream.as_ref()[step],
             downstream: self.downstream.as_ref()[step].mirrored(),
-            space: Y::scheme().behind(step),
+            space: self.system.scheme().behind(step),
         }
     }
 }

@@ -37,7 +37,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
         let last = self.recover_downstream(source, downstream, &mut recovered, &mut pending);
         self.recover_upstream(&mut recovered, &mut pending);
         let states = recovered.states.as_mut();
-        states[Y::scheme().len() - 1] = if last == source { recovered.beyond } else { states[last] };
+        states[self.system.scheme().len() - 1] = if last == source { recovered.beyond } else { states[last] };
         recovered
     }
 
@@ -49,7 +49,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
         recovered: &mut RecoveredStates<Y, S>,
         pending: &mut Pending<Y, S>,
     ) -> usize {
-        let scheme = Y::scheme();
+        let scheme = self.system.scheme();
         let mut step = source;
         loop {
             let below = scheme.downstream(step);
@@ -74,7 +74,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
 
     /// From all steps with a covector to the tips.
     fn recover_upstream(&self, recovered: &mut RecoveredStates<Y, S>, pending: &mut Pending<Y, S>) {
-        let scheme = Y::scheme();
+        let scheme = self.system.scheme();
         for step in (0..scheme.len()).rev() {
             let Some(covector) = pending.as_ref()[step] else { continue };
             recovered.states.as_mut()[step] = covector.pick(&self.upstream.as_ref()[step]);

@@ -1,6 +1,6 @@
 //! The way of a covector through a tree, step by step: against an element, and across a connection from one path to another.
 
-use crate::element::energies::Energies;
+use crate::element::moving::{CoefficientsOf, Moving};
 use crate::model::layout::{Scheme, Step};
 use crate::model::scaled_state::ScaledState;
 use crate::model::state::Space;
@@ -24,11 +24,11 @@ struct PullBack<'a, S> {
 impl<S: Scalar> Visit<S> for PullBack<'_, S> {
     type Output = Covector<S>;
 
-    fn element<E: Energies<S>>(self, built: &E::Built) -> Covector<S> {
+    fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> Covector<S> {
         let links = if self.against && !E::SYMMETRIC {
-            E::links(&E::reversed(built), self.at)
+            E::back_coefficients(&E::reversed(built), self.at)
         } else {
-            E::links(built, self.at)
+            E::back_coefficients(built, self.at)
         };
         E::back_transfer(&links, self.input, self.covector)
     }
@@ -37,17 +37,17 @@ impl<S: Scalar> Visit<S> for PullBack<'_, S> {
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// A covector from behind the element of a step to before it, or `against` the transfer direction the other way.
     pub(crate) fn pulled_back(&self, step: usize, covector: Covector<S>, against: bool) -> Covector<S> {
-        let input = match Y::scheme().steps[step] {
+        let input = match self.system.scheme().steps[step] {
             Step::Element(input, _) if !against => &self.upstream.as_ref()[input],
             _ => &self.downstream.as_ref()[step],
         };
         let visitor = PullBack { at: &self.at, input, covector, against };
-        self.system.visit(step, visitor).unwrap_or(covector).rescaled()
+        self.system.visit(None, step, visitor).unwrap_or(covector).rescaled()
     }
 
     /// A covector across a connection; that of the path downstream is always in the frame of a path that arrives from there.
     pub(crate) fn through_connection(&self, crossing: Crossing, covector: Covector<S>) -> Covector<S> {
-        let (scheme, at) = (Y::scheme(), crossing.at);
+        let (scheme, at) = (self.system.scheme(), crossing.at);
         let others = crossing.others(scheme).map(|input| self.upstream.as_ref()[input]);
         let beyond = crossing.is_between_inputs().then(|| self.downstream.as_ref()[at].mirrored());
         let others = connection(others.chain(beyond), Some(scheme.space(at)), &mut NoCount);

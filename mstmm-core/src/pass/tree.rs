@@ -1,35 +1,33 @@
-//! A built system as a tree whose elements can be visited one by one: what the macro emits for motions.
+//! A built system as a plan whose elements can be visited one by one.
 
-use crate::element::energies::Energies;
-use crate::element::traits::PlaneStep;
+use crate::element::moving::{CoefficientsOf, Moving, Stepping};
 use crate::model::layout::Scheme;
-use crate::number::branch_free::BranchFree;
 use crate::number::frequency::{ExtendedOf, Oscillation};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
 use core::fmt::Debug;
 
-/// What is done with an element, of whatever type.
-pub trait Visit<S: Scalar> {
+/// What a pass does with an element, of whatever type: at one frequency, or at the frequencies of a block.
+pub trait VisitStep<S: Scalar> {
     /// What comes of it.
     type Output;
 
     /// Visits an element.
-    fn element<E: Energies<S>>(self, built: &E::Built) -> Self::Output;
+    fn element<E: Stepping<S>>(self, built: &E::Built) -> Self::Output;
 }
 
-/// What is done with an element at a frequency.
-pub trait VisitAt<S: Scalar> {
+/// What an answer about motions does with an element, of whatever type.
+pub trait Visit<S: Scalar> {
     /// What comes of it.
     type Output;
 
-    /// Visits an element with what was computed of it at the frequency.
-    fn element<E: Energies<S>>(self, built: &E::Built, coefficients: &E::Coefficients) -> Self::Output;
+    /// Visits an element, with what was computed of it at a frequency if that was evaluated.
+    fn element<E: Moving<S>>(self, built: &E::Built, coefficients: Option<&CoefficientsOf<E, S>>) -> Self::Output;
 }
 
 /// A built system with its plan.
-pub trait Planned {
+pub trait Planned: System {
     /// The model whose labels it has.
     type Model;
 
@@ -40,15 +38,27 @@ pub trait Planned {
     fn per_step<V: Copy + Debug>(value: V) -> Self::PerStep<V>;
 
     /// The plan.
-    fn scheme() -> Scheme<'static>;
+    fn scheme(&self) -> Scheme<'_>;
+}
+
+/// A built system whose elements all say how subspaces go through them.
+#[diagnostic::on_unimplemented(
+    message = "the steps of `{Self}` are not known at frequencies of type `{S}`",
+    note = "a real ω is a frequency of undamped systems only; planar elements take no part in the plane method; an element of \
+            your own implements `mstmm::PlaneStep<S>` for every `S`"
+)]
+pub trait Steps<S: Scalar>: Planned {
+    /// Visits the element of a step; `None` where the step is none.
+    fn visit_step<V: VisitStep<S>>(&self, step: usize, visitor: V) -> Option<V::Output>;
 }
 
 /// A built system whose elements all say how they move.
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
-    note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet"
+    note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet; an element of your own \
+            implements `mstmm::BackTransfer<S>` and `mstmm::Energies<S>`, and `mstmm::PlaneStep<S>` for every `S`"
 )]
-pub trait Tree<S: Scalar>: System + Planned {
+pub trait Tree<S: Scalar>: Planned {
     /// Coefficients of all elements at a frequency.
     type Evaluated;
 
@@ -58,33 +68,11 @@ pub trait Tree<S: Scalar>: System + Planned {
     /// Computes what depends on the frequency, once for equal elements.
     fn evaluate(&self, at: &FrequencyPowers<S>) -> Self::Evaluated;
 
-    /// Visits the element of a step; `None` where the step is none.
-    fn visit<V: Visit<S>>(&self, step: usize, visitor: V) -> Option<V::Output>;
-
-    /// Visits the element of a step at the frequency of what was evaluated; `None` where the step is none.
-    fn visit_at<V: VisitAt<S>>(&self, evaluated: &Self::Evaluated, step: usize, visitor: V) -> Option<V::Output>;
+    /// Visits the element of a step, at the frequency of what was evaluated if it was; `None` where the step is none.
+    fn visit<V: Visit<S>>(&self, evaluated: Option<&Self::Evaluated>, step: usize, visitor: V) -> Option<V::Output>;
 }
 
-/// What is done with an element at the frequencies of a block.
-pub trait VisitInBlock<S: Scalar> {
-    /// Visits an element.
-    fn element<E>(self, built: &E::Built)
-    where
-        E: Energies<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>>;
-}
-
-/// A tree whose elements take blocks of frequencies.
-#[diagnostic::on_unimplemented(
-    message = "the motions of `{Self}` are not known at frequencies of type `{S}`",
-    note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet; an element of your own \
-            implements `mstmm::PlaneStep<S>` and `mstmm::Energies<S>` for every `S`"
-)]
-pub trait TreeInBlocks<S: Scalar>: Tree<S> {
-    /// Visits the element of a step, if it is one.
-    fn visit_in_block<V: VisitInBlock<S>>(&self, step: usize, visitor: V);
-}
-
-/// A tree at frequencies of some type, and at those in the arithmetic that judges them.
+/// A tree at frequencies of some type, and at those in the extended arithmetic that proves them.
 pub trait ExtendedTree<S>: Tree<S> + Tree<ExtendedOf<S, <Self as System>::Parameter>>
 where
     S: Oscillation<<Self as System>::Parameter>,

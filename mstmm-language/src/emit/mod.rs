@@ -33,7 +33,6 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
     let constants = tree::labels(model, plan, &names);
     let planned = tree::planned(model, plan, &names);
     let tree = tree::tree(plan, &names);
-    let tree_in_blocks = tree::tree_in_blocks(plan, &names);
     let walk = walk::walk(plan, &names);
     quote_spanned! {names.here=>
         #parameters
@@ -47,7 +46,6 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
             #characteristic
             #planned
             #tree
-            #tree_in_blocks
             #walk
         };
     }

@@ -58,7 +58,7 @@ pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStr
                 [value; #count]
             }
 
-            fn scheme() -> #private::Scheme<'static> {
+            fn scheme(&self) -> #private::Scheme<'_> {
                 const { &LAYOUT }.scheme()
             }
         }
@@ -77,13 +77,9 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let values = coefficients().map(|(field, step)| quote_spanned!(names.here=> #step::coefficients(&self.#field, at)));
     let visits = elements().map(|(index, element)| {
         let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
-        quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
-    });
-    let visits_at = elements().map(|(index, element)| {
-        let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
         let index = Literal::usize_unsuffixed(index);
         quote_spanned! {names.here=>
-            #(#steps)|* => visitor.element::<#kind>(&self.#field, &evaluated.#index),
+            #(#steps)|* => visitor.element::<#kind>(&self.#field, evaluated.map(|evaluated| &evaluated.#index)),
         }
     });
     let some = quote_spanned!(names.here=> ::core::option::Option);
@@ -101,6 +97,7 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
 
         fn visit<#visitor: #private::Visit<#frequency>>(
             &self,
+            evaluated: #some<&Self::Evaluated>,
             step: usize,
             visitor: #visitor,
         ) -> #some<#visitor::Output> {
@@ -109,36 +106,7 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
                 _ => return #some::None,
             })
         }
-
-        fn visit_at<#visitor: #private::VisitAt<#frequency>>(
-            &self,
-            evaluated: &Self::Evaluated,
-            step: usize,
-            visitor: #visitor,
-        ) -> #some<#visitor::Output> {
-            #some::Some(match step {
-                #(#visits_at)*
-                _ => return #some::None,
-            })
-        }
     };
-    implement("Tree", bounds("Energies", plan, names), &body, names)
-}
-
-/// `impl TreeInBlocks<S>`: a visit per element, of those that take blocks of frequencies.
-pub(super) fn tree_in_blocks(plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let (private, frequency, visitor) = (&names.private, &names.frequency, &names.counter);
-    let visits = plan.elements.iter().enumerate().map(|(index, element)| {
-        let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
-        quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
-    });
-    let body = quote_spanned! {names.here=>
-        fn visit_in_block<#visitor: #private::VisitInBlock<#frequency>>(&self, step: usize, visitor: #visitor) {
-            match step {
-                #(#visits)*
-                _ => {}
-            }
-        }
-    };
-    implement("TreeInBlocks", [bounds("Energies", plan, names), straight_bounds(plan, names)].concat(), &body, names)
+    let ways = [bounds("BackTransfer", plan, names), bounds("Energies", plan, names), straight_bounds(plan, names)];
+    implement("Tree", ways.concat(), &body, names)
 }

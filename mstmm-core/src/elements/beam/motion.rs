@@ -1,11 +1,12 @@
 //! The motion of a beam: covectors through it, its energies, and how they change with its parameters.
 
+use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::{Energies, Inside};
 use crate::elements::beam::{Beam, BuiltBeam};
 use crate::elements::shared::back_transfer::BendingBackTransfer;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::krylov::krylov;
-use crate::elements::shared::line_energies::half;
+use crate::elements::shared::line_forms::half;
 use crate::model::ends::Ends;
 use crate::model::state::State;
 use crate::number::frequency::Oscillation;
@@ -20,16 +21,15 @@ const APART: f64 = 1e-3;
 /// Value of `z⁴` above which states at the ends tell the forms of a beam: they cancel to this part.
 const LONG: f64 = 1e-2;
 
-impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Beam<T> {
     type BackCoefficients = BendingBackTransfer<S>;
-    type Gradient = Beam<S>;
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &BuiltBeam<T>) -> BuiltBeam<T> {
         *built
     }
 
-    fn links(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
+    fn back_coefficients(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
         let z = at.powers[0] * built.wave;
         if z.size() <= 1.0 {
             return built.short_links(at);
@@ -52,6 +52,10 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
     fn back_transfer(links: &BendingBackTransfer<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         links.back_transfer(covector)
     }
+}
+
+impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
+    type Gradient = Beam<S>;
 
     fn units(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
         if S::size(at.powers[0] * built.wave) <= 1.0 {

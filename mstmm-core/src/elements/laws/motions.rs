@@ -1,5 +1,6 @@
 //! The motion of every element, against its transfer matrix.
 
+use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::Energies;
 use crate::element::traits::{MatrixOf, TransferMatrix};
 use crate::elements::laws::subspaces::{
@@ -19,8 +20,8 @@ use std::vec::Vec;
 const ORDINARY: core::ops::Range<f64> = -3.0..1.2;
 
 /// What the laws need of an element.
-trait Moving: Sample + TransferMatrix<C> + Energies<C> {}
-impl<E: Sample + TransferMatrix<C> + Energies<C>> Moving for E {}
+trait Moving: Sample + TransferMatrix<C> + BackTransfer<C> + Energies<C> {}
+impl<E: Sample + TransferMatrix<C> + BackTransfer<C> + Energies<C>> Moving for E {}
 
 /// The state behind an element.
 fn behind<E>(element: &E, lambda: C, input: State<C>) -> State<C>
@@ -87,7 +88,7 @@ where
             if matches!(output, Subspace::Tip(..)) {
                 continue; // what holds a line holds it behind an inertia, too
             }
-            let back = E::back_transfer(&E::links(&built(element), &at), &input, covector);
+            let back = E::back_transfer(&E::back_coefficients(&built(element), &at), &input, covector);
             let (before, after) = (back.pick(&input).shifted(0), covector.pick(&output).shifted(0));
             let expected = behind(&element, lambda, before);
             let largest = rows(&element, lambda).iter().flatten().map(|z| z.norm()).fold(1.0, f64::max);

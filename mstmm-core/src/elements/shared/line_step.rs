@@ -3,6 +3,7 @@
 use crate::model::state::Support;
 use crate::number::scalar::Scalar;
 use crate::subspace::count::RootCounter;
+use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::subspace::Subspace;
 
@@ -43,4 +44,10 @@ pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subs
             Subspace::Grounded(inertia, space)
         }
     }
+}
+
+/// Against a massless element of dynamic stiffness κ: its step multiplies a line by `κ U`, a grounded one by `-κ U`.
+pub(crate) fn back_through_stiffness<S: Scalar>(kappa: S, input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    let is_grounded = matches!(input, Subspace::Tip(Support::Fixed, _));
+    covector.times(if is_grounded { -kappa } else { kappa }, 0)
 }

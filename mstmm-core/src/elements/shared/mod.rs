@@ -3,6 +3,6 @@
 pub(crate) mod back_transfer;
 pub(crate) mod compound;
 pub(crate) mod krylov;
-pub(crate) mod line_energies;
+pub(crate) mod line_forms;
 pub(crate) mod line_step;
-pub(crate) mod reciprocal;
+pub(crate) mod massless;

@@ -1,8 +1,7 @@
 //! Subspaces behind the steps of a tree at all frequencies of a block: what is upstream leaves of the state there, and what is
 //! downstream.
 
-use crate::element::energies::Energies;
-use crate::element::traits::PlaneStep;
+use crate::element::moving::{CoefficientsOf, Moving};
 use crate::model::layout::Step;
 use crate::model::state::Space;
 use crate::number::branch_free::BranchFree;
@@ -17,13 +16,13 @@ use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::act;
 use crate::pass::jump::Meeting;
 use crate::pass::transfer_path::{Crossing, Follow};
-use crate::pass::tree::{TreeInBlocks, Visit, VisitInBlock};
+use crate::pass::tree::{Tree, Visit};
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 
 /// A tree at the frequencies of a block, with the subspaces behind its steps.
-pub(crate) struct BlockPasses<'a, Y: TreeInBlocks<S> + ?Sized, S: InColumns> {
+pub(crate) struct BlockPasses<'a, Y: Tree<S> + ?Sized, S: InColumns> {
     system: &'a Y,
     at: Frequencies<S>,
     /// Behind each step, what is upstream leaves the first; what is downstream the second, in the frame of a path that arrives
@@ -42,7 +41,7 @@ fn downstream(step: usize) -> usize {
     2 * step + 1
 }
 
-impl<'a, Y: TreeInBlocks<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
+impl<'a, Y: Tree<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
     /// Room for them.
     pub(crate) fn new(system: &'a Y) -> Self {
         BlockPasses { system, at: Frequencies::new(), lanes: Y::per_step([Lanes::new(); 2]), is_lost: false }
@@ -59,7 +58,7 @@ impl<'a, Y: TreeInBlocks<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
             return false;
         }
         self.is_lost = false;
-        let scheme = Y::scheme();
+        let scheme = self.system.scheme();
         for step in (0..scheme.len() - 1).filter(|step| needed(*step)) {
             match scheme.steps[step] {
                 Step::Tip(support) => self.places()[upstream(step)].become_tip(support, scheme.space(step)),
@@ -80,7 +79,7 @@ impl<'a, Y: TreeInBlocks<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
         Meeting {
             upstream: self.subspace(step, false, lane),
             downstream: self.subspace(step, true, lane).mirrored(),
-            space: Y::scheme().behind(step),
+            space: self.system.scheme().behind(step),
         }
     }
 
@@ -94,14 +93,14 @@ impl<'a, Y: TreeInBlocks<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
     }
 
     /// The places of the root.
-    fn free() -> [usize; 2] {
-        let root = Y::scheme().len() - 1;
+    fn free(&self) -> [usize; 2] {
+        let root = self.system.scheme().len() - 1;
         [upstream(root), downstream(root)]
     }
 
     /// What is downstream of a step, and of all steps on its way to the root.
     fn look_down_to(&mut self, step: usize) {
-        let scheme = Y::scheme();
+        let scheme = self.system.scheme();
         let below = scheme.downstream(step);
         match scheme.steps[below] {
             Step::Root(_, support) => {
@@ -128,16 +127,17 @@ impl<'a, Y: TreeInBlocks<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
     fn through(&mut self, step: usize, from: usize, to: usize, against: bool) {
         let lanes = self.lanes.as_mut().as_flattened_mut();
         if let Ok([input, output]) = lanes.get_disjoint_mut([from, to]) {
-            self.system.visit_in_block(step, GoThrough { at: &self.at, input, output, against });
+            self.system.visit(None, step, GoThrough { at: &self.at, input, output, against });
             self.is_lost |= !output.is_uniform;
         }
     }
 
     /// The connection of what is in some places, to another place.
     fn connect(&mut self, inputs: impl Iterator<Item = usize> + Clone, output: Option<Space>, to: usize) {
+        let free = self.free();
         let lanes = self.lanes.as_mut().as_flattened_mut();
         self.is_lost |= inputs.clone().any(|input| !lanes[input].is_uniform);
-        let sum = connection(lanes, inputs, output, Self::free(), &mut Counters::<NoCount>::new());
+        let sum = connection(lanes, inputs, output, free, &mut Counters::<NoCount>::new());
         lanes[to] = lanes[sum];
     }
 }
@@ -150,11 +150,10 @@ struct GoThrough<'a, S: InColumns> {
     against: bool,
 }
 
-impl<S: InColumns> VisitInBlock<S> for GoThrough<'_, S> {
-    fn element<E>(self, built: &E::Built)
-    where
-        E: Energies<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>>,
-    {
+impl<S: InColumns> Visit<S> for GoThrough<'_, S> {
+    type Output = ();
+
+    fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) {
         let GoThrough { at, input, output, against } = self;
         let no_count = &mut Counters::<NoCount>::new();
         if against && !E::SYMMETRIC {
@@ -167,29 +166,29 @@ impl<S: InColumns> VisitInBlock<S> for GoThrough<'_, S> {
 }
 
 /// ModalAnalysis in all lanes.
-pub(crate) struct CarriedInBlock<'a, 'y, Y: TreeInBlocks<S> + ?Sized, S: InColumns> {
+pub(crate) struct CarriedInBlock<'a, 'y, Y: Tree<S> + ?Sized, S: InColumns> {
     pub(crate) passes: &'a mut BlockPasses<'y, Y, S>,
     pub(crate) covectors: [Covector<S>; WIDTH],
 }
 
-impl<Y: TreeInBlocks<S> + ?Sized, S: InColumns> Follow for CarriedInBlock<'_, '_, Y, S> {
+impl<Y: Tree<S> + ?Sized, S: InColumns> Follow for CarriedInBlock<'_, '_, Y, S> {
     fn through(&mut self, step: usize, against: bool) {
         let passes = &*self.passes;
-        let inputs = match Y::scheme().steps[step] {
+        let inputs = match self.passes.system.scheme().steps[step] {
             Step::Element(input, _) if !against => &passes.lanes.as_ref()[input][0],
             _ => &passes.lanes.as_ref()[step][1],
         };
         let visitor = PullBack { at: &passes.at, inputs, covectors: &mut self.covectors, against };
-        passes.system.visit(step, visitor);
+        passes.system.visit(None, step, visitor);
     }
 
     fn through_connection(&mut self, crossing: Crossing) {
-        let (scheme, at) = (Y::scheme(), crossing.at);
+        let (scheme, at) = (self.passes.system.scheme(), crossing.at);
         let passes = &mut *self.passes;
         let beyond = downstream(at);
         let others = crossing.others(scheme).map(upstream);
         let others = others.chain(crossing.is_between_inputs().then_some(beyond));
-        let [_, to] = BlockPasses::<Y, S>::free();
+        let [_, to] = passes.free();
         passes.places()[beyond].mirror();
         passes.connect(others, Some(scheme.space(at)), to);
         passes.places()[beyond].mirror();
@@ -211,11 +210,11 @@ struct PullBack<'a, S: InColumns> {
 impl<S: InColumns> Visit<S> for PullBack<'_, S> {
     type Output = ();
 
-    fn element<E: Energies<S>>(self, built: &E::Built) {
+    fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) {
         let reversed = (self.against && !E::SYMMETRIC).then(|| E::reversed(built));
         let built = reversed.as_ref().unwrap_or(built);
         for (lane, covector) in self.covectors.iter_mut().enumerate() {
-            let links = E::links(built, &self.at.lane(lane, |number| number));
+            let links = E::back_coefficients(built, &self.at.lane(lane, |number| number));
             *covector = E::back_transfer(&links, &self.inputs.lane(lane), *covector).rescaled();
         }
     }
