@@ -16,7 +16,7 @@ use crate::subspace::minors::subspace::Subspace;
 
 /// Declares an enum of built elements with the traits of list elements.
 macro_rules! any_element {
-    ($(#[$doc:meta])* $name:ident, $frequency:ident: $($element:ident),*) => {
+    ($(#[$doc:meta])* $name:ident, $frequency:ident: $($element:ident { $($field:ident),* })*) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
         pub enum $name<T: Real> {
@@ -93,14 +93,14 @@ macro_rules! any_element {
 }
 
 macro_rules! any_elements {
-    (undamped { $($element:ident),* } damped { $($damped:ident),* }) => {
+    (undamped { $($element:ident { $($field:ident),* })* } damped { $($damped:ident { $($damped_field:ident),* })* }) => {
         any_element!(
             /// Any built-in element without damping.
-            AnyUndamped, Frequency: $($element),*
+            AnyUndamped, Frequency: $($element { $($field),* })*
         );
         any_element!(
             /// Any built-in element; with a damper among them, a list has complex eigenvalues only.
-            AnyElement, ComplexFrequency: $($element,)* $($damped),*
+            AnyElement, ComplexFrequency: $($element { $($field),* })* $($damped { $($damped_field),* })*
         );
     };
 }

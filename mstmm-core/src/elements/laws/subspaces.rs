@@ -16,7 +16,7 @@ use std::vec::Vec;
 
 /// Runs laws over all elements of the plane method, and laws of undamped elements over those among them.
 macro_rules! laws_of_steps {
-    (undamped { $($element:ident),* } damped { $($damped:ident),* }) => {
+    (undamped { $($element:ident { $($_field:ident),* })* } damped { $($damped:ident { $($_damped_field:ident),* })* }) => {
         macro_rules! for_each_stepping_element {
             ($law:ident) => {
                 $($law::<$crate::elements::$element<f64>>();)*
