@@ -144,6 +144,15 @@ impl fmt::Display for MotionError {
             MotionError::NotFinite { frequency } => {
                 write!(f, "at the frequency {frequency} the motion is not finite")
             }
+            _ => self.fmt_question(f),
+        }
+    }
+}
+
+impl MotionError {
+    /// What is wrong with a question, whatever the system.
+    fn fmt_question(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
             MotionError::NoSuchEntry { coordinate } => {
                 let (name, path) = match coordinate {
                     Coordinate::Y => ("deflection Y", "bending or translation"),
@@ -173,6 +182,7 @@ impl fmt::Display for MotionError {
             MotionError::Capacity { capacity } => {
                 write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")
             }
+            _ => Ok(()),
         }
     }
 }
