@@ -160,7 +160,7 @@ struct Open {
 }
 
 fn is_support_of(support: Support, space: Space) -> bool {
-    !space.is(Space::Planar) && support.unknowns(space).is_some()
+    !space.is(Space::Planar) && support.exists_in(space)
 }
 
 /// The space in which a connection leads on.

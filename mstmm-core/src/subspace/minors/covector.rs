@@ -120,15 +120,13 @@ fn of_plane<S: Scalar>([y, theta, m, q]: [S; 4], p: &Plane<S>, coordinate: Coord
     }
 }
 
-/// The same for the plane that a support leaves.
-fn of_tip<S: Scalar>([y, theta, m, q]: [S; 4], support: Support, coordinate: Coordinate) -> S {
-    match (support, coordinate) {
-        (Support::Fixed, Coordinate::M) | (Support::Pinned, Coordinate::Theta) => q,
-        (Support::Fixed, Coordinate::Q) => -m,
-        (Support::Pinned, Coordinate::Q) => -theta,
-        (Support::Guided, Coordinate::Y) => m,
-        (Support::Guided, Coordinate::M) | (Support::Free, Coordinate::Theta) => -y,
-        (Support::Free, Coordinate::Y) => theta,
+/// The same for the plane that a support leaves: of its two unknowns, whose minor is 1, each is what the covector has for the other.
+fn of_tip<S: Scalar>(entries: [S; 4], support: Support, coordinate: Coordinate) -> S {
+    let bending = Space::Bending.coordinates().iter().zip(entries);
+    let mut unknowns = bending.filter(|(entry, _)| support.leaves(**entry));
+    match (unknowns.next(), unknowns.next()) {
+        (Some((first, _)), Some((_, value))) if *first == coordinate => value,
+        (Some((_, value)), Some((second, _))) if *second == coordinate => -value,
         _ => S::zero(),
     }
 }
