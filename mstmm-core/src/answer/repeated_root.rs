@@ -4,10 +4,10 @@
 //! around x0 takes that residue out, for as many jumps as there are shapes, each where what is left shows best.
 
 use crate::answer::dominant_entry::Candidate;
-use crate::answer::error::MotionError;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::root::Root;
 use crate::answer::states::SystemStates;
+use crate::model::motion_error::MotionError;
 use crate::model::state::Coordinate;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;

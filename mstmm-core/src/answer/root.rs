@@ -1,6 +1,6 @@
 //! Roots of all kinds, as questions about motions take them.
 
-use crate::answer::error::MotionError;
+use crate::model::motion_error::MotionError;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::Real;
 use crate::search::damped::found::Eigenvalue;

@@ -1,8 +1,8 @@
 //! Sensitivities: how a root moves with each field of the model.
 
-use crate::answer::error::MotionError;
 use crate::answer::mode_shape::simple;
 use crate::model::chain_rule::{Chain, Fields};
+use crate::model::motion_error::MotionError;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;

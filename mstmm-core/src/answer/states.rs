@@ -1,16 +1,17 @@
 //! The states of a whole system in one motion.
 
-use crate::answer::error::MotionError;
 use crate::element::energies::Inside;
 use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::traits::Element;
+use crate::element::visit::Visit;
 use crate::model::ends::Ends;
 use crate::model::label::{Label, Point};
 use crate::model::layout::Step;
+use crate::model::motion_error::MotionError;
 use crate::model::state::State;
 use crate::number::scalar::Scalar;
 use crate::pass::state_recovery::RecoveredStates;
-use crate::pass::tree::{Tree, Visit};
+use crate::pass::tree::Tree;
 
 /// The states of a whole system in one motion; part of every result about motions.
 #[derive(Debug)]

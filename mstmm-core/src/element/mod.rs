@@ -4,3 +4,4 @@ pub(crate) mod back_transfer;
 pub(crate) mod energies;
 pub(crate) mod moving;
 pub(crate) mod traits;
+pub(crate) mod visit;
