@@ -23,6 +23,11 @@ impl<S: Scalar> Dual<S> {
         Dual { value, derivative: S::one() }
     }
 
+    /// A constant: derivative 0.
+    pub fn constant(value: S) -> Self {
+        Dual { value, derivative: S::zero() }
+    }
+
     /// Both parts through one linear map.
     #[inline]
     fn map(self, f: impl Fn(S) -> S) -> Self {
@@ -210,7 +215,7 @@ impl<S: Scalar> Scalar for Dual<S> {
 
     #[inline(always)]
     fn constant(value: S) -> Self {
-        Dual { value, derivative: S::zero() }
+        Dual::constant(value)
     }
 
     #[inline(always)]
