@@ -20,10 +20,10 @@ use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 use num_traits::One;
 
-/// Systems of more steps are evaluated at one frequency after the other: the subspaces behind all steps are on the stack.
+/// Largest number of steps evaluated in blocks, since the subspaces behind all steps are on the stack.
 const LARGEST_IN_BLOCKS: usize = 64;
 
-/// Roundings of Δ at low frequencies beside which it is nothing at rest.
+/// Size of Δ at rest, in roundings of Δ at low frequencies, up to which it counts as zero.
 const NOTHING: f64 = 4096.0;
 
 /// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
@@ -33,9 +33,9 @@ pub struct FrequencyResponse<'a, Y: Planned + ?Sized> {
     load: Place,
     entry: Place,
     course: Course,
-    /// Steps between the two, over which the motion is followed.
+    /// Steps between load and entry, along which the motion is followed.
     between: Y::PerStep<bool>,
-    /// Steps downstream of the load, of which nothing upstream needs to be known.
+    /// Steps downstream of the load, whose upstream subspaces are not needed.
     below: Y::PerStep<bool>,
 }
 
@@ -45,14 +45,14 @@ impl<Y: Planned + ?Sized> Clone for FrequencyResponse<'_, Y> {
     }
 }
 
-/// Where the entry is, seen from the load.
+/// The side of the load on which the entry lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Course {
-    /// Upstream of it, or at the same point on that side.
+    /// Upstream of the load, or at its point on the upstream side.
     Upstream,
-    /// On the way to the root, or at the same point on that side.
+    /// Between the load and the root, or at the load's point on the downstream side.
     Downstream,
-    /// On another path into a connection on the way to the root.
+    /// On another path into a connection between the load and the root.
     Aside,
 }
 
@@ -60,23 +60,23 @@ enum Course {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub(crate) step: usize,
-    /// On the side of the step downstream of it.
+    /// Whether the downstream side of the point is meant.
     pub(crate) beyond: bool,
     pub(crate) coordinate: Coordinate,
 }
 
 impl Place {
-    /// Where a load acts, and what it makes jump: Q or M.
+    /// The point of a load, with the entry that jumps there: Q or M.
     pub(crate) fn of_load<Y: Planned + ?Sized>(system: &Y, load: Load<Y::Model>) -> Result<Self, MotionError> {
         Place::new(system.scheme(), load.point.step, false, load.coordinate)
     }
 
-    /// Where an entry is.
+    /// The point of an entry.
     pub(crate) fn of_entry<Y: Planned + ?Sized>(system: &Y, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
         Place::new(system.scheme(), entry.point.step, entry.point.beyond, entry.coordinate)
     }
 
-    /// The entry at a point; at a connection that goes on to fewer states one of its inputs may have what it leaves behind.
+    /// The entry at a point. At a connection whose output has fewer states it may be an entry of an input.
     fn new(scheme: Scheme<'_>, step: usize, beyond: bool, coordinate: Coordinate) -> Result<Self, MotionError> {
         let has = |step: usize| {
             let space = scheme.behind(step);
@@ -123,13 +123,13 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.
     ///
-    /// 0 is the static limit, wherever it is finite; it takes twice the time, to see that Δ is not a rounding there. Where nothing
-    /// holds a part of the system, which the load does not move, it is extrapolated from some tens to hundreds of responses at
-    /// low frequencies, to 12 digits of the largest of these. What the load moves off by no more than rounding is at rest.
+    /// At 0 it is the static limit, wherever it is finite; this takes twice the time, to see that Δ is not rounding alone. Where a
+    /// part of the system is not held and the load does not move it, the limit is extrapolated from some tens to hundreds of responses
+    /// at low frequencies, to 12 digits of the largest of these. A part that the load moves by rounding alone is at rest.
     ///
     /// # Errors
-    /// [`MotionError::Resonance`] where it is infinite, [`MotionError::Unsettled`] for a static limit that cannot be told,
-    /// [`MotionError::NotFinite`] where the arithmetic overflows.
+    /// [`MotionError::Resonance`] where it is infinite, [`MotionError::Unsettled`] for an uncertain static limit,
+    /// [`MotionError::NotFinite`] where numbers overflow.
     pub fn at<S>(&self, x: S) -> Result<S, MotionError>
     where
         Y: Tree<S>,
@@ -138,7 +138,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         if x.is_zero() { self.static_limit() } else { self.evaluated(x) }
     }
 
-    /// The same where Δ does not vanish.
+    /// The response at a frequency other than zero.
     fn evaluated<S>(&self, x: S) -> Result<S, MotionError>
     where
         Y: Tree<S>,
@@ -147,7 +147,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         self.of(&self.passes(x), x)
     }
 
-    /// The subspaces along the way.
+    /// The subspaces along the transfer path.
     #[inline(always)]
     fn passes<S>(&self, x: S) -> Passes<'a, Y, S>
     where
@@ -159,7 +159,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         passes
     }
 
-    /// The response, given the subspaces along its way.
+    /// The response, given the subspaces along the transfer path.
     fn of<S>(&self, passes: &Passes<'_, Y, S>, x: S) -> Result<S, MotionError>
     where
         Y: Tree<S>,
@@ -172,8 +172,8 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         self.value(motion.covector, &subspaces.as_ref()[self.entry.step], delta, x)
     }
 
-    /// The response and a size beside which rounding is small: the mean of what load and entry do to themselves, as the product of
-    /// two entries of a mode is to their squares.
+    /// The response and a size compared with which its rounding is small: the geometric mean of the responses at the load and at the
+    /// entry to loads of their own.
     pub(crate) fn sized<S>(&self, x: S) -> Result<Part<S>, MotionError>
     where
         Y: Tree<S>,
@@ -209,8 +209,8 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         }
     }
 
-    /// The static limit of a system that is held; `None` where Δ vanishes at rest, or cannot be told from zero beside what it is
-    /// at low frequencies.
+    /// The static limit of a system that is held; `None` where Δ at rest is zero, or as small as rounding compared with Δ at low
+    /// frequencies.
     pub(crate) fn held_at_rest<S>(&self) -> Result<Option<S>, MotionError>
     where
         Y: Tree<S>,
@@ -226,7 +226,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         self.of(&rest, S::zero()).map(Some)
     }
 
-    /// The covector with which the motion leaves the load, times Δ, and Δ.
+    /// The covector, times Δ, of the motion that leaves the load, and Δ.
     fn start<S: Scalar>(&self, meeting: &Meeting<S>) -> (Covector<S>, Scaled<S>) {
         let Jump { upstream, downstream } = meeting.jump(self.load.coordinate);
         (if self.course == Course::Upstream { upstream } else { downstream }, meeting.delta())
@@ -264,7 +264,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         }
     }
 
-    /// The response, given the covector at the entry, the subspace that it belongs to and Δ.
+    /// The response, given the covector at the entry, its subspace, and Δ.
     fn value<S>(&self, covector: Covector<S>, subspace: &Subspace<S>, delta: Scaled<S>, x: S) -> Result<S, MotionError>
     where
         Y: System,
@@ -275,19 +275,19 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         }
         let coordinate = self.entry.coordinate;
         let (entry, exponent) = covector.pick_entry(subspace, coordinate);
-        // seen from downstream slope and shear force have the other sign
+        // in the frame of a path that arrives from downstream slope and shear force have the other sign
         let is_reversed = self.course == Course::Downstream && matches!(coordinate, Coordinate::Theta | Coordinate::Q);
-        // a force acts towards Y, a moment towards Θ: Q grows by the one and M falls by the other
+        // a force acts towards Y, a moment towards Θ: the force increases Q and the moment decreases M
         let unit = if is_reversed == (self.load.coordinate == Coordinate::M) { S::one() } else { -S::one() };
         let value = Scaled::new(entry, i64::from(exponent)).product(Scaled::new(unit, 0).over(delta)).value();
         if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency: x.modulus() }) }
     }
 
-    /// The response on a grid of the caller's, into memory of the caller's: each value has the bits that it has alone.
+    /// Writes the responses at the frequencies of `grid` to `values`, each with the bits that [`at`](FrequencyResponse::at) gives it.
     ///
-    /// Systems of up to 64 steps take the grid in blocks of frequencies, which costs a fraction of the time; memory for that is on
-    /// the stack, some 3 kB per step for real frequencies, twice as much for complex ones: for ten steps a thread of 256 kB is
-    /// enough, of 512 kB in debug builds.
+    /// Systems of up to 64 steps take the grid in blocks of frequencies, which costs a fraction of the time. Their memory is on the
+    /// stack, some 3 kB per step for real frequencies, twice as much for complex ones: for ten steps a thread of 256 kB is enough, of
+    /// 512 kB in debug builds.
     ///
     /// # Errors
     /// As [`at`](FrequencyResponse::at), for the first frequency where it fails; [`MotionError::Capacity`] where `values` is
@@ -317,7 +317,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Ok(())
     }
 
-    // a call: it takes much of the stack
+    // not inlined: it takes much of the stack
     #[inline(never)]
     fn in_blocks<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
     where
@@ -337,7 +337,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
             let covectors = motion.covectors;
             for (lane, (value, &x)) in values.iter_mut().zip(grid).enumerate() {
                 let subspace = passes.subspace(self.entry.step, self.course == Course::Downstream, lane);
-                // where sums cancel nothing is made of them in a block
+                // where sums cancel, the block has no value for the frequency
                 let own = || self.value(covectors[lane], &subspace, starts[lane].1, x).or_else(|_| self.at(x));
                 *value = if x.is_zero() { self.static_limit() } else { own() }?;
             }
