@@ -26,14 +26,14 @@ pub struct WaveFunctions<S> {
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
 impl<T: Real> WaveFunctions<T> {
-    /// Wave functions of a real argument, as [`Scalar::wave_functions`](super::Scalar::wave_functions) returns them.
+    /// Wave functions of a real argument, as [`Scalar::wave_functions`](super::scalar::Scalar::wave_functions) returns them.
     #[inline(always)]
     pub fn of_real(z: T) -> Self {
         let size = z.size();
         if size < T::WAVE_LIMIT { WaveFunctions::of_moderate(z) } else { WaveFunctions::beyond_limit(z, size) }
     }
 
-    /// Wave functions of a real argument below [`WAVE_LIMIT`](super::Scalar::WAVE_LIMIT).
+    /// Wave functions of a real argument below [`WAVE_LIMIT`](super::scalar::Scalar::WAVE_LIMIT).
     #[inline(always)]
     pub fn of_moderate(z: T) -> Self {
         let [sin, cos, sh, ch] = z.circular_and_hyperbolic();
