@@ -1,11 +1,11 @@
 //! Responses about rest, where λ = 0 may be a pole: `H(λ) = r₂/λ² + r₁/λ + h₀ + …`.
 //!
-//! A rigid body that the load sets in motion makes r₂, what a damper alone holds makes r₁. Where both are zero h₀ is the static
-//! limit, although Δ vanishes at λ = 0 itself.
+//! A rigid body that the load sets in motion causes r₂; a part that only dampers hold causes r₁. Where both are zero h₀ is the
+//! static limit, although Δ vanishes at λ = 0 itself.
 //!
-//! At `λ = iω` the real part of H is `r₂/λ² + h₀ + h₂ λ² + …` and its imaginary part times λ is `r₁ + h₁ λ² + …`: without their
-//! poles both are smooth in λ² up to the first other root. A polynomial through samples on the imaginary axis gives what they
-//! are at zero, of real frequencies as of complex ones.
+//! At `λ = iω` the real part of H is `r₂/λ² + h₀ + h₂ λ² + …` and its imaginary part times λ is `r₁ + h₁ λ² + …`. Without their
+//! poles both are smooth in λ² up to the first other root. A polynomial through samples on the imaginary axis gives their values
+//! at zero, for real frequencies as for complex ones.
 
 use crate::model::motion_error::MotionError;
 use crate::number::exponent::binary_exponent;
@@ -14,7 +14,7 @@ use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
 use core::marker::PhantomData;
 
-/// Samples of a polynomial.
+/// Number of samples of a polynomial.
 const SAMPLES: usize = 12;
 /// The samples as parts of the highest frequency, `cos((2k + 1)π/48)`: for an even function Chebyshev's points.
 const PARTS: [f64; SAMPLES] = [
@@ -31,47 +31,47 @@ const PARTS: [f64; SAMPLES] = [
     0.19509032201612833,
     0.06540312923014327,
 ];
-/// The last coefficients of a Chebyshev series: of samples of a smooth function they are noise.
+/// Number of last coefficients of a Chebyshev series that are noise, for samples of a smooth function.
 const LAST: usize = 3;
-/// Ranges of frequencies that are tried downwards, each half as long as the one before, and upwards from there.
+/// Number of ranges of frequencies tried downwards, each half as long as the one before, and upwards from there.
 const RANGES: i32 = 40;
-/// Roundings by which the limits of two ranges differ where nothing is left to gain.
+/// Difference between the limits of two ranges, in roundings, below which no better range is sought.
 const SETTLED: f64 = 16.0;
-/// Change of the limit from one range to the next, beside the largest size of samples, where they seem to hold no other pole.
+/// Largest change of the limit between two ranges without another pole, relative to the largest size of samples.
 const COARSE: f64 = 1e-6;
-/// A range that changes the limit by so much more than another did leads away from the best one.
+/// Factor on the least change of the limit beyond which ranges lead away from the best one.
 const WORSE: f64 = 1e3;
-/// Roundings of a sample within which a pole is none.
+/// Size of a pole, in roundings of a sample, up to which it counts as zero.
 const ROUNDING: f64 = 256.0;
-/// The same for noise, which may be larger: it shows in a coefficient as a sixth of what a single sample has.
+/// Size of a pole, in noise of the last coefficients, up to which it counts as zero. Their noise is a sixth of a sample's.
 const NOISE: f64 = 64.0;
-/// Roundings of samples within which a limit is none.
+/// Size of a limit, in roundings of samples, up to which it counts as zero.
 const LEFT: f64 = 16.0;
-/// Change of a limit at the best range, relative to what is left of the response there, from which on there is no limit.
+/// Change of a limit at the best range, relative to the response without its poles there, from which on there is no limit.
 const UNSETTLED: f64 = 1e-9;
 
-/// A response at one frequency, and a size beside which its rounding is small.
+/// A response at one frequency, and a size compared with which its rounding is small.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part<S> {
     pub(crate) value: S,
     pub(crate) size: f64,
 }
 
-/// The first coefficients of a response about λ = 0; poles that rounding explains are zero.
+/// The first coefficients of a response about λ = 0. Poles that may be rounding alone are zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AtRest<S> {
     /// `r₂`, one over the mass that the load feels.
     pub(crate) double: S,
     /// `r₁`, one over the damping.
     pub(crate) simple: S,
-    /// `h₀`, what is left of the response without its poles.
+    /// `h₀`, the value of the response without its poles.
     pub(crate) finite: S,
-    /// By how much h₀ is uncertain, relatively; zero where it is known to some digits less than all.
+    /// Relative uncertainty of h₀; zero where most digits are known.
     pub(crate) uncertainty: f64,
-    /// The largest size beside which the rounding of a sample is small, and the largest sample of what is left.
+    /// The largest of the sizes of samples, and the largest sample of the response without its poles.
     size: f64,
     largest: f64,
-    /// By how much the rounding of samples may move h₀ at most.
+    /// Bound of the change of h₀ by the rounding of samples.
     rounding: f64,
 }
 
@@ -82,7 +82,7 @@ struct Polynomial<T, S> {
     meaning: PhantomData<fn() -> T>,
 }
 
-/// What a pole is made of at one frequency: itself and what is smooth, and a size beside which rounding is small.
+/// Samples times the power of λ that takes out a pole, and the sizes compared with which their rounding is small.
 type Residues<S> = [(S, f64); SAMPLES];
 
 /// The coefficients of two ranges, up to `2^exponent` rad/s and twice as far.
@@ -94,12 +94,12 @@ struct Pair<S> {
 }
 
 impl<S: Scalar> Pair<S> {
-    /// By how much h₀ differs.
+    /// The difference of h₀.
     fn change(&self) -> f64 {
         (self.shorter.finite - self.longer.finite).size()
     }
 
-    /// Whether both seem to hold no other pole.
+    /// Whether both ranges seem to hold no other pole.
     fn seems_free(&self) -> bool {
         self.change() <= COARSE * self.shorter.size.max(self.longer.size)
     }
@@ -108,13 +108,13 @@ impl<S: Scalar> Pair<S> {
 impl<S: Scalar> AtRest<S> {
     /// The coefficients of a response that is given on the imaginary axis, found in ranges from about `2^exponent` rad/s on.
     ///
-    /// A range that is too long holds another pole, one that is too short leaves little of h₀ beside the poles at zero, and
-    /// rounding may even hold what nothing else does. So the way leads down to ranges that seem to hold no pole, as long as h₀
-    /// changes less and less, and up again to that at which it changes least. `scale` is a size beside which changes do not count.
+    /// A range that is too long holds another pole. In one that is too short h₀ is small beside the poles at zero, and rounding may
+    /// hold a body that nothing else holds. So ranges are halved while h₀ changes less and less, and then doubled to the one at which
+    /// it changes least. `scale` is a size compared with which changes do not count.
     ///
     /// # Errors
-    /// [`MotionError::Unsettled`] where h₀ goes on changing and nothing moves off, and what the response says where there is no range at
-    /// all.
+    /// [`MotionError::Unsettled`] where h₀ goes on changing and nothing moves off; the error of the response where no range has
+    /// samples.
     pub(crate) fn of<T>(
         exponent: i32,
         scale: f64,
@@ -144,7 +144,7 @@ impl<S: Scalar> AtRest<S> {
             if let Some((_, start)) = start {
                 let limit = polynomial.upwards(start, scale, &response);
                 let moves_off = !(limit.double.is_zero() && limit.simple.is_zero());
-                // what moves off here is not at rest farther down: there rounding holds it
+                // a body that moves off here does so at rest; farther down rounding holds it
                 if moves_off || limit.uncertainty == 0.0 {
                     return Ok(limit.beyond_rounding());
                 }
@@ -155,7 +155,7 @@ impl<S: Scalar> AtRest<S> {
         Err(failure)
     }
 
-    /// The same without a limit that rounding explains.
+    /// The coefficients with a limit of zero where it may be rounding alone.
     fn beyond_rounding(self) -> Self {
         let is_none = self.finite.size() <= LEFT * self.rounding;
         AtRest { finite: if is_none { S::zero() } else { self.finite }, ..self }
@@ -184,7 +184,7 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         Polynomial { weights: core::array::from_fn(weight), last: core::array::from_fn(last), meaning: PhantomData }
     }
 
-    /// The range at which h₀ changes least, from two on.
+    /// The coefficients of the range at which h₀ changes least, from a pair of ranges upwards.
     fn upwards(
         &self,
         mut pair: Pair<S>,
@@ -195,7 +195,7 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         for _ in 0..RANGES {
             let change = pair.change();
             if change < best.0 {
-                // what lies beyond the shorter range shows there by many powers of four less
+                // poles beyond the shorter range enter there by many powers of four less
                 best = (change, pair.shorter);
             }
             if best.0 <= SETTLED * S::EPSILON * (best.1.finite.size() + scale) {
@@ -213,7 +213,7 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         AtRest { uncertainty: if is_settled { 0.0 } else { change }, ..limit }
     }
 
-    /// A pole; zero where rounding or noise explains it.
+    /// The coefficient of a pole; zero where it may be rounding or noise alone.
     fn pole(&self, samples: &Residues<S>) -> S {
         let sum = |weights: &[S; SAMPLES]| weighted(samples.iter().map(|&(sample, _)| sample), weights);
         let noise = self.last.iter().map(|weights| sum(weights).size()).fold(0.0, f64::max);
@@ -222,8 +222,8 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         if pole.size() > ROUNDING * S::EPSILON * size + NOISE * noise { pole } else { S::zero() }
     }
 
-    /// The poles, of which the leading one has the digits of a single sample: so near to zero that nothing else counts, if that
-    /// agrees with what is known. Elsewhere rounding grows towards zero.
+    /// The poles with all digits of the leading one, from a single sample so near to zero that nothing else counts. It is taken if it
+    /// agrees with the known value, since rounding of the others grows towards zero.
     fn refined(poles: [S; 2], exponent: i32, response: &impl Fn(S) -> Result<Part<S>, MotionError>) -> [S; 2] {
         let closer = exponent + binary_exponent(S::EPSILON) / 2 - 1;
         let x = S::of_omega(T::one().times_power_of_two(closer));
@@ -290,7 +290,7 @@ mod tests {
         (actual - S::from_f64(expected)).size() <= limit * expected
     }
 
-    /// Closed form: `3/λ² + 2/λ + 5/(λ + 1)`, whose next pole is at 1, from estimates of that which are far off.
+    /// Closed form: `3/λ² + 2/λ + 5/(λ + 1)`, whose next pole is at 1, from estimates of that pole which are far off.
     #[test]
     fn coefficients_of_a_sum_of_poles() {
         fn check<T: Real>(limit: f64) {
@@ -317,7 +317,7 @@ mod tests {
         );
     }
 
-    /// A pole that is a rounding of what the response is made of is none; what has no limit is not settled.
+    /// A pole as small as rounding is none, and a response without a limit is not settled.
     #[test]
     fn what_cannot_be_told() {
         let noisy = |x: f64| Ok(Part { value: 1e-15 / (x * x) + 1.0 / (4.0 - x * x), size: 1.0 + 10.0 / (x * x) });

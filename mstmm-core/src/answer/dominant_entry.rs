@@ -1,4 +1,4 @@
-//! Where a motion of the system shows best: the entries of states at all ends of elements, made comparable.
+//! The dominant entry of a motion: entries of states at all ends of elements, compared as energies.
 
 use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::visit::Visit;
@@ -15,12 +15,12 @@ pub(crate) struct Candidate {
     /// The step behind which the point is.
     pub(crate) step: usize,
     pub(crate) coordinate: Coordinate,
-    /// What makes the square of the entry an energy: a stiffness, or one over a stiffness.
+    /// The factor that makes the square of the entry an energy: a stiffness, or one over a stiffness.
     pub(crate) unit: f64,
 }
 
-/// The frequency at which elements tell their usual stiffnesses: that of the motion, but where that is zero and inertia has no
-/// force that of the slowest motion.
+/// The frequency at which elements give their usual stiffnesses: that of the motion, or the lowest estimate where that is zero,
+/// since inertia has no force there.
 pub(crate) fn comparable<S: Scalar, Y: Tree<S> + ?Sized>(system: &Y, x: S) -> FrequencyPowers<S> {
     let slowest = || S::one().times_power_of_two(system.estimates().lowest_exponent());
     Y::at(if x.is_zero() { slowest() } else { x })

@@ -1,4 +1,4 @@
-//! Forms of motions: mass, stiffness and damping of elements, and their sums over a system.
+//! Mass, stiffness and damping forms of elements, and their sums over a system.
 
 use crate::answer::states::SystemStates;
 use crate::element::moving::{CoefficientsOf, Moving};

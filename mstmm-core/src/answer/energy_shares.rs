@@ -11,15 +11,15 @@ use crate::number::scalar::Scalar;
 use crate::pass::tree::Tree;
 use num_traits::Zero;
 
-/// Shares of an element in the energies of a mode, from 0 to 1: those of all elements add up to 1 each, or to 0 where there
-/// is none.
+/// Shares of an element in the energies of a mode, from 0 to 1. The shares of all elements in an energy add up to 1, or to 0 if
+/// the mode has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyShares<T> {
     /// Share in the strain energy.
     pub strain: T,
     /// Share in the kinetic energy.
     pub kinetic: T,
-    /// Share in what dampers take away.
+    /// Share in the energy that dampers dissipate.
     pub dissipated: T,
 }
 

@@ -8,9 +8,9 @@ use crate::number::frequency::Real;
 use num_complex::Complex;
 use num_traits::Zero;
 
-/// The response to a force history, one sample after the other: what a filter is to a signal.
+/// The response to a force history, sample by sample, as a digital filter gives it.
 ///
-/// Between samples the force runs linearly. For such a force every step is exact, however long it is beside the periods of the
+/// Between samples the force runs linearly. For such a force every step is exact, however long compared with the periods of the
 /// modes; there is no limit of stability. Modes that are not in the list follow the force at once.
 #[derive(Clone, Copy, Debug)]
 pub struct ForceHistory<T, const N: usize> {
@@ -27,7 +27,7 @@ struct Mode<T> {
     value: Complex<T>,
     /// `e^{λ dt}`
     growth: Complex<T>,
-    /// What the force at the begin of a step adds until its end, and what that at its end adds.
+    /// The contributions to the end of a step of a unit force at its begin and of a unit force at its end.
     weights: [Complex<T>; 2],
 }
 

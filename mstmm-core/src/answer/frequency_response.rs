@@ -15,10 +15,10 @@ use crate::pass::route::{Place, Route};
 use crate::pass::tree::{Planned, Tree};
 use num_traits::One;
 
-/// Systems of more steps are evaluated at one frequency after the other: the subspaces behind all steps are on the stack.
+/// Largest number of steps evaluated in blocks, since the subspaces behind all steps are on the stack.
 const LARGEST_IN_BLOCKS: usize = 64;
 
-/// Roundings of Δ at low frequencies beside which it is nothing at rest.
+/// Size of Δ at rest, in roundings of Δ at low frequencies, up to which it counts as zero.
 const NOTHING: f64 = 4096.0;
 
 /// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
@@ -41,13 +41,13 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.
     ///
-    /// 0 is the static limit, wherever it is finite; it takes twice the time, to see that Δ is not a rounding there. Where nothing
-    /// holds a part of the system, which the load does not move, it is extrapolated from some tens to hundreds of responses at
-    /// low frequencies, to 12 digits of the largest of these. What the load moves off by no more than rounding is at rest.
+    /// At 0 it is the static limit, wherever it is finite; this takes twice the time, to see that Δ is not rounding alone. Where a
+    /// part of the system is not held and the load does not move it, the limit is extrapolated from some tens to hundreds of responses
+    /// at low frequencies, to 12 digits of the largest of these. A part that the load moves by rounding alone is at rest.
     ///
     /// # Errors
-    /// [`MotionError::Resonance`] where it is infinite, [`MotionError::Unsettled`] for a static limit that cannot be told,
-    /// [`MotionError::NotFinite`] where the arithmetic overflows.
+    /// [`MotionError::Resonance`] where it is infinite, [`MotionError::Unsettled`] for an uncertain static limit,
+    /// [`MotionError::NotFinite`] where numbers overflow.
     pub fn at<S>(&self, x: S) -> Result<S, MotionError>
     where
         Y: Tree<S>,
@@ -56,7 +56,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         if x.is_zero() { self.static_limit() } else { self.evaluated(x) }
     }
 
-    /// The same where Δ does not vanish.
+    /// The response at a frequency other than zero.
     fn evaluated<S>(&self, x: S) -> Result<S, MotionError>
     where
         Y: Tree<S>,
@@ -65,8 +65,8 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         self.route.value(&self.route.passes(x), x)
     }
 
-    /// The response and a size beside which rounding is small: the mean of what load and entry do to themselves, as the product of
-    /// two entries of a mode is to their squares.
+    /// The response and a size compared with which its rounding is small: the geometric mean of the responses at the load and at the
+    /// entry to loads of their own.
     pub(crate) fn sized<S>(&self, x: S) -> Result<Part<S>, MotionError>
     where
         Y: Tree<S>,
@@ -102,8 +102,8 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         }
     }
 
-    /// The static limit of a system that is held; `None` where Δ vanishes at rest, or cannot be told from zero beside what it is
-    /// at low frequencies.
+    /// The static limit of a system that is held; `None` where Δ at rest is zero, or as small as rounding compared with Δ at low
+    /// frequencies.
     pub(crate) fn held_at_rest<S>(&self) -> Result<Option<S>, MotionError>
     where
         Y: Tree<S>,
@@ -119,11 +119,11 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         self.route.value(&rest, S::zero()).map(Some)
     }
 
-    /// The response on a grid of the caller's, into memory of the caller's: each value has the bits that it has alone.
+    /// Writes the responses at the frequencies of `grid` to `values`, each with the bits that [`at`](FrequencyResponse::at) gives it.
     ///
-    /// Systems of up to 64 steps take the grid in blocks of frequencies, which costs a fraction of the time; memory for that is on
-    /// the stack, some 3 kB per step for real frequencies, twice as much for complex ones: for ten steps a thread of 256 kB is
-    /// enough, of 512 kB in debug builds.
+    /// Systems of up to 64 steps take the grid in blocks of frequencies, which costs a fraction of the time. Their memory is on the
+    /// stack, some 3 kB per step for real frequencies, twice as much for complex ones: for ten steps a thread of 256 kB is enough, of
+    /// 512 kB in debug builds.
     ///
     /// # Errors
     /// As [`at`](FrequencyResponse::at), for the first frequency where it fails; [`MotionError::Capacity`] where `values` is
@@ -153,7 +153,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Ok(())
     }
 
-    // a call: it takes much of the stack
+    // not inlined: it takes much of the stack
     #[inline(never)]
     fn in_blocks<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
     where

@@ -1,4 +1,4 @@
-//! What a motion does between the ends of elements: nodes and largest deflections.
+//! Motions between the ends of elements: nodes and largest deflections.
 
 use crate::answer::states::SystemStates;
 use crate::element::energies::Inside;
@@ -12,7 +12,7 @@ use crate::pass::tree::Tree;
 
 /// Samples per half wave; a deflection between two of them is monotonic or has one extremum.
 const SAMPLES: f64 = 16.0;
-/// Halvings that bring a step of a sample to rounding.
+/// Number of halvings that narrow the distance of two samples to rounding.
 const HALVINGS: u32 = 60;
 
 impl Inside {
@@ -46,7 +46,7 @@ where
         largest
     }
 
-    /// The deflection of largest size between two places of an element: where it grows no more.
+    /// The deflection of largest size between two places of an element.
     fn extremum(&self, step: usize, mut from: f64, mut to: f64) -> S {
         let growth = |state: &State<S>| S::to_complex(state.theta * state.y.conjugate()).re;
         let [start, end] = [from, to].map(|place| self.state_at(step, place));
@@ -71,17 +71,17 @@ where
     T: Real,
     Y: Tree<T, Parameter = T> + ?Sized,
 {
-    /// Number of nodes inside of an element: places between its ends where the deflection changes its sign. A beam on its own
+    /// Number of nodes inside of an element: places between its ends where the deflection changes its sign. A single beam between
     /// supports has n - 1 of them in mode n (Sturm).
     ///
-    /// A node just where two elements meet is inside of neither. Shapes of damped systems are complex and have no nodes.
+    /// A node at the point where two elements meet is inside of neither. Shapes of damped systems are complex and have no nodes.
     pub fn nodes<E: Element>(&self, label: Label<Y::Model, E>) -> usize {
         let Some(inside) = self.inside(label.step) else { return 0 };
         let samples = inside.samples();
         let deflection =
             |sample: u32| self.state_at(label.step, inside.length * f64::from(sample) / f64::from(samples)).y;
         let largest = (0..=samples).map(|sample| deflection(sample).size()).fold(0.0, f64::max);
-        // what a support holds is zero to rounding, and no node
+        // a deflection that a support holds is zero to rounding, and no node
         let shown = |y: &T| y.size() > largest * Scalar::sqrt(f64::from(samples) * T::EPSILON);
         let ends = [0, samples].map(deflection);
         let first = Some(ends[0]).filter(shown);

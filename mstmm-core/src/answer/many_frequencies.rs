@@ -1,4 +1,4 @@
-//! What users call: Δ and the count at many frequencies.
+//! Δ and the count at many frequencies: the trait that users call.
 
 use crate::model::error::SearchError;
 use crate::number::columns::InColumns;
@@ -28,10 +28,10 @@ where
 
 /// Evaluations at many frequencies, in blocks: each value takes a fraction of the time.
 ///
-/// Each has the bits that it has alone, whatever is beside it, as long as no minor under- or overflows.
+/// Each value has the bits of a single evaluation, as long as no minor under- or overflows.
 ///
 /// With `std` the loops over a block are compiled for AVX-512, AVX2 and the target, and the widest that the machine has is
-/// used; otherwise that of the target. Memory is on the stack: some 25 kB for real frequencies, four times as much for a complex
+/// used; without it for the target alone. Memory is on the stack: some 25 kB for real frequencies, four times as much for a complex
 /// λ with a derivative; a thread of 256 kB is enough, of 512 kB in debug builds.
 ///
 /// ```
@@ -55,7 +55,7 @@ where
 /// # Ok::<(), mstmm_core::InvalidParameter>(())
 /// ```
 pub trait ManyFrequencies: System {
-    /// Δ at each frequency: what [`characteristic`](Characteristic::characteristic) returns for them one by one.
+    /// Δ at each frequency, as [`characteristic`](Characteristic::characteristic) returns it.
     ///
     /// # Errors
     /// [`SearchError::Capacity`] where `values` is shorter than `frequencies`.
@@ -70,7 +70,7 @@ pub trait ManyFrequencies: System {
             if some.len() >= WORTHWHILE && pass.run(self, some) {
                 for (lane, (value, &x)) in values.iter_mut().zip(some).enumerate() {
                     *value = pass.values.lane(lane);
-                    // where sums cancel nothing is made of them in a block
+                    // where sums cancel, the block has no value for the frequency
                     if !value.mantissa().size().is_finite() {
                         *value = Characteristic::<S>::characteristic(self, x);
                     }
@@ -118,7 +118,7 @@ pub trait ManyFrequencies: System {
 /// Counts and Δ in the lanes of a block.
 type CountsOfBlock<T> = [(WittrickWilliams<true>, Scaled<T>); WIDTH];
 
-/// Counts and Δ at a distance from the frequencies of a block; `None` where they have to go alone.
+/// Counts and Δ at a relative distance from the frequencies of a block; `None` where each has to be evaluated alone.
 fn count_block<Y, T>(
     system: &Y,
     pass: &mut BlockPass<T, WittrickWilliams<true>>,

@@ -1,7 +1,7 @@
-//! Whether the states of a motion fit together, and a second look where they do not.
+//! The misfit of the states of a motion: the residual of compatibility and equilibrium at connections.
 //!
 //! Where several paths are near a frequency at which they vibrate with their ends held, displacements of their joint are small
-//! and rounded, and forces follow from them over the distance to that frequency: they do not add up.
+//! and rounded. Forces follow from them, divided by the distance to that frequency, and do not add up.
 
 use crate::answer::dominant_entry::{UnitsOf, comparable};
 use crate::answer::mode_shape::ModeShape;
@@ -20,8 +20,8 @@ where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
-    /// By how much states at connections do not fit together, relative to the largest in the system; made comparable as the root
-    /// of an energy.
+    /// The misfit of states at connections, relative to the largest states in the system. Entries are compared as square roots of
+    /// energies.
     fn misfit(&self) -> f64 {
         let (mut whole, mut worst) = (0.0_f64, 0.0_f64);
         let at = comparable(self.system, self.x);
@@ -39,7 +39,7 @@ where
         (worst / whole).sqrt()
     }
 
-    /// The same at a connection, as an energy.
+    /// The misfit at a connection, as an energy.
     fn misfit_at(&self, connection: usize, inputs: &[usize], at: &FrequencyPowers<S>) -> f64 {
         let behind = self.states.as_ref()[connection];
         let mut units = [0.0_f64; 2];
@@ -82,18 +82,18 @@ where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
-    /// Whether its states do not fit together as well as they could.
+    /// Whether the misfit of its states is larger than usual.
     pub(crate) fn is_doubtful(&self) -> bool {
         let misfit = self.misfit();
         misfit.is_nan() || misfit > MISFIT * S::EPSILON
     }
 
-    /// Refuses a shape whose states do not fit together. One that is not doubtful is not refused.
+    /// The shape, or an error if its states do not fit together.
     pub(crate) fn accepted(self) -> Result<Self, MotionError> {
         self.check().map(|()| self)
     }
 
-    /// Whether its states fit together.
+    /// Refuses a shape whose states do not fit together. One that is not doubtful is not refused.
     pub(crate) fn check(&self) -> Result<(), MotionError> {
         let misfit = self.misfit();
         if misfit <= REFUSED_MISFIT * S::EPSILON {
@@ -102,7 +102,7 @@ where
         Err(MotionError::Unresolved { root: self.x.modulus(), misfit })
     }
 
-    /// A shape that the judging arithmetic found.
+    /// A shape that was found in extended precision.
     pub(crate) fn of_extended(judged: &ModeShape<'a, Y, S::Extended>) -> Self
     where
         Y: Tree<S::Extended>,

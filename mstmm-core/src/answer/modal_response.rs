@@ -20,9 +20,9 @@ use core::marker::PhantomData;
 use num_complex::Complex;
 use num_traits::Zero;
 
-/// Shapes of a multiple root for which there is room at least, whatever the capacity of the response.
+/// Number of shapes of a multiple root for which there is room at any capacity of the response.
 const USUAL_MULTIPLICITY: u64 = 4;
-/// Roundings of the static response, and of what modes make of it, within which they are the same.
+/// Difference between the static response and that of the modes, in roundings of both, up to which it counts as zero.
 const ROUNDING: f64 = 64.0;
 
 /// The response of an entry of a state in time, as a sum over modes: to an impulse, to a step, and to a force history.
@@ -31,28 +31,28 @@ const ROUNDING: f64 = 64.0;
 /// `Σ φ φ/(2λ) e^{λt}` over the eigenvalues and their conjugates, `φ φ sin(ωt)/ω` for an undamped mode and `φ φ t` for one of a
 /// rigid body.
 ///
-/// Modes that are not in the list are taken as if they followed the load at once: what the listed ones leave of the static
-/// response, `H(0) - Σ`, the residual compliance, is a part of the responses to steps and to histories, and of the static value.
-/// So massless points give way at once, and deflections, forces and moments near the load end up where they belong, however few
-/// modes there are. In truth what is slow takes its time and what is far hears of the load later, so that the list has to
-/// hold all modes that are slow beside the load. In the response to an impulse such modes would be over at once: it has no such term.
+/// Modes that are not in the list are assumed to follow the load at once. Their part of the static response, the residual
+/// compliance `H(0) - Σ`, is a part of the responses to steps and to histories, and of the static value. So massless points give
+/// way at once, and deflections, forces and moments near the load become right, however few modes there are. Slow modes and points
+/// far from the load follow later in truth, so that the list has to hold all modes that are slow compared with the load. The
+/// response to an impulse has no residual term, since such modes would be over at once.
 ///
-/// Rigid bodies, and what dampers alone hold, move as `r₂/λ² + r₁/λ` says, the poles of the response at λ = 0, if the list has that
-/// root; if it has not they do not move off, and the residual compliance is the rest of the response without these poles.
+/// Rigid bodies, and parts that only dampers hold, move by the poles `r₂/λ² + r₁/λ` of the response at λ = 0, if the list has that
+/// root. If it has not, they do not move off, and the residual compliance is that of the response without these poles.
 ///
-/// A response depends on the system no more: it is a plain value. `M` is what its frequencies mean: [`RealFrequency`] for an
+/// A response does not borrow the system: it is a plain value. `M` is the meaning of its frequencies: [`RealFrequency`] for an
 /// undamped system, [`ComplexEigenvalue`] for a damped one.
 #[derive(Clone, Copy, Debug)]
 pub struct ModalResponse<T, const N: usize, M> {
     pub(crate) terms: List<Term<T>, N>,
     /// `Σ φ φ` over the modes of rigid bodies: one over the mass that the load feels.
     pub(crate) rigid: T,
-    /// The residual compliance: what gives way at once.
+    /// The residual compliance.
     pub(crate) residual: T,
     meaning: PhantomData<fn() -> M>,
 }
 
-/// What a mode adds to the response to an impulse: the real part of `residue · e^{λt}`, for an eigenvalue and its conjugate.
+/// The part of a mode in the response to an impulse: the real part of `residue · e^{λt}`, for an eigenvalue and its conjugate.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Term<T> {
     pub(crate) lambda: Complex<T>,
@@ -77,7 +77,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         let mut at_rest = None;
         for root in roots {
             let omega = root.frequency().omega().to_complex();
-            // the conjugate of an upper eigenvalue, for which that one stands
+            // an upper eigenvalue stands for its conjugate, too
             if omega.re < T::zero() {
                 continue;
             }
@@ -97,7 +97,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         Ok(response)
     }
 
-    /// The shapes of a multiple root; a call, whose memory for them is there no longer than they are.
+    /// Adds the contributions of a multiple root. Not inlined, so that the memory of its shapes is freed.
     #[inline(never)]
     fn add_all<const CAP: usize, Y, R>(&mut self, system: &Y, root: &R, places: &Places) -> Result<(), MotionError>
     where
@@ -108,7 +108,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         shapes.iter().try_for_each(|shape| self.add(shape, places))
     }
 
-    /// Adds what a shape of a root contributes, other than one at zero.
+    /// Adds the contribution of a shape, of a root other than zero.
     fn add<Y, S>(&mut self, shape: &ModeShape<'_, Y, S>, places: &Places) -> Result<(), MotionError>
     where
         Y: Tree<S, Parameter = T> + ?Sized,
@@ -125,7 +125,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         self.terms.push(term).map_err(|_| MotionError::Capacity { capacity: N })
     }
 
-    /// Adds what the response at rest says of all that is not in the list, and how the root at zero moves if that is.
+    /// Adds the residual compliance from the response at rest, and the motion of the root at zero if the list has it.
     #[inline(never)]
     fn complete<Y, R>(
         &mut self,
@@ -172,12 +172,12 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         Ok(())
     }
 
-    /// What the modes that are held make of a constant load.
+    /// The static response of the listed modes, without those at zero.
     fn held(&self) -> T {
         self.terms.iter().fold(T::zero(), |sum, term| sum + term.at_rest())
     }
 
-    /// What the modes make of the response at λ, and the size of all that is summed up.
+    /// The response of the listed modes at λ, and the sum of the sizes of their terms.
     fn at(&self, lambda: Complex<T>) -> (Complex<T>, f64) {
         let half = T::from_f64(0.5);
         self.terms.iter().fold((Complex::zero(), 0.0), |(sum, size), term| {
@@ -187,8 +187,8 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         })
     }
 
-    /// The entry at a time \[s\] after an impulse of 1 N s, or of 1 N m s; 0 before it, NaN for a time that is none. What gives way
-    /// at once has come back by then.
+    /// The entry at a time \[s\] after an impulse of 1 N s, or of 1 N m s; 0 before it, NaN for a time that is NaN. The residual
+    /// compliance has no part in it.
     pub fn to_impulse(&self, time: T) -> T {
         if time < T::zero() {
             return T::zero();
@@ -198,7 +198,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     }
 
     /// The entry at a time \[s\] after the begin of a constant load of 1 N, or of 1 N m; 0 before it, NaN for a time that is
-    /// none. At 0 it is the residual compliance.
+    /// NaN. At 0 it is the residual compliance.
     pub fn to_step(&self, time: T) -> T {
         if time < T::zero() {
             return T::zero();
@@ -209,7 +209,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         self.terms.iter().fold(self.residual + away, |sum, term| sum + one(term))
     }
 
-    /// The entry under a constant load of 1 once all has come to rest: the static response, whatever modes are in the list.
+    /// The static response: the entry under a constant load of 1 at rest, whatever modes are in the list.
     ///
     /// # Errors
     /// [`MotionError::Resonance`] where a rigid body of the list moves off, or drifts against a damper.
@@ -222,7 +222,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
 }
 
 impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
-    /// The same modes with a damping ratio ζ in each: `e^{-ζωt} sin(ω_d t)/ω_d` in place of `sin(ωt)/ω`, with
+    /// The response with a damping ratio ζ in each mode: `e^{-ζωt} sin(ω_d t)/ω_d` in place of `sin(ωt)/ω`, with
     /// `ω_d = ω sqrt(1 - ζ²)`. Rigid bodies move as before, and modes that are not in the list still follow at once.
     ///
     /// # Errors
@@ -243,18 +243,18 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
 }
 
 impl<T: Real> Term<T> {
-    /// What the mode makes of a constant load in the end.
+    /// The static response of the mode.
     fn at_rest(&self) -> T {
         -(self.residue / self.lambda).re
     }
 }
 
-/// The number, or zero where rounding of what it is the difference of explains it.
+/// A difference, or zero where it may be rounding alone, compared with the scale of its terms.
 fn beyond_rounding<T: Real>(number: T, scale: f64) -> T {
     if number.size() <= ROUNDING * T::EPSILON * scale { T::zero() } else { number }
 }
 
-/// Where the load acts and what is asked for.
+/// The places of the load and of the entry.
 struct Places {
     load: Place,
     entry: Place,

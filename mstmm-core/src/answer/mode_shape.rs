@@ -14,12 +14,12 @@ use crate::pass::tree::{ExtendedTree, Tree};
 use core::fmt;
 use core::ops::Deref;
 
-/// Relative step of the secant method, large beside the rounding of a root and small beside its distance to others.
+/// Relative step of the secant method, large beside the rounding of a root and small beside the distance of other roots.
 const NEAR: f64 = 1e-13;
 
-/// A motion of a system at a root, normalised to unit modal mass; dereferences to its states.
+/// The motion of a system at a root, normalised to unit modal mass; dereferences to its states.
 ///
-/// Real for a natural frequency, complex for an eigenvalue. With deflections in m the modal mass is 1 kg m²;
+/// It is real for a natural frequency, complex for an eigenvalue. With deflections in m the modal mass is 1 kg m²;
 /// [`with_unit_deflection`](ModeShape::with_unit_deflection) makes the largest deflection 1 m.
 #[derive(Debug)]
 pub struct ModeShape<'a, Y: Tree<S> + ?Sized, S: Scalar> {
@@ -45,7 +45,6 @@ pub struct ShapeList<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> {
     pub(crate) shapes: [Option<ModeShape<'a, Y, S>>; CAP],
 }
 
-/// The shapes that are there.
 impl<Y, S, const CAP: usize> fmt::Debug for ShapeList<'_, Y, S, CAP>
 where
     Y: Tree<S> + fmt::Debug + ?Sized,
@@ -65,14 +64,14 @@ impl<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> ShapeList<'a, Y, S, C
 
 /// The shape of a simple root.
 ///
-/// Where its states do not fit together it is sought again in the arithmetic that judges.
+/// Where its states do not fit together it is computed again in extended precision.
 pub(crate) fn simple<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
 where
     Y: ExtendedTree<S> + ?Sized,
     S: Oscillation<<Y as System>::Parameter>,
 {
     let plain = plainly(system, x);
-    // the root, too, is rounded, which is too much where others are close: its nearer value is sought where the shape shows
+    // where other roots are close, the root needs more digits, too: they are sought at the point where the shape shows best
     let point = match &plain {
         Ok(shape) if shape.is_doubtful() => shape.source,
         Err(MotionError::NotARoot { .. }) => system.scheme().len() - 2,
@@ -85,7 +84,7 @@ where
     ModeShape::of_extended(&plainly(system, nearer)?).accepted()
 }
 
-/// A step of the secant method from a root that is rounded in this arithmetic, by Δ at a point.
+/// The root after a step of the secant method with Δ at a point, from a value rounded to fewer digits.
 fn nearer_root<S, Y>(system: &Y, x: S, point: usize) -> S
 where
     Y: Tree<S> + ?Sized,
@@ -103,7 +102,7 @@ where
     if step.size() <= NEAR * x.size() { x - step } else { x }
 }
 
-/// The same without a second look.
+/// The shape of a simple root, in the precision of `S` alone.
 fn plainly<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
 where
     Y: Tree<S> + ?Sized,
@@ -120,7 +119,7 @@ where
     });
     let Some((best, _)) = best else { return Err(MotionError::NotFinite { frequency }) };
     let square = passes.meeting(best.step).square(best.coordinate);
-    // by so much the states on both sides of the point differ, beside what is usual there
+    // the difference of the states on both sides of the point, compared with usual states there
     let jump = passes.meeting(best.step).delta().over(square);
     let mismatch = jump.magnitude().value() / best.unit;
     if mismatch.is_nan() {
@@ -150,12 +149,12 @@ where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
-    /// A motion that is a shape.
+    /// A shape of given states.
     pub(crate) fn of(field: SystemStates<'a, Y, S>) -> Self {
         ModeShape { field }
     }
 
-    /// Of unit modal mass; `None` if that of the states is not finite, or zero.
+    /// The shape of unit modal mass; `None` if the modal mass of the states is zero or not finite.
     pub(crate) fn normalised(field: SystemStates<'a, Y, S>) -> Option<Self> {
         let mut shape = ModeShape { field };
         let mass = shape.modal_mass();

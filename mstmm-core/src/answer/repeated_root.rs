@@ -1,7 +1,7 @@
-//! The shapes of a multiple root: the residue of the response at its pole.
+//! The shapes of a multiple root, from the residue of the response at its pole.
 //!
 //! Near a root x0 the motion caused by a jump f is `Σ φ (φᵀ f)/(x - x0)` over its shapes, up to a constant. A sum over points
-//! around x0 takes that residue out, for as many jumps as there are shapes, each where what is left shows best.
+//! around x0 gives this residue, for one jump per shape, each at the entry where the rest of the residue is largest.
 
 use crate::answer::dominant_entry::Candidate;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
@@ -16,7 +16,7 @@ use crate::pass::both_ways::Passes;
 use crate::pass::jump::dual_of;
 use crate::pass::tree::{ExtendedTree, Tree};
 
-/// All shapes of a root, of a multiple one sought again in the arithmetic that judges where their states do not fit together.
+/// All shapes of a root. Those of a multiple one are computed again in extended precision where their states do not fit together.
 pub(crate) fn all_shapes<'a, const CAP: usize, S, Y, R>(
     system: &'a Y,
     root: &R,
@@ -44,40 +44,40 @@ where
     Ok(list)
 }
 
-/// Points around a root.
+/// Number of points around a root.
 const POINTS: usize = 8;
-/// Distances that are tried, each a quarter of the one before.
+/// Number of distances that are tried, each a quarter of the one before.
 const DISTANCES: u32 = 24;
-/// Change of residues from one ring to the next from which on there is no pole.
+/// Relative change of residues from one ring to the next from which on there is no pole.
 const UNSETTLED: f64 = 1e-3;
-/// Digits that planes lose near a root, over those of the relative distance to it.
+/// Relative error of residues near a root, in roundings divided by the relative distance.
 const ROUNDING: f64 = 10.0;
-/// Roundings by which roots that count as one may differ.
-const SPREAD: f64 = 32.0;
-/// By how much a ring of a quarter of the size is better, where it is better at all: the rest of the response enters with
-/// the eighth power of the distance.
-const GAIN: f64 = 65_536.0;
-/// Part of the largest response on a ring that its mean has where the pole is of that order.
-const PART: f64 = 0.5;
-/// What is left of the residue after as many shapes as there are, relatively, with room for close roots.
-const NOTHING: f64 = 1e-5;
+/// Difference, in roundings, between roots that count as one.
+const ROOT_DIFFERENCE: f64 = 32.0;
+/// Ratio of the errors of a ring and of one a quarter as large, `4^8`: the rest of the response enters with the eighth power of
+/// the distance.
+const QUARTER_GAIN: f64 = 65_536.0;
+/// Least ratio of the mean response on a ring to the largest one for a pole of the order in question.
+const LEAST_MEAN: f64 = 0.5;
+/// Largest rest of the residue when all shapes are found, relative to the residue. It leaves room for close roots.
+const LARGEST_REST: f64 = 1e-5;
 
 /// Passes around a root.
 struct ContourRing<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     passes: [Passes<'a, Y, S>; POINTS],
-    /// Their weights, and `x - x0`.
+    /// Weights of the points, and `x - x0`.
     weights: [(S, S); POINTS],
-    /// At zero the pole is that of λ².
+    /// Whether the root is zero, where the pole is one in λ².
     at_zero: bool,
     /// Distance of the nearest points.
     distance: f64,
 }
 
-/// The order of a pole, and so the power of `x - x0` that takes it out.
+/// The order of a pole: the power of `x - x0` by which the response is multiplied.
 #[derive(Clone, Copy, Debug)]
 enum Order {
     Simple,
-    /// As where two eigenvalues have one shape between them.
+    /// The pole of two eigenvalues that share one shape.
     Double,
 }
 
@@ -127,7 +127,7 @@ where
                 return Ok(false);
             }
             let mut shape = self.shape(system, x, &candidate).ok_or(MotionError::NotFinite { frequency: size })?;
-            // twice: the second time takes what the first left to rounding
+            // twice: the second time removes the rounding of the first
             for _ in 0..2 {
                 for other in found[..count].iter().flatten() {
                     let product = shape.product(other);
@@ -158,7 +158,7 @@ where
         }
     }
 
-    /// The ring of the least error, by the change from the one before it and by rounding, and where residues show best on it.
+    /// The ring of the least error, by the change from the one before it and by rounding, and its dominant entry.
     fn of_best_distance(system: &'a Y, x: S, multiplicity: u64, widest: f64) -> Result<(Self, Candidate), MotionError> {
         let lowest = 1.0.times_power_of_two(system.estimates().lowest_exponent());
         let size = x.modulus();
@@ -166,7 +166,7 @@ where
         let rounding = S::EPSILON * scale;
         // the roots themselves are rounded, and lie off the middle of the ring
         let of_root = |distance: f64| {
-            let away = SPREAD * <Y::Parameter as Scalar>::EPSILON * scale / distance;
+            let away = ROOT_DIFFERENCE * <Y::Parameter as Scalar>::EPSILON * scale / distance;
             let squared = away * away;
             squared * squared * squared * squared
         };
@@ -178,14 +178,14 @@ where
             let ring = ContourRing::new(system, x, distance);
             for (order, best) in [Order::Simple, Order::Double].into_iter().zip(&mut best) {
                 let change = ring.change(&before, order);
-                let from_others = if change < UNSETTLED { change / GAIN } else { change };
+                let from_others = if change < UNSETTLED { change / QUARTER_GAIN } else { change };
                 let error = from_others.max(ROUNDING * rounding / distance).max(of_root(distance));
                 if change.is_finite() && best.is_none_or(|(least, _)| error < least) {
                     *best = Some((error, distance));
                 }
             }
             before = ring;
-            // it can but become worse
+            // smaller rings are worse
             if best.iter().all(|best| best.is_some_and(|(least, _)| ROUNDING * rounding / distance > least)) {
                 break;
             }
@@ -193,7 +193,7 @@ where
         let [Some((error, distance)), double] = best else { return Err(MotionError::NotFinite { frequency: size }) };
         let ring = ContourRing::new(system, x, distance);
         let has_settled = error < UNSETTLED;
-        let is_double = |ring: &Self| ring.part(Order::Double) > PART;
+        let is_double = |ring: &Self| ring.part(Order::Double) > LEAST_MEAN;
         let settles_as_double = || {
             double
                 .is_some_and(|(error, distance)| error < UNSETTLED && is_double(&ContourRing::new(system, x, distance)))
@@ -202,7 +202,7 @@ where
             return Err(MotionError::Defective { root: size, multiplicity, shapes: multiplicity.saturating_sub(1) });
         }
         if !has_settled && x.is_zero() {
-            // dampers alone hold the system there: its motions drift, and none is a pole of λ²
+            // only dampers hold the system there: its motions drift, and none is a pole in λ²
             return Err(MotionError::Defective { root: size, multiplicity, shapes: 0 });
         }
         if !has_settled {
@@ -212,8 +212,8 @@ where
         Ok((ring, candidate))
     }
 
-    /// The change of all residues as energies from another ring to this one, relatively: that of one entry alone is small by
-    /// chance now and then.
+    /// The relative change of all residues, as energies, from another ring to this one. The change of a single entry may be small by
+    /// chance.
     fn change(&self, before: &Self, order: Order) -> f64 {
         let (mut change, mut whole) = (0.0, 0.0);
         self.passes[0].for_each_candidate(|candidate| {
@@ -224,8 +224,8 @@ where
         change / whole
     }
 
-    /// The coefficient of a pole of some order, relative to the largest response on the ring: 1 near such a pole, and nothing
-    /// where the pole is of lower order.
+    /// The coefficient of a pole of some order, relative to the largest response on the ring: 1 near such a pole, and 0 near a pole
+    /// of lower order.
     fn part(&self, order: Order) -> f64 {
         let (mut mean, mut largest) = (0.0, 0.0);
         self.passes[0].for_each_candidate(|candidate| {
@@ -267,9 +267,9 @@ where
         self.most_left(&[], None)
     }
 
-    /// The candidate at which most of the residue is left beside the shapes that are known, if anything is.
+    /// The candidate with the largest residue left besides the known shapes; `None` if nothing is left.
     fn most_left(&self, known: &[Option<ModeShape<'a, Y, S>>], first: Option<&Candidate>) -> Option<Candidate> {
-        // the constant between residue and squares of shapes is seen where the first shape was taken
+        // the constant between residue and squares of shapes is known at the entry of the first shape
         let squares = |candidate: &Candidate| {
             known.iter().flatten().fold(S::zero(), |sum, shape| {
                 let entry = shape.at(candidate.step, false).entry(candidate.coordinate);
@@ -292,7 +292,7 @@ where
                 most = Some((left, candidate));
             }
         });
-        most.filter(|(left, _)| *left > whole * NOTHING).map(|(_, candidate)| candidate)
+        most.filter(|(left, _)| *left > whole * LARGEST_REST).map(|(_, candidate)| candidate)
     }
 
     /// The residue of the motion that a jump causes, as a shape.

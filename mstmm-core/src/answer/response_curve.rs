@@ -1,4 +1,4 @@
-//! Response curves: samples as close as the curve bends.
+//! Response curves: samples that are denser where the curve bends.
 
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::root::Root;
@@ -10,9 +10,9 @@ use crate::number::scalar::Scalar;
 use crate::pass::tree::{Planned, Tree};
 use core::ops::RangeInclusive;
 
-/// Intervals of a curve before it is refined.
+/// Number of intervals of a curve before it is refined.
 const INTERVALS: u32 = 16;
-/// No gap is halved below this part of the range, unless a resonance is narrower.
+/// Smallest gap between samples, as a part of the range, unless a resonance is narrower.
 const FINEST: f64 = 1e-4;
 
 /// A sample of a response curve.
@@ -30,7 +30,7 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
     /// The response over a range of ω [rad/s], refined where it bends: between two samples it differs from the straight line at
     /// the middle by no more than `tolerance` times the largest of the three.
     ///
-    /// `roots` are those whose resonances may lie in the range: none of them is missed, however narrow. Undamped resonances are
+    /// `roots` are the roots whose resonances may lie in the range: none of them is missed, however narrow. Undamped resonances are
     /// infinite and are approached to 1e-4 of the range.
     ///
     /// A thread of 256 kB, 512 in debug builds, and four times the list of samples is enough.
@@ -86,7 +86,7 @@ where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
-    /// Adds the sample at ω, in its place; leaves out one that is infinite or not known.
+    /// Adds the sample at ω in its place, unless it is infinite or uncertain.
     fn add(&mut self, omega: f64) -> Result<(), MotionError> {
         let omega = Scalar::from_f64(omega);
         match self.response.at(S::of_omega(omega)) {
@@ -123,7 +123,7 @@ where
                 continue;
             }
             let Ok(value) = self.response.at(S::of_omega(omega)) else {
-                // a resonance in the very middle
+                // a resonance at the middle
                 index += 1;
                 continue;
             };

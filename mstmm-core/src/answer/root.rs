@@ -1,4 +1,4 @@
-//! Roots of all kinds, as questions about motions take them.
+//! The roots that questions about motions take: natural frequencies and eigenvalues.
 
 use crate::model::motion_error::MotionError;
 use crate::number::frequency::Oscillation;
@@ -12,14 +12,14 @@ pub trait Root<T: Real> {
     /// The frequency at which the system is evaluated there: a real ω, or a complex λ.
     type Frequency: Oscillation<T>;
 
-    /// That frequency.
+    /// The root itself.
     fn frequency(&self) -> Self::Frequency;
 
     /// Number of coinciding roots.
     fn multiplicity(&self) -> u64;
 
-    /// Where the root shows in a response, ω [rad/s], and half the width of its resonance at half the power; zero where it has
-    /// none, or none that can be told from rounding.
+    /// The frequency ω [rad/s] of its resonance, and half the width of the resonance at half the power. The width is zero for an
+    /// undamped root, or one that is undamped to rounding.
     fn peak(&self) -> (T, T);
 }
 
@@ -47,7 +47,7 @@ impl<T: Real> Root<T> for Eigenvalue<T> {
     }
 
     fn peak(&self) -> (T, T) {
-        // what decays no faster than the root is known does not decay as far as anyone can tell
+        // a decay slower than the uncertainty of the root counts as none
         let width = self.lambda.re.abs();
         let is_known = width > self.error;
         (self.lambda.im.abs(), if is_known { width } else { T::zero() })

@@ -13,15 +13,15 @@ use crate::number::scalar::Scalar;
 use crate::pass::state_recovery::RecoveredStates;
 use crate::pass::tree::Tree;
 
-/// The states of a whole system in one motion; part of every result about motions.
+/// The states of a whole system in one motion.
 #[derive(Debug)]
 pub struct SystemStates<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     pub(crate) system: &'a Y,
     pub(crate) x: S,
-    /// Behind each step; at the source on its upstream side.
+    /// The state behind each step; at the source on its upstream side.
     pub(crate) states: Y::PerStep<State<S>>,
     pub(crate) source: usize,
-    /// At the source on its downstream side.
+    /// The state at the source on its downstream side.
     pub(crate) beyond: State<S>,
 }
 
@@ -45,7 +45,7 @@ where
         SystemStates { system, x, states, source: recovered.source, beyond: recovered.beyond.shifted(shift) }
     }
 
-    /// Each state through one function.
+    /// Applies a function to each state.
     pub(crate) fn map(&mut self, f: impl Fn(State<S>) -> State<S>) {
         for state in self.states.as_mut() {
             *state = f(*state);
@@ -72,7 +72,7 @@ where
         Ends { x: self.x, input, output: self.states.as_ref()[step] }
     }
 
-    /// The inside of the element of a step.
+    /// The interior of the element of a step, if it has one.
     pub(crate) fn inside(&self, step: usize) -> Option<Inside> {
         self.system.visit(None, step, InsideOf(self.x)).flatten()
     }
@@ -82,13 +82,12 @@ where
         self.system.visit(None, step, StateAt { ends: self.ends(step), distance }).unwrap_or_default()
     }
 
-    /// The state at a point of a step, on the side that the point is about.
+    /// The state at the point behind a step, on its upstream side or `beyond` it.
     pub(crate) fn at(&self, step: usize, beyond: bool) -> State<S> {
         if beyond && step == self.source { self.beyond } else { self.states.as_ref()[step] }
     }
 
-    /// The state at an end of an element, or at a connection that with which the path goes on. Entries that a path does not
-    /// carry are zero.
+    /// The state at an end of an element, or at the output of a connection. Entries that a path does not carry are zero.
     pub fn state(&self, point: Point<Y::Model>) -> State<S> {
         self.at(point.step, point.beyond)
     }

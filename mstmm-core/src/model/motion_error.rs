@@ -1,13 +1,13 @@
-//! What can be wrong with a question about a motion.
+//! Errors of questions about motions.
 
 use crate::model::state::Coordinate;
 use core::fmt;
 
-/// A motion that cannot be given.
+/// The reason why a motion cannot be given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MotionError {
-    /// The root has several shapes, and none of them is the one.
+    /// The root has several shapes.
     Multiple {
         /// Size of the root, |ω| or |λ|.
         root: f64,
@@ -18,14 +18,14 @@ pub enum MotionError {
     NotARoot {
         /// Size of the frequency, |ω| or |λ|.
         frequency: f64,
-        /// By how much the states at one point differ, relatively.
+        /// Relative difference of the states at one point.
         mismatch: f64,
     },
     /// The states of a shape do not fit together: other roots are so close that rounding moves forces from path to path.
     Unresolved {
         /// Size of the root, |ω| or |λ|.
         root: f64,
-        /// By how much states at a connection differ, relative to the largest in the system.
+        /// Difference of states at a connection, relative to the largest in the system.
         misfit: f64,
     },
     /// A multiple eigenvalue with fewer shapes than its multiplicity, as at critical damping.
@@ -39,18 +39,18 @@ pub enum MotionError {
     },
     /// At frequency zero the derivative of ω is not defined: ω² moves, and ω is its root.
     ZeroFrequency,
-    /// The system resonates at this frequency: the response to a force is infinite. Also at a multiple root that the force does not
-    /// excite, and at any frequency of a model without a spectrum, where equations do not determine the response.
+    /// The system resonates at this frequency: the response to a force is infinite. It is not determined at a multiple root that the
+    /// force does not excite, and at any frequency of a model without a spectrum.
     Resonance {
         /// Size of the frequency, |ω| or |λ|.
         frequency: f64,
     },
-    /// The limit of a response at rest, beside what moves off there, cannot be told: other roots are too close to zero.
+    /// The limit of a response at rest, without its poles, is uncertain: other roots are too close to zero.
     Unsettled {
-        /// By how much limits from two ranges of frequencies differ, relatively.
+        /// Relative difference of limits from two ranges of frequencies.
         change: f64,
     },
-    /// A frequency at which the arithmetic overflows, or which is no number.
+    /// A frequency at which numbers overflow, or which is not a number.
     NotFinite {
         /// Size of the frequency, |ω| or |λ|.
         frequency: f64,
@@ -67,12 +67,12 @@ pub enum MotionError {
         /// End of the range [rad/s].
         end: f64,
     },
-    /// A tolerance must be positive and finite.
+    /// A tolerance that is not positive or not finite.
     Tolerance {
         /// The tolerance that was given.
         tolerance: f64,
     },
-    /// An element without an inside: its states are those at its ends.
+    /// An element without an interior: it has states at its ends only.
     NoInside,
     /// A place outside of an element.
     Outside {
@@ -91,7 +91,7 @@ pub enum MotionError {
         /// The ratio.
         ratio: f64,
     },
-    /// There is no room for all results; none is returned rather than a part of them.
+    /// There are more results than the capacity; none is returned.
     Capacity {
         /// The capacity.
         capacity: usize,

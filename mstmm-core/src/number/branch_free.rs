@@ -1,4 +1,4 @@
-//! Numbers of straight-line code.
+//! Numbers that compute without branches.
 
 mod operators;
 
@@ -7,8 +7,8 @@ use crate::number::scalar::{Branches, Scalar};
 use crate::number::wave_functions::WaveFunctions;
 use core::ops::Mul;
 
-/// A number that knows no branches: NaN wherever one would be needed, and never shifted into another range. Of the formulas
-/// for waves it knows the series for short ones, or those for all that need not be scaled.
+/// A number that computes without branches: NaN where a branch would be needed, and never shifted into another range. Waves
+/// have the series for short ones with `SERIES`, else the closed forms without scaling.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BranchFree<S, const SERIES: bool>(pub(crate) S);
 
@@ -109,14 +109,14 @@ impl<S: Scalar, const SERIES: bool> Scalar for BranchFree<S, SERIES> {
         self.or_nan(condition)
     }
 
-    /// Of a number below 2^32, as those are that count the waves below [`WAVE_LIMIT`](Scalar::WAVE_LIMIT): vectors have no
-    /// conversion to wider ones before AVX-512.
+    /// The whole part of a number below 2^32, as every count of waves below [`WAVE_LIMIT`](Scalar::WAVE_LIMIT) is. Vector
+    /// instructions before AVX-512 have no conversion to wider integers.
     #[inline(always)]
     fn whole(number: f64) -> u64 {
         u64::from(number as u32)
     }
 
-    /// Whoever runs straight-line code looks at the range of what comes of it.
+    /// Leaves the entries as they are. The loop over the lanes checks the range of the results.
     #[inline(always)]
     fn in_range<const N: usize>(entries: [Self; N], _: f64) -> ([Self; N], i32) {
         (entries, 0)

@@ -1,14 +1,14 @@
-//! Numbers that stand in columns.
+//! Storage of many numbers in columns.
 
 use crate::number::scalar::Scalar;
 use core::fmt;
 
-/// A number of which many stand in columns, each of its real parts in one of its own: what blocks are made of.
+/// A scalar of which many are stored in columns, one per real part, as the lanes of a block are.
 pub trait InColumns: Scalar {
-    /// So many numbers.
+    /// Columns of `N` numbers.
     type Columns<const N: usize>: Copy + fmt::Debug;
 
-    /// The same number everywhere.
+    /// Columns with this number in every place.
     fn columns<const N: usize>(self) -> Self::Columns<N>;
 
     /// The number in a place.

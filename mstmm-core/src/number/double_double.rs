@@ -51,7 +51,7 @@ impl DoubleDouble {
         DoubleDouble { hi, lo: (a - a_as_added) + (b - b_as_added) }
     }
 
-    /// The same for `|a| >= |b|` or `a = 0` (Dekker).
+    /// The exact sum of two `f64` with `|a| >= |b|` or `a = 0` (Dekker).
     #[inline(always)]
     const fn from_ordered_sum(a: f64, b: f64) -> Self {
         let hi = a + b;
@@ -128,7 +128,7 @@ impl DoubleDouble {
         DoubleDouble::from_ordered_sum(quotient.hi, quotient.lo + third)
     }
 
-    /// Towards zero. Where `hi` has a fraction, `lo` is too small to reach the next integer.
+    /// The number rounded towards zero. Where `hi` has a fraction, `lo` is too small to reach the next integer.
     const fn truncated(self) -> Self {
         let hi = truncate(self.hi);
         if hi != self.hi {
@@ -142,7 +142,7 @@ impl DoubleDouble {
     }
 }
 
-/// An `f64` towards zero, without the standard library; from 2^53 on all are integers.
+/// An `f64` rounded towards zero without the standard library. From 2^53 on all are integers.
 const fn truncate(value: f64) -> f64 {
     if value.abs() < 9_007_199_254_740_992.0 { value as i64 as f64 } else { value }
 }

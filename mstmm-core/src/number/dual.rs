@@ -34,7 +34,7 @@ impl<S: Scalar> Dual<S> {
         Dual { value: f(self.value), derivative: f(self.derivative) }
     }
 
-    /// Waves of `self`, given those of its value.
+    /// The wave functions of `self`, from those of its value.
     #[inline(always)]
     fn of_waves(self, waves: WaveFunctions<S>) -> WaveFunctions<Self> {
         let WaveFunctions { sin, cos, sh, ch, one, exponents } = waves;

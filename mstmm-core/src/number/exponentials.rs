@@ -1,4 +1,4 @@
-//! The exponential of a complex number, and what is left of it without its first terms.
+//! The exponential of a complex number, and its remainders without the first terms.
 
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;

@@ -3,7 +3,7 @@
 use core::fmt;
 use core::ops::Deref;
 
-/// Up to `CAP` values in an array; dereferences to the slice of those that are there.
+/// A list of up to `CAP` values in an array; dereferences to the slice of its values.
 #[derive(Clone, Copy)]
 pub struct List<V, const CAP: usize> {
     values: [V; CAP],
@@ -60,7 +60,7 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
     }
 }
 
-/// The values that are there; the rest of the memory means nothing.
+/// Shows the values, not the unused memory.
 impl<V: fmt::Debug, const CAP: usize> fmt::Debug for List<V, CAP> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_list().entries(self.iter()).finish()

@@ -52,7 +52,7 @@ fn scale(value: f64, exponent: i32) -> f64 {
     if (-1022..=1023).contains(&exponent) { value * power_of_two(exponent) } else { scale_far(value, exponent) }
 }
 
-/// The same in steps that stay in range as long as the result does.
+/// `value · 2^exponent` in steps that stay in range as long as the result does.
 #[cold]
 fn scale_far(mut value: f64, mut exponent: i32) -> f64 {
     while exponent > 1023 && value.is_finite() && value != 0.0 {
@@ -66,8 +66,8 @@ fn scale_far(mut value: f64, mut exponent: i32) -> f64 {
     value * power_of_two(exponent.clamp(-1022, 1023))
 }
 
-/// Calls a function of the standard library or, without it, of `libm`. Without either the crate is refused in one sentence;
-/// the function is left out, so that nothing is said about it besides.
+/// Calls a function of the standard library or, without it, of `libm`. Without either `lib.rs` refuses the crate, and the function
+/// is left out, so that the compiler reports nothing else.
 macro_rules! elementary {
     ($std:expr, $libm:expr, $($argument:expr),+) => {{
         #[cfg(feature = "std")]
@@ -212,7 +212,7 @@ macro_rules! real {
     };
 }
 
-/// The arithmetic that judges `f64`; without the feature `judge` none does, and programs are small.
+/// The extended precision of `f64`; without the feature `judge` there is none, and programs are small.
 #[cfg(feature = "judge")]
 type ExtendedOfDouble = DoubleDouble;
 #[cfg(not(feature = "judge"))]

@@ -1,4 +1,4 @@
-//! What parameters are, and what a frequency is.
+//! The types of parameters and of frequencies.
 
 use crate::number::scalar::Scalar;
 use core::ops::Mul;
@@ -10,13 +10,13 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
 
-    /// The arithmetic that judges the rounding of this one; the type itself where there is none. It has no other judge.
+    /// The extended precision of this type; the type itself where there is none.
     type Extended: Real<Extended = Self::Extended> + Oscillation<Self>;
 
-    /// Whether there is a judge.
+    /// Whether there is an extended precision.
     const HAS_EXTENDED: bool = false;
 
-    /// `self - a b c`, rounded once where there is more to compute with: what is left may be far smaller than the product.
+    /// `self - a b c`, rounded once where there is an extended precision. The difference may be far smaller than the product.
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
         self - a * b * c
     }
@@ -54,7 +54,7 @@ pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
     /// What the scalar stands for: [`RealFrequency`] or [`ComplexEigenvalue`].
     type Meaning;
 
-    /// Whether it judges the rounding of the parameters' arithmetic: what was rounded in that is computed anew.
+    /// Whether this is the extended precision of the parameters. Steps then compute anew what `build` rounded.
     const IS_EXTENDED: bool = false;
 
     /// `λ²`: `-ω²` for a real frequency.
@@ -75,10 +75,9 @@ pub enum RealFrequency {}
 #[derive(Clone, Copy, Debug)]
 pub enum ComplexEigenvalue {}
 
-/// Whether motions of this meaning may decay, as dampers make them.
+/// A meaning under which motions may decay, as dampers require.
 ///
-/// Four scalars take part in a search for natural frequencies. A damper objects to what they mean, which is one thing: the
-/// compiler says it once.
+/// A search for natural frequencies uses four scalars. They share one meaning, so that the compiler reports a damper once.
 #[diagnostic::on_unimplemented(
     message = "a system with a damper has complex eigenvalues: it cannot be evaluated at a real frequency",
     label = "needs a complex λ, since there is a damper in the model",
@@ -99,27 +98,27 @@ where
 {
 }
 
-/// The arithmetic that judges a frequency of a system with parameters of type `T`.
+/// The extended precision of a frequency `S` of a system with parameters of type `T`.
 pub type ExtendedOf<S, T> = <S as Oscillation<T>>::Extended;
 
 /// A frequency at which motions are computed.
 pub trait Oscillation<T: Real>: Frequency<T> {
-    /// The same in the arithmetic that judges the rounding of this one; the type itself where there is none.
+    /// The frequency in extended precision; the type itself where there is none.
     type Extended: Oscillation<T>;
 
-    /// Whether there is a judge.
+    /// Whether there is an extended precision.
     const HAS_EXTENDED: bool;
 
-    /// The number in the judging arithmetic.
+    /// The number in extended precision.
     fn to_extended(self) -> Self::Extended;
 
-    /// Back from the judging arithmetic.
+    /// The number nearest to one in extended precision.
     fn from_extended(value: Self::Extended) -> Self;
 
     /// The number as a complex one.
     fn to_complex(self) -> Complex<T>;
 
-    /// Back from a complex number, which is real where this one is.
+    /// The number from its complex form.
     fn from_complex(value: Complex<T>) -> Self;
 
     /// The modulus, |ω| or |λ|.
@@ -127,7 +126,7 @@ pub trait Oscillation<T: Real>: Frequency<T> {
         modulus(self.to_complex()).to_f64()
     }
 
-    /// The complex conjugate; of a real frequency itself.
+    /// The complex conjugate; a real frequency is its own.
     fn conjugate(self) -> Self;
 
     /// The frequency of a steady vibration at ω [rad/s]: ω itself or iω.
@@ -136,11 +135,11 @@ pub trait Oscillation<T: Real>: Frequency<T> {
     /// Derivative of λ² with respect to the frequency: `-2ω` or `2λ`.
     fn slope_of_lambda_squared(self) -> Self;
 
-    /// λ, which a damping form multiplies; a real frequency has none.
+    /// λ, which multiplies a damping form; 0 for a real frequency, whose systems have no dampers.
     fn lambda(self) -> Self;
 
-    /// Points about a frequency at a distance, each with the weight of `(x - x0) f(x)` in the residue of f at its simple pole
-    /// x0: the rest of f enters with the eighth power of the distance.
+    /// Points x around this frequency x0, each with a weight w: `Σ w (x - x0) f(x)` is the residue of f at a simple pole x0. The
+    /// regular part of f enters with the eighth power of the distance.
     fn around(self, distance: T) -> [(Self, Self); 8];
 }
 

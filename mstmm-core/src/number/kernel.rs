@@ -7,7 +7,7 @@
 /// π/2 in three parts; products of the first two with whole numbers below 2^20 are exact.
 const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
-/// ln 2 in two parts, likewise.
+/// ln 2 in two parts; products of the first with whole numbers below 2^20 are exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
 /// Adding and subtracting this rounds to a whole number, which stands in the last bits in between.
@@ -44,7 +44,7 @@ fn polynomial(coefficients: &[f64; 6], x: f64) -> f64 {
     (a + b * x) + x2 * ((c + d * x) + x2 * (e + f * x))
 }
 
-/// A whole number and what remains of `x` beyond so many quarter turns or doublings.
+/// The whole number nearest to `x`, as a number and as bits whose last ones are the integer.
 #[inline(always)]
 fn nearest_whole(x: f64) -> (f64, u64) {
     let shifted = x + ROUNDER;

@@ -40,7 +40,7 @@ impl<T: Real> Oscillation<T> for T {
         T::zero()
     }
 
-    /// The polynomial of degree 7 through what is at `±1, ±2, ±3, ±4` distances.
+    /// Interpolation by the polynomial of degree 7 through `±1, ±2, ±3, ±4` distances.
     fn around(self, distance: T) -> [(T, T); 8] {
         let weights = [28.0, -14.0, 4.0, -0.5].map(|weight| T::from_f64(weight) / T::from_f64(35.0));
         core::array::from_fn(|k| {

@@ -10,8 +10,8 @@ use core::cmp::Ordering;
 /// Formulas of a model, written for `f64`, hold for it too: it has the operators, with an `f64` on either side, and the
 /// functions of `f64` that have a derivative. Order and equality look at the value alone.
 ///
-/// A number that does not depend on a field does not begin to where a slope is infinite: its derivative stays zero. Where a
-/// function has a kink, as `abs` at zero, the derivative is that of one side.
+/// A derivative that is zero stays zero where the slope of a function is infinite. Where a function has a kink, as `abs` at
+/// zero, the derivative is that of one side.
 ///
 /// # Example
 /// ```

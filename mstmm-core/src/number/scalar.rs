@@ -1,4 +1,4 @@
-//! Scalars: what matrices are made of.
+//! Scalars: the entries of matrices and states.
 
 use crate::number::exponent::binary_exponent;
 use crate::number::wave_functions::WaveFunctions;
@@ -24,7 +24,7 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
 {
-    /// Which of the formulas for waves are taken.
+    /// The formulas for waves that this number computes.
     const BRANCHES: Branches = Branches::All;
 
     /// The number without its derivative.
@@ -51,7 +51,7 @@ pub trait Scalar:
     /// Principal square root.
     fn sqrt(self) -> Self;
 
-    /// The same where [`is_plain`](Self::is_plain): no branches.
+    /// Principal square root without branches, of a number that [`is_plain`](Self::is_plain).
     #[inline(always)]
     fn moderate_sqrt(self) -> Self {
         self.sqrt()
@@ -73,54 +73,54 @@ pub trait Scalar:
     /// Sine, cosine and their hyperbolic kin of this number, scaled so that nothing overflows.
     fn wave_functions(self) -> WaveFunctions<Self>;
 
-    /// The same for a size below [`WAVE_LIMIT`](Self::WAVE_LIMIT), where nothing needs to be scaled: no branches.
+    /// Wave functions without branches, for a size below [`WAVE_LIMIT`](Self::WAVE_LIMIT), where nothing needs to be scaled.
     fn moderate_wave_functions(self) -> WaveFunctions<Self>;
 
-    /// Functions of this number whose slopes follow from their values, as those of sines, waves and their products do: both are
-    /// given for the number without its derivative, and what comes along with the values is handed on.
+    /// Functions of this number whose slopes follow from their values, as those of sines, waves and their products do. `values` and
+    /// `slopes` take the number without its derivative; the second result of `values` is returned unchanged.
     fn functions<const N: usize, R>(
         self,
         values: impl FnOnce(Self::Plain) -> ([Self::Plain; N], R),
         slopes: impl FnOnce([Self::Plain; N]) -> [Self::Plain; N],
     ) -> ([Self; N], R);
 
-    /// A constant.
+    /// A constant: its derivative is zero.
     fn constant(value: Self::Plain) -> Self;
 
     /// Whether a real number is below zero; complex ones have no order.
     fn is_negative(self) -> bool;
 
-    /// Largest modulus among the real components, of a dual number those of its value: what pivots and branches compare. NaN if any
-    /// of them is.
+    /// Largest modulus among the real components, of a dual number those of its value; NaN if any of them is. Pivots and branches
+    /// compare it.
     fn size(self) -> f64;
 
     /// `self · 2^exponent`, exact unless it leaves the range of the type.
     fn times_power_of_two(self, exponent: i32) -> Self;
 
-    /// The same for an exponent from -1022 to 1023: no branches.
+    /// `self · 2^exponent` without branches, for an exponent from -1022 to 1023.
     #[inline(always)]
     fn times_normal_power_of_two(self, exponent: i32) -> Self {
         self.times_power_of_two(exponent)
     }
 
-    /// The number itself, or NaN where the condition does not hold: without a branch.
+    /// The number itself, or NaN where the condition does not hold, without a branch.
     fn or_nan(self, condition: bool) -> Self;
 
-    /// The number itself. One that knows no branches is NaN where the condition does not hold: straight-line code does not
-    /// hold there either.
+    /// The number itself; a branch-free number is NaN where the condition does not hold, since its formula does not hold there
+    /// either.
     #[inline(always)]
     fn valid_if(self, _condition: bool) -> Self {
         self
     }
 
-    /// The whole number in a number that is not negative.
+    /// The whole part of a number that is not negative.
     #[inline(always)]
     fn whole(number: f64) -> u64 {
         number as u64
     }
 
-    /// Entries that may all be multiplied by a power of two, shifted into the middle of the range by their size, and the
-    /// power taken out.
+    /// Shifts entries by a common power of two into the middle of the range, where their size is beyond it. Returns them with
+    /// the power taken out.
     #[inline(always)]
     fn in_range<const N: usize>(entries: [Self; N], size: f64) -> ([Self; N], i32) {
         if is_moderate(size) {
@@ -131,18 +131,18 @@ pub trait Scalar:
     }
 }
 
-/// Which of an element's formulas a scalar knows: all of them, or those of straight-line code.
+/// The formulas for waves that a scalar computes: all of them, or one of the two without branches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branches {
-    /// Each value takes the formulas that are right for it.
+    /// All formulas; each value takes the one that suits it.
     All,
-    /// Those for waves that are neither short nor so many that they have to be scaled.
+    /// The closed forms for waves that are neither short nor so many that they have to be scaled.
     Waves,
     /// The series for a length of less than a wave.
     Series,
 }
 
-/// Where entries are shifted back into the middle of the range.
+/// Sizes beyond which entries are shifted back into the middle of the range.
 const LARGE: f64 = 1e60;
 const SMALL: f64 = 1e-60;
 

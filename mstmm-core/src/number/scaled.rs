@@ -41,7 +41,7 @@ impl<S: Scalar> Scaled<S> {
         Scaled { mantissa, exponent }
     }
 
-    /// The same for zero, subnormal and almost infinite numbers, and what is not finite.
+    /// `value · 2^exponent` for a value that is zero, subnormal, almost infinite or not finite.
     #[cold]
     fn of_extreme(value: S, exponent: i64) -> Self {
         let size = value.size();
@@ -64,7 +64,7 @@ impl<S: Scalar> Scaled<S> {
         self.exponent
     }
 
-    /// The product with another.
+    /// The product with another scaled number.
     pub(crate) fn product(self, factor: Scaled<S>) -> Self {
         Scaled::new(self.mantissa * factor.mantissa, self.exponent.saturating_add(factor.exponent))
     }
@@ -75,12 +75,12 @@ impl<S: Scalar> Scaled<S> {
         self.product(Scaled::new(factor, 0))
     }
 
-    /// The quotient by another.
+    /// The quotient by another scaled number.
     pub(crate) fn over(self, divisor: Scaled<S>) -> Self {
         Scaled::new(self.mantissa / divisor.mantissa, self.exponent.saturating_sub(divisor.exponent))
     }
 
-    /// Its size, of whatever kind the number is.
+    /// The [`size`](Scalar::size) of the mantissa, with the exponent.
     pub(crate) fn magnitude(self) -> Magnitude {
         Scaled::new(self.mantissa.size(), self.exponent).into()
     }

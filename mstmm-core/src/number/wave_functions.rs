@@ -26,21 +26,21 @@ pub struct WaveFunctions<S> {
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
 impl<T: Real> WaveFunctions<T> {
-    /// Of a real argument: what [`Scalar::wave_functions`](super::Scalar::wave_functions) of a real scalar returns.
+    /// Wave functions of a real argument, as [`Scalar::wave_functions`](super::scalar::Scalar::wave_functions) returns them.
     #[inline(always)]
     pub fn of_real(z: T) -> Self {
         let size = z.size();
         if size < T::WAVE_LIMIT { WaveFunctions::of_moderate(z) } else { WaveFunctions::beyond_limit(z, size) }
     }
 
-    /// Of a real argument below [`WAVE_LIMIT`](super::Scalar::WAVE_LIMIT).
+    /// Wave functions of a real argument below [`WAVE_LIMIT`](super::scalar::Scalar::WAVE_LIMIT).
     #[inline(always)]
     pub fn of_moderate(z: T) -> Self {
         let [sin, cos, sh, ch] = z.circular_and_hyperbolic();
         WaveFunctions { sin, cos, sh, ch, one: T::one(), exponents: [0; 2] }
     }
 
-    /// Here `exp(-2|z|)` does not count beside 1. An error of the scale is common to all and positive, so it is no error.
+    /// Wave functions where `exp(-2|z|)` does not count beside 1. An error of the scale is one positive factor of sh and ch.
     #[cold]
     fn beyond_limit(z: T, size: f64) -> Self {
         let [sin, cos] = z.circular();
@@ -54,7 +54,7 @@ impl<T: Real> WaveFunctions<T> {
 }
 
 impl<T: Real> WaveFunctions<Complex<T>> {
-    /// Of a complex argument, from the functions of its real and its imaginary part: both oscillate and grow.
+    /// Wave functions of a complex argument, from those of its real and its imaginary part. Both kinds oscillate and grow.
     #[inline(always)]
     pub(crate) fn of_parts(re: &WaveFunctions<T>, im: &WaveFunctions<T>) -> Self {
         WaveFunctions {

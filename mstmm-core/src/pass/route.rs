@@ -18,14 +18,14 @@ use crate::pass::tree::{Planned, Tree};
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 
-/// Where the entry is, seen from the load.
+/// The side of the load on which the entry lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Course {
-    /// Upstream of it, or at the same point on that side.
+    /// Upstream of the load, or at its point on the upstream side.
     Upstream,
-    /// On the way to the root, or at the same point on that side.
+    /// Between the load and the root, or at the load's point on the downstream side.
     Downstream,
-    /// On another path into a connection on the way to the root.
+    /// On another path into a connection between the load and the root.
     Aside,
 }
 
@@ -33,23 +33,23 @@ enum Course {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub(crate) step: usize,
-    /// On the side of the step downstream of it.
+    /// Whether the downstream side of the point is meant.
     pub(crate) beyond: bool,
     pub(crate) coordinate: Coordinate,
 }
 
 impl Place {
-    /// Where a load acts, and what it makes jump: Q or M.
+    /// The point of a load, with the entry that jumps there: Q or M.
     pub(crate) fn of_load<Y: Planned + ?Sized>(system: &Y, load: Load<Y::Model>) -> Result<Self, MotionError> {
         Place::new(system.scheme(), load.point.step, false, load.coordinate)
     }
 
-    /// Where an entry is.
+    /// The point of an entry.
     pub(crate) fn of_entry<Y: Planned + ?Sized>(system: &Y, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
         Place::new(system.scheme(), entry.point.step, entry.point.beyond, entry.coordinate)
     }
 
-    /// The entry at a point; at a connection that goes on to fewer states one of its inputs may have what it leaves behind.
+    /// The entry at a point. At a connection whose output has fewer states it may be an entry of an input.
     fn new(scheme: Scheme<'_>, step: usize, beyond: bool, coordinate: Coordinate) -> Result<Self, MotionError> {
         let has = |step: usize| {
             let space = scheme.behind(step);
@@ -74,9 +74,9 @@ pub(crate) struct Route<'a, Y: Planned + ?Sized> {
     pub(crate) load: Place,
     pub(crate) entry: Place,
     course: Course,
-    /// Steps between the two, over which the motion is followed.
+    /// Steps between load and entry, along which the motion is followed.
     between: Y::PerStep<bool>,
-    /// Steps downstream of the load, of which nothing upstream needs to be known.
+    /// Steps downstream of the load, whose upstream subspaces are not needed.
     below: Y::PerStep<bool>,
 }
 
@@ -112,7 +112,7 @@ impl<'a, Y: Planned + ?Sized> Route<'a, Y> {
         Route { system, load, entry, course, between, below }
     }
 
-    /// The subspaces along the way.
+    /// The subspaces along the transfer path.
     #[inline(always)]
     pub(crate) fn passes<S>(&self, x: S) -> Passes<'a, Y, S>
     where
@@ -124,7 +124,7 @@ impl<'a, Y: Planned + ?Sized> Route<'a, Y> {
         passes
     }
 
-    /// The response, given the subspaces along its way.
+    /// The response, given the subspaces along the transfer path.
     pub(crate) fn value<S>(&self, passes: &Passes<'_, Y, S>, x: S) -> Result<S, MotionError>
     where
         Y: Tree<S>,

@@ -3,14 +3,14 @@
 use crate::model::error::SearchError;
 use crate::number::frequency::Real;
 
-/// Frequencies far from each other at which Δ vanishes by no accident any more but identically: a degree of freedom is held
-/// twice, or nothing holds a massless one.
+/// Number of frequencies far from each other at which Δ must vanish to vanish identically: a degree of freedom is held twice, or a
+/// massless one is not held.
 const ZEROS: usize = 5;
 
 /// Factor between such frequencies.
 const FAR_APART: f64 = 3.0;
 
-/// Gives up a search where Δ, which vanishes at one frequency, does so at others far from it and from each other, too.
+/// Refuses a system whose Δ vanishes at one frequency and at others far from it and from each other.
 #[inline]
 pub(crate) fn check_identity<T: Real>(mut size: T, mut vanishes_at: impl FnMut(T) -> bool) -> Result<(), SearchError> {
     for _ in 1..ZEROS {

@@ -1,4 +1,4 @@
-//! Arithmetic of straight numbers: that of the numbers themselves.
+//! Operators of branch-free numbers: those of the scalar inside.
 
 use crate::number::branch_free::BranchFree;
 use crate::number::frequency::Real;

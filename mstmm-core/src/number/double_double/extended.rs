@@ -1,4 +1,4 @@
-//! Double-double numbers as frequencies of systems with `f64` parameters: they judge what those lose to rounding.
+//! Double-double numbers as frequencies of systems with `f64` parameters: their extended precision.
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::frequency::Oscillation;
@@ -18,7 +18,7 @@ impl Oscillation<f64> for DoubleDouble {
         value
     }
 
-    /// To the digits of an `f64`: what is inside of a beam is not judged.
+    /// The number rounded to `f64`: the interior of a beam is not computed in extended precision.
     fn to_complex(self) -> Complex<f64> {
         Complex::new(self.to_f64(), 0.0)
     }

@@ -14,7 +14,7 @@ use num_complex::Complex;
 const HALF_PI: [f64; 4] =
     [consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33, 5.562_271_104_316_826e-50];
 
-/// `ln 2` likewise; its multiples stay below 2^11.
+/// `ln 2` in three parts; its multiples stay below 2^11.
 const LN_2: [f64; 3] = [consts::LN_2, 2.319_046_813_846_299_6e-17, 5.707_708_438_416_212e-34];
 
 /// Beyond it, an angle cannot be reduced by [`nearest_integer`] and the parts of `π/2`.
@@ -46,11 +46,11 @@ const RECIPROCAL_FACTORIALS: [DoubleDouble; 41] = {
 /// How many terms of a Taylor series count.
 #[derive(Clone, Copy)]
 struct Terms {
-    /// The factorials step by this.
+    /// Distance between the factorials of successive terms.
     stride: usize,
-    /// So many terms need all digits; what follows is below 1e-17 of the first.
+    /// Number of terms that need all digits; the next is below 1e-17 of the first.
     double: usize,
-    /// So many terms count at all: what follows is below 1e-34 of the first.
+    /// Number of terms that count at all; the next is below 1e-34 of the first.
     all: usize,
 }
 
@@ -76,7 +76,7 @@ fn sine_and_cosine(x: DoubleDouble, y: DoubleDouble) -> (DoubleDouble, DoubleDou
     (x + x * (y * taylor(y, 3, EVERY_OTHER)), DoubleDouble::ONE + y * taylor(y, 2, EVERY_OTHER))
 }
 
-/// By the last bit of `1.5 · 2^52`; for sizes below 2^51.
+/// The integer nearest to a number of size below 2^51: the sum with `1.5 · 2^52` has no bits for a fraction.
 fn nearest_integer(value: f64) -> f64 {
     const SHIFT: f64 = 6_755_399_441_055_744.0;
     (value + SHIFT) - SHIFT
@@ -88,7 +88,7 @@ impl Scalar for DoubleDouble {
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
     const WAVE_LIMIT: f64 = 100.0;
     const SERIES_TERMS: usize = 10;
-    // the judge is seldom asked, and long in line
+    // extended precision is seldom needed, and its steps are long in line
     const LONGEST_IN_LINE: usize = 6;
 
     #[inline]
@@ -241,7 +241,7 @@ impl core::ops::Mul<f64> for DoubleDouble {
     }
 }
 
-/// A system with `f64` parameters, judged in double-double.
+/// A double-double frequency of a system with `f64` parameters.
 impl Frequency<f64> for DoubleDouble {
     type Meaning = RealFrequency;
     const IS_EXTENDED: bool = true;

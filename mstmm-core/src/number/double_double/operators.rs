@@ -31,7 +31,7 @@ operator!(Mul, mul, MulAssign, mul_assign, a, b, a.times(b));
 operator!(Div, div, DivAssign, div_assign, a, b, a.over(b));
 operator!(Rem, rem, RemAssign, rem_assign, a, b, remainder(a, b));
 
-/// What is left of `a`, with its sign; good to rounding of `a` as long as the quotient has fewer digits than the type.
+/// The remainder of `a/b`, with the sign of `a`; good to rounding of `a` as long as the quotient has fewer digits than the type.
 fn remainder(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     let rest = a - b * (a / b).truncated();
     let step = if (a.hi < 0.0) == (b.hi < 0.0) { b } else { -b };

@@ -59,18 +59,18 @@ fn assert_near(actual: DoubleDouble, expected: &Exact, scale: f64, estimate: f64
     assert!(error <= estimate, "{actual} is off by {error} units of {scale:e}, not {estimate}");
 }
 
-/// Relative.
+/// `|actual - expected| <= estimate · UNIT · |expected|`.
 #[track_caller]
 fn assert_equal(actual: DoubleDouble, expected: &Exact, estimate: f64) {
     assert_near(actual, expected, expected.to_f64().value().abs(), estimate);
 }
 
-/// All 106 bits random.
+/// Numbers with 106 random bits.
 fn numbers(limit: f64) -> impl Strategy<Value = DoubleDouble> {
     (-limit..limit, -1.0..1.0).prop_map(|(hi, lo)| DoubleDouble::from_sum(hi, hi * lo * f64::EPSILON / 2.0))
 }
 
-/// Of any size that has all digits.
+/// Numbers of any size that has all digits.
 fn sizes() -> impl Strategy<Value = DoubleDouble> {
     (numbers(1.0), -400..400).prop_map(|(number, exponent)| number.times_power_of_two(exponent))
 }

@@ -10,13 +10,13 @@ use num_traits::Num;
 /// Digits after the point that the type has to show.
 const DIGITS: usize = 31;
 
-/// A mantissa below it takes one more digit within `u128`, and has more than the type can hold.
+/// Mantissas below this have room for one more digit in a `u128`; others have more digits than the type.
 const FULL_MANTISSA: u128 = 10_u128.pow(37);
 
 /// The size of the steps in which powers of ten are applied, so that none overflows.
 const STEP: u32 = 200;
 
-/// What takes a number of that decimal exponent away from its end of the range, where products have no room.
+/// The power of two that shifts a number of this decimal exponent away from the end of the range, where products have no room.
 const fn margin(exponent: i32) -> i32 {
     if exponent > 0 { -100 } else { 100 }
 }
@@ -65,7 +65,7 @@ fn decimal(text: &str) -> (u128, i32) {
     (mantissa, exponent.parse().unwrap_or(0_i32).saturating_add(shift))
 }
 
-/// What an `f64` can be parsed from, with the digits an `f64` has no room for.
+/// Parses the text that an `f64` parses, with the digits for which an `f64` has no room.
 impl FromStr for DoubleDouble {
     type Err = ParseFloatError;
 

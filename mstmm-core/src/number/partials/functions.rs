@@ -73,7 +73,7 @@ impl<const K: usize> Partials<K> {
         if self.value < 0.0 { -self } else { self }
     }
 
-    /// Sign, 1 or -1: it does not depend on what it is the sign of.
+    /// Sign, 1 or -1, with derivative zero.
     #[must_use]
     pub fn signum(self) -> Self {
         Partials::constant(self.value.signum())

@@ -11,7 +11,7 @@ struct Case {
     partial: fn(Two, Two) -> Two,
 }
 
-/// The same formula over both.
+/// A case of one formula, over `f64` and over `Partials`.
 macro_rules! case {
     (|$a:ident, $b:ident| $formula:expr) => {
         Case { name: stringify!($formula), plain: |$a, $b| $formula, partial: |$a, $b| $formula }

@@ -1,4 +1,4 @@
-//! The circles of the eigenvalues that a search found: which of them are doubtful, and which nobody can tell apart.
+//! The circles of the eigenvalues that a search found: which are doubtful, and which cannot be told apart.
 
 use crate::model::error::SearchError;
 use crate::number::doubt::{CONDITION, USUAL_ERROR, is_extended, is_last};
@@ -17,8 +17,8 @@ where
     T: Real,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
-    /// Whether something looked like rounding: sums that cancelled, wide circles, roots so close beside the distance of others that
-    /// rounding moves them farther than their circles reach.
+    /// Whether the result is doubtful: sums cancelled, circles are wide, or roots are so close to others that rounding moves them
+    /// farther than their circles reach.
     pub(super) fn is_doubtful(&self) -> bool {
         let is_blurred = |root: &Eigenvalue<T>| root.multiplicity > 1 || self.is_wide(root);
         let roots = self.known.roots();
@@ -31,8 +31,8 @@ where
         root.error > scale * T::from_f64(USUAL_ERROR * self.precision)
     }
 
-    /// Whether a root is ill-conditioned by its neighbours: at the distances a of the nearest and b of the next Δ' is `b²/a` times
-    /// as small beside Δ as at a root that is as far from all others as from zero.
+    /// Whether neighbours make a root ill-conditioned: `b²` is large beside `a s`, with the distances a to the nearest root, b to
+    /// the next, and s to zero.
     fn is_close_to_others(&self, root: &Eigenvalue<T>) -> bool {
         let scale = self.scale(root.lambda);
         let (mut nearest, mut next) = (scale, scale);
@@ -50,8 +50,8 @@ where
         next * next > nearest * scale * T::from_f64(CONDITION)
     }
 
-    /// Refuses circles of which nobody can tell what they hold: those that meet, and wide ones of the judge on the edge of a
-    /// region.
+    /// Refuses circles whose roots no further precision can tell apart: those that meet, those that meet their mirror image, and in
+    /// extended precision wide ones on the edge of a region.
     pub(super) fn check_circles(&self, region: Option<&Region<T>>) -> Result<(), SearchError> {
         if !is_last::<T, Y::Parameter>() {
             return Ok(());
@@ -70,7 +70,7 @@ where
         Ok(())
     }
 
-    /// Whether the arithmetic that judges this one has to be asked.
+    /// Whether the search has to be repeated in extended precision.
     pub(super) fn asks_extended(&self) -> bool {
         Y::Parameter::HAS_EXTENDED && !is_extended::<T, Y::Parameter>() && self.is_doubtful()
     }
@@ -86,7 +86,7 @@ pub(super) fn belongs<T: Real>(root: &Eigenvalue<T>, region: &Region<T>) -> bool
     bounding(region).contains(root.lambda, root.error)
 }
 
-/// The rectangle of a region itself.
+/// The rectangle of a region.
 fn bounding<T: Real>(Region { re, im }: &Region<T>) -> Rectangle<T> {
     Rectangle { left: *re.start(), right: *re.end(), low: *im.start(), high: *im.end() }
 }

@@ -15,52 +15,52 @@ use crate::search::damped::rectangle::Rectangle;
 use crate::search::damped::session::EigenvalueSearch;
 use num_complex::Complex;
 
-/// Steps after which a walk is given up: rounding noise can make it creep.
+/// Steps after which a traversal is given up: rounding noise can make it creep.
 const STEPS: u32 = 20_000;
 
-/// A step is at most so much longer than the one before: between two roots, where Δ' vanishes, the rate alone would let it
-/// leap over the next one, or the next two.
+/// Largest ratio of a step to the one before. Between two roots, where Δ' vanishes, the rate alone would let a step leap over
+/// the next one, or the next two.
 const STEP_GROWTH: f64 = 2.0;
 
 /// Bound of `|step Δ'/Δ|` at both ends of a step.
 const STEP_BOUND: f64 = 1.5;
 
-/// Bound of the relative difference between Δ at the end of a step and what the rates at both ends make of its start.
+/// Bound of the relative difference between Δ at the end of a step and its prediction from the start by the rates at both ends.
 const STEP_MISMATCH: f64 = 0.4;
 
-/// Steps after a search for a root in vain, or for one that did not help, before the next.
+/// Steps between a search for a root that failed, or did not help, and the next.
 const PATIENCE: u32 = 8;
 
-/// No root is sought from points so close to the real axis, in lengths of `Δ/Δ'`.
+/// Least distance from the real axis, in lengths of `Δ/Δ'`, of a point from which a root is sought.
 const LOW: f64 = 0.1;
 
 /// The second step as a part of the distance of the nearest root that the first one shows.
 const SECOND_STEP: f64 = 0.7;
 
-/// A root is sought where `|Δ'/Δ|` times the step that is wanted exceeds this and the root seems to lie inside,
+/// Least `|Δ'/Δ|` times the wanted step at which a root is sought that seems to lie inside.
 const HELD_UP: f64 = 0.9 * STEP_BOUND;
 
-/// or where it exceeds this, wherever it lies.
+/// Least `|Δ'/Δ|` times the wanted step at which a root is sought wherever it lies.
 const CLOSE: f64 = 8.0;
 
-/// What a walk along a contour found.
+/// The result of the traversal of a contour.
 pub(super) enum Traversal {
-    /// By how much the argument of Δ grew.
+    /// Growth of the argument of Δ.
     Argument(f64),
     /// The contour meets a root, or nearly.
     MeetsRoot,
 }
 
-/// A polygon to walk along.
+/// A polygon to be traversed.
 pub(super) struct Polygon<'w, T: Real> {
     pub(super) corners: &'w [Complex<T>],
-    /// As parts of the polygon's size: where steps would have to be shorter than the first of these, the polygon meets a
-    /// root; the first step, before anything is known about the way, is no longer than the second, the next than the third.
+    /// Lengths as parts of the polygon's size: the shortest step, below which the polygon meets a root, and the longest first and
+    /// second steps.
     pub(super) steps: [f64; 3],
-    /// The rectangle whose contour it is: then roots that hold up the walk are sought, and divided out. None far from the
-    /// imaginary axis, where the growth of Δ stands for all roots beside it.
+    /// The rectangle whose contour it is, if roots that keep steps short are to be found and divided out. None far from the
+    /// imaginary axis, where the growth of Δ stands for all roots near it.
     pub(super) rectangle: Option<&'w Rectangle<T>>,
-    /// What Δ is divided by from the beginning.
+    /// The growth by which Δ is divided.
     pub(super) growth: Growth<T>,
 }
 
@@ -75,31 +75,31 @@ impl<T: Real> Polygon<'_, T> {
     }
 }
 
-/// A walk in progress.
+/// A traversal in progress.
 struct Traverse<'w, T: Real> {
     way: &'w Polygon<'w, T>,
     /// The corner ahead.
     next: usize,
     start: Point<T>,
-    /// With roots divided out.
+    /// The current point, with roots divided out.
     here: Point<T>,
     shortest: T,
     longest: T,
     angle: f64,
     /// Steps to be made before the next search for a root.
     patience: u32,
-    /// Whether the way meets a root.
+    /// Whether the polygon meets a root.
     is_stuck: bool,
 }
 
 impl<T: Real> Traverse<'_, T> {
-    /// The way from here on.
+    /// The rest of the polygon.
     fn rest(&self) -> impl Iterator<Item = Complex<T>> + Clone {
         let ahead = self.way.corners.iter().skip(self.next).copied();
         core::iter::once(self.here.lambda).chain(ahead)
     }
 
-    /// A step that was accepted.
+    /// Makes a step that was accepted.
     fn go(&mut self, there: Point<T>, corner: Complex<T>, change: f64) {
         if there.lambda != corner {
             self.longest = modulus(there.lambda - self.here.lambda) * T::from_f64(STEP_GROWTH);
@@ -114,7 +114,7 @@ where
     T: Real,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
-    /// Growth of the argument of Δ along a polygon. Every point on the way is shown to `visit`.
+    /// Growth of the argument of Δ along a polygon. Every point of the traversal is shown to `visit`.
     pub(super) fn traverse(
         &mut self,
         way: &Polygon<'_, T>,
@@ -154,16 +154,16 @@ where
         if traverse.here.is_root { Ok(Traversal::MeetsRoot) } else { Ok(Traversal::Argument(traverse.angle)) }
     }
 
-    /// What is left of Δ along a way.
+    /// Δ without its growth and, along a rectangle, with the known roots divided out.
     fn left(&self, point: &Point<T>, way: &Polygon<'_, T>) -> Point<T> {
         let point = way.growth.taken_from(point);
         if way.rectangle.is_some() { divided(&point, self.known.roots()) } else { point }
     }
 
-    /// A step towards a corner; false if steps become too short.
+    /// Makes a step towards a corner; false if steps become too short.
     ///
     /// A step must be short beside `Δ/Δ'` at both ends, and the mean of `Δ'/Δ` must predict Δ: a phase alone could hide a
-    /// whole turn. Where it is not, or would have to be short, roots nearby are divided out.
+    /// whole turn. Where a step fails or would have to be short, roots nearby are divided out.
     fn step(&mut self, traverse: &mut Traverse<'_, T>, corner: Complex<T>) -> Result<bool, SearchError> {
         let rest = corner - traverse.here.lambda;
         let length = modulus(rest);
@@ -196,17 +196,17 @@ where
         }
     }
 
-    /// Finds a root near a point on the way that keeps steps shorter than wanted, and divides it out; false if none is found.
+    /// Divides out a root near a point of the polygon that keeps steps shorter than wanted; false if none is found.
     fn divide_out(&mut self, traverse: &mut Traverse<'_, T>, from: Point<T>, wanted: T) -> Result<bool, SearchError> {
         let Some(rectangle) = traverse.way.rectangle else { return Ok(false) };
         let rate = modulus(from.rate);
         let hold = rate * wanted;
         let ahead = from.lambda - Complex::from(T::one()) / from.rate;
-        // one outside costs more than it saves, unless it is close
+        // a root outside costs more than it saves, unless it is close
         let is_worth_it =
             hold > T::from_f64(CLOSE) || (hold > T::from_f64(HELD_UP) && rectangle.contains(ahead, T::zero()));
         let is_ready = traverse.patience == 0 && !self.known.is_full();
-        // near the real axis, which Newton's method would hardly leave
+        // Newton's method would hardly leave the real axis
         let is_low = from.lambda.im.abs() * rate < T::from_f64(LOW);
         if !is_ready || !is_worth_it || is_low {
             return Ok(false);
@@ -216,7 +216,7 @@ where
         traverse.is_stuck = traverse.way.meets(&root, traverse.shortest);
         traverse.angle += turning(&root, traverse.rest());
         traverse.here = divided(&traverse.here, &[root]);
-        // what does not explain the rate is not what holds up the walk
+        // a root that does not explain the rate does not keep steps short
         if modulus(divided(&from, &[root]).rate) < rate {
             traverse.patience = 0;
         }
@@ -224,14 +224,13 @@ where
     }
 }
 
-/// The length over which `Δ'/Δ` changes by its inverse. The root nearest to two points that are close together is no nearer
-/// than that if all roots lie on a line with them: no two contributions to the change cancel, as those to `Δ'/Δ` do
-/// half-way between two roots.
+/// The length over which `Δ'/Δ` changes by its inverse. The root nearest to two close points is no nearer than that if all roots
+/// lie on a line with them: contributions to the change do not cancel, as those to `Δ'/Δ` do half-way between two roots.
 fn bend<T: Real>(here: &Point<T>, there: &Point<T>) -> T {
     (modulus(there.lambda - here.lambda) / modulus(there.rate - here.rate)).sqrt()
 }
 
-/// Growth of the argument of Δ from one point to the next, if they are close enough to tell.
+/// Growth of the argument of Δ from one point to the next, if the step is short enough.
 fn change_of_argument<T: Real>(here: &Point<T>, there: &Point<T>) -> Option<f64> {
     let step = there.lambda - here.lambda;
     let estimate = T::from_f64(STEP_BOUND);

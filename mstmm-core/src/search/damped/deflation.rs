@@ -1,4 +1,4 @@
-//! Eigenvalues that were found, and Δ with them divided out: what is left is smooth where they are all.
+//! Deflation: known eigenvalues are divided out of Δ. The rest is smooth where all roots nearby are known.
 
 use crate::number::fixed_list::List;
 use crate::number::floats::argument;
@@ -13,19 +13,19 @@ use num_complex::Complex;
 /// Room for the eigenvalues of a search while it runs.
 pub(super) const ROOM: usize = 256;
 
-/// Certified eigenvalues in the closed upper half plane, each of which stands for its mirror image, too.
+/// Certified eigenvalues in the closed upper half plane; each stands for its mirror image, too.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownRoots<T: Real> {
     roots: List<Eigenvalue<T>, ROOM>,
 }
 
 impl<T: Real> KnownRoots<T> {
-    /// None yet.
+    /// The empty list.
     pub(super) fn new() -> Self {
         KnownRoots { roots: List::new() }
     }
 
-    /// In the order in which they were found.
+    /// The roots in the order in which they were found.
     pub(super) fn roots(&self) -> &[Eigenvalue<T>] {
         &self.roots
     }
@@ -46,13 +46,12 @@ impl<T: Real> KnownRoots<T> {
     }
 }
 
-/// Whether the circle of a root meets one of others.
+/// Whether the circle of a root meets the circle of another.
 pub(super) fn meets_any<T: Real>(root: &Eigenvalue<T>, others: &[Eigenvalue<T>]) -> bool {
     others.iter().any(|other| modulus(other.lambda - root.lambda) <= other.error + root.error)
 }
 
-/// A root and its mirror image; a real one has none. A call: each place that inlines it takes some hundred
-/// bytes of firmware.
+/// A root and its mirror image; a real one has none. Not inlined, since each place would take some hundred bytes of firmware.
 #[inline(never)]
 pub(super) fn with_image<T: Real>(root: &Eigenvalue<T>) -> impl Iterator<Item = Eigenvalue<T>> {
     let image = (!root.lambda.im.is_zero()).then_some(Eigenvalue { lambda: root.lambda.conj(), ..*root });
@@ -71,15 +70,15 @@ pub(super) fn divided<T: Real>(point: &Point<T>, roots: &[Eigenvalue<T>]) -> Poi
             (factor, slope) = (from * from_image, from + from_image);
         }
         rate -= slope / factor * T::from_f64(root.multiplicity as f64);
-        // distances are far from the ends of the range: one look at the product will do
+        // distances are far from the ends of the range: it is enough to normalise the product
         (0..root.multiplicity).for_each(|_| divisor = Scaled::new(divisor.mantissa() * factor, divisor.exponent()));
     }
     let is_root = point.is_root || !rate.size().is_finite();
     Point { lambda: point.lambda, value: point.value.over(divisor), rate, is_root }
 }
 
-/// By how much the argument of what is divided out for a root grows along a polygon: each side sees a root under less than
-/// half a turn.
+/// Growth along a polygon of the argument of the factors that are divided out for a root. Each side sees a root under less
+/// than half a turn.
 pub(super) fn turning<T: Real>(root: &Eigenvalue<T>, polygon: impl Iterator<Item = Complex<T>> + Clone) -> f64 {
     let ends = polygon.clone().skip(1);
     let sides = polygon.zip(ends);

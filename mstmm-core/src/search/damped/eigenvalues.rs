@@ -1,4 +1,4 @@
-//! Eigenvalues in regions of the complex plane: what users call.
+//! Eigenvalues in regions of the complex plane: the trait that users call.
 
 use crate::model::error::SearchError;
 use crate::number::dual::Dual;
@@ -10,8 +10,8 @@ use crate::search::damped::found::{Eigenvalue, EigenvalueList, Region};
 use crate::search::damped::session::EigenvalueSearch;
 use num_complex::Complex;
 
-/// A system that can be searched for eigenvalues: Δ and its derivative in the arithmetic of the parameters, and in the
-/// arithmetic that judges its rounding.
+/// A system that can be searched for eigenvalues: it has Δ and its derivative in the precision of the parameters and in extended
+/// precision.
 ///
 /// Every system without planar elements is one.
 pub trait Spectrum:
@@ -31,9 +31,8 @@ impl<Y> Spectrum for Y where
 
 /// The certified searches of damped systems; undamped ones have them, too.
 ///
-/// Where a result looks as if rounding had a hand in it (sums that cancel, roots that coincide or nearly do, circles that
-/// rounding has widened), the search is made again in the arithmetic that judges the first: double-double for `f64`. Without the
-/// feature `judge` wide circles stay.
+/// A search whose result is doubtful (sums cancel, roots coincide or nearly do, rounding has widened circles) is made again in
+/// extended precision: double-double for `f64`. Without the feature `judge` wide circles stay.
 ///
 /// A thread of 192 kB is enough, of 768 kB in debug builds.
 pub trait Eigenvalues: System {
@@ -47,8 +46,7 @@ pub trait Eigenvalues: System {
     /// held twice.
     ///
     /// # Source
-    /// The argument principle on the pole-free Δ(λ), with steps that the derivative controls; roots that are known are divided
-    /// out.
+    /// The argument principle on the pole-free Δ(λ), with steps that the derivative controls; known roots are divided out.
     fn count_in(&self, region: Region<Self::Parameter>) -> Result<u64, SearchError>
     where
         Self: Spectrum,
@@ -90,18 +88,18 @@ pub trait Eigenvalues: System {
     }
 }
 
-/// The arithmetic that judges that of a system's parameters.
+/// The extended precision of a system's parameters.
 type ExtendedOf<Y> = <<Y as System>::Parameter as Real>::Extended;
 
 /// A list of eigenvalues, or the error of a search for them.
 type Found<T, const CAP: usize> = Result<EigenvalueList<T, CAP>, SearchError>;
 
-/// A number in the arithmetic that judges its own.
+/// A number in extended precision.
 fn exactly<T: Real>(number: T) -> T::Extended {
     <T::Extended as Frequency<T>>::from_parameter(number)
 }
 
-/// What a search finds, or where that is doubtful what the judging arithmetic finds.
+/// The result of a search, or where that is doubtful the result in extended precision.
 fn judged<Y: Spectrum + ?Sized, const CAP: usize>(
     system: &Y,
     plain: impl FnOnce(&mut EigenvalueSearch<'_, Y, Y::Parameter>) -> Found<Y::Parameter, CAP>,
@@ -123,7 +121,7 @@ fn judged<Y: Spectrum + ?Sized, const CAP: usize>(
     Ok(EigenvalueList { eigenvalues, evaluations: plain + judged.evaluations })
 }
 
-/// A search, and whether the judge has to be asked; a call, whose memory is there no longer than it is needed.
+/// Runs a search, and tells whether it has to be repeated in extended precision. Not inlined, so that its memory is freed.
 #[inline(never)]
 fn searched<'a, Y, T, R>(system: &'a Y, run: impl FnOnce(&mut EigenvalueSearch<'a, Y, T>) -> R) -> (R, bool)
 where

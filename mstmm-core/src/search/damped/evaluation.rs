@@ -1,4 +1,4 @@
-//! Δ on the complex plane: evaluated, counted, watched, and given up where it takes too long.
+//! Evaluation of Δ on the complex plane: its number is limited, and sums that cancel are noticed.
 
 use crate::model::error::SearchError;
 use crate::number::doubt::{UNPROVEN_WIDTH, is_extended, is_last, refuses_doubt};
@@ -13,11 +13,11 @@ use crate::search::identity::check_identity;
 use crate::subspace::count::Watch;
 use num_complex::Complex;
 
-/// Evaluations that a search may take before it has found anything; one that judges takes some fifty times as long for each.
+/// Evaluations that a search may take before it has found anything. In extended precision each takes some fifty times as long.
 const EVALUATIONS: usize = 100_000;
 const EXTENDED_EVALUATIONS: usize = 30_000;
 
-/// Further ones for each root that it finds: narrow regions between close roots take some hundred.
+/// Further evaluations for each root found: narrow regions between close roots take some hundred.
 const EVALUATIONS_PER_ROOT: usize = 2_000;
 
 /// Evaluates a system on the complex plane in arithmetic of type `T`, and counts the evaluations.
@@ -60,8 +60,8 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         Ok(Point { lambda, value: Scaled::new(value, dual.exponent()), rate, is_root })
     }
 
-    /// The radius of a circle that is seen to hold a root; doubted if the arithmetic that judges finds the root outside. Where
-    /// nothing judges, the circle is widened.
+    /// The radius of a circle that seems to hold a root. The search is doubtful if extended precision finds the root outside; where
+    /// there is none, the circle is widened.
     #[cold]
     pub(super) fn proven_radius<T>(&mut self, lambda: Complex<T>, radius: T) -> T
     where
@@ -79,7 +79,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         radius
     }
 
-    /// Gives up where Δ vanishes at one point, and at others far from it.
+    /// Refuses a system whose Δ vanishes at one point and at others far from it.
     #[cold]
     fn look_for_zeros<T>(&mut self, lambda: Complex<T>) -> Result<(), SearchError>
     where
@@ -89,10 +89,10 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         check_identity(modulus(lambda) + T::one().times_power_of_two(self.lowest_exponent), |far| {
             self.evaluations += 2;
             let elsewhere = Complex::new(-far, far);
-            // watched like all passes, which are one piece of code then
+            // with a watch like all passes, so that they are one piece of code
             let (_, value) = counted_pass(self.system, Dual::variable(elsewhere), Watch::default());
             let size = value.mantissa().value.size();
-            // what is not a number does not say that anything is there
+            // a NaN does not show that Δ differs from zero
             size.is_nan() || size == 0.0
         })
     }
@@ -107,7 +107,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
     }
 }
 
-/// The length of Newton's step by the arithmetic that judges; a call, since it is seldom asked.
+/// The length of Newton's step in extended precision; not inlined, since it is seldom needed.
 #[cold]
 #[inline(never)]
 fn extended_step<T, Y>(system: &Y, lambda: Complex<T>) -> f64

@@ -16,7 +16,7 @@ pub struct Region<T = f64> {
 }
 
 impl<T: Real> Region<T> {
-    /// The same region in other numbers.
+    /// The region in numbers of another type.
     pub(super) fn map<U>(self, number: impl Fn(T) -> U) -> Region<U> {
         let range = |range: RangeInclusive<T>| number(*range.start())..=number(*range.end());
         Region { re: range(self.re), im: range(self.im) }
@@ -28,8 +28,8 @@ impl<T: Real> Region<T> {
 pub struct Eigenvalue<T = f64> {
     /// The eigenvalue [1/s].
     pub lambda: Complex<T>,
-    /// Radius [1/s] of a circle around it that holds it: along half of it the argument of Δ turns once for each of its roots, or
-    /// for a simple one Δ and Δ' at two opposite points make out one root in its middle.
+    /// Radius [1/s] of a circle around λ that holds the root: along the circle of half this radius the argument of Δ turns once for
+    /// each of its roots, or for a simple root Δ and Δ' at two opposite points show one root near its centre.
     pub error: T,
     /// Number of eigenvalues in that circle.
     pub multiplicity: u64,

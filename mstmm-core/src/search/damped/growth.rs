@@ -1,4 +1,4 @@
-//! How Δ grows far from its roots, divided out so that steps along a contour may grow with the distance.
+//! The growth of Δ far from its roots. Without it steps along a contour may grow with the distance.
 
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
@@ -8,9 +8,9 @@ use crate::search::damped::rectangle::{Rectangle, Side};
 use num_complex::Complex;
 
 /// The growth `e^g` of Δ on one side of the imaginary axis, `g = (1 ∓ i) Σz` with `z = βl` of all beams: there one of the
-/// exponentials in `ch z cos z` is beyond all others. It has no zero, and its argument is known along every contour.
+/// exponentials in `ch z cos z` exceeds all others. It has no zero, and its argument is known along every contour.
 ///
-/// Near the axis, and where no beam is, nothing is divided out.
+/// Near the axis, and in systems without beams, nothing is divided out.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Growth<T> {
     /// `(1 ∓ i) Σ z/sqrt(ω)`.
@@ -18,12 +18,12 @@ pub(super) struct Growth<T> {
 }
 
 impl<T: Real> Growth<T> {
-    /// None.
+    /// No growth, `g = 0`.
     pub(super) fn none() -> Self {
         Growth { factor: Complex::from(T::zero()) }
     }
 
-    /// That of a rectangle far from the imaginary axis, given the sum of `z/sqrt(ω)`.
+    /// The growth in a rectangle far from the imaginary axis, given the sum of `z/sqrt(ω)`; none in other rectangles.
     pub(super) fn far_from_axis(rectangle: &Rectangle<T>, waves: T) -> Self {
         match rectangle.far_side() {
             Some(Side::Left) => Growth { factor: Complex::new(waves, -waves) },
@@ -36,7 +36,7 @@ impl<T: Real> Growth<T> {
         self.factor.re.is_zero()
     }
 
-    /// `g` and its derivative; below the real axis those of the mirror image.
+    /// `g` and its derivative; below the real axis the conjugates of those at the mirror image.
     fn at(&self, lambda: Complex<T>) -> (Complex<T>, Complex<T>) {
         if lambda.im < T::zero() {
             let (g, slope) = self.at(lambda.conj());
@@ -59,7 +59,7 @@ impl<T: Real> Growth<T> {
         Point { value: point.value.product(inverse), rate: point.rate - slope, ..*point }
     }
 
-    /// By how much the argument of the growth changes along a polygon.
+    /// Change of the argument of the growth along a polygon.
     pub(super) fn turning(&self, mut polygon: impl Iterator<Item = Complex<T>>) -> f64 {
         let Some(first) = polygon.next().filter(|_| !self.is_none()) else { return 0.0 };
         let last = polygon.last().unwrap_or(first);

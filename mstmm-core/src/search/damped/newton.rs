@@ -1,4 +1,4 @@
-//! One eigenvalue: Newton's method beside those that are known, and the circle that certifies it.
+//! Newton's method for one eigenvalue, with known ones divided out, and the circle that certifies it.
 
 use crate::model::error::SearchError;
 use crate::number::doubt::NOISE;
@@ -17,11 +17,11 @@ use crate::search::damped::rectangle::{Rectangle, whole};
 use crate::search::damped::session::EigenvalueSearch;
 use num_complex::Complex;
 
-/// Radius of the first circle, relative to the modulus, in units of eps. A certified circle is twice as large as the one
-/// along which Δ was seen to turn: room for the rounding of what was seen.
+/// Radius of the first circle, relative to the modulus, in units of eps. A certified circle is twice as large as the one along
+/// which Δ was evaluated, which leaves room for rounding.
 const RADIUS: f64 = 8.0;
 
-/// Around a root a step from corner to corner will do; where much shorter ones do not, rounding rules.
+/// Steps around a root: from corner to corner. Where much shorter ones are not short enough, rounding rules.
 const STEPS_AROUND: [f64; 3] = [0.02, 1.0, 1.0];
 
 /// The radius grows by this factor until the circle holds the root in spite of rounding.
@@ -33,15 +33,16 @@ const LARGEST_RADIUS: f64 = 1e-3;
 /// Steps of Newton's method: a start that needs more is given up.
 const NEWTON_STEPS: u32 = 40;
 
-/// How far the root that Δ and its slope at the rim of a circle make out may lie off its centre, as a part of the radius,
-/// and how much the slope may differ from that farther away.
+/// Largest distance from the centre of a circle, as a part of its radius, of the root that Δ and its slope at the rim predict;
+/// also the largest relative difference of the slope from the one farther away.
 const OFF_CENTRE: f64 = 0.4;
 
-/// Least inverse of the length over which Δ is taken to bend, in units of the inverse modulus: the steps of two methods may
+/// Least inverse of the length over which Δ is assumed to bend, in units of the inverse modulus. The steps of two methods may
 /// agree by accident.
 const LEAST_BEND: f64 = 0.1;
 
-/// Where on the circle Δ is looked at: off both axes, since near critical damping rounding holds the real part of Δ along one of them.
+/// Point of the unit circle at which Δ is evaluated: off both axes, since near critical damping the real part of Δ along one of
+/// them is rounding alone.
 const RIM: (f64, f64) = (0.8, 0.6);
 
 /// Corners of a regular octagon of radius 1, closed.
@@ -53,14 +54,14 @@ const OCTAGON: [(f64, f64); 9] = {
 /// An approximate root.
 pub(super) struct Estimate<T> {
     pub(super) lambda: Complex<T>,
-    /// Where Δ was seen last before; none if Δ vanishes at the root itself.
+    /// The last point at which Δ was evaluated; none if Δ vanishes at the root itself.
     nearest: Option<Point<T>>,
-    /// The same with roots divided out, or the start.
+    /// The last point with roots divided out, or the start.
     last: Point<T>,
 }
 
 impl<T: Real> Estimate<T> {
-    /// Itself or its mirror image, whichever lies in the upper half plane.
+    /// The estimate or its mirror image in the upper half plane.
     fn upper(self) -> Self {
         if self.lambda.im < T::zero() {
             let nearest = self.nearest.map(|point| point.mirrored());
@@ -72,7 +73,7 @@ impl<T: Real> Estimate<T> {
 
 /// A sequence of Newton's method in progress.
 struct Sequence<T> {
-    /// The point before, if it lies on the same side of the real axis.
+    /// The previous point.
     previous: Option<Point<T>>,
     /// Size of the last step.
     last: T,
@@ -82,7 +83,7 @@ struct Sequence<T> {
     cubic: bool,
 }
 
-/// A step, and how far from the root it will end.
+/// A step, and the distance from the root at which it will end.
 struct Next<T> {
     step: Complex<T>,
     error: T,
@@ -134,7 +135,7 @@ fn hermite<T: Real>(previous: &Point<T>, here: &Point<T>) -> Option<Complex<T>> 
     Some(t * t * (three - t - t) * chord + t * rest * (rest * start - t * end))
 }
 
-/// What cannot be told from a real root is one: complex ones come in pairs; what cannot be told from zero is zero.
+/// Makes parts within a radius of zero exactly zero. A root next to the real axis is real, since complex ones come in pairs.
 fn settled<T: Real>(estimate: Complex<T>, radius: T) -> Complex<T> {
     let is_real = estimate.im.abs() <= radius;
     let re = if estimate.re.abs() <= radius { T::zero() } else { estimate.re };
@@ -146,7 +147,7 @@ where
     T: Real,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
-    /// A root that is not yet known near a point, where those are divided out: certified, and known from now on.
+    /// Finds and certifies an unknown root near a point at which known ones are divided out; from then on it is known.
     pub(super) fn find(
         &mut self,
         start: &Point<T>,
@@ -167,9 +168,9 @@ where
         Ok(self.known.push(root).is_ok().then_some(root))
     }
 
-    /// A root near a start, other than those that are known; `None` if the steps lead away or do not end.
+    /// An unknown root near a start; `None` if the steps lead away or do not end.
     ///
-    /// KnownRoots roots, with their mirror images, are divided out of Δ: `Δ'/Δ - Σ m/(λ - λ_k)`.
+    /// Known roots, with their mirror images, are divided out of Δ: `Δ'/Δ - Σ m/(λ - λ_k)`.
     fn newton(
         &mut self,
         start: &Point<T>,
@@ -204,12 +205,12 @@ where
             nearest = Some(point);
             here = divided(&point, self.known.roots());
         }
-        // slow because the root is multiple, or on the way nowhere
+        // steps are slow at a multiple root, and where there is none
         let is_near = sequence.last <= T::from_f64(1e-3) * self.scale(here.lambda);
         Ok(is_near.then_some(Estimate { lambda: here.lambda, nearest: None, last: here }))
     }
 
-    /// The smallest circle around an estimate along which Δ turns: its turns are the multiplicity.
+    /// The smallest circle around an estimate along which the argument of Δ turns: the turns are the multiplicity.
     fn certify(&mut self, estimate: &Estimate<T>) -> Result<Option<Eigenvalue<T>>, SearchError> {
         if let Some(root) = self.single(estimate)? {
             return Ok(Some(root));
@@ -231,9 +232,8 @@ where
         Ok(root)
     }
 
-    /// The smallest circle around an estimate if Δ is seen to be straight there, with one zero: the values and slopes at
-    /// two opposite points of the rim make out the same root near the centre, and the slopes are that which was seen farther
-    /// away.
+    /// The smallest circle around an estimate if Δ is straight there, with one zero: the values and slopes at two opposite points
+    /// of the rim predict one root near the centre, and the slopes agree with the one farther away.
     fn single(&mut self, estimate: &Estimate<T>) -> Result<Option<Eigenvalue<T>>, SearchError> {
         let Some(nearest) = &estimate.nearest else { return Ok(None) };
         let mut centre = estimate.lambda;
@@ -253,7 +253,7 @@ where
             let offset = |point: &Point<T>| point.lambda - lambda - Complex::from(T::one()) / point.rate;
             let offsets = [offset(&left), offset(&right)];
             if offsets.iter().all(|&offset| modulus(offset) <= radius * estimate) {
-                // both make out the same root but for the rounding of either
+                // both predict one root, but for rounding
                 let is_noisy = modulus(offsets[0] - offsets[1]) > radius * T::from_f64(NOISE);
                 let error =
                     if is_noisy { self.evaluation.proven_radius(lambda, radius + radius) } else { radius + radius };

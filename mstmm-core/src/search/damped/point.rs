@@ -1,10 +1,10 @@
-//! Points at which Δ is known.
+//! Points of the complex plane at which Δ is known.
 
 use crate::number::frequency::Real;
 use crate::number::scaled::Scaled;
 use num_complex::Complex;
 
-/// Where Δ is known, or what is left of it when roots and its growth are divided out.
+/// A point with Δ, or with the rest of Δ when roots and growth are divided out.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point<T> {
     pub(super) lambda: Complex<T>,

@@ -4,8 +4,8 @@ use crate::number::frequency::Real;
 use crate::number::frequency::{larger, smaller};
 use num_complex::Complex;
 
-/// A rectangle. With `low = -high` it is symmetric: since Δ(conj λ) = conj Δ(λ), half its contour counts for all, and none
-/// of it runs along the real axis.
+/// A rectangle of the complex plane. With `low = -high` it is symmetric: since Δ(conj λ) = conj Δ(λ), half its contour counts
+/// for all, and none of it runs along the real axis.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Rectangle<T> {
     pub(super) left: T,
@@ -14,7 +14,7 @@ pub(super) struct Rectangle<T> {
     pub(super) high: T,
 }
 
-/// A rectangle so many times as far from the imaginary axis as it reaches from the real one is far from it.
+/// Least ratio of the distance from the imaginary axis to the reach from the real one at which a rectangle is far.
 const FAR: f64 = 8.0;
 
 /// A side of the imaginary axis.
@@ -86,7 +86,7 @@ impl<T: Real> Rectangle<T> {
         whole(argument / if self.is_symmetric() { pi } else { turn })
     }
 
-    /// The same with its edges moved outwards, each by a share of the side that it cuts; a symmetric one stays so.
+    /// The rectangle with its edges moved outwards, each by a share of the side that it cuts; a symmetric one stays so.
     pub(super) fn grown(&self, share: f64) -> Self {
         let share = T::from_f64(share);
         let (x, y) = (self.width() * share, self.height() * share);
@@ -103,7 +103,7 @@ impl<T: Real> Rectangle<T> {
         larger(self.high, -self.low)
     }
 
-    /// The side of the imaginary axis on which the rectangle lies, far from it beside its distance from the real one.
+    /// The side of the imaginary axis on which a far rectangle lies.
     pub(super) fn far_side(&self) -> Option<Side> {
         let far = self.reach() * T::from_f64(FAR);
         if self.right <= -far {
@@ -115,8 +115,8 @@ impl<T: Real> Rectangle<T> {
         }
     }
 
-    /// The part of a rectangle beside the imaginary axis and those that reach far to the left and to the right of it; without width
-    /// where it has none.
+    /// The part of a rectangle near the imaginary axis, and the parts far to the left and to the right of it. A missing part has no
+    /// width.
     pub(super) fn pieces(&self) -> [Self; 3] {
         let far = self.reach() * T::from_f64(FAR);
         let cut = |end: T, other: T| if end > far + far && other < far { far } else { end };
@@ -124,8 +124,8 @@ impl<T: Real> Rectangle<T> {
         [Rectangle { left, right, ..*self }, Rectangle { right: left, ..*self }, Rectangle { left: right, ..*self }]
     }
 
-    /// Two parts, cut across the longer side near a share of it. A symmetric one is cut into two symmetric ones, or into
-    /// an upper part, whose mirror image is understood, and a symmetric one.
+    /// Two parts, cut across the longer side at a share of it. A symmetric rectangle is cut into two symmetric ones, or into
+    /// an upper part, which stands for its mirror image, too, and a symmetric one.
     pub(super) fn parts(&self, share: f64) -> [Self; 2] {
         let share = T::from_f64(share);
         if self.width() >= self.height() * T::from_f64(if self.is_symmetric() { 0.5 } else { 1.0 }) {

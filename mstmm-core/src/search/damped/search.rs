@@ -21,17 +21,17 @@ use num_complex::Complex;
 /// Room for rectangles that wait: each is at most cut about 64 times.
 const WAITING: usize = 128;
 
-/// Where steps would be shorter than the first of these as part of the shorter side, the contour passes so close to a root
-/// that it is moved; the others, parts of the longer side, bound the first two steps.
+/// Lengths of steps: the shortest as a part of the shorter side, below which the contour passes so close to a root that it is
+/// moved, and the longest first and second ones as parts of the longer side.
 const STEPS: [f64; 3] = [1e-7, 1e-6, 0.05];
 
-/// Of a rectangle more slender than that the first steps are parts of the shorter side.
+/// Slenderness below which the first steps are parts of the shorter side.
 const SLENDER: f64 = 1e-2;
 
 /// Shares by which a contour that meets a root is moved outwards, one after the other.
 const MOVES: [f64; 5] = [0.0, 1e-5, 2.7e-4, 3.1e-3, 1.3e-2];
 
-/// Where a rectangle is cut, one after the other if the cut meets a root.
+/// Shares at which a rectangle is cut, one after the other if the cut meets a root.
 const CUTS: [f64; 5] = [0.5, 0.47, 0.54, 0.42, 0.59];
 
 /// Points of a contour from which Newton's method starts.
@@ -66,7 +66,7 @@ impl<T: Real> Starts<T> {
             && peak > rate
             && self.points.push(middle).is_err()
         {
-            // what is too much here is left to smaller rectangles
+            // further starts are left to smaller rectangles
         }
         self.last = [self.last[1], Some((point.lambda, rate))];
     }
@@ -155,7 +155,7 @@ where
         }
     }
 
-    /// The fewest eigenvalues of least modulus, up to a radius, whose multiplicities add up to `N`; or all there are.
+    /// The fewest eigenvalues of least modulus, up to a radius, whose multiplicities add up to `N`; all of them if there are fewer.
     fn within<const N: usize>(&mut self, radius: T) -> Result<List<Eigenvalue<T>, N>, SearchError> {
         let square = square(radius);
         self.find_in(square)?;
@@ -177,7 +177,7 @@ where
         Ok(eigenvalues)
     }
 
-    /// Makes all eigenvalues in a rectangle or close to its contour known.
+    /// Finds all eigenvalues in a rectangle or close to its contour.
     fn find_in(&mut self, rectangle: Rectangle<T>) -> Result<(), SearchError> {
         for piece in rectangle.pieces() {
             if piece.left < piece.right {
@@ -196,7 +196,7 @@ where
         Err(unresolved(rectangle))
     }
 
-    /// Makes all roots of a rectangle known that is too large for its contour to show them: cut again and again.
+    /// Finds the roots of a rectangle by cutting it until each part shows its roots.
     #[inline(never)]
     fn find_in_parts(&mut self, whole: &Counted<T>) -> Result<(), SearchError> {
         let mut waiting = List::<Counted<T>, WAITING>::new();
@@ -226,7 +226,7 @@ where
             let walk = self.traverse(&way, |point| starts.visit(point))?;
             let Traversal::Argument(argument) = walk else { return Ok(None) };
             let roots = rectangle.roots(argument).ok_or(unresolved(rectangle))?;
-            // a walk that overlooked what is known goes round again, now with all of it divided out
+            // a traversal that counts fewer roots than are known is repeated, now with all of them divided out
             if self.known_in(&rectangle) <= roots {
                 return Ok(Some(Counted { rectangle, roots, starts }));
             }
@@ -255,7 +255,7 @@ where
         Err(unresolved(whole.rectangle))
     }
 
-    /// Makes all roots of a rectangle known, or as many as show from its contour: then it returns false.
+    /// Finds the roots of a rectangle from points of its contour and inside; false if some are missing.
     fn find_all(&mut self, counted: &Counted<T>) -> Result<bool, SearchError> {
         let Counted { rectangle, roots, starts } = counted;
         let missing = |search: &Self| roots.checked_sub(search.known_in(rectangle)).ok_or(unresolved(*rectangle));
@@ -278,20 +278,20 @@ where
         Ok(missing(self)? == 0)
     }
 
-    /// Whether a rectangle is as small as a certified circle: what it holds cannot be told apart.
+    /// Whether a rectangle is as small as a certified circle, so that its roots cannot be told apart.
     fn is_tiny(&self, rectangle: &Rectangle<T>) -> bool {
         let scale = self.scale(rectangle.centre());
         rectangle.size() <= scale * T::from_f64(64.0 * self.precision)
     }
 }
 
-/// A symmetric square, or nearly so, that holds all eigenvalues up to a modulus: motions of passive systems do not grow, so
-/// nothing lies far on the right.
+/// A rectangle symmetric to the real axis that holds all eigenvalues up to a modulus. It reaches little to the right, since
+/// motions of passive systems do not grow.
 fn square<T: Real>(radius: T) -> Rectangle<T> {
     Rectangle { left: -radius, right: radius * T::from_f64(0.0625), low: -radius, high: radius }
 }
 
-/// The rectangle to search for a region: where it meets the real axis, one symmetric to it.
+/// The rectangle to be searched for a region; symmetric to the real axis where the region meets it.
 fn enclosing<T: Real>(region: &Region<T>) -> Result<Rectangle<T>, SearchError> {
     for range in [&region.re, &region.im] {
         let (start, end) = (*range.start(), *range.end());

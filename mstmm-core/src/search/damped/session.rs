@@ -1,4 +1,4 @@
-//! What a search for eigenvalues knows while it runs.
+//! The state of a search for eigenvalues.
 
 use crate::model::estimates::FrequencyEstimates;
 use crate::number::dual::Dual;
@@ -15,7 +15,7 @@ use num_complex::Complex;
 /// Radius, in roots of eps, of a circle that the rounding of a double root explains.
 const BLUR: f64 = 64.0;
 
-/// Size of a rectangle, in radii of such a circle, from whose contour the roots within are told apart.
+/// Size of a rectangle, in radii of such a circle, up to which its roots are not sought from nearer by.
 const NEAR: f64 = 8.0;
 
 /// A search in progress.
@@ -24,9 +24,9 @@ pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized, T: Real> {
     /// The eigenvalues found so far, wherever they lie.
     pub(super) known: KnownRoots<T>,
     pub(super) estimates: FrequencyEstimates,
-    /// Frequencies of this size are as good as zero.
+    /// Frequencies up to this size count as zero.
     pub(super) smallest: T,
-    /// The unit in the last place that results are good to: that of the parameters.
+    /// The unit in the last place of the parameters, to which results are good.
     pub(super) precision: f64,
 }
 
@@ -48,13 +48,13 @@ where
         }
     }
 
-    /// The modulus of an eigenvalue, or of one that is as good as zero the least one that is not.
+    /// The modulus of an eigenvalue, but at least the size up to which frequencies count as zero.
     pub(super) fn scale(&self, lambda: Complex<T>) -> T {
         larger(modulus(lambda), self.smallest)
     }
 
-    /// Whether a circle with several roots is so wide that rounding alone need not have blurred a double one, while the
-    /// rectangle is wide beside it: from nearer by, the roots may be told apart.
+    /// Whether a circle with several roots is wider than rounding makes that of a double root, in a rectangle that is much wider.
+    /// From nearer by its roots may be told apart.
     pub(super) fn may_be_a_cluster(&self, root: &Eigenvalue<T>, rectangle: &Rectangle<T>) -> bool {
         let scale = self.scale(root.lambda);
         let is_wide =

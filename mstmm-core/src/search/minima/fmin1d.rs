@@ -64,7 +64,7 @@ pub fn fmin1d<const CAP: usize, V: Into<Magnitude>>(
     };
     let mut minima = List::new();
     let mut all_zero = true;
-    // four samples in a row: the third is judged first, so that a search for a root hidden around the second knows the
+    // four samples in a row: the third is examined first, so that a search for a root hidden around the second knows the
     // minima on both sides
     let mut window = [None; 4];
     for index in 0..points + 2 {
@@ -192,7 +192,7 @@ fn find_hidden(
     Ok(None)
 }
 
-/// Adds a minimum unless it is one that was found from a neighbouring point, too.
+/// Adds a minimum unless it was found from a neighbouring point, too.
 fn keep<const CAP: usize>(
     minima: &mut List<Minimum1d, CAP>,
     new: Minimum1d,

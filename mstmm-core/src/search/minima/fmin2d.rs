@@ -104,7 +104,7 @@ pub fn fmin2d<const CAP: usize, V: Into<Magnitude>>(
     Ok(Minima { minima, evaluations })
 }
 
-/// The minimum to which a point of the grid leads, if it leads to one that is not known.
+/// The minimum to which a point of the grid leads, if it is not known yet.
 fn search_around(
     cells: Cells,
     evaluate: &mut impl FnMut(f64, f64) -> Result<Magnitude, SearchError>,
@@ -125,7 +125,7 @@ fn search_around(
     }
 }
 
-/// Halvings after which a search that has come to the cells of a known minimum is taken to end there, too.
+/// Halvings after which a search within the cells of a known minimum is assumed to end there, too.
 const HALVINGS_TO_TELL_ROOTS_APART: u32 = 4;
 
 /// Halves the cells around the lowest point so far, moving along with it inside `estimates`, until they are shorter than

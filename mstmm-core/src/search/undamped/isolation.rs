@@ -12,7 +12,7 @@ use crate::search::undamped::sampling::{Isolation, Sample, ZERO_EXPONENT, middle
 /// Upper ends of brackets that wait: each split adds one, and a bracket is halved at most about 64 times.
 const WAITING: usize = 128;
 
-/// After so many splits in a row that separate nothing, roots are taken for a cluster, which halving would reach too slowly.
+/// Number of splits in a row that separate nothing after which roots count as a cluster, which halving would reach too slowly.
 const CLUSTER: u32 = 2;
 
 impl<'a, T, Y> Isolation<'a, Y, T>
@@ -81,8 +81,8 @@ where
         Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
     }
 
-    /// Doubts what rounding makes of roots that coincide: several in one interval, two that nearly touch, one that is
-    /// nearly zero.
+    /// Marks roots that rounding may have moved as doubtful: several in one interval, two that nearly touch, one that is nearly
+    /// zero.
     fn doubt(&mut self, root: &NaturalFrequency<T>, last: Option<&NaturalFrequency<T>>) {
         let touching = last.is_some_and(|last| root.lower - last.upper <= root.omega * T::from_f64(TOUCHING));
         self.is_doubtful |= root.multiplicity > 1 || touching || root.omega < self.nearly_zero;

@@ -1,4 +1,4 @@
-//! Natural frequencies of undamped systems: what users call.
+//! Natural frequencies of undamped systems: the trait that users call.
 
 use crate::model::error::SearchError;
 use crate::number::doubt::refuses_doubt;
@@ -14,8 +14,8 @@ use crate::subspace::count::WittrickWilliams;
 use core::ops::RangeInclusive;
 use num_traits::Zero;
 
-/// A system that can be searched for natural frequencies: Δ and its derivative in the arithmetic of the parameters, and in
-/// the arithmetic that judges its rounding.
+/// A system that can be searched for natural frequencies: it has Δ and its derivative in the precision of the parameters and in
+/// extended precision.
 ///
 /// Every undamped system without planar elements is one; systems with a damper are not: they have `eigenvalues`.
 pub trait Undamped:
@@ -39,22 +39,20 @@ impl<Y> Undamped for Y where
 
 /// The certified searches of undamped systems.
 ///
-/// Where a result looks as if rounding had a hand in it (roots that coincide or nearly do, slopes that do not fit, sums that
-/// cancel on the way), the search is made again in the arithmetic that judges the first: double-double for `f64`. Without the
-/// feature `judge` such a result is refused.
+/// A search whose result is doubtful (roots coincide or nearly do, slopes do not fit, sums cancel) is made again in extended
+/// precision: double-double for `f64`. Without the feature `judge` a doubtful result is refused.
 ///
 /// A thread of 128 kB is enough, of 384 kB in debug builds.
 pub trait NaturalFrequencies: System {
-    /// Number of natural frequencies below `omega` [rad/s], with multiplicity; rigid-body modes count from ω > 0 on. No frequency is
-    /// below zero, or a negative number.
+    /// Number of natural frequencies below `omega` [rad/s], with multiplicity; rigid-body modes count from ω > 0 on. It is 0 for
+    /// `omega <= 0`.
     ///
-    /// Two evaluations, a relative 4e-6 below and above `omega`. Where their counts differ, or sums cancel in one of them, the
-    /// arithmetic judges that has twice as many digits, within 9e-16.
+    /// It takes two evaluations, a relative 4e-6 below and above `omega`. Where their counts differ, or sums cancel in one of them,
+    /// the count is taken in extended precision, a relative 9e-16 below and above.
     ///
     /// # Errors
-    /// [`SearchError::Unresolved`] where not even that one can tell, as at a frequency itself; [`SearchError::Zero`] for a model
-    /// in which something is held twice; [`SearchError::NotANumber`] for a NaN, or an `omega` so large that the arithmetic
-    /// overflows.
+    /// [`SearchError::Unresolved`] where extended precision fails, too, as at a frequency itself; [`SearchError::Zero`] for a model in
+    /// which something is held twice; [`SearchError::NotANumber`] for a NaN, or an `omega` so large that numbers overflow.
     ///
     /// # Source
     /// Wittrick and Williams along the tree of transfer paths.
@@ -114,19 +112,19 @@ pub trait NaturalFrequencies: System {
 
 impl<Y: System + ?Sized> NaturalFrequencies for Y {}
 
-/// Relative distance from a frequency at which its count is taken on both sides, in square roots of eps: where several paths share
-/// one, rounding may put counts on the other side within a tenth of it.
+/// Relative distance on both sides of a frequency at which counts are taken, in square roots of eps. Where several paths share a
+/// frequency, rounding may move counts to the other side within a tenth of it.
 const COUNT_MARGIN: f64 = 256.0;
 
-/// That distance in an arithmetic.
+/// The relative distance at which counts are taken, for numbers of type `T`.
 pub(crate) fn count_margin<T: Real>() -> T {
     T::from_f64(T::EPSILON).sqrt() * T::from_f64(COUNT_MARGIN)
 }
 
-/// The same for the arithmetic that judges, in units of the last place of a parameter.
+/// Relative distance at which counts are taken in extended precision, in units in the last place of a parameter.
 const EXTENDED_MARGIN: f64 = 4.0;
 
-/// The count on both sides of a frequency, if it is the same and no sum cancelled.
+/// The count near a frequency, if it is equal on both sides and no sum cancelled.
 fn count_beside<Y, T>(system: &Y, omega: T) -> Result<Option<u64>, SearchError>
 where
     T: Real,
@@ -137,7 +135,7 @@ where
     agreed(omega, both)
 }
 
-/// The count that two passes beside a frequency agree on.
+/// The count on which the passes below and above a frequency agree, if no sum cancelled in them.
 pub(crate) fn agreed<T: Real, const IN_LINE: bool>(
     omega: T,
     [(below, at_below), (above, at_above)]: [(WittrickWilliams<IN_LINE>, Scaled<T>); 2],
@@ -150,7 +148,7 @@ pub(crate) fn agreed<T: Real, const IN_LINE: bool>(
     Ok((is_clear && below.below() == above.below()).then_some(below.below()))
 }
 
-/// The count by the arithmetic that judges.
+/// The count in extended precision.
 #[cold]
 #[inline(never)]
 fn extended_count<Y, T>(system: &Y, omega: T) -> Result<u64, SearchError>
@@ -169,7 +167,7 @@ where
     Err(SearchError::Unresolved { near: omega.to_f64() })
 }
 
-/// What was found, or where that is doubtful what the judging arithmetic finds.
+/// The result of a search, or where that is doubtful the result in extended precision.
 fn judged<Y: System + ?Sized, const CAP: usize>(
     found: Result<FrequencyList<Y::Parameter, CAP>, SearchError>,
     is_doubtful: bool,

@@ -1,4 +1,4 @@
-//! The last digits of a single root: inverse interpolation with derivatives inside a bracket of counts.
+//! The last digits of a single root, by inverse interpolation with derivatives inside a bracket of counts.
 
 use crate::model::error::SearchError;
 use crate::number::doubt::BRANCH_FREE;
@@ -9,7 +9,7 @@ use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::found::NaturalFrequency;
 use crate::search::undamped::sampling::{Isolation, Sample, Slope, middle};
 
-/// Steps that may pass before a bracket that was not halved is halved by force.
+/// Number of steps within which a bracket has to be halved, else the next step halves it.
 const PATIENCE: u32 = 3;
 
 impl<T: Real> Slope<T> {
@@ -91,7 +91,7 @@ where
         self.settle(Sample { below: counts.0, ..lower }, Sample { below: counts.1, ..upper })
     }
 
-    /// The root as certified by the counts on both sides of an estimate, if it is there.
+    /// The root at an estimate, if the counts on both sides certify it.
     fn certify(
         &mut self,
         omega: T,
@@ -121,14 +121,14 @@ where
     }
 }
 
-/// Where the chord between two samples is zero, as a share of their distance.
+/// The zero of the chord between two samples, as a share of their distance.
 fn chord_share<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
     let shift = (upper.value.exponent() - lower.value.exponent()).clamp(-2000, 2000) as i32;
     let (a, b) = (lower.value.mantissa(), upper.value.mantissa().times_power_of_two(shift));
     a / (a - b)
 }
 
-/// Whether Δ grows across a root by its slope beside it, as it does unless rounding rules there.
+/// Whether the growth of Δ across a root fits its slope beside it, as it does unless rounding rules there.
 fn is_straight<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>) -> bool {
     let at_scale = |value: Scaled<T>| {
         let shift = (value.exponent() - nearest.exponent).clamp(-2000, 2000) as i32;
@@ -140,7 +140,7 @@ fn is_straight<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>
     ratio > T::from_f64(least) && ratio < T::from_f64(greatest)
 }
 
-/// Where to begin: the zero of the chord if the bracket is not wide, else its middle.
+/// The first point: the zero of the chord if the bracket is not wide, else its middle.
 fn first_point<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
     let middle = middle(lower.omega, upper.omega);
     if lower.omega + lower.omega < upper.omega {
@@ -152,8 +152,8 @@ fn first_point<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
     if share > tenth && share < T::one() - tenth { lower.omega + width * share } else { middle }
 }
 
-/// Whether an estimate is good to a precision: the error of the inverse cubic is `(a b)²/length³`, with the distances a and b
-/// of its two points and a length over which Δ bends, that of Newton's step `a²/length`.
+/// Whether an estimate is good to a precision. With the distances a and b of its points and the length over which Δ bends, the
+/// error of the inverse cubic is `(a b)²/length³`, that of Newton's step `a²/length`.
 fn is_exact<T: Real>(estimate: T, slope: &Slope<T>, previous: Option<&Slope<T>>, length: f64, precision: f64) -> bool {
     let distance = |omega: T| (estimate - omega).size() / length;
     let product = distance(slope.omega) * previous.map_or(1.0, |previous| distance(previous.omega));

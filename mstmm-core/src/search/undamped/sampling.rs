@@ -1,4 +1,4 @@
-//! Samples of a search: counts, Δ and its slope at frequencies, and what looks like rounding in them.
+//! Samples of a search: counts, Δ and its slope at frequencies, and whether they are doubtful.
 
 use crate::model::error::SearchError;
 use crate::model::estimates::FrequencyEstimates;
@@ -16,13 +16,13 @@ use crate::subspace::count::{Cancelled, WittrickWilliams};
 /// doubled in ω) and of the planes.
 const HALF_WIDTH: f64 = 16.0;
 
-/// The same rounding in each of so many equal beams in a row adds up to one more such width.
+/// Number of equal beams in a row whose common rounding adds up to one more such width.
 const BEAMS_PER_WIDTH: f64 = 64.0;
 
-/// Factor between the lowest estimate of a frequency and what is taken to be just above zero.
+/// Binary exponent of the factor between the lowest estimate of a frequency and the frequency just above zero.
 pub(super) const ZERO_EXPONENT: i32 = 30;
 
-/// Below it the square of a frequency, with the masses that it multiplies, vanishes in the arithmetic.
+/// Frequency below which `ω² m` underflows.
 const LEAST: f64 = 1e-130;
 
 /// A frequency with its count and Δ.
@@ -59,18 +59,18 @@ impl<T: Real> From<Slope<T>> for Sample<T> {
 pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     system: &'a Y,
     pub(super) estimates: FrequencyEstimates,
-    /// A frequency below which rounding may have made one of a zero.
+    /// Frequency below which a root may be a zero that rounding has moved.
     pub(super) nearly_zero: T,
-    /// Just above zero: below every frequency but those that are zero.
+    /// Frequency just above zero, below every root but those that are zero.
     pub(super) just_above_zero: T,
     /// Relative half width of a certified interval.
     pub(super) half_width: T,
-    /// The unit in the last place that results are good to.
+    /// The unit in the last place of the parameters, to which results are good.
     pub(super) precision: f64,
     pub(super) evaluations: usize,
-    /// Whether something looked like rounding: counts that do not grow, slopes that do not fit, roots that coincide.
+    /// Whether the result is doubtful: counts do not grow, slopes do not fit, or roots coincide.
     pub(super) is_doubtful: bool,
-    /// Whether Δ of a sample was less beside its terms than it is beside a well-conditioned root.
+    /// Whether Δ of a sample was smaller, compared with its terms, than near a well-conditioned root.
     is_ill_conditioned: bool,
     /// Whether samples are taken beside a root.
     pub(super) is_at_root: bool,
@@ -127,7 +127,7 @@ where
         Ok(samples)
     }
 
-    /// Doubts a pass in which sums cancelled. One that judges has no other to ask.
+    /// Marks a pass in which sums cancelled as doubtful; refuses it where no further precision is left.
     fn look_at(&mut self, cancelled: Cancelled, omega: T) -> Result<(), SearchError> {
         self.is_doubtful |= cancelled.any();
         self.is_ill_conditioned |= cancelled.at_root;
@@ -137,8 +137,8 @@ where
         Ok(())
     }
 
-    /// Whether the counts at both ends of an interval are what they should be by the arithmetic that judges, if Δ was small beside
-    /// its terms there. Where nothing judges, the interval is widened.
+    /// Whether extended precision confirms the counts at both ends of an interval, if Δ was small compared with its terms there.
+    /// Where there is none, the interval is widened.
     pub(super) fn is_proven(&mut self, root: &mut NaturalFrequency<T>, counts: (u64, u64)) -> bool {
         if !core::mem::take(&mut self.is_ill_conditioned) {
             return true;
@@ -155,7 +155,7 @@ where
         (below, above) == counts
     }
 
-    /// Gives up where Δ vanishes at one frequency, and at others far from it.
+    /// Refuses a system whose Δ vanishes at one frequency and at others far from it.
     #[cold]
     fn look_for_zeros(&mut self, omega: T) -> Result<(), SearchError> {
         if omega.size() < LEAST {
@@ -163,7 +163,7 @@ where
         }
         check_identity(omega, |x| {
             self.evaluations += 1;
-            // counted like all samples, which are one piece of code then
+            // with a count like all samples, so that they are one piece of code
             count_and_value::<true, _, _>(self.system, x).1.mantissa().is_zero()
         })
     }
@@ -191,7 +191,7 @@ where
         let omega = lower.omega + (upper.omega - lower.omega) * T::from_f64(0.5);
         let margin = omega * self.half_width;
         let (below, above) = (self.sample(omega - margin)?, self.sample(omega + margin)?);
-        // where rounding blurs the counts, the interval takes in all that was seen to hold them
+        // where rounding blurs the counts, the interval includes the samples that were seen to enclose the roots
         let start = if below.below == lower.below || below.omega < lower.omega { below } else { lower };
         let end = if above.below == upper.below || above.omega > upper.omega { above } else { upper };
         let multiplicity = upper.below - lower.below;
@@ -199,7 +199,7 @@ where
     }
 }
 
-/// The count by the arithmetic that judges; a call, since it is seldom asked.
+/// The count in extended precision; not inlined, since it is seldom needed.
 #[cold]
 #[inline(never)]
 fn extended_below<T: Real, Y: Characteristic<T::Extended> + ?Sized>(system: &Y, omega: T) -> u64 {
@@ -207,7 +207,7 @@ fn extended_below<T: Real, Y: Characteristic<T::Extended> + ?Sized>(system: &Y, 
     count_and_value::<true, _, _>(system, exactly).0.below()
 }
 
-/// The middle of a bracket, in the square root of the frequency: there the frequencies of beams are evenly spaced.
+/// The middle of a bracket in the square root of the frequency, in which the frequencies of beams are evenly spaced.
 pub(super) fn middle<T: Real>(lower: T, upper: T) -> T {
     if upper < lower + lower {
         return lower + (upper - lower) * T::from_f64(0.5);

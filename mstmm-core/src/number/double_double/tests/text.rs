@@ -1,4 +1,4 @@
-//! Text in both directions.
+//! Numbers to text and text to numbers.
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::double_double::tests::{Exact, PRODUCT, SUM, UNIT, assert_equal, exact, sizes};
