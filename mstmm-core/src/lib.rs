@@ -67,6 +67,7 @@ pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;
 pub use pass::overall::evaluate::Evaluate;
+pub use pass::planned_list::{InList, ListParameter, PerParameter, PlannedList, Room};
 pub use pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 pub use pass::tree::{ExtendedTree, Planned, Steps, Tree};
 pub use subspace::count::{Held, NoCount, RootCounter, WittrickWilliams};

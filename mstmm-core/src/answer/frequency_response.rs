@@ -136,7 +136,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         if values.len() < grid.len() {
             return Err(MotionError::Capacity { capacity: values.len() });
         }
-        if grid.len() >= WORTHWHILE && self.route.system.scheme().len() <= LARGEST_IN_BLOCKS {
+        if grid.len() >= WORTHWHILE && Y::per_step(()).as_ref().len() <= LARGEST_IN_BLOCKS {
             return self.in_blocks(grid, values);
         }
         self.one_by_one(grid, values)

@@ -1,6 +1,8 @@
 //! Sensitivities: how a root moves with each field of the model.
 
 use crate::answer::mode_shape::simple;
+use crate::element::listed::ListElement;
+use crate::pass::planned_list::{ListParameter, PlannedList};
 use crate::model::chain_rule::{Chain, Fields, NamedFields};
 use crate::model::motion_error::MotionError;
 use crate::number::frequency::Oscillation;
@@ -40,6 +42,13 @@ impl<Y: NamedFields + ?Sized, S: Scalar> Sensitivities<Y, S> {
     /// The derivative with respect to a field; `None` if no field with a derivative has this name.
     pub fn get(&self, field: &str) -> Option<S> {
         self.iter().find(|(name, _)| *name == field).map(|(_, value)| value)
+    }
+}
+
+impl<E: ListElement, S: Scalar, const STEPS: usize> Sensitivities<PlannedList<'_, E, STEPS>, S> {
+    /// The derivative with respect to a parameter of a list, which is zero for one of another list that has no such step.
+    pub fn of(&self, parameter: ListParameter) -> S {
+        self.values.as_ref().get(parameter.index).copied().unwrap_or_default()
     }
 }
 

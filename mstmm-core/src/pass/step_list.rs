@@ -69,7 +69,7 @@ impl core::error::Error for ListError {}
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct StepList<'a, E> {
-    steps: &'a [ListStep<E>],
+    pub(crate) steps: &'a [ListStep<E>],
 }
 
 impl<'a, E: ListElement> StepList<'a, E> {
