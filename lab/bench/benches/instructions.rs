@@ -1,7 +1,7 @@
 //! Instructions of each question to a built system, beside those of the standard library's sine, cosine and exponential of the
 //! beams, and their growth with the number of elements and of roots, counted by Callgrind: the same in every run of the same code.
 //!
-//! `cargo bench --bench instructions`, with `valgrind` and `gungraun-runner` installed (see CONTRIBUTING.md).
+//! `cargo bench --bench instructions`, with `valgrind` and `gungraun-runner` installed (see lab/README.md).
 #![expect(missing_docs, reason = "the harness documents none of its items, and refuses documentation of benchmarks")]
 
 use gungraun::{library_benchmark, library_benchmark_group, main};
