@@ -21,7 +21,7 @@ use moving_tree::{Labels, MovingTree};
 use mstmm::elements::{Damper, Mass, Spring, SpringDamper};
 use mstmm::search::{Eigenvalues, Region};
 use mstmm::{
-    Complex, DoubleDouble, Entry, Label, ListStep, Load, MotionError, Motions, Point, Real, Scalar, StepList, Support,
+    Complex, DoubleDouble, Entry, Label, ListStep, Load, MotionError, ModalAnalysis, Point, Real, Scalar, StepList, Support,
 };
 use random_tree::Random;
 use tree::{Part, Tree};

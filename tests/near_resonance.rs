@@ -16,7 +16,7 @@ use list_of_tree::undamped_steps;
 use moving_tree::{Labels, MOST, MovingTree, varied_tree};
 use mstmm::elements::{Beam, Mass, Spring};
 use mstmm::search::{Eigenvalue, NaturalFrequencies};
-use mstmm::{Complex, DoubleDouble, Entry, Label, ListStep, Load, Motions, Point, Real, StepList, Support};
+use mstmm::{Complex, DoubleDouble, Entry, Label, ListStep, Load, ModalAnalysis, Point, Real, StepList, Support};
 use tree::Part;
 
 fn output(step: usize) -> Point<Labels> {

@@ -20,7 +20,7 @@ mod tree;
 
 use moving_tree::{Labels, MOST, MovingTree, varied_tree};
 use mstmm::elements::{Beam, Body, Mass};
-use mstmm::{Complex, Coordinate, Entry, Label, ListStep, Load, Motions, Point, Real, Space};
+use mstmm::{Complex, Coordinate, Entry, Label, ListStep, Load, ModalAnalysis, Point, Real, Space};
 use mstmm_core::Step;
 use state_equations::{StateEquations, Wide};
 use tree::{Part, Tree};

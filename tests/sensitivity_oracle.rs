@@ -19,7 +19,7 @@ mod tree;
 use list_of_tree::any_steps;
 use moving_tree::{MOST, MovingTree, varied_tree};
 use mstmm::search::{Eigenvalue, Eigenvalues, Region};
-use mstmm::{Complex, ListStep, Motions, Real, StepList};
+use mstmm::{Complex, ListStep, ModalAnalysis, Real, StepList};
 use state_equations::{StateEquations, Wide};
 use tree::{Part, Tree};
 

@@ -302,33 +302,33 @@ impl DampedOscillator {
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::System for DampedOscillatorSystem<T> {
     type Parameter = T;
-    fn bounds(&self) -> mstmm::__private::FrequencyBounds {
-        let mut bounds = ::core::default::Default::default();
+    fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
+        let mut estimates = ::core::default::Default::default();
         <mstmm::__private::elements::Beam<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_1, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_1, &mut estimates);
         <mstmm::__private::elements::Spring<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_3, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_3, &mut estimates);
         <mstmm::__private::elements::Beam<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_4, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_4, &mut estimates);
         <mstmm::__private::elements::Mass<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_7, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_7, &mut estimates);
         <mstmm::__private::elements::SpringDamper<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_6, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_6, &mut estimates);
         <mstmm::__private::elements::Beam<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_8, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_8, &mut estimates);
         <mstmm::__private::elements::TorsionSpring<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_10, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_10, &mut estimates);
         <mstmm::__private::elements::Beam<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_11, &mut bounds);
-        bounds
+        > as mstmm::__private::Element>::estimate(&self.element_11, &mut estimates);
+        estimates
     }
 }
 /// The labels of the sketch: elements and connections, as results about motions take them.
@@ -418,22 +418,22 @@ where
     S: mstmm::__private::Frequency<T>,
     mstmm::__private::elements::Beam<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Beam<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Beam<S>>,
     mstmm::__private::elements::Mass<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Mass<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Mass<S>>,
     mstmm::__private::elements::Spring<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Spring<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Spring<S>>,
     mstmm::__private::elements::SpringDamper<
         T,
-    >: mstmm::__private::Motion<
+    >: mstmm::__private::Energies<
         S,
         Gradient = mstmm::__private::elements::SpringDamper<S>,
     >,
     mstmm::__private::elements::TorsionSpring<
         T,
-    >: mstmm::__private::Motion<
+    >: mstmm::__private::Energies<
         S,
         Gradient = mstmm::__private::elements::TorsionSpring<S>,
     >,
@@ -464,7 +464,7 @@ where
         for step in [1usize] {
             let gradient = <mstmm::__private::elements::Beam<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_1, &ends(step));
             chain.add(gradient.length, values.0);
             chain.add(gradient.bending_stiffness, values.1);
             chain.add(gradient.mass_per_length, values.2);
@@ -473,14 +473,14 @@ where
         for step in [3usize] {
             let gradient = <mstmm::__private::elements::Spring<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_3, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_3, &ends(step));
             chain.add(gradient.stiffness, values.0);
         }
         let values = (second_span, bending_stiffness, mass_per_length);
         for step in [5usize] {
             let gradient = <mstmm::__private::elements::Beam<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_4, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_4, &ends(step));
             chain.add(gradient.length, values.0);
             chain.add(gradient.bending_stiffness, values.1);
             chain.add(gradient.mass_per_length, values.2);
@@ -489,14 +489,14 @@ where
         for step in [7usize] {
             let gradient = <mstmm::__private::elements::Mass<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_7, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_7, &ends(step));
             chain.add(gradient.mass, values.0);
         }
         let values = (oscillator_stiffness, damping);
         for step in [8usize] {
             let gradient = <mstmm::__private::elements::SpringDamper<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_6, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_6, &ends(step));
             chain.add(gradient.stiffness, values.0);
             chain.add(gradient.damping, values.1);
         }
@@ -504,7 +504,7 @@ where
         for step in [10usize] {
             let gradient = <mstmm::__private::elements::Beam<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_8, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_8, &ends(step));
             chain.add(gradient.length, values.0);
             chain.add(gradient.bending_stiffness, values.1);
             chain.add(gradient.mass_per_length, values.2);
@@ -513,14 +513,14 @@ where
         for step in [12usize] {
             let gradient = <mstmm::__private::elements::TorsionSpring<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_10, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_10, &ends(step));
             chain.add(gradient.stiffness, values.0);
         }
         let values = (last_span, bending_stiffness, mass_per_length);
         for step in [14usize] {
             let gradient = <mstmm::__private::elements::Beam<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_11, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_11, &ends(step));
             chain.add(gradient.length, values.0);
             chain.add(gradient.bending_stiffness, values.1);
             chain.add(gradient.mass_per_length, values.2);
@@ -715,13 +715,13 @@ const _: () = {
         mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::PlaneStep<S>,
     {
         #[inline]
-        fn pass<C: mstmm::__private::Tally<S>>(
+        fn pass<C: mstmm::__private::RootCounter<S>>(
             &self,
             x: S,
-            tally: &mut C,
+            counter: &mut C,
         ) -> mstmm::__private::Scaled<S> {
             const STEPS: usize = 16usize;
-            let at = mstmm::__private::At::new(
+            let at = mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Beam<
@@ -789,7 +789,7 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_1, s0, tally);
+            >(&k_1, s0, counter);
             let s2 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(2usize) },
@@ -799,21 +799,21 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_3, s2, tally);
+            >(&k_3, s2, counter);
             let s4 = s1;
-            let s4 = mstmm::__private::join::<S, C, true, STEPS>(s4, s3, tally);
+            let s4 = mstmm::__private::join::<S, C, true, STEPS>(s4, s3, counter);
             let s4 = mstmm::__private::widened(s4, const { LAYOUT.output(4usize) });
             let s4 = mstmm::__private::narrowed(
                 s4,
                 const { LAYOUT.output(4usize) },
-                tally,
+                counter,
             );
             let s5 = mstmm::__private::step::<
                 mstmm::__private::elements::Beam<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_4, s4, tally);
+            >(&k_4, s4, counter);
             let s6 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Free,
                 const { LAYOUT.space(6usize) },
@@ -823,27 +823,27 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_7, s6, tally);
+            >(&k_7, s6, counter);
             let s8 = mstmm::__private::step::<
                 mstmm::__private::elements::SpringDamper<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_6, s7, tally);
+            >(&k_6, s7, counter);
             let s9 = s5;
-            let s9 = mstmm::__private::join::<S, C, true, STEPS>(s9, s8, tally);
+            let s9 = mstmm::__private::join::<S, C, true, STEPS>(s9, s8, counter);
             let s9 = mstmm::__private::widened(s9, const { LAYOUT.output(9usize) });
             let s9 = mstmm::__private::narrowed(
                 s9,
                 const { LAYOUT.output(9usize) },
-                tally,
+                counter,
             );
             let s10 = mstmm::__private::step::<
                 mstmm::__private::elements::Beam<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_8, s9, tally);
+            >(&k_8, s9, counter);
             let s11 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(11usize) },
@@ -853,21 +853,21 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_10, s11, tally);
+            >(&k_10, s11, counter);
             let s13 = s10;
-            let s13 = mstmm::__private::join::<S, C, true, STEPS>(s13, s12, tally);
+            let s13 = mstmm::__private::join::<S, C, true, STEPS>(s13, s12, counter);
             let s13 = mstmm::__private::widened(s13, const { LAYOUT.output(13usize) });
             let s13 = mstmm::__private::narrowed(
                 s13,
                 const { LAYOUT.output(13usize) },
-                tally,
+                counter,
             );
             mstmm::__private::root::<
                 mstmm::__private::elements::Beam<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_11, s13, mstmm::__private::Support::Pinned, tally)
+            >(&k_11, s13, mstmm::__private::Support::Pinned, counter)
         }
     }
     #[automatically_derived]
@@ -889,11 +889,11 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::SpringDamper<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::SpringDamper<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::Energies<S>,
     {
         type Evaluated = (
             <mstmm::__private::elements::Beam<
@@ -921,8 +921,8 @@ const _: () = {
                 T,
             > as mstmm::__private::PlaneStep<S>>::Coefficients,
         );
-        fn at(x: S) -> mstmm::__private::At<S> {
-            mstmm::__private::At::new(
+        fn at(x: S) -> mstmm::__private::FrequencyPowers<S> {
+            mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Beam<
@@ -942,7 +942,7 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
+        fn evaluate(&self, at: &mstmm::__private::FrequencyPowers<S>) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::Beam<
                     T,
@@ -1095,41 +1095,41 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::SpringDamper<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::SpringDamper<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::Energies<S>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Mass<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Spring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::SpringDamper<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::TorsionSpring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Mass<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Spring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::SpringDamper<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::TorsionSpring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
     {
         fn visit_in_block<C: mstmm::__private::VisitInBlock<S>>(
             &self,
@@ -1191,34 +1191,34 @@ const _: () = {
         mstmm::__private::elements::TorsionSpring<T>: mstmm::__private::PlaneStep<S>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Mass<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Spring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::SpringDamper<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::TorsionSpring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Mass<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Spring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::SpringDamper<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::TorsionSpring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
     {
         fn walk<C: mstmm::__private::Walker<S>>(&self, walker: &mut C) {
             walker

@@ -175,18 +175,18 @@ impl RestrainedBeam {
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::System for RestrainedBeamSystem<T> {
     type Parameter = T;
-    fn bounds(&self) -> mstmm::__private::FrequencyBounds {
-        let mut bounds = ::core::default::Default::default();
+    fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
+        let mut estimates = ::core::default::Default::default();
         <mstmm::__private::elements::ElasticHinge<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_1, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_1, &mut estimates);
         <mstmm::__private::elements::Beam<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_3, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_3, &mut estimates);
         <mstmm::__private::elements::ElasticHinge<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_5, &mut bounds);
-        bounds
+        > as mstmm::__private::Element>::estimate(&self.element_5, &mut estimates);
+        estimates
     }
 }
 /// The labels of the sketch: elements and connections, as results about motions take them.
@@ -243,10 +243,10 @@ where
     S: mstmm::__private::Frequency<T>,
     mstmm::__private::elements::Beam<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Beam<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Beam<S>>,
     mstmm::__private::elements::ElasticHinge<
         T,
-    >: mstmm::__private::Motion<
+    >: mstmm::__private::Energies<
         S,
         Gradient = mstmm::__private::elements::ElasticHinge<S>,
     >,
@@ -270,7 +270,7 @@ where
         for step in [2usize] {
             let gradient = <mstmm::__private::elements::ElasticHinge<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_1, &ends(step));
             chain.add(gradient.stiffness_y, values.0);
             chain.add(gradient.stiffness_theta, values.1);
         }
@@ -278,7 +278,7 @@ where
         for step in [4usize] {
             let gradient = <mstmm::__private::elements::Beam<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_3, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_3, &ends(step));
             chain.add(gradient.length, values.0);
             chain.add(gradient.bending_stiffness, values.1);
             chain.add(gradient.mass_per_length, values.2);
@@ -287,7 +287,7 @@ where
         for step in [6usize] {
             let gradient = <mstmm::__private::elements::ElasticHinge<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_5, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_5, &ends(step));
             chain.add(gradient.stiffness_y, values.0);
             chain.add(gradient.stiffness_theta, values.1);
         }
@@ -391,13 +391,13 @@ const _: () = {
         mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::PlaneStep<S>,
     {
         #[inline]
-        fn pass<C: mstmm::__private::Tally<S>>(
+        fn pass<C: mstmm::__private::RootCounter<S>>(
             &self,
             x: S,
-            tally: &mut C,
+            counter: &mut C,
         ) -> mstmm::__private::Scaled<S> {
             const STEPS: usize = 9usize;
-            let at = mstmm::__private::At::new(
+            let at = mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Beam<
@@ -431,21 +431,21 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_1, s1, tally);
+            >(&k_1, s1, counter);
             let s3 = s2;
             let s3 = mstmm::__private::widened(s3, const { LAYOUT.output(3usize) });
             let s3 = mstmm::__private::held(s3, mstmm::__private::Support::Free);
             let s3 = mstmm::__private::narrowed(
                 s3,
                 const { LAYOUT.output(3usize) },
-                tally,
+                counter,
             );
             let s4 = mstmm::__private::step::<
                 mstmm::__private::elements::Beam<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_3, s3, tally);
+            >(&k_3, s3, counter);
             let s5 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(5usize) },
@@ -455,16 +455,16 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_5, s5, tally);
+            >(&k_5, s5, counter);
             let s7 = s4;
-            let s7 = mstmm::__private::join::<S, C, true, STEPS>(s7, s6, tally);
+            let s7 = mstmm::__private::join::<S, C, true, STEPS>(s7, s6, counter);
             let s7 = mstmm::__private::widened(s7, const { LAYOUT.output(7usize) });
             let s7 = mstmm::__private::narrowed(
                 s7,
                 const { LAYOUT.output(7usize) },
-                tally,
+                counter,
             );
-            s7.at_root(mstmm::__private::Support::Free, tally)
+            s7.at_root(mstmm::__private::Support::Free, counter)
         }
     }
     #[automatically_derived]
@@ -486,8 +486,8 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::Energies<S>,
     {
         type Evaluated = (
             <mstmm::__private::elements::ElasticHinge<
@@ -500,8 +500,8 @@ const _: () = {
                 T,
             > as mstmm::__private::PlaneStep<S>>::Coefficients,
         );
-        fn at(x: S) -> mstmm::__private::At<S> {
-            mstmm::__private::At::new(
+        fn at(x: S) -> mstmm::__private::FrequencyPowers<S> {
+            mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Beam<
@@ -512,7 +512,7 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
+        fn evaluate(&self, at: &mstmm::__private::FrequencyPowers<S>) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::ElasticHinge<
                     T,
@@ -590,20 +590,20 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::Energies<S>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::ElasticHinge<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::ElasticHinge<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
     {
         fn visit_in_block<C: mstmm::__private::VisitInBlock<S>>(
             &self,
@@ -640,16 +640,16 @@ const _: () = {
         mstmm::__private::elements::ElasticHinge<T>: mstmm::__private::PlaneStep<S>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::ElasticHinge<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::ElasticHinge<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
     {
         fn walk<C: mstmm::__private::Walker<S>>(&self, walker: &mut C) {
             walker.tip(mstmm::__private::Support::Free, const { LAYOUT.space(0usize) });

@@ -147,15 +147,15 @@ impl TipBody {
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::System for TipBodySystem<T> {
     type Parameter = T;
-    fn bounds(&self) -> mstmm::__private::FrequencyBounds {
-        let mut bounds = ::core::default::Default::default();
+    fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
+        let mut estimates = ::core::default::Default::default();
         <mstmm::__private::elements::Beam<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_1, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_1, &mut estimates);
         <mstmm::__private::elements::Body<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_2, &mut bounds);
-        bounds
+        > as mstmm::__private::Element>::estimate(&self.element_2, &mut estimates);
+        estimates
     }
 }
 /// The labels of the sketch: elements and connections, as results about motions take them.
@@ -199,10 +199,10 @@ where
     S: mstmm::__private::Frequency<T>,
     mstmm::__private::elements::Beam<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Beam<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Beam<S>>,
     mstmm::__private::elements::Body<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Body<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Body<S>>,
 {
     fn chain(
         &self,
@@ -224,7 +224,7 @@ where
         for step in [1usize] {
             let gradient = <mstmm::__private::elements::Beam<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_1, &ends(step));
             chain.add(gradient.length, values.0);
             chain.add(gradient.bending_stiffness, values.1);
             chain.add(gradient.mass_per_length, values.2);
@@ -233,7 +233,7 @@ where
         for step in [2usize] {
             let gradient = <mstmm::__private::elements::Body<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_2, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_2, &ends(step));
             chain.add(gradient.mass, values.0);
             chain.add(gradient.inertia, values.1);
             chain.add(gradient.output_x, values.2);
@@ -312,13 +312,13 @@ const _: () = {
         mstmm::__private::elements::Body<T>: mstmm::__private::PlaneStep<S>,
     {
         #[inline]
-        fn pass<C: mstmm::__private::Tally<S>>(
+        fn pass<C: mstmm::__private::RootCounter<S>>(
             &self,
             x: S,
-            tally: &mut C,
+            counter: &mut C,
         ) -> mstmm::__private::Scaled<S> {
             const STEPS: usize = 4usize;
-            let at = mstmm::__private::At::new(
+            let at = mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Beam<
@@ -347,13 +347,13 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_1, s0, tally);
+            >(&k_1, s0, counter);
             mstmm::__private::root::<
                 mstmm::__private::elements::Body<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_2, s1, mstmm::__private::Support::Free, tally)
+            >(&k_2, s1, mstmm::__private::Support::Free, counter)
         }
     }
     #[automatically_derived]
@@ -374,8 +374,8 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Body<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Body<T>: mstmm::__private::Energies<S>,
     {
         type Evaluated = (
             <mstmm::__private::elements::Beam<
@@ -385,8 +385,8 @@ const _: () = {
                 T,
             > as mstmm::__private::PlaneStep<S>>::Coefficients,
         );
-        fn at(x: S) -> mstmm::__private::At<S> {
-            mstmm::__private::At::new(
+        fn at(x: S) -> mstmm::__private::FrequencyPowers<S> {
+            mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Beam<
@@ -397,7 +397,7 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
+        fn evaluate(&self, at: &mstmm::__private::FrequencyPowers<S>) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::Beam<
                     T,
@@ -460,20 +460,20 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Body<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Body<T>: mstmm::__private::Energies<S>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Body<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Body<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
     {
         fn visit_in_block<C: mstmm::__private::VisitInBlock<S>>(
             &self,
@@ -502,16 +502,16 @@ const _: () = {
         mstmm::__private::elements::Body<T>: mstmm::__private::PlaneStep<S>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Body<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Body<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
     {
         fn walk<C: mstmm::__private::Walker<S>>(&self, walker: &mut C) {
             walker.tip(mstmm::__private::Support::Fixed, const { LAYOUT.space(0usize) });

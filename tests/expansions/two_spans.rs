@@ -206,24 +206,24 @@ impl TwoSpans {
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::System for TwoSpansSystem<T> {
     type Parameter = T;
-    fn bounds(&self) -> mstmm::__private::FrequencyBounds {
-        let mut bounds = ::core::default::Default::default();
+    fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
+        let mut estimates = ::core::default::Default::default();
         <mstmm::__private::elements::Beam<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_1, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_1, &mut estimates);
         <mstmm::__private::elements::Beam<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_3, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_3, &mut estimates);
         <mstmm::__private::elements::Mass<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_6, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_6, &mut estimates);
         <mstmm::__private::elements::Spring<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_5, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_5, &mut estimates);
         <mstmm::__private::elements::Beam<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_7, &mut bounds);
-        bounds
+        > as mstmm::__private::Element>::estimate(&self.element_7, &mut estimates);
+        estimates
     }
 }
 /// The labels of the sketch: elements and connections, as results about motions take them.
@@ -290,13 +290,13 @@ where
     S: mstmm::__private::Frequency<T>,
     mstmm::__private::elements::Beam<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Beam<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Beam<S>>,
     mstmm::__private::elements::Mass<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Mass<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Mass<S>>,
     mstmm::__private::elements::Spring<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Spring<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Spring<S>>,
 {
     fn chain(
         &self,
@@ -317,7 +317,7 @@ where
         for step in [1usize] {
             let gradient = <mstmm::__private::elements::Beam<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_1, &ends(step));
             chain.add(gradient.length, values.0);
             chain.add(gradient.bending_stiffness, values.1);
             chain.add(gradient.mass_per_length, values.2);
@@ -330,7 +330,7 @@ where
         for step in [4usize] {
             let gradient = <mstmm::__private::elements::Beam<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_3, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_3, &ends(step));
             chain.add(gradient.length, values.0);
             chain.add(gradient.bending_stiffness, values.1);
             chain.add(gradient.mass_per_length, values.2);
@@ -339,21 +339,21 @@ where
         for step in [6usize] {
             let gradient = <mstmm::__private::elements::Mass<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_6, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_6, &ends(step));
             chain.add(gradient.mass, values.0);
         }
         let values = (stiffness,);
         for step in [7usize] {
             let gradient = <mstmm::__private::elements::Spring<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_5, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_5, &ends(step));
             chain.add(gradient.stiffness, values.0);
         }
         let values = (length - spring_position, bending_stiffness, mass_per_length);
         for step in [9usize] {
             let gradient = <mstmm::__private::elements::Beam<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_7, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_7, &ends(step));
             chain.add(gradient.length, values.0);
             chain.add(gradient.bending_stiffness, values.1);
             chain.add(gradient.mass_per_length, values.2);
@@ -488,13 +488,13 @@ const _: () = {
         mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
     {
         #[inline]
-        fn pass<C: mstmm::__private::Tally<S>>(
+        fn pass<C: mstmm::__private::RootCounter<S>>(
             &self,
             x: S,
-            tally: &mut C,
+            counter: &mut C,
         ) -> mstmm::__private::Scaled<S> {
             const STEPS: usize = 11usize;
-            let at = mstmm::__private::At::new(
+            let at = mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Beam<
@@ -541,21 +541,21 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_1, s0, tally);
+            >(&k_1, s0, counter);
             let s3 = s1;
             let s3 = mstmm::__private::widened(s3, const { LAYOUT.output(3usize) });
             let s3 = mstmm::__private::held(s3, mstmm::__private::Support::Pinned);
             let s3 = mstmm::__private::narrowed(
                 s3,
                 const { LAYOUT.output(3usize) },
-                tally,
+                counter,
             );
             let s4 = mstmm::__private::step::<
                 mstmm::__private::elements::Beam<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_3, s3, tally);
+            >(&k_3, s3, counter);
             let s5 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Free,
                 const { LAYOUT.space(5usize) },
@@ -565,27 +565,27 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_6, s5, tally);
+            >(&k_6, s5, counter);
             let s7 = mstmm::__private::step::<
                 mstmm::__private::elements::Spring<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_5, s6, tally);
+            >(&k_5, s6, counter);
             let s8 = s4;
-            let s8 = mstmm::__private::join::<S, C, true, STEPS>(s8, s7, tally);
+            let s8 = mstmm::__private::join::<S, C, true, STEPS>(s8, s7, counter);
             let s8 = mstmm::__private::widened(s8, const { LAYOUT.output(8usize) });
             let s8 = mstmm::__private::narrowed(
                 s8,
                 const { LAYOUT.output(8usize) },
-                tally,
+                counter,
             );
             mstmm::__private::root::<
                 mstmm::__private::elements::Beam<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_7, s8, mstmm::__private::Support::Pinned, tally)
+            >(&k_7, s8, mstmm::__private::Support::Pinned, counter)
         }
     }
     #[automatically_derived]
@@ -606,9 +606,9 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Energies<S>,
     {
         type Evaluated = (
             <mstmm::__private::elements::Beam<
@@ -627,8 +627,8 @@ const _: () = {
                 T,
             > as mstmm::__private::PlaneStep<S>>::Coefficients,
         );
-        fn at(x: S) -> mstmm::__private::At<S> {
-            mstmm::__private::At::new(
+        fn at(x: S) -> mstmm::__private::FrequencyPowers<S> {
+            mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Beam<
@@ -642,7 +642,7 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
+        fn evaluate(&self, at: &mstmm::__private::FrequencyPowers<S>) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::Beam<
                     T,
@@ -750,27 +750,27 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Beam<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Beam<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Energies<S>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Mass<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Spring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Mass<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Spring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
     {
         fn visit_in_block<C: mstmm::__private::VisitInBlock<S>>(
             &self,
@@ -814,22 +814,22 @@ const _: () = {
         mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Mass<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Spring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
         mstmm::__private::elements::Beam<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Mass<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
         mstmm::__private::elements::Spring<
             T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
     {
         fn walk<C: mstmm::__private::Walker<S>>(&self, walker: &mut C) {
             walker
