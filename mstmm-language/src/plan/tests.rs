@@ -13,7 +13,7 @@ use quote::quote;
 #[path = "../../tests/support/models_in.rs"]
 mod models_in;
 
-const EXAMPLES: &str = include_str!("../../../examples/paper/models.rs");
+const EXAMPLES: &str = include_str!("../../../examples/paper/src/models.rs");
 const UNDAMPED: &str = include_str!("../../../tests/support/undamped_models.rs");
 const DAMPED: &str = include_str!("../../../tests/support/damped_models.rs");
 
