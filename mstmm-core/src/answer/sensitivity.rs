@@ -2,12 +2,12 @@
 
 use crate::answer::mode_shape::simple;
 use crate::element::listed::ListElement;
-use crate::pass::planned_list::{ListParameter, PlannedList};
 use crate::model::chain_rule::{Chain, Fields, NamedFields};
 use crate::model::motion_error::MotionError;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
+use crate::pass::planned_list::{ListParameter, PlannedList};
 use crate::pass::tree::ExtendedTree;
 use core::fmt;
 
