@@ -1,11 +1,11 @@
 //! The steps of beam-like elements on planes, given the second compound of their transfer matrix.
 
-use crate::model::state::Support;
 use crate::number::scalar::{Branches, Scalar};
 use crate::number::scaled::Scaled;
 use crate::subspace::count::{Held, RootCounter};
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::Support;
 
 /// `EI b, EI b², EI b³, EI² b⁴` and their inverses: the minors p_YM, w, p_ΘQ, p_MQ of a plane whose states have the
 /// entries `Y, Θ/b, M/(EI b²), Q/(EI b³)`, divided by the minor p_YΘ.

@@ -1,11 +1,11 @@
 //! The steps of spring-like and mass-like elements on lines; in rotation paths `q = -μ` makes them the same.
 
-use crate::model::state::Support;
 use crate::number::scalar::Scalar;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::Support;
 
 /// Through a massless element of dynamic stiffness κ: `(κ y - q, κ q)`; a grounded one needs no line.
 #[inline(always)]

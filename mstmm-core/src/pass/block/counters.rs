@@ -1,12 +1,12 @@
 //! Counters of a block, and what they receive of numbers without branches.
 
-use crate::model::state::{Space, Support};
 use crate::number::branch_free::BranchFree;
 use crate::number::scalar::Scalar;
 use crate::pass::block::WIDTH;
 use crate::subspace::count::{Held, RootCounter};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
+use mstmm_plan::{Space, Support};
 
 /// A counter in each lane, and room for what they are about to receive: a lane that has to go alone starts from what it has received
 /// before.

@@ -1,10 +1,10 @@
 //! Kinds of subspaces, known to the compiler where a loop over lanes is in straight-line code.
 
-use crate::model::state::{Space, Support};
 use crate::number::scalar::Scalar;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Space, Support};
 
 /// What kind of subspace all lanes have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
