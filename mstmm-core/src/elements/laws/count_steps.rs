@@ -55,11 +55,11 @@ impl Stiffness {
 
     /// Stiffness of the input end of an element whose output end is held: with `U = [[A, B], [C, D]]` for displacements
     /// and forces, `force = -B⁻¹ A displacement`. `None` where no force moves the ends apart.
-    fn of_input_end(space: crate::model::state::Space, u: &Rows) -> Option<Stiffness> {
+    fn of_input_end(space: mstmm_plan::Space, u: &Rows) -> Option<Stiffness> {
         let entry = |i: usize, j: usize| u[i][j].re;
         if u.len() == 2 {
             // the element pushes back with -q, in rotation paths with μ
-            let sign = if space.is(crate::model::state::Space::Rotation) { -1.0 } else { 1.0 };
+            let sign = if space.is(mstmm_plan::Space::Rotation) { -1.0 } else { 1.0 };
             return (entry(0, 1) != 0.0).then(|| Stiffness::Line(-entry(0, 0) / entry(0, 1) * sign));
         }
         let determinant = entry(0, 2) * entry(1, 3) - entry(0, 3) * entry(1, 2);
