@@ -1,4 +1,4 @@
-//! The overall transfer equation: matrix products per transfer path, geometrical equations at each connection.
+//! Assembly of the overall transfer equation: matrix products per transfer path, geometrical equations at each connection.
 
 use crate::element::traits::{Element, MatrixOf};
 use crate::model::layout::{Layout, Step};
@@ -72,7 +72,7 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
         self.leave_behind(step, row);
     }
 
-    /// What does not go on where a connection leads to fewer states: its forces are zero, its displacements free.
+    /// Ends the entries that the output of a connection has not: their forces are zero, their displacements free.
     fn leave_behind(&mut self, step: usize, mut row: usize) {
         let layout = self.layout;
         let Some(output) = layout.output(step).filter(|_| layout.narrows(step)) else { return };
