@@ -39,7 +39,7 @@ impl fmt::Display for Requirement {
     }
 }
 
-/// What `operations` roundings can do to a number of size `scale`.
+/// The largest error of `operations` roundings in a number of size `scale`.
 fn rounding(operations: u32, scale: f64) -> f64 {
     f64::from(operations) * f64::EPSILON * scale
 }
