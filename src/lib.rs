@@ -9,12 +9,12 @@ pub use mstmm_core::{
     AnyElement, AnyUndamped, Assembly, BackTransfer, Bending, BranchFree, Characteristic, Complex, ComplexEigenvalue,
     ComplexFrequency, Coordinate, Covector, DoubleDouble, Dual, Element, Ends, Energies, EnergyShares, Entry, Evaluate,
     ExtendedTree, ForceHistory, Frequency, FrequencyEstimates, FrequencyPowers, Held, InBlocks, InColumns, Inside,
-    InvalidParameter, Label, Layout, Line, ListElement, ListError, ListPass, ListStep, ListWalk, Load, Magnitude,
+    InvalidParameter, Label, Layout, Line, ListElement, ListError, ListMoving, ListStep, ListStepping, Load, Magnitude,
     ManyFrequencies, MatrixOf, MayDecay, ModalAnalysis, MotionError, NoCount, Oscillation, ParameterError, Planar,
     Plane, PlaneStep, Planned, Point, Real, RealFrequency, Requirement, Root, RootCounter, Rotation, SMatrix, Sample,
     Scalar, Scaled, SearchError, ShapeList, Space, State, StateSpace, StepList, Steps, Subspace, Support, System,
-    SystemStates, TransferMatrix, Translation, Tree, Visit, VisitStep, Walk, Walker, WaveFunctions, WittrickWilliams,
-    determinant, elements, search,
+    SystemStates, TransferMatrix, Translation, Tree, Visit, VisitStep, WaveFunctions, WittrickWilliams, determinant,
+    elements, search,
 };
 
 /// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.

@@ -3,8 +3,6 @@
 
 #[path = "support/list_of_tree.rs"]
 mod list_of_tree;
-#[path = "../examples/paper/models.rs"]
-pub mod models;
 #[path = "support/random_tree.rs"]
 mod random_tree;
 #[path = "support/tree.rs"]
@@ -19,6 +17,7 @@ use mstmm::{
     System,
 };
 use mstmm_lanes::InstructionSet;
+use paper::models;
 use proptest::prelude::*;
 use random_tree::{Random, random_tree};
 

@@ -1,13 +1,11 @@
 //! The certified searches on the paper's examples, judged by exact values and by double-double arithmetic.
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
-#[path = "../examples/paper/models.rs"]
-pub mod models;
-
 use core::ops::RangeInclusive;
 use mstmm::elements::Beam;
 use mstmm::prelude::*;
 use mstmm::{AnyUndamped, DoubleDouble, ListStep, Real, Scalar, Scaled, StepList, Support, System};
+use paper::models;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 

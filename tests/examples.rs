@@ -1,17 +1,7 @@
 //! What the examples compute, against results that share nothing with it.
-#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
-#[expect(dead_code, reason = "the example's main")]
-#[path = "../examples/damper.rs"]
-pub mod damper;
-#[expect(dead_code, reason = "the example's main and its plot")]
-#[path = "../examples/frequency_response.rs"]
-pub mod frequency_response;
-#[expect(dead_code, reason = "the example's main")]
-#[path = "../examples/identification.rs"]
-pub mod identification;
-#[path = "support/simple_beam.rs"]
-mod simple_beam;
+#[path = "support/example.rs"]
+pub mod example;
 #[expect(dead_code, reason = "the example's main")]
 #[path = "../examples/time_response.rs"]
 pub mod time_response;
@@ -19,32 +9,8 @@ pub mod time_response;
 #[path = "../examples/tip_body.rs"]
 pub mod tip_body;
 
-use identification::{Measured, frequencies, identify};
-use mstmm::prelude::*;
-use nalgebra::{Matrix3, Vector3};
-use simple_beam::{At, receptance};
+use example::{assert_close, printed, rows_of};
 use std::f64::consts::PI;
-use std::process::Command;
-
-/// What an example prints.
-fn printed(example: &str) -> String {
-    let run = ["run", "--quiet", "--example", example];
-    let output = Command::new(env!("CARGO")).args(run).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap();
-    assert!(output.status.success(), "{example}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
-
-/// The numbers in the rows of the table that a line starts.
-fn rows_of(text: &str, start: &str) -> Vec<Vec<f64>> {
-    let rows = text.lines().skip_while(|line| !line.trim_start().starts_with(start)).skip(1);
-    let words = |line: &str| line.split_whitespace().filter_map(|word| word.parse().ok()).collect();
-    rows.take_while(|line| !line.is_empty()).map(words).collect()
-}
-
-fn assert_close(actual: f64, expected: f64, limit: f64) {
-    let error = ((actual - expected) / expected).abs();
-    assert!(error <= limit, "{actual} is not {expected}: {error:e}");
-}
 
 /// Oracles: the paper's exact Ω; a cantilever's `A (cosh - cos) + B (sinh - sin)`; and what energies say about sensitivities,
 /// since ω² is the strain energy over the kinetic one.
@@ -90,98 +56,6 @@ fn the_tip_body_is_as_it_must() {
         let nodes = row[1..5].windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
         assert_eq!(row[6], nodes as f64);
     }
-}
-
-/// Oracles: the stiffness that the frequencies are of, and the standard deviation by differences.
-#[test]
-fn a_known_stiffness_is_identified() {
-    for clamp in [40.0, 900.0, 20_000.0] {
-        let measured: Vec<_> = frequencies(clamp).unwrap().iter().map(|(hertz, _)| (*hertz, 1e-3 * hertz)).collect();
-        let (found, deviation) = identify(Measured(measured.clone()), 1.5 * clamp).unwrap();
-        assert_close(found, clamp, 1e-9);
-        let step = 1e-4 * clamp;
-        let [above, below] = [clamp + step, clamp - step].map(|clamp| frequencies(clamp).unwrap());
-        let slopes = above.iter().zip(&below).map(|(above, below)| (above.0 - below.0) / (2.0 * step));
-        let sum: f64 = slopes.zip(&measured).map(|(slope, (_, deviation))| (slope / deviation).powi(2)).sum();
-        assert_close(deviation, 1.0 / sum.sqrt(), 1e-6);
-    }
-    assert!(printed("identification").contains("stiffness of the clamp: "));
-}
-
-/// Oracle: `Y/F = (tan(βl/2) - tanh(βl/2))/(4 EI β³)` of the bare bridge, the damper's dynamic stiffness, and a scan.
-#[test]
-fn the_damper_is_the_best_of_a_scan() {
-    let guess = damper::bridge(56_371.0, 450.5);
-    let omegas: Vec<f64> = (0..=4000).map(|step| 9.0 + 7.0 * f64::from(step) / 4000.0).collect();
-    let bare: Vec<f64> = (omegas.iter())
-        .map(|omega| {
-            let beta = (omega * omega * guess.m / guess.ei).powf(0.25);
-            ((beta * guess.half).tan() - (beta * guess.half).tanh()) / (4.0 * guess.ei * beta.powi(3))
-        })
-        .collect();
-    let largest = |stiffness: f64, damping: f64| {
-        let deflections = omegas.iter().zip(&bare).map(|(omega, bare)| {
-            let (link, inertia) = (Complex::new(stiffness, omega * damping), -omega * omega * guess.mass);
-            let damper = link * inertia / (link + inertia);
-            (bare / (1.0 + bare * damper)).norm()
-        });
-        deflections.fold(0.0, f64::max)
-    };
-    let tuned = damper::tuned(&guess).unwrap();
-    for bridge in [&guess, &tuned] {
-        let deflection = damper::largest_deflection(bridge).unwrap();
-        assert_close(deflection, largest(bridge.stiffness, bridge.damping), 2e-4);
-    }
-    let best = damper::largest_deflection(&tuned).unwrap();
-    let steps = || (-20..=20).map(|step| f64::from(step) / 20.0);
-    let scan = steps().flat_map(|k| steps().map(move |c| (k, c)));
-    let scanned = scan.map(|(k, c)| largest(tuned.stiffness * (1.0 + 0.02 * k), tuned.damping * (1.0 + 0.3 * c)));
-    assert_close(best, scanned.fold(f64::INFINITY, f64::min), 1e-3);
-    assert!(best < 0.7 * damper::largest_deflection(&guess).unwrap());
-    assert!(printed("damper").contains("tuned"));
-}
-
-/// Oracle: a bare beam, on which the springs and the oscillator act as forces.
-#[test]
-fn the_frequency_response_is_that_of_a_bare_beam_with_springs() {
-    let model = frequency_response::steel_bar();
-    let system = model.build().unwrap();
-    let unit = (model.ei / model.m).sqrt();
-    let response = |omega: f64| {
-        let omega = omega / unit;
-        let places = [At::Deflection(0.2), At::Deflection(0.6), At::Rotation(0.75)];
-        let (link, inertia) = (Complex::new(4.0, omega), Complex::from(-0.12 * omega * omega));
-        let stiffness = [Complex::from(5.0), link * inertia / (link + inertia), Complex::from(10.0)];
-        let matrix = Matrix3::from_fn(|row, column| {
-            let own = f64::from(u8::from(row == column));
-            receptance(places[column], places[row], omega) * stiffness[column] + own
-        });
-        let direct = Vector3::from(places.map(|place| Complex::from(receptance(places[0], place, omega))));
-        matrix.lu().solve(&direct).unwrap()[0] / model.ei
-    };
-    let samples = frequency_response::receptance(&system).unwrap();
-    for (omega, value) in &samples {
-        let expected = response(*omega);
-        assert!((value - expected).norm() < 1e-9 * expected.norm(), "{omega}: {value} {expected}");
-    }
-    let text = printed("frequency_response");
-    let rest = text.split(' ').find_map(|word| word.parse::<f64>().ok()).unwrap();
-    assert_close(rest, response(0.0).re, 1e-6);
-    let resonances = rows_of(&text, "resonance");
-    assert_eq!(resonances.len(), 4);
-    for row in resonances {
-        let value = response(row[0]);
-        assert_close(row[3], value.norm(), 1e-3);
-        assert!((row[4] - value.arg().to_degrees()).abs() < 0.02, "{row:?} {value}");
-        // beyond heavy damping the curve peaks at the resonance, and samples are close there
-        if row[2] < 0.1 {
-            let near = samples.iter().filter(|sample| (sample.0 - row[0]).abs() < row[2] * row[0]);
-            let peak = near.map(|sample| sample.1.norm()).fold(0.0, f64::max);
-            assert!(peak >= value.norm() * 0.999 && peak < value.norm() * 1.02, "{row:?} {peak:e}");
-        }
-    }
-    let drawn = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/target/frequency_response.svg")).unwrap();
-    assert!(drawn.starts_with("<svg") && drawn.trim_end().ends_with("</svg>"));
 }
 
 /// Oracle: `Σ φ(l/2) φ(l) e^{-ζωt} sin(ω_d t)/(m l ω_d)` with the cantilever's `φ`, whose squares have the integral l, and its

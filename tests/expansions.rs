@@ -11,7 +11,7 @@ mod models_in;
 /// The models of the example, each expanded and formatted.
 fn expanded() -> syn::Result<Vec<String>> {
     let facade: TokenStream = syn::parse_str("(mstmm)")?;
-    let models = models_in::models_in(include_str!("../examples/paper/models.rs"))?;
+    let models = models_in::models_in(include_str!("../examples/paper/src/models.rs"))?;
     let code =
         models.into_iter().map(|model| mstmm_language::expand(facade.clone().into_iter().chain(model).collect()));
     code.map(|code| Ok(prettyplease::unparse(&syn::parse2(code)?))).collect()

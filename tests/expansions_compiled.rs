@@ -1,9 +1,7 @@
 //! The kept code of the examples (see `expansions.rs`) compiles, and is what the macro stands for: the same numbers.
 
 use mstmm::prelude::*;
-
-#[path = "../examples/paper/models.rs"]
-pub mod models;
+use paper::models;
 
 /// The emitted code; warnings in it would reach no user, since it comes from a macro of another crate.
 #[rustfmt::skip]

@@ -1,13 +1,10 @@
 //! Responses to harmonic loads against closed forms, sums over modes, and reciprocity.
 #![allow(missing_docs)]
 
-#[path = "../examples/paper/models.rs"]
-pub mod models;
-
-use models::*;
 use mstmm::prelude::*;
 use mstmm::search::Eigenvalue;
 use mstmm::{MotionError, Point};
+use paper::models::*;
 
 system! {
     /// Beam with supports at its ends as the models below need them.

@@ -8,8 +8,6 @@ pub mod beams;
 mod drifts;
 #[path = "modal_response/histories.rs"]
 mod histories;
-#[path = "../examples/paper/models.rs"]
-pub mod models;
 #[path = "modal_response/residuals.rs"]
 mod residuals;
 #[path = "modal_response/transforms.rs"]
@@ -17,6 +15,7 @@ mod transforms;
 
 use mstmm::prelude::*;
 use mstmm::{DoubleDouble, MotionError, Real, Scalar};
+use paper::models;
 
 system! {
     #[derive(Clone, Copy, Debug)]

@@ -20,8 +20,6 @@ mod multiple;
 mod nodes;
 #[path = "mode_shapes/paper.rs"]
 mod paper;
-#[path = "../examples/paper/models.rs"]
-pub mod paper_models;
 #[path = "mode_shapes/parts.rs"]
 mod parts;
 #[path = "mode_shapes/random.rs"]
@@ -44,3 +42,5 @@ mod sketch;
 mod varied;
 #[path = "mode_shapes/waves.rs"]
 mod waves;
+
+use ::paper::models as paper_models;

@@ -2,15 +2,12 @@
 #![allow(unsafe_code, reason = "a global allocator cannot be written without")]
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
-#[path = "../examples/paper/models.rs"]
-pub mod models;
-
 use core::alloc::{GlobalAlloc, Layout};
 use core::cell::Cell;
 use core::hint::black_box;
-use models::{DampedOscillator, RestrainedBeam, SpringAndMass, TipBody, TwoSpans};
 use mstmm::prelude::*;
 use mstmm::{Magnitude, ModalResponse, ParameterError, SMatrix, Scaled};
+use paper::models::{self, DampedOscillator, RestrainedBeam, SpringAndMass, TipBody, TwoSpans};
 use std::alloc::System;
 
 system! {

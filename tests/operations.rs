@@ -11,8 +11,6 @@
 mod counted;
 #[path = "operations/examples.rs"]
 mod examples;
-#[path = "../examples/paper/models.rs"]
-pub mod models;
 #[path = "operations/motions.rs"]
 mod motions;
 #[path = "operations/scenes.rs"]
@@ -22,6 +20,7 @@ mod small;
 
 use counted::{ADD, COS, Counts, EXP, MUL, Operations, SIN};
 use mstmm::Complex;
+use paper::models;
 
 /// A step of a count by hand: what it computes, and what that takes.
 type Step = (&'static str, Operations);

@@ -3,8 +3,6 @@
 
 #[path = "support/hand.rs"]
 mod hand;
-#[path = "../examples/paper/models.rs"]
-pub mod models;
 #[path = "support/roots.rs"]
 mod roots;
 
@@ -12,12 +10,12 @@ use hand::{
     C, FIXED, FIXED_LINE, FREE, FREE_LINE, Matrix, PINNED, beam, body, consistent, dynamic_stiffness, hinge, mass,
     minus_identity, reduced, spring, spring_damper, torsion_spring, torsional, translational, zeros,
 };
-use models::{
+use mstmm::{Evaluate, SMatrix, Scaled};
+use nalgebra::{Matrix6, Vector6};
+use paper::models::{
     DampedOscillator, DampedOscillatorSystem, RestrainedBeam, RestrainedBeamSystem, SpringAndMass, SpringAndMassSystem,
     TipBody, TipBodySystem, TwoSpans, TwoSpansSystem,
 };
-use mstmm::{Evaluate, SMatrix, Scaled};
-use nalgebra::{Matrix6, Vector6};
 use proptest::prelude::*;
 use roots::{assert_same_roots, zeros as zeros_of};
 

@@ -1,27 +1,13 @@
 //! The tables of the paper: every printed value, found by the paper's searches, against print and exact values.
 
-#[expect(dead_code, reason = "the test needs the values of a table, not its heading")]
-#[path = "../examples/paper/reference.rs"]
-mod reference;
-#[expect(dead_code, reason = "the test needs the roots, not their cost")]
-#[path = "../examples/paper/solve.rs"]
-mod solve;
-
-#[path = "../examples/paper/models.rs"]
-pub mod models;
-#[path = "../examples/paper/quantity.rs"]
-mod quantity;
-
 use core::ops::RangeInclusive;
 use mstmm::prelude::*;
-use quantity::Value;
-use reference::{Column, Example, Failure, Search};
-use solve::Solved;
+use paper::{Column, Example, Failure, Search, Solved, Value, examples, models, solve};
 
 fn solved_examples() -> Result<Vec<(Example, Solved)>, Failure> {
     let mut pairs = Vec::new();
-    for example in reference::examples()? {
-        let solved = solve::solve(&example)?;
+    for example in examples()? {
+        let solved = solve(&example)?;
         pairs.push((example, solved));
     }
     Ok(pairs)

@@ -1,7 +1,5 @@
 //! Responses on a grid against responses alone: every bit, on every instruction set, whatever is beside a frequency.
 
-#[path = "../examples/paper/models.rs"]
-pub mod models;
 #[path = "support/moving_tree.rs"]
 #[allow(dead_code, reason = "sensitivities are asked for elsewhere")]
 mod moving_tree;
@@ -11,12 +9,12 @@ mod random_tree;
 #[allow(dead_code, reason = "the finite elements use more of it")]
 mod tree;
 
-use models::*;
 use moving_tree::{Labels, MOST, MovingTree, varied_tree};
 use mstmm::elements::Mass;
 use mstmm::prelude::*;
 use mstmm::{Entry, InColumns, Label, Load, MotionError, Oscillation, Point, System, TreeInBlocks};
 use mstmm_lanes::InstructionSet;
+use paper::models::*;
 use random_tree::Random;
 
 type C = Complex<f64>;

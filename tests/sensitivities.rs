@@ -1,12 +1,9 @@
 //! Sensitivities against central differences in double-double arithmetic, and closed forms.
 
-#[path = "../examples/paper/models.rs"]
-pub mod models;
-
-use models::*;
 use mstmm::prelude::*;
 use mstmm::search::NaturalFrequency;
 use mstmm::{DoubleDouble, Dual, Frequency, MotionError, Oscillation, Real};
+use paper::models::*;
 
 /// Relative steps of the differences: extrapolated to zero, what is left is of the sixth order. With fields of 24 bits these are
 /// exact, and so are the differences of positions in the formulas of the models.

@@ -7,7 +7,7 @@
 //! poles both are smooth in λ² up to the first other root. A polynomial through samples on the imaginary axis gives their values
 //! at zero, for real frequencies as for complex ones.
 
-use crate::answer::error::MotionError;
+use crate::model::motion_error::MotionError;
 use crate::number::exponent::binary_exponent;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::Real;

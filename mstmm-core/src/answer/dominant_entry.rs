@@ -1,12 +1,13 @@
 //! The dominant entry of a motion: entries of states at all ends of elements, compared as energies.
 
 use crate::element::moving::{CoefficientsOf, Moving};
+use crate::element::visit::Visit;
 use crate::model::layout::Step;
 use crate::model::state::{Coordinate, Space};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
-use crate::pass::tree::{Tree, Visit};
+use crate::pass::tree::Tree;
 
 /// An entry of the state at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,9 +2,10 @@
 
 use crate::answer::states::SystemStates;
 use crate::element::moving::{CoefficientsOf, Moving};
+use crate::element::visit::Visit;
 use crate::model::ends::Ends;
 use crate::number::scalar::Scalar;
-use crate::pass::tree::{Tree, Visit};
+use crate::pass::tree::Tree;
 
 /// A form of two motions of an element.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,6 @@
 
 use crate::answer::energies::{Form, FormOf};
 use crate::answer::mode_shape::ModeShape;
-use crate::element::traits::Element;
 use crate::model::ends::Ends;
 use crate::model::label::Label;
 use crate::model::state::State;
@@ -29,7 +28,7 @@ where
     S: Oscillation<Y::Parameter>,
 {
     /// The shares of an element in the energies of this mode, averaged over a cycle.
-    pub fn energy_shares<E: Element>(&self, label: Label<Y::Model, E>) -> EnergyShares<Y::Parameter> {
+    pub fn energy_shares<E>(&self, label: Label<Y::Model, E>) -> EnergyShares<Y::Parameter> {
         let share = |form: Form| {
             let of = |step: usize| self.energy(form, step);
             let whole =

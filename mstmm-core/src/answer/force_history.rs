@@ -1,7 +1,7 @@
 //! Responses to force histories, sample by sample.
 
-use crate::answer::error::MotionError;
 use crate::answer::modal_response::{ModalResponse, Term};
+use crate::model::motion_error::MotionError;
 use crate::number::exponentials::{exponential, phi_1, phi_2};
 use crate::number::fixed_list::List;
 use crate::number::frequency::Real;

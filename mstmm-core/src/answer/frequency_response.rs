@@ -1,23 +1,18 @@
 //! Responses to harmonic loads.
 
 use crate::answer::at_rest::{AtRest, Part};
-use crate::answer::error::MotionError;
 use crate::model::label::{Entry, Load};
-use crate::model::layout::{Scheme, Step};
-use crate::model::state::{Coordinate, Space};
+use crate::model::motion_error::MotionError;
+use crate::model::state::Coordinate;
 use crate::number::columns::InColumns;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
-use crate::pass::block::both_ways::{BlockPasses, CarriedInBlock};
+use crate::pass::block::both_ways::BlockPasses;
 use crate::pass::block::{WIDTH, WORTHWHILE};
 use crate::pass::both_ways::Passes;
-use crate::pass::characteristic::System;
-use crate::pass::jump::{Jump, Meeting, dual_of};
-use crate::pass::transfer_path::{Carried, Crossing, Follow};
+use crate::pass::jump::dual_of;
+use crate::pass::route::{Place, Route};
 use crate::pass::tree::{Planned, Tree};
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::subspace::Subspace;
 use num_traits::One;
 
 /// Largest number of steps evaluated in blocks, since the subspaces behind all steps are on the stack.
@@ -29,96 +24,19 @@ const NOTHING: f64 = 4096.0;
 /// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
 pub struct FrequencyResponse<'a, Y: Planned + ?Sized> {
-    system: &'a Y,
-    load: Place,
-    entry: Place,
-    course: Course,
-    /// Steps between load and entry, along which the motion is followed.
-    between: Y::PerStep<bool>,
-    /// Steps downstream of the load, whose upstream subspaces are not needed.
-    below: Y::PerStep<bool>,
+    route: Route<'a, Y>,
 }
 
 impl<Y: Planned + ?Sized> Clone for FrequencyResponse<'_, Y> {
     fn clone(&self) -> Self {
-        FrequencyResponse { ..*self }
-    }
-}
-
-/// The side of the load on which the entry lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Course {
-    /// Upstream of the load, or at its point on the upstream side.
-    Upstream,
-    /// Between the load and the root, or at the load's point on the downstream side.
-    Downstream,
-    /// On another path into a connection between the load and the root.
-    Aside,
-}
-
-/// An entry of the state behind a step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
-    pub(crate) step: usize,
-    /// Whether the downstream side of the point is meant.
-    pub(crate) beyond: bool,
-    pub(crate) coordinate: Coordinate,
-}
-
-impl Place {
-    /// The point of a load, with the entry that jumps there: Q or M.
-    pub(crate) fn of_load<Y: Planned + ?Sized>(system: &Y, load: Load<Y::Model>) -> Result<Self, MotionError> {
-        Place::new(system.scheme(), load.point.step, false, load.coordinate)
-    }
-
-    /// The point of an entry.
-    pub(crate) fn of_entry<Y: Planned + ?Sized>(system: &Y, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
-        Place::new(system.scheme(), entry.point.step, entry.point.beyond, entry.coordinate)
-    }
-
-    /// The entry at a point. At a connection whose output has fewer states it may be an entry of an input.
-    fn new(scheme: Scheme<'_>, step: usize, beyond: bool, coordinate: Coordinate) -> Result<Self, MotionError> {
-        let has = |step: usize| {
-            let space = scheme.behind(step);
-            space.coordinates().contains(&coordinate) && !space.is(Space::Planar)
-        };
-        if has(step) {
-            return Ok(Place { step, beyond, coordinate });
-        }
-        let inputs = if let Step::Connection(inputs) = scheme.steps[step] { inputs } else { &[] };
-        let is_path = |input: &&usize| !matches!(scheme.steps[**input], Step::Tip(_));
-        match inputs.iter().filter(is_path).find(|input| has(**input)) {
-            Some(&step) => Ok(Place { step, beyond: false, coordinate }),
-            None => Err(MotionError::NoSuchEntry { coordinate }),
-        }
+        FrequencyResponse { route: self.route.clone() }
     }
 }
 
 impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     pub(crate) fn new(system: &'a Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
-        let scheme = system.scheme();
-        let load = Place::of_load(system, load)?;
-        let entry = Place::of_entry(system, entry)?;
-        let (mut between, mut below) = (Y::per_step(false), Y::per_step(false));
-        let mut course = Course::Aside;
-        for end in [load.step, entry.step] {
-            let mut step = end;
-            while !matches!(scheme.steps[step], Step::Root(..)) {
-                if step == load.step && step == entry.step {
-                    course = if entry.beyond { Course::Downstream } else { Course::Upstream };
-                } else if end == load.step && step == entry.step {
-                    course = Course::Downstream;
-                } else if end == entry.step && step == load.step {
-                    course = Course::Upstream;
-                }
-                between.as_mut()[step] ^= true;
-                below.as_mut()[step] |= end == load.step && step != end;
-                step = scheme.downstream(step);
-            }
-        }
-        between.as_mut()[entry.step] = true;
-        below.as_mut()[scheme.len() - 1] = true;
-        Ok(FrequencyResponse { system, load, entry, course, between, below })
+        let (load, entry) = (Place::of_load(system, load)?, Place::of_entry(system, entry)?);
+        Ok(FrequencyResponse { route: Route::new(system, load, entry) })
     }
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.
@@ -144,32 +62,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        self.of(&self.passes(x), x)
-    }
-
-    /// The subspaces along the transfer path.
-    #[inline(always)]
-    fn passes<S>(&self, x: S) -> Passes<'a, Y, S>
-    where
-        Y: Tree<S>,
-        S: Oscillation<Y::Parameter>,
-    {
-        let mut passes = Passes::from_tips(self.system, x, |step| !self.below.as_ref()[step]);
-        passes.down_to(self.load.step);
-        passes
-    }
-
-    /// The response, given the subspaces along the transfer path.
-    fn of<S>(&self, passes: &Passes<'_, Y, S>, x: S) -> Result<S, MotionError>
-    where
-        Y: Tree<S>,
-        S: Oscillation<Y::Parameter>,
-    {
-        let (covector, delta) = self.start(&passes.meeting(self.load.step));
-        let mut motion = Carried { passes, covector };
-        self.follow(&mut motion);
-        let subspaces = if self.course == Course::Downstream { &passes.downstream } else { &passes.upstream };
-        self.value(motion.covector, &subspaces.as_ref()[self.entry.step], delta, x)
+        self.route.value(&self.route.passes(x), x)
     }
 
     /// The response and a size compared with which its rounding is small: the geometric mean of the responses at the load and at the
@@ -179,14 +72,14 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        let passes = Passes::whole(self.system, x);
-        let value = self.of(&passes, x)?;
+        let passes = Passes::whole(self.route.system, x);
+        let value = self.route.value(&passes, x)?;
         let own = |step: usize, coordinate: Coordinate| {
             let meeting = passes.meeting(step);
             meeting.square(coordinate).over(meeting.delta()).value().size()
         };
-        let load = own(self.load.step, dual_of(self.load.coordinate));
-        let entry = own(self.entry.step, self.entry.coordinate);
+        let load = own(self.route.load.step, dual_of(self.route.load.coordinate));
+        let entry = own(self.route.entry.step, self.route.entry.coordinate);
         Ok(Part { value, size: value.size().max(load.sqrt() * entry.sqrt()) })
     }
 
@@ -200,7 +93,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         if let Some(held) = self.held_at_rest()? {
             return Ok(held);
         }
-        let rest = AtRest::of::<Y::Parameter>(self.system.estimates().lowest_exponent(), 0.0, |x| self.sized(x));
+        let rest = AtRest::of::<Y::Parameter>(self.route.system.estimates().lowest_exponent(), 0.0, |x| self.sized(x));
         let moves_off = Err(MotionError::Resonance { frequency: 0.0 });
         match rest {
             Ok(AtRest { double, simple, finite, .. }) if double.is_zero() && simple.is_zero() => Ok(finite),
@@ -216,71 +109,14 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        let step = self.load.step;
-        let low = <Y::Parameter as One>::one().times_power_of_two(self.system.estimates().lowest_exponent());
-        let rest = self.passes(S::zero());
-        let (own, beside) = (rest.meeting(step).delta(), self.passes(S::of_omega(low)).meeting(step).delta());
+        let step = self.route.load.step;
+        let low = <Y::Parameter as One>::one().times_power_of_two(self.route.system.estimates().lowest_exponent());
+        let rest = self.route.passes(S::zero());
+        let (own, beside) = (rest.meeting(step).delta(), self.route.passes(S::of_omega(low)).meeting(step).delta());
         if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= NOTHING * S::EPSILON {
             return Ok(None);
         }
-        self.of(&rest, S::zero()).map(Some)
-    }
-
-    /// The covector, times Δ, of the motion that leaves the load, and Δ.
-    fn start<S: Scalar>(&self, meeting: &Meeting<S>) -> (Covector<S>, Scaled<S>) {
-        let Jump { upstream, downstream } = meeting.jump(self.load.coordinate);
-        (if self.course == Course::Upstream { upstream } else { downstream }, meeting.delta())
-    }
-
-    /// Follows the motion from the load to the entry.
-    fn follow(&self, motion: &mut impl Follow) {
-        let scheme = self.system.scheme();
-        let leads_over = |step: &usize| self.between.as_ref()[*step];
-        let mut step = self.load.step;
-        let mut is_downstream = self.course != Course::Upstream;
-        while step != self.entry.step {
-            let below = scheme.downstream(step);
-            let next = if is_downstream { below } else { step };
-            step = match scheme.steps[next] {
-                Step::Connection(inputs) if !(is_downstream && leads_over(&below)) => {
-                    let from = is_downstream.then_some(step);
-                    let Some(&to) = inputs.iter().find(|input| Some(**input) != from && leads_over(input)) else {
-                        return;
-                    };
-                    motion.through_connection(Crossing { at: next, from, to: Some(to) });
-                    is_downstream = false;
-                    to
-                }
-                Step::Connection(_) => {
-                    motion.through_connection(Crossing { at: next, from: Some(step), to: None });
-                    next
-                }
-                Step::Element(input, _) => {
-                    motion.through(next, is_downstream);
-                    if is_downstream { next } else { input }
-                }
-                Step::Tip(_) | Step::Root(..) => return,
-            };
-        }
-    }
-
-    /// The response, given the covector at the entry, its subspace, and Δ.
-    fn value<S>(&self, covector: Covector<S>, subspace: &Subspace<S>, delta: Scaled<S>, x: S) -> Result<S, MotionError>
-    where
-        Y: System,
-        S: Oscillation<Y::Parameter>,
-    {
-        if delta.mantissa().is_zero() {
-            return Err(MotionError::Resonance { frequency: x.modulus() });
-        }
-        let coordinate = self.entry.coordinate;
-        let (entry, exponent) = covector.pick_entry(subspace, coordinate);
-        // in the frame of a path that arrives from downstream slope and shear force have the other sign
-        let is_reversed = self.course == Course::Downstream && matches!(coordinate, Coordinate::Theta | Coordinate::Q);
-        // a force acts towards Y, a moment towards Θ: the force increases Q and the moment decreases M
-        let unit = if is_reversed == (self.load.coordinate == Coordinate::M) { S::one() } else { -S::one() };
-        let value = Scaled::new(entry, i64::from(exponent)).product(Scaled::new(unit, 0).over(delta)).value();
-        if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency: x.modulus() }) }
+        self.route.value(&rest, S::zero()).map(Some)
     }
 
     /// Writes the responses at the frequencies of `grid` to `values`, each with the bits that [`at`](FrequencyResponse::at) gives it.
@@ -300,7 +136,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         if values.len() < grid.len() {
             return Err(MotionError::Capacity { capacity: values.len() });
         }
-        if grid.len() >= WORTHWHILE && self.system.scheme().len() <= LARGEST_IN_BLOCKS {
+        if grid.len() >= WORTHWHILE && Y::per_step(()).as_ref().len() <= LARGEST_IN_BLOCKS {
             return self.in_blocks(grid, values);
         }
         self.one_by_one(grid, values)
@@ -324,22 +160,17 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter> + InColumns,
     {
-        let mut passes = BlockPasses::new(self.system);
+        let mut passes = BlockPasses::new(self.route.system);
         for (grid, values) in grid.chunks(WIDTH).zip(values.chunks_mut(WIDTH)) {
-            let is_needed = |step: usize| !self.below.as_ref()[step];
-            if grid.len() < WORTHWHILE || !passes.run::<Y::Parameter>(grid, is_needed, self.load.step) {
+            let is_known = grid.len() >= WORTHWHILE
+                && self.route.in_block(&mut passes, grid, |lane, value| {
+                    let x = grid[lane];
+                    // where sums cancel nothing is made of them in a block
+                    values[lane] = if x.is_zero() { self.static_limit() } else { value.or_else(|_| self.at(x)) }?;
+                    Ok(())
+                })?;
+            if !is_known {
                 self.one_by_one(grid, values)?;
-                continue;
-            }
-            let starts: [_; WIDTH] = core::array::from_fn(|lane| self.start(&passes.meeting(self.load.step, lane)));
-            let mut motion = CarriedInBlock { passes: &mut passes, covectors: starts.map(|(covector, _)| covector) };
-            self.follow(&mut motion);
-            let covectors = motion.covectors;
-            for (lane, (value, &x)) in values.iter_mut().zip(grid).enumerate() {
-                let subspace = passes.subspace(self.entry.step, self.course == Course::Downstream, lane);
-                // where sums cancel, the block has no value for the frequency
-                let own = || self.value(covectors[lane], &subspace, starts[lane].1, x).or_else(|_| self.at(x));
-                *value = if x.is_zero() { self.static_limit() } else { own() }?;
             }
         }
         Ok(())

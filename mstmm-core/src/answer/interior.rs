@@ -2,7 +2,6 @@
 
 use crate::answer::states::SystemStates;
 use crate::element::energies::Inside;
-use crate::element::traits::Element;
 use crate::model::label::Label;
 use crate::model::state::State;
 use crate::number::frequency::Oscillation;
@@ -75,7 +74,7 @@ where
     /// supports has n - 1 of them in mode n (Sturm).
     ///
     /// A node at the point where two elements meet is inside of neither. Shapes of damped systems are complex and have no nodes.
-    pub fn nodes<E: Element>(&self, label: Label<Y::Model, E>) -> usize {
+    pub fn nodes<E>(&self, label: Label<Y::Model, E>) -> usize {
         let Some(inside) = self.inside(label.step) else { return 0 };
         let samples = inside.samples();
         let deflection =

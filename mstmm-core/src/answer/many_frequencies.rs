@@ -5,15 +5,15 @@ use crate::number::columns::InColumns;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::scaled::Scaled;
 use crate::pass::block::pass::BlockPass;
-use crate::pass::block::walk::Walk;
 use crate::pass::block::{WIDTH, WORTHWHILE};
 use crate::pass::characteristic::{Characteristic, System};
+use crate::pass::tree::Steps;
 use crate::search::undamped::natural::{NaturalFrequencies, Undamped, agreed, count_margin};
 use crate::subspace::count::{NoCount, WittrickWilliams};
 use num_traits::Zero;
 
-/// A system that can be evaluated at one frequency and at a block of frequencies.
-pub trait InBlocks<S>: Characteristic<S> + Walk<S>
+/// A system that can be evaluated at one frequency, and at a block of them.
+pub trait InBlocks<S>: Characteristic<S> + Steps<S>
 where
     S: Frequency<<Self as System>::Parameter>,
 {
@@ -22,7 +22,7 @@ where
 impl<S, Y> InBlocks<S> for Y
 where
     S: Frequency<<Y as System>::Parameter>,
-    Y: Characteristic<S> + Walk<S> + ?Sized,
+    Y: Characteristic<S> + Steps<S> + ?Sized,
 {
 }
 

@@ -4,10 +4,10 @@
 //! and rounded. Forces follow from them, divided by the distance to that frequency, and do not add up.
 
 use crate::answer::dominant_entry::{UnitsOf, comparable};
-use crate::answer::error::MotionError;
 use crate::answer::mode_shape::ModeShape;
 use crate::answer::states::SystemStates;
 use crate::model::layout::Step;
+use crate::model::motion_error::MotionError;
 use crate::model::state::{Coordinate, State};
 use crate::number::doubt::{MISFIT, REFUSED_MISFIT};
 use crate::number::frequency::Oscillation;

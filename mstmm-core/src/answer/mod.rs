@@ -4,7 +4,6 @@ pub(crate) mod at_rest;
 pub(crate) mod dominant_entry;
 pub(crate) mod energies;
 pub(crate) mod energy_shares;
-pub(crate) mod error;
 pub(crate) mod force_history;
 pub(crate) mod frequency_response;
 pub(crate) mod interior;

@@ -1,12 +1,12 @@
 //! Responses in time by superposition of modes.
 
 use crate::answer::at_rest::{AtRest, Part};
-use crate::answer::error::MotionError;
-use crate::answer::frequency_response::{FrequencyResponse, Place};
+use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::mode_shape::{ModeShape, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
 use crate::model::label::{Entry, Load};
+use crate::model::motion_error::MotionError;
 use crate::model::state::Coordinate;
 use crate::number::exponentials::{exponential, phi_1};
 use crate::number::fixed_list::List;
@@ -14,6 +14,7 @@ use crate::number::frequency::Oscillation;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Real, RealFrequency};
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
+use crate::pass::route::Place;
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
 use core::marker::PhantomData;
 use num_complex::Complex;

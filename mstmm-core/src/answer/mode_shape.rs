@@ -2,8 +2,8 @@
 
 use crate::answer::dominant_entry::Candidate;
 use crate::answer::energies::Form;
-use crate::answer::error::MotionError;
 use crate::answer::states::SystemStates;
+use crate::model::motion_error::MotionError;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::{Magnitude, Scaled};

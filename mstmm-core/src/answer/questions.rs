@@ -1,6 +1,5 @@
 //! Questions about motions: the trait that users call.
 
-use crate::answer::error::MotionError;
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::modal_response::ModalResponse;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
@@ -9,6 +8,7 @@ use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::{Sensitivities, sensitivities};
 use crate::model::chain_rule::Chain;
 use crate::model::label::{Entry, Load};
+use crate::model::motion_error::MotionError;
 use crate::number::frequency::Frequency;
 use crate::number::frequency::Oscillation;
 use crate::pass::characteristic::System;

@@ -4,10 +4,10 @@
 //! around x0 gives this residue, for one jump per shape, each at the entry where the rest of the residue is largest.
 
 use crate::answer::dominant_entry::Candidate;
-use crate::answer::error::MotionError;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::root::Root;
 use crate::answer::states::SystemStates;
+use crate::model::motion_error::MotionError;
 use crate::model::state::Coordinate;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;

@@ -1,8 +1,8 @@
 //! Response curves: samples that are denser where the curve bends.
 
-use crate::answer::error::MotionError;
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::root::Root;
+use crate::model::motion_error::MotionError;
 use crate::number::fixed_list::List;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::Real;

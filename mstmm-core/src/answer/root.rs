@@ -1,6 +1,6 @@
 //! The roots that questions about motions take: natural frequencies and eigenvalues.
 
-use crate::answer::error::MotionError;
+use crate::model::motion_error::MotionError;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::Real;
 use crate::search::damped::found::Eigenvalue;

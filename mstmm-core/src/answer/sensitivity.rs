@@ -1,11 +1,13 @@
 //! Sensitivities: how a root moves with each field of the model.
 
-use crate::answer::error::MotionError;
 use crate::answer::mode_shape::simple;
-use crate::model::chain_rule::{Chain, Fields};
+use crate::element::listed::ListElement;
+use crate::model::chain_rule::{Chain, Fields, NamedFields};
+use crate::model::motion_error::MotionError;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
+use crate::pass::planned_list::{ListParameter, PlannedList};
 use crate::pass::tree::ExtendedTree;
 use core::fmt;
 
@@ -14,7 +16,7 @@ use core::fmt;
 /// Their unit is rad/s, or 1/s, per unit of the field. A field p that grows by 1 % moves the root by `0.01 p` times its derivative,
 /// to first order; a frequency in Hz by that over 2π.
 pub struct Sensitivities<Y: Fields + ?Sized, S: Scalar> {
-    values: Y::PerField<S>,
+    pub(crate) values: Y::PerField<S>,
 }
 
 impl<Y: Fields + ?Sized, S: Scalar> Clone for Sensitivities<Y, S> {
@@ -25,13 +27,13 @@ impl<Y: Fields + ?Sized, S: Scalar> Clone for Sensitivities<Y, S> {
 
 impl<Y: Fields + ?Sized, S: Scalar> Copy for Sensitivities<Y, S> {}
 
-impl<Y: Fields + ?Sized, S: Scalar> fmt::Debug for Sensitivities<Y, S> {
+impl<Y: NamedFields + ?Sized, S: Scalar> fmt::Debug for Sensitivities<Y, S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_map().entries(self.iter()).finish()
     }
 }
 
-impl<Y: Fields + ?Sized, S: Scalar> Sensitivities<Y, S> {
+impl<Y: NamedFields + ?Sized, S: Scalar> Sensitivities<Y, S> {
     /// Names and derivatives, in the order of the struct; fields that are marked `#[no_sensitivity]` are not among them.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, S)> {
         Y::NAMES.iter().copied().zip(self.values.as_ref().iter().copied())
@@ -40,6 +42,13 @@ impl<Y: Fields + ?Sized, S: Scalar> Sensitivities<Y, S> {
     /// The derivative with respect to a field; `None` if no field with a derivative has this name.
     pub fn get(&self, field: &str) -> Option<S> {
         self.iter().find(|(name, _)| *name == field).map(|(_, value)| value)
+    }
+}
+
+impl<E: ListElement, S: Scalar, const STEPS: usize> Sensitivities<PlannedList<'_, E, STEPS>, S> {
+    /// The derivative with respect to a parameter of a list, which is zero for one of another list that has no such step.
+    pub fn of(&self, parameter: ListParameter) -> S {
+        self.values.as_ref().get(parameter.index).copied().unwrap_or_default()
     }
 }
 

@@ -1,16 +1,16 @@
 //! The states of a whole system in one motion.
 
-use crate::answer::error::MotionError;
 use crate::element::energies::Inside;
 use crate::element::moving::{CoefficientsOf, Moving};
-use crate::element::traits::Element;
+use crate::element::visit::Visit;
 use crate::model::ends::Ends;
 use crate::model::label::{Label, Point};
 use crate::model::layout::Step;
+use crate::model::motion_error::MotionError;
 use crate::model::state::State;
 use crate::number::scalar::Scalar;
 use crate::pass::state_recovery::RecoveredStates;
-use crate::pass::tree::{Tree, Visit};
+use crate::pass::tree::Tree;
 
 /// The states of a whole system in one motion.
 #[derive(Debug)]
@@ -95,7 +95,7 @@ where
     ///
     /// # Errors
     /// [`MotionError::Outside`] for a distance beyond its ends; [`MotionError::NoInside`] for springs, masses and bodies.
-    pub fn along<E: Element>(&self, label: Label<Y::Model, E>, distance: f64) -> Result<State<S>, MotionError> {
+    pub fn along<E>(&self, label: Label<Y::Model, E>, distance: f64) -> Result<State<S>, MotionError> {
         let Inside { length, .. } = self.inside(label.step).ok_or(MotionError::NoInside)?;
         if !(0.0..=length).contains(&distance) {
             return Err(MotionError::Outside { distance, length });

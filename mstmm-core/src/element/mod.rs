@@ -2,5 +2,7 @@
 
 pub(crate) mod back_transfer;
 pub(crate) mod energies;
+pub(crate) mod listed;
 pub(crate) mod moving;
 pub(crate) mod traits;
+pub(crate) mod visit;

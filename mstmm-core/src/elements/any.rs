@@ -1,18 +1,17 @@
 //! Elements of any type, for lists of steps.
 
-use crate::element::traits::{Element, PlaneStep};
+use crate::element::energies::Energies;
+use crate::element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
+use crate::element::traits::Element;
+use crate::element::visit::{Visit, VisitStep};
 use crate::elements::*;
+use crate::model::ends::Ends;
 use crate::model::error::InvalidParameter;
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Space, StateSpace, Support};
+use crate::model::state::{Space, StateSpace};
 use crate::number::branch_free::BranchFree;
-use crate::number::frequency::{ComplexFrequency, Frequency, Real};
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scaled::Scaled;
-use crate::pass::block::walk::Walker;
-use crate::pass::step_list::{ListElement, ListPass, ListWalk};
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::subspace::Subspace;
+use crate::number::frequency::{ComplexFrequency, Frequency, Oscillation, Real};
+use crate::number::scalar::Scalar;
 
 /// Declares an enum of built elements with the traits of list elements.
 macro_rules! any_element {
@@ -45,6 +44,12 @@ macro_rules! any_element {
                 }
             }
 
+            fn parameters(&self) -> &'static [&'static str] {
+                match self {
+                    $($name::$element(_) => &[$(stringify!($field)),*],)*
+                }
+            }
+
             fn estimate(&self, estimates: &mut FrequencyEstimates) {
                 match self {
                     $($name::$element(built) => <$element<T> as Element>::estimate(built, estimates),)*
@@ -52,39 +57,34 @@ macro_rules! any_element {
             }
         }
 
-        impl<T: Real, S: $frequency<T>> ListWalk<S> for $name<T>
+        impl<T: Real, S: $frequency<T>> ListStepping<S> for $name<T>
         where
             BranchFree<S, false>: $frequency<T>,
             BranchFree<S, true>: $frequency<T>,
         {
-            fn walk<W: Walker<S>>(&self, walker: &mut W) {
+            fn visit_step<V: VisitStep<S>>(&self, visitor: V) -> V::Output {
                 match self {
-                    $($name::$element(built) => walker.element::<$element<T>>(built),)*
+                    $($name::$element(built) => visitor.element::<$element<T>>(built),)*
                 }
             }
         }
 
-        impl<T: Real, S: $frequency<T>> ListPass<S> for $name<T> {
-            fn step<C: RootCounter<S>>(&self, at: &FrequencyPowers<S>, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
+        impl<T: Real, S: $frequency<T> + Oscillation<T>> ListMoving<S> for $name<T>
+        where
+            BranchFree<S, false>: $frequency<T>,
+            BranchFree<S, true>: $frequency<T>,
+        {
+            fn visit<V: Visit<S>>(&self, visitor: V) -> V::Output {
                 match self {
-                    $($name::$element(built) => {
-                        $element::<T>::step(&$element::<T>::coefficients(built, at), input, counter)
-                    })*
+                    $($name::$element(built) => visitor.element::<$element<T>>(built, None),)*
                 }
             }
 
-            fn root<C: RootCounter<S>>(
-                &self,
-                at: &FrequencyPowers<S>,
-                input: Subspace<S>,
-                support: Support,
-                counter: &mut C,
-            ) -> Scaled<S> {
+            fn gradient(&self, ends: &Ends<S>) -> [S; MOST_PARAMETERS] {
                 match self {
                     $($name::$element(built) => {
-                        <$element<T> as PlaneStep<S>>::root(
-                            &$element::<T>::coefficients(built, at), input, support, counter,
-                        )
+                        let $element { $($field),* } = <$element<T> as Energies<S>>::gradient(built, ends);
+                        filled([$($field),*])
                     })*
                 }
             }
@@ -92,8 +92,17 @@ macro_rules! any_element {
     };
 }
 
+/// Numbers, and zeros behind them.
+fn filled<S: Scalar, const N: usize>(numbers: [S; N]) -> [S; MOST_PARAMETERS] {
+    const { assert!(N <= MOST_PARAMETERS) };
+    core::array::from_fn(|k| numbers.get(k).copied().unwrap_or_default())
+}
+
 macro_rules! any_elements {
-    (undamped { $($element:ident { $($field:ident),* })* } damped { $($damped:ident { $($damped_field:ident),* })* }) => {
+    (
+        undamped { $($element:ident { $($field:ident),* })* }
+        damped { $($damped:ident { $($damped_field:ident),* })* }
+    ) => {
         any_element!(
             /// Any built-in element without damping.
             AnyUndamped, Frequency: $($element { $($field),* })*

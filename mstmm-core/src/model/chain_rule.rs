@@ -5,17 +5,20 @@ use crate::number::partials::Partials;
 use crate::number::scalar::Scalar;
 use core::fmt::Debug;
 
-/// A built system, by the fields of its model that it has derivatives with respect to: all but those that are marked
-/// `#[no_sensitivity]`.
+/// A built system, by the numbers that it has derivatives with respect to: the fields of its model but those that are marked
+/// `#[no_sensitivity]`, or the parameters of all elements of a list.
 pub trait Fields {
-    /// The names of these fields, in the order of the struct.
-    const NAMES: &'static [&'static str];
-
     /// A value for each of them: an array.
     type PerField<V: Copy + Debug>: Copy + Debug + AsRef<[V]> + AsMut<[V]>;
 
     /// The same value for each.
     fn per_field<V: Copy + Debug>(value: V) -> Self::PerField<V>;
+}
+
+/// A built system whose fields have names.
+pub trait NamedFields: Fields {
+    /// The names of the fields, in the order of the struct.
+    const NAMES: &'static [&'static str];
 }
 
 /// A built system whose dynamic work has derivatives with respect to the fields of the model.

@@ -7,7 +7,8 @@ mod checks;
 #[cfg(test)]
 mod tests;
 
-use crate::model::state::{Space, Support, WIDEST};
+use crate::model::state::{Space, Support};
+use mstmm_plan::WIDEST;
 
 /// A step of the plan; a step refers to earlier ones by index.
 #[derive(Clone, Copy, Debug)]

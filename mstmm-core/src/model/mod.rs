@@ -6,5 +6,6 @@ pub(crate) mod error;
 pub(crate) mod estimates;
 pub(crate) mod label;
 pub(crate) mod layout;
+pub(crate) mod motion_error;
 pub(crate) mod scaled_state;
 pub(crate) mod state;

@@ -1,30 +1,13 @@
-//! State vectors, their spaces, and supports: which entries exist, in which order, and which are zero.
+//! State vectors and the types of their spaces.
 //!
 //! The sign convention is that of Fig. 1 of the paper: an output state is used as the next input state without any
 //! change of sign.
 
 use crate::number::scalar::Scalar;
+use mstmm_plan::WIDEST;
 use nalgebra::SMatrix;
 
-/// An entry of the state vector of planar motion, in the order of the paper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(usize)]
-pub enum Coordinate {
-    /// Longitudinal displacement X \[m\]
-    X = 0,
-    /// Deflection Y \[m\]
-    Y = 1,
-    /// Rotation Θ \[rad\]
-    Theta = 2,
-    /// Bending moment M [N m]
-    M = 3,
-    /// Axial force Qx \[N\]
-    Qx = 4,
-    /// Shear force Q, in planar states Qy \[N\]
-    Q = 5,
-}
-
-use Coordinate::{M, Q, Qx, Theta, X, Y};
+pub use mstmm_plan::{Coordinate, Space, Support};
 
 /// A state vector of planar bending; of a translation or rotation path half of the entries are zero.
 ///
@@ -79,62 +62,6 @@ impl<S: Scalar> State<S> {
     }
 }
 
-/// The space of a state vector: displacements first, forces second.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Space {
-    /// `[Y, Q]`
-    Translation,
-    /// `[Θ, M]`
-    Rotation,
-    /// `[Y, Θ, M, Q]`
-    Bending,
-    /// `[X, Y, Θ, M, Qx, Qy]`
-    Planar,
-}
-
-impl Space {
-    /// The entries of a state of this space, in order.
-    #[inline]
-    pub const fn coordinates(self) -> &'static [Coordinate] {
-        match self {
-            Space::Translation => &[Y, Q],
-            Space::Rotation => &[Theta, M],
-            Space::Bending => &[Y, Theta, M, Q],
-            Space::Planar => &[X, Y, Theta, M, Qx, Q],
-        }
-    }
-
-    /// Number of entries `n_s`.
-    #[inline]
-    pub const fn size(self) -> usize {
-        self.coordinates().len()
-    }
-
-    /// The displacements of this space.
-    #[inline]
-    pub const fn displacements(self) -> &'static [Coordinate] {
-        self.coordinates().split_at(self.size() / 2).0
-    }
-
-    /// The smallest space that holds the states of both; `None` where they cannot meet at a connection.
-    #[inline]
-    pub const fn join(self, other: Space) -> Option<Space> {
-        match (self, other) {
-            (Space::Planar, Space::Planar) => Some(Space::Planar),
-            (Space::Planar, _) | (_, Space::Planar) => None,
-            (Space::Translation, Space::Translation) => Some(Space::Translation),
-            (Space::Rotation, Space::Rotation) => Some(Space::Rotation),
-            _ => Some(Space::Bending),
-        }
-    }
-
-    /// Whether two spaces are the same; `==` is not available in constants.
-    #[inline]
-    pub const fn is(self, other: Space) -> bool {
-        self as usize == other as usize
-    }
-}
-
 /// A state space as a type: gives the shape of the transfer matrices of its elements.
 pub trait StateSpace {
     /// The space as a value.
@@ -146,9 +73,6 @@ pub trait StateSpace {
     #[doc(hidden)]
     fn transfer<S: Scalar>(matrix: &Self::Matrix<S>, state: &mut [S; WIDEST]);
 }
-
-/// Number of entries of the widest state.
-pub(crate) const WIDEST: usize = Space::Planar.size();
 
 /// Declares the marker type of a space.
 macro_rules! state_space {
@@ -163,7 +87,7 @@ macro_rules! state_space {
 
             #[inline]
             fn transfer<S: Scalar>(matrix: &Self::Matrix<S>, state: &mut [S; WIDEST]) {
-                let coordinates = Self::SPACE.coordinates();
+                let coordinates = const { Self::SPACE.coordinates() };
                 let input: [S; $size] = core::array::from_fn(|k| state[coordinates[k] as usize]);
                 for (row, &coordinate) in coordinates.iter().enumerate() {
                     let mut sum = S::zero();
@@ -193,58 +117,3 @@ state_space!(
     /// States `[X, Y, Θ, M, Qx, Qy]`: planar motion with bending and longitudinal vibration.
     Planar, 6
 );
-
-/// A boundary condition: which half of a state is zero (Table 1 of the paper).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Support {
-    /// All displacements are zero.
-    Fixed,
-    /// Displacements and moment are zero; the rotation is free.
-    Pinned,
-    /// All forces are zero.
-    Free,
-    /// Rotation and shear force are zero; in planar states X, Θ and Qy.
-    Guided,
-    /// Planar states only: Y, M and Qx are zero.
-    Roller,
-}
-
-impl Support {
-    /// Whether a displacement is zero at this support of a state of some space.
-    pub(crate) const fn fixes(self, displacement: Coordinate, space: Space) -> bool {
-        let Some(unknowns) = self.unknowns(space) else { return false };
-        let mut k = 0;
-        while k < unknowns.len() {
-            if unknowns[k] as usize == displacement as usize {
-                return false;
-            }
-            k += 1;
-        }
-        true
-    }
-
-    /// The entries that are unknown at this support, in the order of the state; `None` where states of that space
-    /// have no such support.
-    ///
-    /// # Source
-    /// Table 1 of the paper.
-    #[inline]
-    pub const fn unknowns(self, space: Space) -> Option<&'static [Coordinate]> {
-        Some(match (space, self) {
-            (Space::Translation, Support::Fixed) => &[Q],
-            (Space::Translation, Support::Free) => &[Y],
-            (Space::Rotation, Support::Fixed) => &[M],
-            (Space::Rotation, Support::Free) => &[Theta],
-            (Space::Bending, Support::Fixed) => &[M, Q],
-            (Space::Bending, Support::Pinned) => &[Theta, Q],
-            (Space::Bending, Support::Free) => &[Y, Theta],
-            (Space::Bending, Support::Guided) => &[Y, M],
-            (Space::Planar, Support::Fixed) => &[M, Qx, Q],
-            (Space::Planar, Support::Pinned) => &[Theta, Qx, Q],
-            (Space::Planar, Support::Free) => &[X, Y, Theta],
-            (Space::Planar, Support::Guided) => &[Y, M, Qx],
-            (Space::Planar, Support::Roller) => &[X, Theta, Q],
-            (Space::Translation | Space::Rotation, _) | (Space::Bending, Support::Roller) => return None,
-        })
-    }
-}

@@ -23,7 +23,12 @@ impl<S: Scalar> Dual<S> {
         Dual { value, derivative: S::one() }
     }
 
-    /// Applies a linear map to both parts.
+    /// A constant: derivative 0.
+    pub fn constant(value: S) -> Self {
+        Dual { value, derivative: S::zero() }
+    }
+
+    /// Both parts through one linear map.
     #[inline]
     fn map(self, f: impl Fn(S) -> S) -> Self {
         Dual { value: f(self.value), derivative: f(self.derivative) }
@@ -210,7 +215,7 @@ impl<S: Scalar> Scalar for Dual<S> {
 
     #[inline(always)]
     fn constant(value: S) -> Self {
-        Dual { value, derivative: S::zero() }
+        Dual::constant(value)
     }
 
     #[inline(always)]

@@ -1,11 +1,12 @@
 //! The two subspaces behind every step of a tree: that of the boundary conditions upstream, and that of those downstream.
 
 use crate::element::moving::{CoefficientsOf, Moving};
+use crate::element::visit::Visit;
 use crate::model::layout::Step;
 use crate::model::state::{Space, Support};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
-use crate::pass::tree::{Tree, Visit};
+use crate::pass::tree::Tree;
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;

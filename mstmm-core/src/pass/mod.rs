@@ -6,6 +6,8 @@ pub(crate) mod characteristic;
 pub(crate) mod inlining;
 pub(crate) mod jump;
 pub(crate) mod overall;
+pub(crate) mod planned_list;
+pub(crate) mod route;
 pub(crate) mod state_recovery;
 pub(crate) mod step_list;
 pub(crate) mod transfer_path;

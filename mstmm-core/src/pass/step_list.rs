@@ -1,12 +1,15 @@
 //! The plane method on a run-time list of steps: the same arithmetic as the macro's code, for chains of any length.
 
+use crate::element::listed::{ListElement, ListStepping};
+use crate::element::moving::Stepping;
+use crate::element::traits::PlaneStep;
+use crate::element::visit::VisitStep;
 use crate::model::estimates::FrequencyEstimates;
 use crate::model::state::{Space, Support};
-use crate::number::frequency::{Frequency, Real};
+use crate::number::frequency::Frequency;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
-use crate::pass::block::walk::{Walk, Walker};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::join::connection;
@@ -46,36 +49,6 @@ impl fmt::Display for ListError {
 
 impl core::error::Error for ListError {}
 
-/// An element of a list, of any type.
-pub trait ListElement {
-    /// Scalar of the parameters.
-    type Parameter: Real;
-    /// Space of the states at both ends.
-    fn space(&self) -> Space;
-    /// Adds the element to the bounds of the searches.
-    fn estimate(&self, estimates: &mut FrequencyEstimates);
-}
-
-/// A [`ListElement`] that can be evaluated at frequencies of type `S`.
-pub trait ListPass<S: Scalar>: ListElement {
-    /// Takes a subspace through the element.
-    fn step<C: RootCounter<S>>(&self, at: &FrequencyPowers<S>, input: Subspace<S>, counter: &mut C) -> Subspace<S>;
-    /// The last step before the root.
-    fn root<C: RootCounter<S>>(
-        &self,
-        at: &FrequencyPowers<S>,
-        input: Subspace<S>,
-        support: Support,
-        counter: &mut C,
-    ) -> Scaled<S>;
-}
-
-/// A [`ListElement`] that can be evaluated at many frequencies at once.
-pub trait ListWalk<S: Scalar>: ListElement {
-    /// Shows the element to a walker.
-    fn walk<W: Walker<S>>(&self, walker: &mut W);
-}
-
 /// A tree of elements as a list of steps in the caller's memory.
 ///
 /// ```
@@ -96,7 +69,7 @@ pub trait ListWalk<S: Scalar>: ListElement {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct StepList<'a, E> {
-    steps: &'a [ListStep<E>],
+    pub(crate) steps: &'a [ListStep<E>],
 }
 
 impl<'a, E: ListElement> StepList<'a, E> {
@@ -160,7 +133,7 @@ struct Open {
 }
 
 fn is_support_of(support: Support, space: Space) -> bool {
-    !space.is(Space::Planar) && support.unknowns(space).is_some()
+    !space.is(Space::Planar) && support.exists_in(space)
 }
 
 /// The space in which a connection leads on.
@@ -203,7 +176,7 @@ impl<E: ListElement> System for StepList<'_, E> {
 
 impl<E, S> Characteristic<S> for StepList<'_, E>
 where
-    E: ListPass<S>,
+    E: ListStepping<S>,
     S: Frequency<E::Parameter>,
 {
     fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
@@ -220,9 +193,9 @@ where
                 ListStep::Element(element) => {
                     let input = open[count - 1];
                     if let Some(ListStep::Root(support)) = self.steps.get(index + 1) {
-                        return element.root(&at, input, *support, counter);
+                        return element.visit_step(IntoRoot { at: &at, input, support: *support, counter });
                     }
-                    open[count - 1] = element.step(&at, input, counter);
+                    open[count - 1] = element.visit_step(Through { at: &at, input, counter });
                 }
                 ListStep::Connection(inputs) => {
                     let joined =
@@ -237,24 +210,33 @@ where
     }
 }
 
-impl<E, S> Walk<S> for StepList<'_, E>
-where
-    E: ListWalk<S>,
-    S: Frequency<E::Parameter>,
-{
-    fn walk<W: Walker<S>>(&self, walker: &mut W) {
-        for (index, step) in self.steps.iter().enumerate() {
-            match step {
-                ListStep::Tip(support) => {
-                    walker.tip(*support, next_space(self.steps, index).unwrap_or(Space::Bending));
-                }
-                ListStep::Element(element) => element.walk(walker),
-                ListStep::Connection(inputs) => {
-                    let all: [usize; OPEN_PATHS] = core::array::from_fn(|input| inputs.wrapping_sub(input + 1));
-                    walker.connection(&all[..*inputs], next_space(self.steps, index));
-                }
-                ListStep::Root(support) => walker.root(*support),
-            }
-        }
+/// Takes a subspace through an element.
+struct Through<'a, S, C> {
+    at: &'a FrequencyPowers<S>,
+    input: Subspace<S>,
+    counter: &'a mut C,
+}
+
+impl<S: Scalar, C: RootCounter<S>> VisitStep<S> for Through<'_, S, C> {
+    type Output = Subspace<S>;
+
+    fn element<E: Stepping<S>>(self, built: &E::Built) -> Subspace<S> {
+        <E as PlaneStep<S>>::step(&E::coefficients(built, self.at), self.input, self.counter)
+    }
+}
+
+/// Takes a subspace through the last element into the root.
+struct IntoRoot<'a, S, C> {
+    at: &'a FrequencyPowers<S>,
+    input: Subspace<S>,
+    support: Support,
+    counter: &'a mut C,
+}
+
+impl<S: Scalar, C: RootCounter<S>> VisitStep<S> for IntoRoot<'_, S, C> {
+    type Output = Scaled<S>;
+
+    fn element<E: Stepping<S>>(self, built: &E::Built) -> Scaled<S> {
+        <E as PlaneStep<S>>::root(&E::coefficients(built, self.at), self.input, self.support, self.counter)
     }
 }

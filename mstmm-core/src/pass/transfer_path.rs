@@ -1,13 +1,14 @@
 //! Transfer of covectors along a path of the tree: back through elements, and through connections from one path to another.
 
 use crate::element::moving::{CoefficientsOf, Moving};
+use crate::element::visit::Visit;
 use crate::model::layout::{Scheme, Step};
 use crate::model::scaled_state::ScaledState;
 use crate::model::state::Space;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
-use crate::pass::tree::{Tree, Visit};
+use crate::pass::tree::Tree;
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::join::connection;

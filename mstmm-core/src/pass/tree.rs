@@ -1,30 +1,12 @@
 //! A built system as a plan whose elements can be visited one by one.
 
-use crate::element::moving::{CoefficientsOf, Moving, Stepping};
+use crate::element::visit::{Visit, VisitStep};
 use crate::model::layout::Scheme;
 use crate::number::frequency::{ExtendedOf, Oscillation};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
 use core::fmt::Debug;
-
-/// What a pass does with an element, of whatever type: at one frequency, or at the frequencies of a block.
-pub trait VisitStep<S: Scalar> {
-    /// What comes of it.
-    type Output;
-
-    /// Visits an element.
-    fn element<E: Stepping<S>>(self, built: &E::Built) -> Self::Output;
-}
-
-/// What an answer about motions does with an element, of whatever type.
-pub trait Visit<S: Scalar> {
-    /// What comes of it.
-    type Output;
-
-    /// Visits an element, with what was computed of it at a frequency if that was evaluated.
-    fn element<E: Moving<S>>(self, built: &E::Built, coefficients: Option<&CoefficientsOf<E, S>>) -> Self::Output;
-}
 
 /// A built system with its plan.
 pub trait Planned: System {

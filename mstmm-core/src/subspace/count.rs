@@ -198,16 +198,15 @@ impl<T: Real, const IN_LINE: bool, const WATCHES: bool> RootCounter<T> for Wittr
     }
 
     fn narrowing(&mut self, plane: &Plane<T>, space: Space) {
-        let left_behind = if space.is(Space::Translation) { plane.y_m } else { plane.theta_q };
+        let left_behind = plane.minor(Space::Bending.without(space));
         self.add_if(negative([left_behind, plane.m_q]) != plane_negative(plane));
     }
 
     fn plane_root(&mut self, plane: &Plane<T>, support: Support) {
         let differs = |x: T| !x.is_zero() && (x < T::zero()) != plane_negative(plane);
         match support {
-            Support::Fixed | Support::Roller => {}
-            Support::Pinned => self.add_if(differs(plane.y_m)),
-            Support::Guided => self.add_if(differs(plane.theta_q)),
+            Support::Fixed => {}
+            Support::Pinned | Support::Guided | Support::Roller => self.add_if(differs(plane.minor_at(support))),
             Support::Free if IN_LINE => {
                 let Plane { y_theta, y_m, theta_q, m_q, .. } = *plane;
                 let zero = T::zero();

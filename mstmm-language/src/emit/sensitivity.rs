@@ -39,9 +39,12 @@ fn fields(model: &Model, names: &Names) -> TokenStream {
     });
     quote_spanned! {names.here=>
         #[automatically_derived]
-        impl<#parameter: #private::Real> #private::Fields for #system<#parameter> {
+        impl<#parameter: #private::Real> #private::NamedFields for #system<#parameter> {
             const NAMES: &'static [&'static ::core::primitive::str] = &[#(#texts),*];
+        }
 
+        #[automatically_derived]
+        impl<#parameter: #private::Real> #private::Fields for #system<#parameter> {
             type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(&[#(#units),*])];
 
             fn per_field<V: ::core::marker::Copy + ::core::fmt::Debug>(value: V) -> Self::PerField<V> {

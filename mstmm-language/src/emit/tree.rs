@@ -1,8 +1,7 @@
 //! Emits what motions need: the labels of the model as values, and the system as a tree whose elements can be visited.
 
-use super::walk::straight_bounds;
 use super::{Names, bounds, element_field, first_of_each_type, implement};
-use crate::ast::{Label, Model};
+use crate::ast::{Element, Label, Model};
 use crate::plan::{Plan, Step};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote_spanned};
@@ -109,4 +108,40 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
     };
     let ways = [bounds("BackTransfer", plan, names), bounds("Energies", plan, names), straight_bounds(plan, names)];
     implement("Tree", ways.concat(), &body, names)
+}
+
+/// `impl Steps<S>`: a visit per element, as passes make it.
+pub(super) fn steps(plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let (private, frequency, visitor) = (&names.private, &names.frequency, &names.counter);
+    let visits = plan.elements.iter().enumerate().map(|(index, element)| {
+        let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
+        quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
+    });
+    let some = quote_spanned!(names.here=> ::core::option::Option);
+    let body = quote_spanned! {names.here=>
+        fn visit_step<#visitor: #private::VisitStep<#frequency>>(
+            &self,
+            step: usize,
+            visitor: #visitor,
+        ) -> #some<#visitor::Output> {
+            #some::Some(match step {
+                #(#visits)*
+                _ => return #some::None,
+            })
+        }
+    };
+    implement("Steps", [bounds("PlaneStep", plan, names), straight_bounds(plan, names)].concat(), &body, names)
+}
+
+/// What blocks of frequencies ask of the elements besides: steps over numbers of straight-line code.
+fn straight_bounds(plan: &Plan<'_>, names: &Names) -> Vec<TokenStream> {
+    let bounds = |series: bool| {
+        let bound = move |element: &Element| {
+            let span = names.at_element(element);
+            let (kind, private, frequency) = (names.element(element), &names.private, &names.frequency);
+            quote_spanned!(span=> #kind: #private::PlaneStep<#private::BranchFree<#frequency, #series>>)
+        };
+        first_of_each_type(plan, names).into_iter().map(bound)
+    };
+    bounds(false).chain(bounds(true)).collect()
 }

@@ -13,7 +13,7 @@ use quote::quote;
 #[path = "../../tests/support/models_in.rs"]
 mod models_in;
 
-const EXAMPLES: &str = include_str!("../../../examples/paper/models.rs");
+const EXAMPLES: &str = include_str!("../../../examples/paper/src/models.rs");
 const UNDAMPED: &str = include_str!("../../../tests/support/undamped_models.rs");
 const DAMPED: &str = include_str!("../../../tests/support/damped_models.rs");
 
@@ -109,8 +109,9 @@ fn unknowns_at_supports_are_those_of_the_core() {
     };
     for state in [State::Translation, State::Rotation, State::Bending, State::Planar] {
         for (keyword, _) in SUPPORTS {
-            let of_core = support(keyword).unknowns(space(state));
-            let of_core = of_core.map(|list| list.iter().map(|coordinate| name(state, coordinate)).collect::<Vec<_>>());
+            let (support, space) = (support(keyword), space(state));
+            let of_core = support.unknowns(space).map(|coordinate| name(state, &coordinate)).collect::<Vec<_>>();
+            let of_core = support.exists_in(space).then_some(of_core);
             let of_text = state.unknowns(keyword).map(|list| list.into_iter().map(str::to_owned).collect());
             assert_eq!(of_core, of_text, "{keyword} {state:?}");
         }

@@ -8,7 +8,7 @@ use proc_macro2::{TokenStream, TokenTree};
 /// # Panics
 /// If a line is not written as libFuzzer wants it or does not lex.
 pub(crate) fn words() -> Vec<Vec<TokenTree>> {
-    let lines = include_str!("../../../fuzz/words.dict").lines();
+    let lines = include_str!("../../../lab/fuzz/words.dict").lines();
     lines.filter(|line| !line.is_empty() && !line.starts_with('#')).map(word).collect()
 }
 

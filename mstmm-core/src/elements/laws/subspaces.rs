@@ -69,13 +69,12 @@ pub(super) fn random_states(space: Space, numbers: &[f64], imaginary: f64) -> Ro
 /// States that span the subspace of a support: the unit vectors of its unknowns.
 pub(super) fn states_of_tip(space: Space, support: Support) -> Rows {
     let unit = |unknown| space.coordinates().iter().map(|&c| C::from(if c == unknown { 1.0 } else { 0.0 })).collect();
-    support.unknowns(space).unwrap().iter().map(|&unknown| unit(unknown)).collect()
+    support.unknowns(space).map(unit).collect()
 }
 
 /// Supports of a space.
 pub(super) fn supports(space: Space) -> Vec<Support> {
-    let all = [Support::Fixed, Support::Pinned, Support::Free, Support::Guided];
-    all.into_iter().filter(|support| support.unknowns(space).is_some()).collect()
+    Support::ALL.into_iter().filter(|support| support.exists_in(space)).collect()
 }
 
 /// Coordinates of the subspace that states span, by their definition: `(y, q)`, in rotation paths `(θ, -μ)`, or the

@@ -1,20 +1,19 @@
 //! Sizes and order of columns and rows, on the scenes of the paper and at their limits.
 
 use super::*;
-use Space::{Bending, Translation};
 
 /// Section 4.4 of the paper, with the spring-mass written before the beam it hangs on.
 const TWO_SPANS: Layout<'_, 11> = Layout::new([
     Step::Tip(Support::Free),
-    Step::Element(0, Translation),
-    Step::Element(1, Translation),
+    Step::Element(0, Space::Translation),
+    Step::Element(1, Space::Translation),
     Step::Tip(Support::Pinned),
     Step::Tip(Support::Pinned),
-    Step::Element(4, Bending),
+    Step::Element(4, Space::Bending),
     Step::Connection(&[3, 5]),
-    Step::Element(6, Bending),
+    Step::Element(6, Space::Bending),
     Step::Connection(&[2, 7]),
-    Step::Element(8, Bending),
+    Step::Element(8, Space::Bending),
     Step::Root(9, Support::Pinned),
 ]);
 
@@ -42,7 +41,7 @@ fn a_constant_has_room_for_a_connection_of_two_hundred_paths() {
         let mut steps = [Step::Tip(Support::Fixed); 402];
         let mut k = 0;
         while k < 200 {
-            steps[ENDS[k]] = Step::Element(2 * k, if k % 2 == 0 { Translation } else { Bending });
+            steps[ENDS[k]] = Step::Element(2 * k, if k % 2 == 0 { Space::Translation } else { Space::Bending });
             k += 1;
         }
         steps[400] = Step::Connection(&ENDS);
@@ -63,6 +62,6 @@ fn geometrical_equations_follow_the_main_equation_from_the_tips_down() {
 
 #[test]
 fn supports_adopt_the_state_of_what_they_hold() {
-    assert_eq!(TWO_SPANS.places[0].space, Translation);
-    assert_eq!(TWO_SPANS.places[3].space, Bending);
+    assert_eq!(TWO_SPANS.places[0].space, Space::Translation);
+    assert_eq!(TWO_SPANS.places[3].space, Space::Bending);
 }

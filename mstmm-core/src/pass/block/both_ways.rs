@@ -2,6 +2,7 @@
 //! downstream.
 
 use crate::element::moving::{CoefficientsOf, Moving};
+use crate::element::visit::Visit;
 use crate::model::layout::Step;
 use crate::model::state::Space;
 use crate::number::branch_free::BranchFree;
@@ -16,7 +17,7 @@ use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::act;
 use crate::pass::jump::Meeting;
 use crate::pass::transfer_path::{Crossing, Follow};
-use crate::pass::tree::{Tree, Visit};
+use crate::pass::tree::Tree;
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;

@@ -46,26 +46,25 @@ pub(crate) trait BranchFreeOp<S: InColumns, C, const SERIES: bool>: Copy {
 
 /// Kinds for which there are branch-free loops, by their number.
 pub(crate) const KINDS: [Kind; 17] = {
-    use Space::{Bending, Rotation, Translation};
     use Support::{Fixed, Free, Guided, Pinned};
     [
         Kind::Plane,
         Kind::OnPin,
-        Kind::Tip(Fixed, Bending),
-        Kind::Tip(Pinned, Bending),
-        Kind::Tip(Guided, Bending),
-        Kind::Tip(Free, Bending),
+        Kind::Tip(Fixed, Space::Bending),
+        Kind::Tip(Pinned, Space::Bending),
+        Kind::Tip(Guided, Space::Bending),
+        Kind::Tip(Free, Space::Bending),
         Kind::Springs { y: true, theta: true },
         Kind::Springs { y: true, theta: false },
         Kind::Springs { y: false, theta: true },
-        Kind::Line(Translation),
-        Kind::Grounded(Translation),
-        Kind::Tip(Fixed, Translation),
-        Kind::Tip(Free, Translation),
-        Kind::Line(Rotation),
-        Kind::Grounded(Rotation),
-        Kind::Tip(Fixed, Rotation),
-        Kind::Tip(Free, Rotation),
+        Kind::Line(Space::Translation),
+        Kind::Grounded(Space::Translation),
+        Kind::Tip(Fixed, Space::Translation),
+        Kind::Tip(Free, Space::Translation),
+        Kind::Line(Space::Rotation),
+        Kind::Grounded(Space::Rotation),
+        Kind::Tip(Fixed, Space::Rotation),
+        Kind::Tip(Free, Space::Rotation),
     ]
 };
 
@@ -98,7 +97,7 @@ fn kind_of(kind: Kind) -> Option<usize> {
     let of_path = |place: usize, space| match space {
         Space::Translation => Some(LINE + place),
         Space::Rotation => Some(TURN + place),
-        Space::Bending | Space::Planar => None,
+        _ => None,
     };
     match kind {
         Kind::Plane => Some(PLANE),

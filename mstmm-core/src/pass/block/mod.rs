@@ -16,7 +16,6 @@ pub(crate) mod lanes;
 pub(crate) mod loops;
 pub(crate) mod pass;
 pub(crate) mod root;
-pub(crate) mod walk;
 
 /// Number of frequencies in a block: enough to hide the latency of every operation, few enough for the nearest cache.
 pub(crate) const WIDTH: usize = 32;

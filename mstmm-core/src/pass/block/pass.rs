@@ -1,6 +1,8 @@
-//! The plane method over a block: a walker that keeps what is open in columns.
+//! The plane method over a block: what is open stands in columns.
 
-use crate::element::traits::PlaneStep;
+use crate::element::moving::Stepping;
+use crate::element::visit::VisitStep;
+use crate::model::layout::Step;
 use crate::model::state::{Space, Support};
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
@@ -12,7 +14,7 @@ use crate::pass::block::lane_ops::Through;
 use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::act;
 use crate::pass::block::root::{Values, at_root};
-use crate::pass::block::walk::{Walk, Walker};
+use crate::pass::tree::Steps;
 use crate::subspace::count::RootCounter;
 
 /// Paths that may be open at once: branches within branches.
@@ -25,6 +27,8 @@ pub(crate) struct BlockPass<S: InColumns, C> {
     lanes: [Lanes<S>; OPEN + 2],
     /// Where each open path is; behind them the free places.
     places: [usize; OPEN + 2],
+    /// The step behind which each open path is.
+    ends: [usize; OPEN],
     open: usize,
     /// Whether too many paths were open, or lanes differ in kind.
     is_lost: bool,
@@ -39,6 +43,7 @@ impl<S: InColumns, C: RootCounter<S> + Copy + Default> BlockPass<S, C> {
             at: Frequencies::new(),
             lanes: [Lanes::new(); OPEN + 2],
             places: core::array::from_fn(|place| place),
+            ends: [0; OPEN],
             open: 0,
             is_lost: false,
             counters: Counters::new(),
@@ -52,48 +57,47 @@ impl<S: InColumns, C: RootCounter<S> + Copy + Default> BlockPass<S, C> {
     where
         S: Frequency<T> + InColumns,
         BranchFree<S, false>: Frequency<T>,
-        Y: Walk<S> + ?Sized,
+        Y: Steps<S> + ?Sized,
     {
         if !self.at.take::<T>(frequencies) {
             return false;
         }
         (self.open, self.is_lost) = (0, false);
         self.counters.committed_mut().fill(C::default());
-        system.walk(self);
-        !self.is_lost
+        let scheme = system.scheme();
+        for (index, step) in scheme.steps.iter().enumerate() {
+            match *step {
+                Step::Tip(support) => self.tip(support, scheme.space(index)),
+                Step::Element(..) => {
+                    system.visit_step(index, &mut *self);
+                }
+                Step::Connection(inputs) => self.connection(inputs, scheme.output(index)),
+                Step::Root(_, support) => self.root(support),
+            }
+            if self.is_lost {
+                return false;
+            }
+            // each step leaves the last open path behind it
+            self.ends[self.open - 1] = index;
+        }
+        true
     }
-}
 
-impl<S: InColumns, C: RootCounter<S> + Copy + Default> Walker<S> for BlockPass<S, C> {
     fn tip(&mut self, support: Support, space: Space) {
-        self.is_lost |= self.open == OPEN;
+        self.is_lost = self.open == OPEN;
         if !self.is_lost {
             self.lanes[self.places[self.open]].become_tip(support, space);
             self.open += 1;
         }
     }
 
-    fn element<E>(&mut self, built: &E::Built)
-    where
-        E: PlaneStep<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>>,
-    {
-        if !self.is_lost {
-            let [top, free] = [self.places[self.open - 1], self.places[self.open]];
-            let Ok([input, output]) = self.lanes.get_disjoint_mut([top, free]) else { return };
-            act(&Through::<E, S> { built, at: &self.at }, input, output, &mut self.counters);
-            self.is_lost |= !output.is_uniform;
-            self.places.swap(self.open - 1, self.open);
-        }
-    }
-
     fn connection(&mut self, inputs: &[usize], output: Option<Space>) {
-        if self.is_lost {
-            return;
-        }
         let (base, top) = (self.open - inputs.len(), self.open);
-        let paths = inputs.iter().map(|input| self.places[top - 1 - input]);
-        self.is_lost |= paths.clone().any(|path| !self.lanes[path].is_uniform);
-        let free = [self.places[top], self.places[top + 1]];
+        let (places, ends) = (&self.places, &self.ends);
+        let place = |input: &usize| Some(places[base + ends[base..top].iter().position(|end| end == input)?]);
+        let paths = inputs.iter().filter_map(place);
+        self.is_lost = paths.clone().any(|path| !self.lanes[path].is_uniform);
+        let free = [places[top], places[top + 1]];
         let sum = connection(&mut self.lanes, paths, output, free, &mut self.counters);
         // what is left of the inputs is free again
         if let Some(place) = self.places[base..].iter().position(|place| *place == sum) {
@@ -103,10 +107,19 @@ impl<S: InColumns, C: RootCounter<S> + Copy + Default> Walker<S> for BlockPass<S
     }
 
     fn root(&mut self, support: Support) {
-        if self.is_lost {
-            return;
-        }
         let last = &self.lanes[self.places[self.open - 1]];
         at_root(last, support, &mut self.counters, &mut self.values);
+    }
+}
+
+impl<S: InColumns, C: RootCounter<S> + Copy + Default> VisitStep<S> for &mut BlockPass<S, C> {
+    type Output = ();
+
+    fn element<E: Stepping<S>>(self, built: &E::Built) {
+        let [top, free] = [self.places[self.open - 1], self.places[self.open]];
+        let Ok([input, output]) = self.lanes.get_disjoint_mut([top, free]) else { return };
+        act(&Through::<E, S> { built, at: &self.at }, input, output, &mut self.counters);
+        self.is_lost = !output.is_uniform;
+        self.places.swap(self.open - 1, self.open);
     }
 }

@@ -2,8 +2,9 @@
 
 use crate::element::traits::{Element, MatrixOf};
 use crate::model::layout::{Layout, Step};
-use crate::model::state::{Coordinate, StateSpace, WIDEST};
+use crate::model::state::StateSpace;
 use crate::number::scalar::Scalar;
+use mstmm_plan::WIDEST;
 use nalgebra::SMatrix;
 
 /// `U_all` under construction.
@@ -14,7 +15,7 @@ use nalgebra::SMatrix;
 #[derive(Debug)]
 pub struct Assembly<'a, S, const N: usize, const STEPS: usize> {
     layout: &'a Layout<'a, STEPS>,
-    /// State per column, indexed by [`Coordinate`].
+    /// State per column, indexed by [`Coordinate`](crate::model::state::Coordinate).
     states: [[S; WIDEST]; N],
     matrix: SMatrix<S, N, N>,
 }
@@ -25,8 +26,7 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
         let mut states = [[S::zero(); WIDEST]; N];
         for (step, place) in layout.steps.iter().zip(&layout.places) {
             let Step::Tip(support) = step else { continue };
-            let unknowns = support.unknowns(place.space).unwrap_or(&[]);
-            for (column, &unknown) in unknowns.iter().enumerate() {
+            for (column, unknown) in support.unknowns(place.space).enumerate() {
                 states[place.first_column + column][unknown as usize] = S::one();
             }
         }
@@ -52,7 +52,7 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
         let Some((&first, others)) = layout.inputs(step).split_first() else { return };
         let reference = layout.places[first];
         let connection = layout.places[step];
-        let geometrical_rows: usize = others.iter().map(|&input| layout.places[input].space.size() / 2).sum();
+        let geometrical_rows: usize = others.iter().map(|&input| layout.places[input].space.count()).sum();
         let left_behind = layout.forces_left_behind(step);
         let mut row = connection.first_row + connection.rows - geometrical_rows - left_behind;
         for &input in others {
@@ -81,14 +81,13 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
             if output.coordinates().contains(&coordinate) {
                 continue;
             }
-            let is_force = !place.space.displacements().contains(&coordinate);
             for column in place.first_column..place.first_column + place.columns {
-                if is_force {
+                if coordinate.is_force() {
                     self.matrix[(row, column)] = self.states[column][coordinate as usize];
                 }
                 self.states[column][coordinate as usize] = S::zero();
             }
-            row += usize::from(is_force);
+            row += usize::from(coordinate.is_force());
         }
     }
 
@@ -97,13 +96,12 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
         let last = STEPS - 1;
         let place = self.layout.places[last];
         let Step::Root(_, support) = self.layout.steps[last] else { return self.matrix };
-        let unknowns: &[Coordinate] = support.unknowns(place.space).unwrap_or(&[]);
-        let own_column = N - unknowns.len();
+        let own_column = N - place.space.count();
         for (row, &coordinate) in place.space.coordinates().iter().enumerate() {
             for column in 0..own_column {
                 self.matrix[(row, column)] = self.states[column][coordinate as usize];
             }
-            for (k, &unknown) in unknowns.iter().enumerate() {
+            for (k, unknown) in support.unknowns(place.space).enumerate() {
                 if unknown == coordinate {
                     self.matrix[(row, own_column + k)] = -S::one();
                 }

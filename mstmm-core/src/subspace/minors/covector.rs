@@ -120,15 +120,14 @@ fn of_plane<S: Scalar>([y, theta, m, q]: [S; 4], p: &Plane<S>, coordinate: Coord
     }
 }
 
-/// `z_i = Σ_j p_ij η_j` for the plane that a support leaves.
-fn of_tip<S: Scalar>([y, theta, m, q]: [S; 4], support: Support, coordinate: Coordinate) -> S {
-    match (support, coordinate) {
-        (Support::Fixed, Coordinate::M) | (Support::Pinned, Coordinate::Theta) => q,
-        (Support::Fixed, Coordinate::Q) => -m,
-        (Support::Pinned, Coordinate::Q) => -theta,
-        (Support::Guided, Coordinate::Y) => m,
-        (Support::Guided, Coordinate::M) | (Support::Free, Coordinate::Theta) => -y,
-        (Support::Free, Coordinate::Y) => theta,
+/// `z_i = Σ_j p_ij η_j` for the plane that a support leaves. The minor of its two unknowns is 1, so that each unknown is the
+/// covector's entry for the other.
+fn of_tip<S: Scalar>(entries: [S; 4], support: Support, coordinate: Coordinate) -> S {
+    let bending = Space::Bending.coordinates().iter().zip(entries);
+    let mut unknowns = bending.filter(|(entry, _)| support.leaves(**entry));
+    match (unknowns.next(), unknowns.next()) {
+        (Some((first, _)), Some((_, value))) if *first == coordinate => value,
+        (Some((_, value)), Some((second, _))) if *second == coordinate => -value,
         _ => S::zero(),
     }
 }

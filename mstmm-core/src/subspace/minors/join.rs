@@ -111,19 +111,6 @@ impl<S: Scalar> Plane<S> {
         let remainder = Remainder { size, whole, rounding: rounding(1.0), estimate: rounding(ROUNDINGS) };
         if remainder.tell(counter) { S::zero() } else { m_q }
     }
-
-    /// Holds the point by a support: joins the support's own plane, most of whose minors are zero.
-    #[inline(always)]
-    fn held(self, support: Support) -> Self {
-        let zero = S::zero();
-        let minors = match support {
-            Support::Free | Support::Roller => return self,
-            Support::Pinned => [zero, zero, zero, self.y_theta, self.y_m],
-            Support::Guided => [zero, self.y_theta, zero, zero, self.theta_q],
-            Support::Fixed => [zero, zero, zero, zero, self.y_theta],
-        };
-        Plane::unscaled(minors, self.exponent)
-    }
 }
 
 impl<S: Scalar> Line<S> {
@@ -228,7 +215,7 @@ pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subsp
 #[inline(always)]
 pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
     match subspace {
-        _ if support == Support::Free => subspace,
+        _ if support.holds().intersection(subspace.space()).is_empty() => subspace,
         Subspace::Tip(Support::Free, space) => Subspace::Tip(support, space),
         Subspace::Plane(_) | Subspace::Springs { .. } if support == Support::Pinned => {
             Subspace::OnPin(subspace.plane().held(support))
@@ -236,7 +223,6 @@ pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
         Subspace::Tip(_, Space::Bending) | Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
             Subspace::Plane(subspace.plane().held(support))
         }
-        _ if support != Support::Fixed => subspace,
         _ => {
             let line = subspace.line();
             Subspace::Line(Line { y: S::zero(), q: line.y, exponent: line.exponent }, subspace.space())
@@ -259,7 +245,7 @@ pub fn narrowed<S: Scalar, C: RootCounter<S>>(
         ) => {
             let plane = subspace.plane();
             counter.narrowing(&plane, space);
-            let y = if space.is(Space::Translation) { plane.y_m } else { plane.theta_q };
+            let y = plane.minor(Space::Bending.without(space));
             Subspace::Line(Line { y, q: -plane.m_q, exponent: plane.exponent }, space)
         }
         _ => subspace,

@@ -1,7 +1,8 @@
 //! Planes of the bending state, each given by its 2×2 minors (Plücker coordinates).
 
-use crate::model::state::Support;
+use crate::model::state::{Space, Support};
 use crate::number::scalar::Scalar;
+use mstmm_plan::Freedoms;
 
 /// A plane of the bending state, with a power of two of its own.
 ///
@@ -44,29 +45,44 @@ impl<S: Scalar> Plane<S> {
         Plane::new([y_theta, y_m, w, theta_q, m_q], exponent)
     }
 
-    /// The plane that a support leaves.
+    /// The plane whose minors are a function of the freedoms that each takes the forces of; w belongs to none of them.
     #[inline(always)]
-    pub(crate) fn of_tip(support: Support) -> Self {
-        let minors = match support {
-            Support::Free => [1.0, 0.0, 0.0, 0.0, 0.0],
-            Support::Guided => [0.0, 1.0, 0.0, 0.0, 0.0],
-            Support::Pinned => [0.0, 0.0, 0.0, 1.0, 0.0],
-            Support::Fixed => [0.0, 0.0, 0.0, 0.0, 1.0],
-            // refused before: the roller is a support of planar states
-            Support::Roller => [0.0; 5],
-        };
-        Plane::unscaled(minors.map(S::from_f64), 0)
+    fn by_forces(minor: impl Fn(Freedoms) -> S, w: S, exponent: i32) -> Self {
+        let (neither, y, theta, both) = (Freedoms::NONE, Freedoms::Y, Freedoms::RZ, Space::Bending);
+        Plane::unscaled([minor(neither), minor(theta), w, minor(y), minor(both)], exponent)
     }
 
-    /// The minor that vanishes where the plane meets the boundary condition of a support.
+    /// The minor of the forces of some freedoms and the displacements of the others.
+    #[inline(always)]
+    pub(crate) fn minor(&self, forces: Freedoms) -> S {
+        match forces {
+            Freedoms::NONE => self.y_theta,
+            Freedoms::RZ => self.y_m,
+            Freedoms::Y => self.theta_q,
+            _ => self.m_q,
+        }
+    }
+
+    /// The plane that a support leaves: the forces of what it holds and the displacements of the rest are arbitrary.
+    #[inline(always)]
+    pub(crate) fn of_tip(support: Support) -> Self {
+        let held = support.holds().intersection(Space::Bending);
+        Plane::by_forces(|forces| if forces.is(held) { S::one() } else { S::zero() }, S::zero(), 0)
+    }
+
+    /// The minor that vanishes where the plane meets the boundary condition of a support: of what is zero there.
     #[inline(always)]
     pub(crate) fn minor_at(&self, support: Support) -> S {
-        match support {
-            Support::Fixed => self.y_theta,
-            Support::Pinned => self.y_m,
-            Support::Guided => self.theta_q,
-            Support::Free => self.m_q,
-            Support::Roller => S::zero(),
-        }
+        self.minor(Space::Bending.without(support.holds()))
+    }
+
+    /// Holds the point by a support: joins the support's own plane, most of whose minors are zero.
+    #[inline(always)]
+    pub(crate) fn held(&self, support: Support) -> Self {
+        let held = support.holds().intersection(Space::Bending);
+        let minor = |forces: Freedoms| {
+            if forces.contains(held) { self.minor(forces.without(held)) } else { S::zero() }
+        };
+        Plane::by_forces(minor, if held.is_empty() { self.w } else { S::zero() }, self.exponent)
     }
 }

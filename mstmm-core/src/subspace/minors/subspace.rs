@@ -40,7 +40,7 @@ impl<S: Scalar> Subspace<S> {
     pub fn line(self) -> Line<S> {
         let (one, zero) = (S::one(), S::zero());
         match self {
-            Subspace::Tip(Support::Fixed, _) => Line { y: zero, q: one, exponent: 0 },
+            Subspace::Tip(support, space) if support.holds().contains(space) => Line { y: zero, q: one, exponent: 0 },
             Subspace::Grounded(k, _) => Line::new(one, -k, 0),
             Subspace::Line(line, _) => line,
             Subspace::Tip(..) | Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
@@ -85,7 +85,7 @@ impl<S: Scalar> Subspace<S> {
         }
         let line = self.line();
         counter.line_root(&line, support);
-        let value = if support == Support::Fixed { line.y } else { line.q };
+        let value = if support.holds().contains(self.space()) { line.y } else { line.q };
         Scaled::new(counted::<S, C, 2>(value, || [line.y, line.q]), i64::from(line.exponent))
     }
 }
