@@ -2,12 +2,11 @@
 
 use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::visit::Visit;
-use crate::model::layout::Step;
-use crate::model::state::{Coordinate, Space};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::Tree;
+use mstmm_plan::{Coordinate, Space, Step};
 
 /// An entry of the state at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]

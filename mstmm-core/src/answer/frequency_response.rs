@@ -3,7 +3,6 @@
 use crate::answer::at_rest::{AtRest, Part};
 use crate::model::label::{Entry, Load};
 use crate::model::motion_error::MotionError;
-use crate::model::state::Coordinate;
 use crate::number::columns::InColumns;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
@@ -13,6 +12,7 @@ use crate::pass::both_ways::Passes;
 use crate::pass::jump::dual_of;
 use crate::pass::route::{Place, Route};
 use crate::pass::tree::{Planned, Tree};
+use mstmm_plan::Coordinate;
 use num_traits::One;
 
 /// Largest number of steps evaluated in blocks, since the subspaces behind all steps are on the stack.

@@ -7,7 +7,6 @@ use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
 use crate::model::label::{Entry, Load};
 use crate::model::motion_error::MotionError;
-use crate::model::state::Coordinate;
 use crate::number::exponentials::{exponential, phi_1};
 use crate::number::fixed_list::List;
 use crate::number::frequency::Oscillation;
@@ -17,6 +16,7 @@ use crate::pass::characteristic::System;
 use crate::pass::route::Place;
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
 use core::marker::PhantomData;
+use mstmm_plan::Coordinate;
 use num_complex::Complex;
 use num_traits::Zero;
 

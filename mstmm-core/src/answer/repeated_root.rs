@@ -8,13 +8,13 @@ use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::root::Root;
 use crate::answer::states::SystemStates;
 use crate::model::motion_error::MotionError;
-use crate::model::state::Coordinate;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
 use crate::pass::both_ways::Passes;
 use crate::pass::jump::dual_of;
 use crate::pass::tree::{ExtendedTree, Tree};
+use mstmm_plan::Coordinate;
 
 /// All shapes of a root. Those of a multiple one are computed again in extended precision where their states do not fit together.
 pub(crate) fn all_shapes<'a, const CAP: usize, S, Y, R>(

@@ -5,12 +5,12 @@ use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::visit::Visit;
 use crate::model::ends::Ends;
 use crate::model::label::{Label, Point};
-use crate::model::layout::Step;
 use crate::model::motion_error::MotionError;
 use crate::model::state::State;
 use crate::number::scalar::Scalar;
 use crate::pass::state_recovery::RecoveredStates;
 use crate::pass::tree::Tree;
+use mstmm_plan::Step;
 
 /// The states of a whole system in one motion.
 #[derive(Debug)]

@@ -3,9 +3,9 @@
 use crate::element::visit::{Visit, VisitStep};
 use crate::model::ends::Ends;
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::Space;
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
+use mstmm_plan::Space;
 
 /// Parameters that an element of a list may have: the derivatives of a root stand in so many places per step.
 pub const MOST_PARAMETERS: usize = 8;

@@ -2,13 +2,14 @@
 
 use crate::model::error::{InvalidParameter, ParameterError};
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Space, StateSpace, Support};
+use crate::model::state::StateSpace;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::{Branches, Scalar};
 use crate::number::scaled::Scaled;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::subspace::Subspace;
 use core::fmt;
+use mstmm_plan::{Space, Support};
 
 /// The square matrix over the states of an element `E`.
 pub type MatrixOf<E, S> = <<E as Element>::State as StateSpace>::Matrix<S>;

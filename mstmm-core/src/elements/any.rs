@@ -8,10 +8,11 @@ use crate::elements::*;
 use crate::model::ends::Ends;
 use crate::model::error::InvalidParameter;
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Space, StateSpace};
+use crate::model::state::StateSpace;
 use crate::number::branch_free::BranchFree;
 use crate::number::frequency::{ComplexFrequency, Frequency, Oscillation, Real};
 use crate::number::scalar::Scalar;
+use mstmm_plan::Space;
 
 /// Declares an enum of built elements with the traits of list elements.
 macro_rules! any_element {

@@ -5,7 +5,7 @@ use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::{bending_matrix, plane_series};
 use crate::model::error::{InvalidParameter, Requirement};
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Bending, Support};
+use crate::model::state::Bending;
 use crate::number::exponent::binary_exponent;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::frequency_powers::FrequencyPowers;
@@ -15,6 +15,7 @@ use crate::number::scaled::Scaled;
 use crate::number::wave_functions::WaveFunctions;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
 /// Uniform Euler-Bernoulli beam, exact at every frequency.

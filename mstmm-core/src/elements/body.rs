@@ -7,7 +7,7 @@ use crate::elements::shared::line_forms::half;
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Bending, Support};
+use crate::model::state::Bending;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::frequency_powers::FrequencyPowers;
@@ -17,6 +17,7 @@ use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use lever::{Lever, Levers};
+use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
 mod lever;

@@ -7,7 +7,7 @@ use crate::elements::shared::line_forms::{elongations, half};
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Bending, Coordinate, Support};
+use crate::model::state::Bending;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::frequency_powers::FrequencyPowers;
@@ -16,6 +16,7 @@ use crate::subspace::count::{Held, RootCounter};
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Coordinate, Support};
 use nalgebra::Matrix4;
 
 /// Massless elastic hinge: a translational and a torsion spring side by side in a bending path.

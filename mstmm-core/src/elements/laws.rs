@@ -7,9 +7,10 @@ mod subspaces;
 
 use super::*;
 use crate::element::traits::{Element, MatrixOf, TransferMatrix};
-use crate::model::state::{Coordinate, StateSpace};
+use crate::model::state::StateSpace;
 use crate::number::tolerance::assert_close;
 use core::ops::Index;
+use mstmm_plan::Coordinate;
 use num_complex::Complex;
 use proptest::test_runner::TestRunner;
 use std::vec::Vec;

@@ -11,12 +11,13 @@ use crate::elements::shared::massless::Massless;
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Coordinate, Rotation, Space, StateSpace, Translation};
+use crate::model::state::{Rotation, StateSpace, Translation};
 use crate::number::frequency::{ComplexFrequency, Frequency, Oscillation, Real};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
 
 /// Declares elements by their kind, space, coordinate and type of frequency, and for each parameter its range and the estimate that

@@ -1,7 +1,7 @@
 //! The elements: one file holds everything about one element.
 
 use crate::element::traits::space_of;
-use crate::model::state::Space;
+use mstmm_plan::Space;
 
 mod any;
 mod beam;

@@ -7,7 +7,7 @@ use crate::elements::shared::line_forms::{displacements, half};
 use crate::model::ends::Ends;
 use crate::model::error::{InvalidParameter, Requirement};
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Bending, Coordinate, Support};
+use crate::model::state::Bending;
 use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::frequency_powers::FrequencyPowers;
@@ -16,6 +16,7 @@ use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::join::in_parallel;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Coordinate, Support};
 use nalgebra::Matrix4;
 
 /// Lumped mass with rotary inertia inside a bending path: a rigid body of no length.

@@ -1,8 +1,8 @@
 //! Labels of a model as values: a label of another model does not compile.
 
-use crate::model::state::Coordinate;
 use core::fmt;
 use core::marker::PhantomData;
+use mstmm_plan::Coordinate;
 
 /// The label of an element of type `E` in a model `M`, such as `TipBody::beam_1`.
 pub struct Label<M, E> {

@@ -1,7 +1,7 @@
 //! Errors of questions about motions.
 
-use crate::model::state::Coordinate;
 use core::fmt;
+use mstmm_plan::Coordinate;
 
 /// The reason why a motion cannot be given.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,14 +2,13 @@
 
 use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::visit::Visit;
-use crate::model::layout::Step;
-use crate::model::state::{Space, Support};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::tree::Tree;
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Space, Step, Support};
 
 /// A tree at one frequency, with the subspaces behind its steps.
 #[derive(Debug)]

@@ -5,13 +5,13 @@
 //! compiler leaves out most of each step, and calls would be longer.
 
 use crate::element::traits::PlaneStep;
-use crate::model::state::Support;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::join::{joined, joined_on};
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::Support;
 
 /// The coefficients of an element in a pass.
 #[doc(hidden)]

@@ -4,7 +4,6 @@
 //! states of both is `f = z_R - z_P` with `z_P = P R* f/Δ`, where `R*` has the dual minors of R. Δ = 0 where P and R meet, at a
 //! root. There `P R* f` is the motion of the system itself for any f.
 
-use crate::model::state::{Coordinate, Space};
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
 use crate::pass::both_ways::Passes;
@@ -13,6 +12,7 @@ use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Coordinate, Space};
 
 /// The upstream and the downstream subspace at a point, both as subspaces of paths that arrive there.
 pub(crate) struct Meeting<S> {

@@ -6,8 +6,6 @@ use crate::model::chain_rule::{Chain, Fields};
 use crate::model::ends::Ends;
 use crate::model::estimates::FrequencyEstimates;
 use crate::model::label::{Label, Point};
-use crate::model::layout::{Place, Scheme, Step};
-use crate::model::state::{Space, Support};
 use crate::number::frequency::Frequency;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
@@ -17,6 +15,7 @@ use crate::pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 use crate::pass::tree::{Planned, Steps, Tree};
 use crate::subspace::count::RootCounter;
 use core::fmt::Debug;
+use mstmm_plan::{Place, Scheme, Step, Support};
 
 /// Memory for the plan of a list of up to `STEPS` steps, some hundred bytes per step.
 #[derive(Clone, Debug)]

@@ -1,9 +1,7 @@
 //! The route of a motion from a load to an entry of a state, and what arrives there.
 
 use crate::model::label::{Entry, Load};
-use crate::model::layout::{Scheme, Step};
 use crate::model::motion_error::MotionError;
-use crate::model::state::{Coordinate, Space};
 use crate::number::columns::InColumns;
 use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
@@ -17,6 +15,7 @@ use crate::pass::transfer_path::{Carried, Crossing, Follow};
 use crate::pass::tree::{Planned, Tree};
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Coordinate, Scheme, Space, Step};
 
 /// The side of the load on which the entry lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

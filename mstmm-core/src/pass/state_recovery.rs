@@ -1,12 +1,12 @@
 //! Recovery of the states of all steps from a source at one point, in the directions away from it.
 
-use crate::model::layout::Step;
 use crate::model::scaled_state::ScaledState;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
 use crate::pass::transfer_path::Crossing;
 use crate::pass::tree::{Planned, Tree};
 use crate::subspace::minors::covector::Covector;
+use mstmm_plan::Step;
 
 /// The states behind all steps; at the source on both sides.
 #[derive(Debug)]

@@ -5,7 +5,6 @@ use crate::element::moving::Stepping;
 use crate::element::traits::PlaneStep;
 use crate::element::visit::VisitStep;
 use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Space, Support};
 use crate::number::frequency::Frequency;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
@@ -15,6 +14,7 @@ use crate::subspace::count::RootCounter;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
 use core::fmt;
+use mstmm_plan::{Space, Support};
 
 /// Paths that may be open at once while a list is evaluated: branches within branches.
 pub const OPEN_PATHS: usize = 64;

@@ -2,9 +2,7 @@
 
 use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::visit::Visit;
-use crate::model::layout::{Scheme, Step};
 use crate::model::scaled_state::ScaledState;
-use crate::model::state::Space;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
@@ -13,6 +11,7 @@ use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Scheme, Space, Step};
 
 /// Takes a covector to the input end of an element, or to its output end.
 struct PullBack<'a, S> {

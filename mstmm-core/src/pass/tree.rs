@@ -1,12 +1,12 @@
 //! A built system as a plan whose elements can be visited one by one.
 
 use crate::element::visit::{Visit, VisitStep};
-use crate::model::layout::Scheme;
 use crate::number::frequency::{ExtendedOf, Oscillation};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
 use core::fmt::Debug;
+use mstmm_plan::Scheme;
 
 /// A built system with its plan.
 pub trait Planned: System {

@@ -4,12 +4,12 @@
 //! rules. Each rule adds the negative eigenvalues of the stiffness that a step eliminates. A support is the limit of a
 //! stiff spring, hence the rules for exact zeros.
 
-use crate::model::state::{Space, Support};
 use crate::number::doubt::is_ill_conditioned;
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
+use mstmm_plan::{Space, Support};
 
 /// A bending element with both its ends held: its clamped count, and the stiffness and sign for the rule of a plane.
 #[derive(Clone, Copy, Debug)]

@@ -58,7 +58,7 @@ pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStr
             }
 
             fn scheme(&self) -> #private::Scheme<'_> {
-                const { &LAYOUT }.scheme()
+                LAYOUT
             }
         }
     }

@@ -8,12 +8,13 @@ use crate::elements::laws::subspaces::{
 };
 use crate::elements::laws::{C, Rows, Sample, assert_same, built, product, rows};
 use crate::model::ends::Ends;
-use crate::model::state::{Coordinate, Space, State};
+use crate::model::state::State;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::tolerance::assert_close;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 use core::ops::Index;
+use mstmm_plan::{Coordinate, Space};
 use std::vec::Vec;
 
 /// Decades of |λ| in which a beam of the samples has z from 0.03 to 6: there its transfer matrix still has most digits.

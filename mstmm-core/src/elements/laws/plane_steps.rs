@@ -6,7 +6,6 @@ use crate::elements::laws::subspaces::{
     read, space, states_of_tip, step, subspace, supports,
 };
 use crate::elements::laws::{C, Rows, Sample, built, rows};
-use crate::model::state::Space;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::number::tolerance::assert_close;
@@ -14,6 +13,7 @@ use crate::subspace::count::NoCount;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use core::ops::Index;
+use mstmm_plan::Space;
 use std::vec::Vec;
 
 /// Decades of |λ| in which a beam of the samples has z from 0.005 (its series) to 15 (its closed form); beyond, the minors

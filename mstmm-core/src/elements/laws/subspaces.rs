@@ -2,7 +2,7 @@
 
 use crate::element::traits::{Element, PlaneStep};
 use crate::elements::laws::{C, Rows, Sample, built};
-use crate::model::state::{Space, StateSpace, Support};
+use crate::model::state::StateSpace;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::subspace::count::NoCount;
@@ -10,6 +10,7 @@ use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use core::f64::consts::TAU;
+use mstmm_plan::{Space, Support};
 use proptest::test_runner::TestRunner;
 use std::vec;
 use std::vec::Vec;

@@ -1,11 +1,11 @@
 //! The steps of beam-like elements on planes, given the second compound of their transfer matrix.
 
-use crate::model::state::Support;
 use crate::number::scalar::{Branches, Scalar};
 use crate::number::scaled::Scaled;
 use crate::subspace::count::{Held, RootCounter};
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::Support;
 
 /// Units of minors and their inverses: `EI b, EI b², EI b³, EI² b⁴` for p_YM, w, p_ΘQ, p_MQ beside p_YΘ, of a plane whose states
 /// have the entries `Y, Θ/b, M/(EI b²), Q/(EI b³)`.

@@ -1,8 +1,8 @@
 //! The forms of springs, dampers and masses.
 
 use crate::model::ends::Ends;
-use crate::model::state::Coordinate;
 use crate::number::scalar::Scalar;
+use mstmm_plan::Coordinate;
 
 /// The form `ΔY₁ ΔY₂`, or `ΔΘ₁ ΔΘ₂`, of a stiffness or a damping of 1.
 pub(crate) fn elongations<S: Scalar>(coordinate: Coordinate, first: &Ends<S>, second: &Ends<S>) -> S {

@@ -3,8 +3,6 @@
 
 use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::visit::Visit;
-use crate::model::layout::Step;
-use crate::model::state::Space;
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::frequency::Frequency;
@@ -21,6 +19,7 @@ use crate::pass::tree::Tree;
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Space, Step};
 
 /// A tree at the frequencies of a block, with the subspaces behind its steps.
 pub(crate) struct BlockPasses<'a, Y: Tree<S> + ?Sized, S: InColumns> {

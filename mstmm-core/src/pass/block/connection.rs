@@ -1,6 +1,5 @@
 //! Connections of a block: the sum of several paths in each lane.
 
-use crate::model::state::{Space, Support};
 use crate::number::columns::InColumns;
 use crate::pass::block::WIDTH;
 use crate::pass::block::counters::Counters;
@@ -11,6 +10,7 @@ use crate::pass::block::loops::{
     GROUNDED, GROUNDED_TURN, LINE, LaneOp, PLANE, SPRING, SPRINGS, TURN, TURN_SPRING, act,
 };
 use crate::subspace::count::{NoCount, RootCounter};
+use mstmm_plan::{Space, Support};
 
 /// The connection of the inputs in some places, supports among them, to an output in the space `output`, as
 /// [`connection`](crate::subspace::minors::join::connection) gives it in each lane. Returns the place of the sum: one of the two

@@ -1,12 +1,12 @@
 //! Counters of a block, and their adapter for branch-free numbers.
 
-use crate::model::state::{Space, Support};
 use crate::number::branch_free::BranchFree;
 use crate::number::scalar::Scalar;
 use crate::pass::block::WIDTH;
 use crate::subspace::count::{Held, RootCounter};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
+use mstmm_plan::{Space, Support};
 
 /// Two counters in each lane: one as of the last step, and a pending one for the current step. A lane that has to be evaluated alone
 /// starts from the first.

@@ -1,10 +1,10 @@
 //! Kinds of subspaces, known to the compiler in branch-free loops over lanes.
 
-use crate::model::state::{Space, Support};
 use crate::number::scalar::Scalar;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Space, Support};
 
 /// The kind of the subspaces in all lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Operations on the subspace of a lane, each written once for branch-free numbers and for a lane that is evaluated alone.
 
 use crate::element::traits::{Element, PlaneStep};
-use crate::model::state::{Space, StateSpace, Support};
+use crate::model::state::StateSpace;
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::scalar::{Branches, Scalar};
@@ -13,6 +13,7 @@ use crate::subspace::count::{NoCount, RootCounter, Watch};
 use crate::subspace::minors::join::{held, joined, narrowed, rescaled, widened};
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Space, Support};
 
 /// The step of an element.
 pub(crate) struct Through<'a, E: Element, S: InColumns> {

@@ -1,6 +1,5 @@
 //! Loops over the lanes: branch-free first, then alone for each lane in which branch-free formulas do not hold.
 
-use crate::model::state::{Space, Support};
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::scalar::Branches;
@@ -9,6 +8,7 @@ use crate::pass::block::counters::Counters;
 use crate::pass::block::kinds::{Kind, numbers};
 use crate::pass::block::lanes::{Lanes, is_fit};
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Space, Support};
 
 /// An operation on the subspace of each lane.
 pub(crate) trait LaneOp<S: InColumns, C>: BranchFreeOp<S, C, false> + BranchFreeOp<S, C, true> {

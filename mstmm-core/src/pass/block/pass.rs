@@ -2,8 +2,6 @@
 
 use crate::element::moving::Stepping;
 use crate::element::visit::VisitStep;
-use crate::model::layout::Step;
-use crate::model::state::{Space, Support};
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::frequency::Frequency;
@@ -16,6 +14,7 @@ use crate::pass::block::loops::act;
 use crate::pass::block::root::{Values, at_root};
 use crate::pass::tree::Steps;
 use crate::subspace::count::RootCounter;
+use mstmm_plan::{Space, Step, Support};
 
 /// Paths that may be open at once: branches within branches.
 const OPEN: usize = 12;

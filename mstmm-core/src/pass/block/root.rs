@@ -1,6 +1,5 @@
 //! Δ in each lane, where the last subspaces meet the root.
 
-use crate::model::state::{Space, Support};
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
 use crate::number::scaled::Scaled;
@@ -11,6 +10,7 @@ use crate::pass::block::lane_ops::{FIXED, FREE, GUIDED, PINNED, SUPPORTS};
 use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::{KINDS, LINE, PLANE, TURN, Task, widest};
 use crate::subspace::count::RootCounter;
+use mstmm_plan::{Space, Support};
 
 /// A number with an exponent of its own in each lane.
 pub(crate) struct Values<S: InColumns> {

@@ -1,12 +1,13 @@
 //! Covectors: they pick a state out of a subspace, and are transferred against the direction of the pass.
 
 use crate::model::scaled_state::ScaledState;
-use crate::model::state::{Coordinate, Space, State, Support};
+use crate::model::state::State;
 use crate::number::exponent::binary_exponent;
 use crate::number::scalar::Scalar;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Coordinate, Space, Support};
 
 /// Picks the state `z_i = Σ_j p_ij η_j` out of a plane with the minors `p_ij`, or `t l` out of a line.
 ///

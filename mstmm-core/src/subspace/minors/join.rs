@@ -1,6 +1,5 @@
 //! Connections: joining subspaces, holding a point by a support, widening and narrowing.
 
-use crate::model::state::{Space, Support};
 use crate::number::doubt::ROUNDINGS;
 use crate::number::scalar::{Branches, Scalar};
 use crate::subspace::count::RootCounter;
@@ -8,6 +7,7 @@ use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use crate::subspace::remainder::Remainder;
+use mstmm_plan::{Space, Support};
 
 impl<S: Scalar> Plane<S> {
     /// Joins a grounded stiffness of a translation or rotation path.

@@ -1,8 +1,7 @@
 //! Planes of the bending state, each given by its 2×2 minors (Plücker coordinates).
 
-use crate::model::state::{Space, Support};
 use crate::number::scalar::Scalar;
-use mstmm_plan::Freedoms;
+use mstmm_plan::{Freedoms, Space, Support};
 
 /// A plane of the bending state, with a power of two of its own.
 ///

@@ -4,12 +4,12 @@
 //! dimension; at the root, Δ = 0 where it meets the root's boundary condition. A line of a two-entry state is given by
 //! one of its vectors, a plane of the bending state by its 2×2 minors (Plücker coordinates).
 
-use crate::model::state::{Space, Support};
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
+use mstmm_plan::{Space, Support};
 
 /// The subspace of states that the boundary conditions upstream of a point allow there.
 #[derive(Clone, Copy, Debug, PartialEq)]
