@@ -14,7 +14,7 @@ use nalgebra::SMatrix;
 #[derive(Debug)]
 pub struct Assembly<'a, S, const N: usize> {
     scheme: Scheme<'a>,
-    /// State per column, indexed by [`Coordinate`](crate::model::state::Coordinate).
+    /// State per column, indexed by [`Coordinate`](mstmm_plan::Coordinate).
     states: [[S; WIDEST]; N],
     matrix: SMatrix<S, N, N>,
 }
