@@ -2,7 +2,7 @@
 //!
 //! This crate is an implementation detail of `mstmm`, which re-exports what users need. It uses neither `std` nor
 //! `alloc`; the feature `std` (default) or `libm` only chooses where sine, cosine and exponential come from. The feature `judge`
-//! (default) adds the double-double arithmetic that settles doubtful results.
+//! (default) adds the extended precision, double-double, in which doubtful results are computed again.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! The way of covectors back through an element.
+//! The transfer of covectors back through an element.
 
 use crate::element::traits::PlaneStep;
 use crate::number::frequency_powers::FrequencyPowers;
@@ -6,7 +6,7 @@ use crate::number::scalar::Scalar;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
 
-/// An element through which states are recovered against the direction in which subspaces came.
+/// An element that transfers covectors from its output end to its input end, to recover states.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` takes no states back through it",
     label = "no `BackTransfer<{S}>` for this element",
@@ -14,7 +14,7 @@ use crate::subspace::minors::subspace::Subspace;
             implements `mstmm::BackTransfer<S>`"
 )]
 pub trait BackTransfer<S: Scalar>: PlaneStep<S> {
-    /// What [`back_transfer`](BackTransfer::back_transfer) needs of a frequency.
+    /// The coefficients of [`back_transfer`](BackTransfer::back_transfer) at a frequency.
     type BackCoefficients;
 
     /// Whether the element looks the same from both ends.
@@ -23,7 +23,7 @@ pub trait BackTransfer<S: Scalar>: PlaneStep<S> {
     /// The element seen from its output end; itself if it is symmetric.
     fn reversed(built: &Self::Built) -> Self::Built;
 
-    /// What `back_transfer` needs of a frequency.
+    /// The coefficients of `back_transfer` at a frequency.
     fn back_coefficients(built: &Self::Built, at: &FrequencyPowers<S>) -> Self::BackCoefficients;
 
     /// The covector at the input end: with the subspaces that `PlaneStep::step` takes and returns it gives the state at the

@@ -6,19 +6,19 @@ use crate::model::state::State;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 
-/// The inside of an element.
+/// The interior of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inside {
     /// Length \[m\].
     pub length: f64,
-    /// Wave number [rad/m]: how fast the deflection changes along it.
+    /// Wave number of the deflection along the element [rad/m].
     pub wave_number: f64,
 }
 
-/// An element whose energies are known, whatever carries states through it.
+/// An element whose energies are known.
 ///
 /// The dynamic work of an element is `L = V + λ² T + λ D`, with `2V` its stiffness, `2T` its mass and `2D` its damping form.
-/// Summed over a system it is stationary at a motion of its own and zero there, so that `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`.
+/// Summed over a system it is stationary and zero at a mode, so that `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say how it moves",
     label = "no `Energies<{S}>` for this element",
@@ -29,8 +29,7 @@ pub trait Energies<S: Scalar>: Element {
     /// The derivatives with respect to the parameters: the struct of the parameters, over `S`.
     type Gradient;
 
-    /// Sizes of the forces per displacement, `[Q/Y, M/Θ]`, that are usual in the element: what makes entries of a state
-    /// comparable.
+    /// Usual sizes of forces per displacement in the element, `[Q/Y, M/Θ]`, by which entries of a state are compared.
     fn units(built: &Self::Built, at: &FrequencyPowers<S>) -> [f64; 2];
 
     /// The mass form of two motions, `∫ m Y₁ Y₂ dx` for a beam: twice the kinetic energy over `(dt)²` of one.
@@ -44,12 +43,12 @@ pub trait Energies<S: Scalar>: Element {
         S::zero()
     }
 
-    /// What is between the ends; `None` for an element without an inside.
+    /// The interior between the ends; `None` for an element without one.
     fn inside(_built: &Self::Built, _x: S) -> Option<Inside> {
         None
     }
 
-    /// The state at a distance from the input end, within the length that [`inside`](Energies::inside) tells.
+    /// The state at a distance from the input end, up to the length of [`inside`](Energies::inside).
     fn state_at(_built: &Self::Built, ends: &Ends<S>, _distance: f64) -> State<S> {
         ends.input
     }

@@ -1,4 +1,4 @@
-//! What an element is, how subspaces go through it, and its energies.
+//! The traits of elements: transfer matrix, step of the plane method, back transfer and energies.
 
 pub(crate) mod back_transfer;
 pub(crate) mod energies;

@@ -1,4 +1,4 @@
-//! What visitors ask of elements: traits that follow from the others.
+//! The traits that visitors require of elements; each follows from others.
 
 use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::Energies;
@@ -9,7 +9,7 @@ use crate::number::scalar::Scalar;
 /// The coefficients of an element at a frequency.
 pub type CoefficientsOf<E, S> = <E as PlaneStep<S>>::Coefficients;
 
-/// An element whose step stands in straight-line code as well.
+/// An element whose step also computes with branch-free numbers.
 pub trait Stepping<S: Scalar>: PlaneStep<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>> {}
 
 impl<S: Scalar, E> Stepping<S> for E where
@@ -17,7 +17,7 @@ impl<S: Scalar, E> Stepping<S> for E where
 {
 }
 
-/// An element that says all about its motion.
+/// An element with steps, back transfer and energies.
 pub trait Moving<S: Scalar>: Stepping<S> + BackTransfer<S> + Energies<S> {}
 
 impl<S: Scalar, E: Stepping<S> + BackTransfer<S> + Energies<S>> Moving<S> for E {}

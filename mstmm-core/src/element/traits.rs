@@ -1,4 +1,4 @@
-//! The few traits: what an element is, and what a built system can evaluate.
+//! An element, its transfer matrix and its step of the plane method.
 
 use crate::model::error::{InvalidParameter, ParameterError};
 use crate::model::estimates::FrequencyEstimates;
@@ -16,8 +16,8 @@ pub type MatrixOf<E, S> = <<E as Element>::State as StateSpace>::Matrix<S>;
 
 /// An element with one input end and one output end.
 ///
-/// The type is the struct of its parameters, generic over their scalar `T`, with public fields of type `T`. An element of
-/// one's own takes part in a model by its path, `my_crate::Cable 4 { .. }`.
+/// The type is the struct of its parameters, generic over their scalar `T`, with public fields of type `T`. A model takes
+/// user-defined elements by their path, `my_crate::Cable 4 { .. }`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an element: it does not implement `Element`",
     label = "not an element",
@@ -28,9 +28,9 @@ pub trait Element: Sized {
     /// Space of the states at both ends.
     type State: StateSpace;
 
-    /// The element with all that does not depend on the frequency; `Self` where the parameters are all there is.
+    /// The element with its quantities that do not depend on the frequency; `Self` where these are the parameters alone.
     ///
-    /// `#[derive(Clone, Debug)]` it: the built system holds it, and can be cloned and printed.
+    /// Derive `Clone` and `Debug` for it: the built system holds it, and can be cloned and printed.
     type Built: Clone + fmt::Debug;
 
     /// Checks every parameter against its range and computes what does not depend on the frequency.
@@ -39,7 +39,7 @@ pub trait Element: Sized {
     /// [`InvalidParameter`] names the first parameter out of its range, with its value.
     fn build(self) -> Result<Self::Built, InvalidParameter>;
 
-    /// Adds the element's stiffnesses and masses to the bounds from which searches take their first steps.
+    /// Adds the element's stiffnesses and masses to the estimates from which searches take their first steps.
     #[inline]
     fn estimate(_built: &Self::Built, _bounds: &mut FrequencyEstimates) {}
 }
@@ -54,14 +54,14 @@ pub trait TransferMatrix<S: Scalar>: Element {
     /// The transfer matrix `U`.
     fn transfer_matrix(built: &Self::Built, x: S) -> MatrixOf<Self, S>;
 
-    /// The factor that frees `U` of its poles, `K + Cλ` for a dashpot; `None` where `U` is an entire function.
+    /// The factor that removes the poles of `U`, `K + Cλ` for a dashpot; `None` where `U` is an entire function.
     #[inline]
     fn denominator(_built: &Self::Built, _x: S) -> Option<S> {
         None
     }
 }
 
-/// The way of an element through the plane method: from the subspace at its input end to that at its output end.
+/// The step of an element in the plane method, from the subspace at its input end to the one at its output end.
 ///
 /// Every step is a polynomial in the element's entire functions: no division, no pole.
 #[diagnostic::on_unimplemented(
@@ -74,29 +74,28 @@ pub trait PlaneStep<S: Scalar>: Element {
     /// Whether the element needs the square root of the frequency, as waves do.
     const WAVES: bool = false;
 
-    /// Whether blocks of frequencies may go through the element in straight-line code, where a number is NaN if a branch would
-    /// be needed: whether it computes by operators alone, so that a NaN comes through, what it makes of a kind of subspace is of
-    /// one kind, and `root` is what [`at_root`](Subspace::at_root) is after `step`. One that does not is evaluated at one frequency
-    /// after the other.
+    /// Whether blocks of frequencies may go through the element with branch-free numbers, which are NaN where a branch would be
+    /// needed. The element must compute by operators alone, which propagate NaN, turn each kind of subspace into one kind, and have
+    /// a `root` equal to [`at_root`](Subspace::at_root) after `step`. Other elements are evaluated at one frequency after the other.
     const BRANCH_FREE: bool = false;
 
-    /// Which formulas the element takes at a frequency.
+    /// The formulas that suit the element at a frequency.
     #[doc(hidden)]
     #[inline]
     fn branches(_built: &Self::Built, _at: &FrequencyPowers<S>) -> Branches {
         if Self::BRANCH_FREE { Branches::Waves } else { Branches::All }
     }
 
-    /// What depends on the frequency; computed once for equal elements.
+    /// The coefficients of a step at a frequency; computed once for equal elements.
     type Coefficients;
 
     /// The coefficients at a frequency.
     fn coefficients(built: &Self::Built, at: &FrequencyPowers<S>) -> Self::Coefficients;
 
-    /// Takes the subspace of the input end to the output end and tells the counter what the count needs.
+    /// Takes the subspace of the input end to the output end, and reports to the counter.
     fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S>;
 
-    /// The last step before the root: Δ itself.
+    /// The last step before the root, which gives Δ.
     #[inline]
     fn root<C: RootCounter<S>>(
         coefficients: &Self::Coefficients,

@@ -109,7 +109,7 @@ macro_rules! any_elements {
             AnyUndamped, Frequency: $($element { $($field),* })*
         );
         any_element!(
-            /// Any built-in element; with a damper among them, a list has complex eigenvalues only.
+            /// Any built-in element; a list with a damper has complex eigenvalues only.
             AnyElement, ComplexFrequency: $($element { $($field),* })* $($damped { $($damped_field),* })*
         );
     };

@@ -43,7 +43,7 @@ pub struct Beam<T> {
     pub mass_per_length: T,
 }
 
-/// A beam with what does not depend on the frequency.
+/// A beam with its quantities that do not depend on the frequency.
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltBeam<T> {
     parameters: Beam<T>,
@@ -200,8 +200,8 @@ impl<T: Real> BuiltBeam<T> {
         }
     }
 
-    /// Units of the minors with the wave number β. A judge needs them without rounding between them: only then is a step the
-    /// compound of the transfer matrix.
+    /// Units of the minors with the wave number β. In extended precision they are computed anew, since a step is the compound of
+    /// the transfer matrix only if they fit each other.
     #[inline(always)]
     fn units<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> Units<S> {
         if S::IS_EXTENDED {
@@ -214,7 +214,7 @@ impl<T: Real> BuiltBeam<T> {
         }
     }
 
-    /// The same with `1/l` in place of β.
+    /// Units of the minors with `1/l` in place of β.
     #[inline(always)]
     fn short_units<S: Frequency<T>>(&self) -> Units<S> {
         if S::IS_EXTENDED {
@@ -262,7 +262,7 @@ impl<T: Real> BuiltBeam<T> {
     }
 }
 
-/// `ch z cos z`, `ch z sin z`, `sh z cos z`, `sh z sin z`, and 1 beside them, all divided by a power of two: its exponent.
+/// `ch z cos z`, `ch z sin z`, `sh z cos z`, `sh z sin z`, and 1, all divided by a power of two, and its exponent.
 #[inline(always)]
 fn wave_products<S: Scalar>(
     z: S,
@@ -278,7 +278,7 @@ fn wave_products<S: Scalar>(
     z.functions(values, slopes)
 }
 
-/// Products of powers with what belongs to each.
+/// The products of powers of the frequency with their factors.
 #[inline(always)]
 fn products<T: Real, S: Frequency<T>>([a, b, c, d]: [S; 4], [e, f, g, h]: [T; 4]) -> [S; 4] {
     [a * e, b * f, c * g, d * h]

@@ -49,11 +49,11 @@ pub struct Body<T> {
     pub centre_x: T,
 }
 
-/// A body with what does not depend on the frequency: its inertia about the mass centre, from which nothing is subtracted again.
+/// A body with its quantities that do not depend on the frequency: its inertia about the mass centre is subtracted once.
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltBody<T> {
     mass: T,
-    /// `J_C = J_I - m c1²`; where the rounding of J_I has put it below zero, it is.
+    /// `J_C = J_I - m c1²`; below zero where the rounding of J_I has put it there.
     central_inertia: T,
     /// b1 and c1.
     levers: Levers<T>,
@@ -62,7 +62,7 @@ pub struct BuiltBody<T> {
 }
 
 impl<T: Real> Body<T> {
-    /// `J_I - m c1²`. The product must be exact: beside a mass on a long arm what is left may be all rounding.
+    /// `J_I - m c1²`. The product must be exact, since for a mass on a long arm the difference may be rounding alone.
     fn central_inertia(&self) -> T {
         let Body { mass, inertia, centre_x, .. } = *self;
         inertia.minus_product([mass, centre_x, centre_x])
@@ -90,7 +90,7 @@ impl<T: Real> Element for Body<T> {
     fn estimate(built: &BuiltBody<T>, estimates: &mut FrequencyEstimates) {
         estimates.mass(built.mass.to_f64());
         let Levers { output, centre, .. } = built.levers;
-        // what rounding leaves of the inertia about the mass centre moves fast
+        // an inertia about the mass centre that is rounding alone gives high frequencies
         estimates.moment_of_inertia(built.central_inertia.abs().to_f64());
         estimates.lever(output.length.to_f64());
         estimates.lever(centre.length.to_f64());
@@ -179,8 +179,8 @@ impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
         BodyCoefficients { a, j, to_output, about_output: j + centre_to_output.times(to_output), levers }
     }
 
-    /// `p_ΘQ + a p_YΘ`, with it `p_MQ + a p_YM + j p_ΘQ` with p_YM of the mass centre, and what the shift to the output end makes
-    /// of the others; at once, since by way of the mass centre a lever there and back would leave rounding.
+    /// `p_ΘQ + a p_YΘ`, with it `p_MQ + a p_YM + j p_ΘQ` with p_YM of the mass centre, and p_YM and w at the output end. The shift is
+    /// a single one, since one by way of the mass centre would leave rounding where it leads there and back.
     #[inline(always)]
     fn behind<C: RootCounter<S>>(&self, p: &Plane<S>, inertia: S, counter: &mut C) -> Behind<S> {
         let theta_q = p.theta_q + self.a * p.y_theta;
@@ -195,7 +195,7 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Body<T> {
     type BackCoefficients = BodyCoefficients<T, S>;
     const SYMMETRIC: bool = false;
 
-    /// The same body about its output end: the levers from its mass centre change places.
+    /// The body about its output end: the levers from its mass centre change places.
     fn reversed(built: &BuiltBody<T>) -> BuiltBody<T> {
         let Levers { output, centre, .. } = built.levers;
         BuiltBody { levers: Levers::new(output, built.centre_to_output), centre_to_output: centre, ..*built }

@@ -59,8 +59,8 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for ElasticHinge<T> {
     }
 }
 
-/// The two stiffnesses and their product: rounded in the arithmetic of the evaluation, so that the judge of a root judges
-/// the hinge that was given.
+/// The two stiffnesses and their product. The product is rounded in the precision of the evaluation, so that extended precision
+/// is about the hinge that was given.
 #[derive(Clone, Copy, Debug)]
 pub struct HingeCoefficients<T, S> {
     k_y: T,
@@ -101,7 +101,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
         if C::COUNTS || matches!(input, Subspace::Tip(..)) {
             return Self::step(coefficients, input, counter).at_root(support, counter);
         }
-        // no look at the range: only the minor that decides is needed
+        // not shifted into the range: only one minor is needed
         let plane = coefficients.through(&input.plane());
         Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
     }

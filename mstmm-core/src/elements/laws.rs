@@ -25,7 +25,7 @@ pub(super) trait Sample: Element + Copy + core::fmt::Debug {
         None
     }
 
-    /// The element without what ties it to the ground.
+    /// The element without its springs to the ground.
     fn untied(self) -> Self {
         self
     }
@@ -124,7 +124,7 @@ where
     });
 }
 
-/// At λ = 0 a displacement needs no force, but for what ties the element to the ground.
+/// At λ = 0 a displacement needs no force, but for springs of the element to the ground.
 fn rests_without_force<E>()
 where
     E: Sample + TransferMatrix<C>,
@@ -210,7 +210,7 @@ fn refuses_what_is_not_a_number<E: Sample>() {
     }
 }
 
-/// Whatever `sample` returns is in range.
+/// Every sample is in range.
 fn accepts_valid_samples<E: Sample>() {
     check(|element: E, _| assert!(element.build().is_ok()));
 }

@@ -1,7 +1,6 @@
 //! Springs, dampers and masses: the elements of translation and rotation paths.
 //!
-//! They differ in the coordinate that they move in, in the sign with which its force is counted, and in which of stiffness, damping
-//! and inertia is there.
+//! They differ in their coordinate, in the sign of its force, and in which of stiffness, damping and inertia they have.
 
 use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::Energies;
@@ -21,8 +20,8 @@ use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
 
-/// Declares elements: the kind of each, its space and coordinate, the frequencies at which it exists, and for each parameter its
-/// range and the estimate that it enters.
+/// Declares elements by their kind, space, coordinate and type of frequency, and for each parameter its range and the estimate that
+/// it enters.
 macro_rules! line_elements {
     ($(
         $(#[$doc:meta])*
@@ -84,7 +83,7 @@ macro_rules! slope {
     };
 }
 
-/// A massless element: its force is its dynamic stiffness times its elongation.
+/// Implements a massless element: its force is its dynamic stiffness times its elongation.
 macro_rules! massless {
     ($element:ident, $coordinate:ident, $frequency:ident, $($field:ident)*) => {
         impl<T: Real, S: $frequency<T>> TransferMatrix<S> for $element<T> {
@@ -163,7 +162,7 @@ macro_rules! massless {
     };
 }
 
-/// An element that has inertia alone: its force is the inertia times λ² times its displacement.
+/// Implements an element with inertia alone: its force is the inertia times λ² times its displacement.
 macro_rules! inertial {
     ($element:ident, $coordinate:ident, $frequency:ident, $inertia:ident) => {
         impl<T: Real, S: $frequency<T>> TransferMatrix<S> for $element<T> {

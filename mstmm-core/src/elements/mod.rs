@@ -26,7 +26,7 @@ pub use planar_body::PlanarBody;
 pub use planar_hinge::PlanarHinge;
 pub use point_mass::PointMass;
 
-/// What is known of an element type without a number: the language has a row for each, and a test compares the two.
+/// An element type: its name, space and parameters. The language has a row for each, too, and a test compares the two.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
@@ -38,8 +38,8 @@ pub struct Row {
     pub parameters: &'static [&'static str],
 }
 
-/// Declares the list of the elements with their parameters, which laws and lists of steps share. Planar elements, which have no step
-/// of the plane method and no damping, stand apart.
+/// Declares the list of the elements with their parameters, which laws and lists of steps share. Planar elements are listed apart,
+/// since they have no step of the plane method.
 macro_rules! elements {
     (
         undamped { $($element:ident { $($field:ident),* })* }

@@ -3,14 +3,14 @@
 use crate::number::frequency::Real;
 use core::fmt;
 
-/// What a parameter must satisfy.
+/// The range that a parameter must satisfy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Requirement {
     /// Any finite number.
     Finite,
     /// Finite and greater than zero.
     Positive,
-    /// Greater than zero and finite, as is the reciprocal: what a compliance is computed from.
+    /// Greater than zero and finite, with a finite reciprocal, as for a compliance.
     Invertible,
     /// Positive, and not so extreme that products with the other parameters of the element leave the range of the type.
     Rescale,
@@ -39,7 +39,7 @@ impl fmt::Display for Requirement {
     }
 }
 
-/// What `operations` roundings can do to a number of size `scale`.
+/// The largest error of `operations` roundings in a number of size `scale`.
 fn rounding(operations: u32, scale: f64) -> f64 {
     f64::from(operations) * f64::EPSILON * scale
 }
@@ -56,7 +56,7 @@ pub struct InvalidParameter {
 }
 
 impl InvalidParameter {
-    /// The same error, with the name of the element in the model.
+    /// The error with the name of the element in the model.
     pub fn of(self, element: &'static str) -> ParameterError {
         ParameterError { element, parameter: self.parameter, value: self.value, requirement: self.requirement }
     }

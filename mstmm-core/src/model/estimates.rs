@@ -4,7 +4,7 @@ use crate::number::floats::elementary;
 
 /// Extreme stiffnesses and inertias of a system, translation and rotation apart.
 ///
-/// Nothing is certified by these: they only say where to start counting.
+/// They certify nothing: they only give the frequencies at which counting starts.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencyEstimates {
     stiffness: [Range; 2],
@@ -30,7 +30,7 @@ struct Range {
 impl Range {
     const EMPTY: Range = Range { least: f64::INFINITY, greatest: 0.0 };
 
-    // a call: it stands at many places, and none is in a hurry
+    // not inlined: it is called at many places, and speed does not matter
     #[inline(never)]
     fn include(&mut self, value: f64) {
         if value > 0.0 && value.is_finite() {
@@ -98,7 +98,7 @@ impl FrequencyEstimates {
         self.reach += value.abs();
     }
 
-    /// A lever of a rigid body \[m\]: by a short one a stiff spring turns the body slowly.
+    /// A lever of a rigid body \[m\]: on a short one even a stiff spring turns the body slowly.
     pub fn lever(&mut self, value: f64) {
         self.length(value);
         self.levers.include(value.abs());
@@ -164,7 +164,7 @@ impl FrequencyEstimates {
         if is_one { self.lowest_exponent().min(exponent(by_lever) / 2 - 1) } else { self.lowest_exponent() }
     }
 
-    /// Logarithm to base 2 of what is as good as zero beside any frequency.
+    /// Logarithm to base 2 of a frequency that counts as zero beside any other.
     pub(crate) fn negligible_exponent(&self) -> i32 {
         self.least_exponent() - 20
     }

@@ -51,7 +51,7 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     note = "pass a real number for ω [rad/s], or a `Complex` number for λ [1/s]"
 )]
 pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
-    /// What the scalar stands for: [`RealFrequency`] or [`ComplexEigenvalue`].
+    /// The meaning of the scalar: [`RealFrequency`] or [`ComplexEigenvalue`].
     type Meaning;
 
     /// Whether this is the extended precision of the parameters. Steps then compute anew what `build` rounded.

@@ -1,4 +1,4 @@
-//! Sine, cosine and their hyperbolic kin of one `f64` at once, in straight-line code.
+//! Sine, cosine and their hyperbolic kin of one `f64` at once, without branches.
 //!
 //! Beams need all four of the same argument. Together they share their reductions, leave registers alone where calls to
 //! a library would not, and are the same on every platform, with or without `std`. Polynomials of fdlibm (Sun

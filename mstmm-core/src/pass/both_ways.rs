@@ -1,5 +1,4 @@
-//! Subspaces behind every step of a tree: what the boundary conditions upstream leave of the state there, and what those
-//! downstream leave of it.
+//! The two subspaces behind every step of a tree: that of the boundary conditions upstream, and that of those downstream.
 
 use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::visit::Visit;
@@ -17,9 +16,9 @@ pub(crate) struct Passes<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     pub(crate) system: &'a Y,
     pub(crate) at: FrequencyPowers<S>,
     pub(crate) evaluated: Y::Evaluated,
-    /// Behind each step, what is upstream leaves this.
+    /// The subspace behind each step that the boundary conditions upstream leave.
     pub(crate) upstream: Y::PerStep<Subspace<S>>,
-    /// Behind each step, what is downstream leaves this, in the frame of a path that arrives from there.
+    /// The subspace behind each step that those downstream leave, in the frame of a path that arrives from there.
     pub(crate) downstream: Y::PerStep<Subspace<S>>,
 }
 
@@ -45,7 +44,7 @@ impl<S: Scalar> Visit<S> for Through<'_, S> {
 }
 
 impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
-    /// The pass from the tips to the root, without the steps of which `needed` says no; what is downstream is not known yet.
+    /// The pass from the tips to the root, without steps that are not `needed`. The downstream subspaces are not known yet.
     pub(crate) fn from_tips(system: &'a Y, x: S, needed: impl Fn(usize) -> bool) -> Self {
         let at = Y::at(x);
         let nothing = Subspace::Tip(Support::Free, Space::Bending);
@@ -69,7 +68,7 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
         passes
     }
 
-    /// Both passes, over all steps.
+    /// Both passes over all steps.
     pub(crate) fn whole(system: &'a Y, x: S) -> Self {
         let mut passes = Passes::from_tips(system, x, |_| true);
         passes.down_to_all();
@@ -93,7 +92,7 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
         }
     }
 
-    /// What is downstream of a step, given what is downstream of the next.
+    /// Sets the downstream subspace of a step, from that of the next step.
     fn look_down(&mut self, step: usize) {
         let scheme = self.system.scheme();
         let below = scheme.downstream(step);
@@ -107,13 +106,13 @@ impl<'a, S: Scalar, Y: Tree<S> + ?Sized> Passes<'a, Y, S> {
         };
     }
 
-    /// A subspace through the element of a step.
+    /// Takes a subspace through the element of a step.
     fn through(&self, step: usize, input: Subspace<S>, against: bool) -> Subspace<S> {
         self.system.visit(Some(&self.evaluated), step, Through { at: &self.at, input, against }).unwrap_or(input)
     }
 
-    /// The sum of the paths at a connection, that from downstream among them if it is given, without one of the inputs, to go
-    /// on in some space.
+    /// The sum of the paths at a connection without one of the inputs, with the path from downstream if it is given, in the space of
+    /// the output.
     pub(crate) fn sum(
         &self,
         inputs: &[usize],

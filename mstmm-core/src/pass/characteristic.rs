@@ -1,4 +1,4 @@
-//! What a built system offers to the searches: Δ by the plane method, with a counter.
+//! The interface of built systems to the searches: Δ by the plane method, with a counter.
 
 use crate::model::estimates::FrequencyEstimates;
 use crate::number::frequency::Real;
@@ -11,7 +11,7 @@ pub trait System {
     /// Scalar of the parameters.
     type Parameter: Real;
 
-    /// Bounds from which the searches take their first steps.
+    /// Estimates from which the searches take their first steps.
     #[doc(hidden)]
     fn estimates(&self) -> FrequencyEstimates;
 }
@@ -25,15 +25,15 @@ pub trait Characteristic<S: Scalar>: System {
 
     /// Δ by the plane method: exact at every frequency, without poles, with mantissa and exponent.
     ///
-    /// Equal to `overall_determinant` times one constant, the same at all frequencies; zero at the eigenvalues and nowhere
-    /// else. No matrix is formed.
+    /// It equals `overall_determinant` times a constant that does not depend on the frequency. It is zero at the eigenvalues and
+    /// nowhere else. No matrix is formed.
     #[inline]
     fn characteristic(&self, x: S) -> Scaled<S> {
         self.pass(x, &mut NoCount)
     }
 }
 
-/// The count of natural frequencies below ω, and Δ(ω) from the same pass, which watches sums that cancel or does not.
+/// The count of natural frequencies below ω, and Δ(ω), in one pass; with `WATCHES` it notices sums that cancel.
 #[inline]
 pub(crate) fn count_and_value<const WATCHES: bool, Y, S>(
     system: &Y,
@@ -46,7 +46,7 @@ where
     counted_pass(system, x, WittrickWilliams::default())
 }
 
-/// What a counter hears of a pass, and Δ.
+/// The counter after a pass, and Δ.
 #[inline]
 pub(crate) fn counted_pass<C: RootCounter<S>, Y, S: Scalar>(system: &Y, x: S, mut counter: C) -> (C, Scaled<S>)
 where

@@ -1,8 +1,8 @@
-//! What of a pass stands in line, and what is called.
+//! Inlining of the steps of a pass.
 //!
-//! In line a pass is fastest. But a hundred beams in line take minutes to compile, and so do a few in the arithmetic that
-//! judges the others: one of its multiplications is ten instructions, and it is seldom asked. So every scalar has its own
-//! longest pass in line, in steps; in a model of a few steps the compiler leaves out most of each, and calls would be longer.
+//! An inlined pass is fastest. But a hundred inlined beams take minutes to compile, and so do a few in extended precision, where
+//! a multiplication is ten instructions. So every scalar has a longest inlined pass, in steps. In a model of a few steps the
+//! compiler leaves out most of each step, and calls would be longer.
 
 use crate::element::traits::PlaneStep;
 use crate::number::frequency_powers::FrequencyPowers;
@@ -78,7 +78,7 @@ fn called_root<E: PlaneStep<S>, S: Scalar, C: RootCounter<S>>(
     E::root(coefficients, input, support, counter)
 }
 
-/// The join of the first two paths at a connection, in a pass; or of one more to their sum, which may have grown.
+/// The join of the first two paths at a connection, or of a further path to their sum, whose entries may have grown.
 #[doc(hidden)]
 #[inline(always)]
 pub fn join<S: Scalar, C: RootCounter<S>, const FIRST_TWO: bool, const STEPS: usize>(

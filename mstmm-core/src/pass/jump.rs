@@ -1,8 +1,8 @@
-//! Sources of motions: at one point the state behind it differs from that before it by a jump, in one entry.
+//! Jumps as sources of motions: one entry of the state behind a point differs from that before it.
 //!
-//! What is upstream of the point leaves a plane P of the state there, what is downstream a plane R. A jump f between a state
-//! of the one and a state of the other is `f = z_R - z_P` with `z_P = P R* f/Δ`, where `R*` has the dual minors of R and
-//! Δ = 0 where P and R meet: at a root. There `P R* f` is the motion of the system itself, whatever f.
+//! The boundary conditions upstream of the point leave a plane P of the state there, those downstream a plane R. A jump f between
+//! states of both is `f = z_R - z_P` with `z_P = P R* f/Δ`, where `R*` has the dual minors of R. Δ = 0 where P and R meet, at a
+//! root. There `P R* f` is the motion of the system itself for any f.
 
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
@@ -14,7 +14,7 @@ use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::{Coordinate, Space};
 
-/// The subspaces that meet at a point, both as paths that arrive there.
+/// The upstream and the downstream subspace at a point, both as subspaces of paths that arrive there.
 pub(crate) struct Meeting<S> {
     pub(crate) upstream: Subspace<S>,
     pub(crate) downstream: Subspace<S>,
@@ -24,14 +24,14 @@ pub(crate) struct Meeting<S> {
 
 /// The covectors of a jump, times Δ.
 pub(crate) struct Jump<S> {
-    /// For what is upstream.
+    /// The covector of the upstream subspace.
     pub(crate) upstream: Covector<S>,
-    /// For what is downstream, in the frame of a path that arrives from there.
+    /// The covector of the downstream subspace, in the frame of a path that arrives from there.
     pub(crate) downstream: Covector<S>,
 }
 
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
-    /// What meets behind a step.
+    /// The subspaces that meet behind a step.
     pub(crate) fn meeting(&self, step: usize) -> Meeting<S> {
         Meeting {
             upstream: self.upstream.as_ref()[step],
@@ -42,7 +42,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
 }
 
 impl<S: Scalar> Meeting<S> {
-    /// Δ at a point: up to its sign and a power of two the same at all points.
+    /// Δ at a point. Up to its sign and a power of two it does not depend on the point.
     pub(crate) fn delta(&self) -> Scaled<S> {
         let Meeting { upstream, downstream, space } = *self;
         if space.is(Space::Bending) {

@@ -1,4 +1,4 @@
-//! States everywhere, from a source at one point: against all directions that lead to it.
+//! Recovery of the states of all steps from a source at one point, in the directions away from it.
 
 use crate::model::scaled_state::ScaledState;
 use crate::number::scalar::Scalar;
@@ -8,13 +8,13 @@ use crate::pass::tree::{Planned, Tree};
 use crate::subspace::minors::covector::Covector;
 use mstmm_plan::Step;
 
-/// States behind steps, and at one of them, the source, on both sides.
+/// The states behind all steps; at the source on both sides.
 #[derive(Debug)]
 pub(crate) struct RecoveredStates<Y: Tree<S> + ?Sized, S: Scalar> {
-    /// Behind each step; at the source on the upstream side.
+    /// The state behind each step; at the source on the upstream side.
     pub(crate) states: Y::PerStep<ScaledState<S>>,
     pub(crate) source: usize,
-    /// At the source on the downstream side.
+    /// The state at the source on the downstream side.
     pub(crate) beyond: ScaledState<S>,
 }
 
@@ -22,8 +22,8 @@ pub(crate) struct RecoveredStates<Y: Tree<S> + ?Sized, S: Scalar> {
 type Pending<Y, S> = <Y as Planned>::PerStep<Option<Covector<S>>>;
 
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
-    /// Spreads the states from a source: a covector for what is upstream of it, and one for what is downstream, in the frame
-    /// of a path that arrives from there.
+    /// Recovers the states from the covectors of the upstream and the downstream subspace at a source, the latter in the frame of a
+    /// path that arrives from there.
     pub(crate) fn recover(
         &self,
         source: usize,
@@ -41,7 +41,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
         recovered
     }
 
-    /// From the source to the root; returns the last step before the root.
+    /// Recovers the states from the source to the root; returns the last step before the root.
     fn recover_downstream(
         &self,
         source: usize,
@@ -72,7 +72,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
         }
     }
 
-    /// From all steps with a covector to the tips.
+    /// Recovers the states from all steps with a covector to the tips.
     fn recover_upstream(&self, recovered: &mut RecoveredStates<Y, S>, pending: &mut Pending<Y, S>) {
         let scheme = self.system.scheme();
         for step in (0..scheme.len()).rev() {

@@ -1,4 +1,4 @@
-//! The way of a covector through a tree, step by step: against an element, and across a connection from one path to another.
+//! Transfer of covectors along a path of the tree: back through elements, and through connections from one path to another.
 
 use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::visit::Visit;
@@ -35,7 +35,7 @@ impl<S: Scalar> Visit<S> for PullBack<'_, S> {
 }
 
 impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
-    /// A covector from behind the element of a step to before it, or `against` the transfer direction the other way.
+    /// Takes a covector through the element of a step, from its output to its input end or, `against`, the other way.
     pub(crate) fn pulled_back(&self, step: usize, covector: Covector<S>, against: bool) -> Covector<S> {
         let input = match self.system.scheme().steps[step] {
             Step::Element(input, _) if !against => &self.upstream.as_ref()[input],
@@ -45,7 +45,7 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
         self.system.visit(None, step, visitor).unwrap_or(covector).rescaled()
     }
 
-    /// A covector across a connection; that of the path downstream is always in the frame of a path that arrives from there.
+    /// Takes a covector through a connection. The covector of the path downstream is in the frame of a path that arrives from there.
     pub(crate) fn through_connection(&self, crossing: Crossing, covector: Covector<S>) -> Covector<S> {
         let (scheme, at) = (self.system.scheme(), crossing.at);
         let others = crossing.others(scheme).map(|input| self.upstream.as_ref()[input]);
@@ -55,12 +55,12 @@ impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     }
 }
 
-/// What follows a motion through a tree.
+/// A motion, or many, that can be followed through a tree.
 pub(crate) trait Follow {
-    /// From behind the element of a step to before it, or `against` the transfer direction the other way.
+    /// Follows the motion through the element of a step, from its output to its input end or, `against`, the other way.
     fn through(&mut self, step: usize, against: bool);
 
-    /// Across a connection.
+    /// Follows the motion through a connection.
     fn through_connection(&mut self, crossing: Crossing);
 }
 
@@ -80,7 +80,7 @@ impl<Y: Tree<S> + ?Sized, S: Scalar> Follow for Carried<'_, '_, Y, S> {
     }
 }
 
-/// The way across the connection of a step, from one path to another; `None` is the path downstream.
+/// The connection of a step with the path from which a motion comes and the path to which it goes; `None` is the path downstream.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing {
     pub(crate) at: usize,
@@ -89,20 +89,20 @@ pub(crate) struct Crossing {
 }
 
 impl Crossing {
-    /// The other inputs.
+    /// The inputs that are neither `from` nor `to`.
     pub(crate) fn others<'a>(self, scheme: Scheme<'a>) -> impl Iterator<Item = usize> + Clone + use<'a> {
         let inputs = if let Step::Connection(inputs) = scheme.steps[self.at] { inputs } else { &[] };
         let Crossing { from, to, .. } = self;
         inputs.iter().copied().filter(move |input| Some(*input) != from && Some(*input) != to)
     }
 
-    /// Whether the way is from input to input: the path downstream is one of the others then.
+    /// Whether both paths are inputs; then the path downstream is one of the others.
     pub(crate) fn is_between_inputs(self) -> bool {
         self.from.is_some() && self.to.is_some()
     }
 
-    /// Carries a covector across, given the sum of all other paths in the space of the connection, and the space of the subspace
-    /// downstream.
+    /// Carries a covector through the connection, given the sum of all other paths in the space of the connection, and the space of
+    /// the subspace downstream.
     pub(crate) fn carry<S: Scalar>(
         self,
         scheme: Scheme<'_>,
@@ -120,8 +120,7 @@ impl Crossing {
     }
 }
 
-/// The covector of a path that leads to a connection in a narrower state, as that of the state of the connection: what does not go
-/// on has no force.
+/// The covector of a path with a narrower state, in the state of the connection: forces that the path does not carry are zero.
 fn widened<S: Scalar>(covector: Covector<S>, space: Space, wide: Space) -> Covector<S> {
     let zero = S::zero();
     match covector {
@@ -133,7 +132,7 @@ fn widened<S: Scalar>(covector: Covector<S>, space: Space, wide: Space) -> Covec
     }
 }
 
-/// Space of the subspace that an input brings to a connection: a support has that of the connection.
+/// Space of the subspace of an input at a connection; that of a support is the space of the connection.
 fn space_at(scheme: Scheme<'_>, input: usize, connection: usize) -> Space {
     match scheme.steps[input] {
         Step::Tip(_) => scheme.space(connection),

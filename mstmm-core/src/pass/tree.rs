@@ -23,18 +23,18 @@ pub trait Planned: System {
     fn scheme(&self) -> Scheme<'_>;
 }
 
-/// A built system whose elements all say how subspaces go through them.
+/// A built system whose elements all have a step of the plane method.
 #[diagnostic::on_unimplemented(
     message = "the steps of `{Self}` are not known at frequencies of type `{S}`",
     note = "a real ω is a frequency of undamped systems only; planar elements take no part in the plane method; an element of \
             your own implements `mstmm::PlaneStep<S>` for every `S`"
 )]
 pub trait Steps<S: Scalar>: Planned {
-    /// Visits the element of a step; `None` where the step is none.
+    /// Visits the element of a step; `None` where the step is not an element.
     fn visit_step<V: VisitStep<S>>(&self, step: usize, visitor: V) -> Option<V::Output>;
 }
 
-/// A built system whose elements all say how they move.
+/// A built system whose elements all have back transfer and energies.
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
     note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet; an element of your own \
@@ -44,17 +44,17 @@ pub trait Tree<S: Scalar>: Planned {
     /// Coefficients of all elements at a frequency.
     type Evaluated;
 
-    /// The frequency with what the elements need of it.
+    /// The powers of a frequency that the elements need.
     fn at(x: S) -> FrequencyPowers<S>;
 
-    /// Computes what depends on the frequency, once for equal elements.
+    /// Computes the coefficients at a frequency, once for equal elements.
     fn evaluate(&self, at: &FrequencyPowers<S>) -> Self::Evaluated;
 
-    /// Visits the element of a step, at the frequency of what was evaluated if it was; `None` where the step is none.
+    /// Visits the element of a step, with its coefficients if they were computed; `None` where the step is not an element.
     fn visit<V: Visit<S>>(&self, evaluated: Option<&Self::Evaluated>, step: usize, visitor: V) -> Option<V::Output>;
 }
 
-/// A tree at frequencies of some type, and at those in the extended arithmetic that proves them.
+/// A tree at frequencies of a type, and at those in its extended precision.
 pub trait ExtendedTree<S>: Tree<S> + Tree<ExtendedOf<S, <Self as System>::Parameter>>
 where
     S: Oscillation<<Self as System>::Parameter>,

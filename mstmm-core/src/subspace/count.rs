@@ -11,8 +11,7 @@ use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use mstmm_plan::{Space, Support};
 
-/// What a bending element says of itself with both its ends held: its clamped count, and what stands beside it in the rule of a
-/// plane.
+/// A bending element with both its ends held: its clamped count, and the stiffness and sign for the rule of a plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Held<S> {
     /// Number of its own frequencies below this one.
@@ -23,9 +22,9 @@ pub struct Held<S> {
     pub stiffness: S,
 }
 
-/// Receives what the steps of the plane method have to say for the count.
+/// A counter of natural frequencies, to which the steps of the plane method report.
 pub trait RootCounter<S: Scalar> {
-    /// Whether anything is received: a step may leave out what only the counter needs.
+    /// Whether the counter counts; else a step may leave out computations for it.
     const COUNTS: bool;
     /// Whether sums that cancel are watched.
     const WATCHES: bool = Self::COUNTS;
@@ -49,17 +48,17 @@ pub trait RootCounter<S: Scalar> {
     /// A sum lost more digits to cancellation than a certificate has room for, or all of them: then it was taken for zero.
     #[inline(always)]
     fn cancelled(&mut self, _completely: bool) {}
-    /// Whether the frequency is so close to a root that the terms of Δ are worth a look.
+    /// Whether the frequency is so close to a root that the terms of Δ are examined.
     #[inline(always)]
     fn looks_at_root(&self) -> bool {
         false
     }
-    /// Δ is a sum of a size, with terms whose sizes add up to more.
+    /// The size of Δ is `sum`, and the sizes of its terms add up to `terms`.
     #[inline(always)]
     fn root_sum(&mut self, _sum: f64, _terms: f64) {}
 }
 
-/// The counter that ignores everything: Δ alone.
+/// The counter that ignores all reports, for Δ alone.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoCount;
 
@@ -67,14 +66,14 @@ impl<S: Scalar> RootCounter<S> for NoCount {
     const COUNTS: bool = false;
 }
 
-/// What cancelled in a pass.
+/// The sums that cancelled in a pass.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Cancelled {
     /// Sums lost more digits than a certificate has room for.
     pub(crate) partly: bool,
     /// Sums lost all digits.
     pub(crate) completely: bool,
-    /// Δ lost more than it does beside a well-conditioned root.
+    /// Δ lost more digits than near a well-conditioned root.
     pub(crate) at_root: bool,
 }
 
@@ -90,7 +89,7 @@ impl Cancelled {
         self.at_root |= is_ill_conditioned::<S>(sum, terms);
     }
 
-    /// Whether another arithmetic has to judge.
+    /// Whether the pass is doubtful.
     pub(crate) fn any(self) -> bool {
         self.partly || self.completely
     }
@@ -113,8 +112,8 @@ impl<S: Scalar> RootCounter<S> for Watch {
 
 /// The number of natural frequencies below the frequency of a pass, by the algorithm of Wittrick and Williams.
 ///
-/// `IN_LINE` counts without branches, as a block of frequencies needs it; a frequency of its own is faster with them. `WATCHES` is
-/// false for passes beside others that watch sums that cancel.
+/// `IN_LINE` counts without branches, as a block of frequencies needs it; a single frequency is faster with branches. `WATCHES` is
+/// false for passes at frequencies where another pass watches sums that cancel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WittrickWilliams<const IN_LINE: bool = false, const WATCHES: bool = true> {
     below: u64,
@@ -128,12 +127,12 @@ impl<const IN_LINE: bool, const WATCHES: bool> WittrickWilliams<IN_LINE, WATCHES
         self.below
     }
 
-    /// The counter of a frequency beside a root, or of any.
+    /// A counter; `is_at_root` tells that the frequency is close to a root.
     pub(crate) fn new(is_at_root: bool) -> Self {
         WittrickWilliams { is_at_root, ..WittrickWilliams::default() }
     }
 
-    /// What cancelled on the way.
+    /// The sums that cancelled in the pass.
     pub(crate) fn cancelled(&self) -> Cancelled {
         self.cancelled
     }
@@ -157,7 +156,7 @@ fn negative<T: Real>(candidates: impl IntoIterator<Item = T>) -> bool {
     candidates.into_iter().find(|x| !x.is_zero()).is_some_and(|x| x < T::zero())
 }
 
-/// The same without branches.
+/// Sign of the first number that is not zero, without branches.
 #[inline(always)]
 fn negative_in_line<T: Real, const N: usize>(candidates: [T; N]) -> bool {
     candidates.into_iter().rev().fold(T::zero(), |next, x| if x.is_zero() { next } else { x }) < T::zero()
@@ -183,7 +182,7 @@ fn line_negative<T: Real>(line: &Line<T>) -> bool {
 
 impl<T: Real, const IN_LINE: bool, const WATCHES: bool> RootCounter<T> for WittrickWilliams<IN_LINE, WATCHES> {
     const COUNTS: bool = true;
-    // a judge always: it computes otherwise where sums cancel
+    // extended precision always watches: it takes other formulas where sums cancel
     const WATCHES: bool = WATCHES || T::EPSILON < f64::EPSILON;
 
     fn line(&mut self, before: &Line<T>, after: &Line<T>, held: u64, is_negative: bool) {

@@ -1,4 +1,4 @@
-//! What the boundary conditions upstream of a point leave of the state there, and the count that goes with it.
+//! The subspaces that boundary conditions leave of the state at a point, and the count of natural frequencies.
 
 pub(crate) mod count;
 pub(crate) mod minors;

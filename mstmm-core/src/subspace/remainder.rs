@@ -1,23 +1,23 @@
-//! What rounding leaves of sums that cancel.
+//! Sums that cancel, and the rounding in them.
 
 use crate::number::doubt::largest_loss;
 use crate::number::scalar::Scalar;
 use crate::subspace::count::RootCounter;
 
-/// What rounding leaves of a sum that cancels.
+/// A sum that cancels, with its rounding.
 pub(crate) struct Remainder {
-    /// Its size beside which its digits count.
+    /// The size to which the rounding of the sum is compared.
     pub(crate) size: f64,
-    /// Its own size, or that of what else decides about the subspace in its unit: where that is rounding nothing is left.
+    /// The size of the sum, or of another number in its unit that decides about the subspace; all digits are lost where it is rounding.
     pub(crate) whole: f64,
-    /// What a last place of its terms makes of it.
+    /// The change of the sum by a unit in the last place of its terms.
     pub(crate) rounding: f64,
-    /// What all roundings make of it that they may have gathered.
+    /// The change of the sum by all roundings that its terms may carry.
     pub(crate) estimate: f64,
 }
 
 impl Remainder {
-    /// Tells a counter of a sum that lost too many digits. Returns whether it lost all.
+    /// Reports a sum that lost too many digits to a counter. Returns whether it lost all.
     #[cold]
     pub(crate) fn tell<S: Scalar, C: RootCounter<S>>(self, counter: &mut C) -> bool {
         let is_nothing = self.whole <= self.estimate;

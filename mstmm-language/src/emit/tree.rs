@@ -133,7 +133,7 @@ pub(super) fn steps(plan: &Plan<'_>, names: &Names) -> TokenStream {
     implement("Steps", [bounds("PlaneStep", plan, names), straight_bounds(plan, names)].concat(), &body, names)
 }
 
-/// What blocks of frequencies ask of the elements besides: steps over numbers of straight-line code.
+/// The further bounds of blocks of frequencies: steps over branch-free numbers.
 fn straight_bounds(plan: &Plan<'_>, names: &Names) -> Vec<TokenStream> {
     let bounds = |series: bool| {
         let bound = move |element: &Element| {

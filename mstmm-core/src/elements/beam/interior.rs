@@ -12,8 +12,8 @@ use crate::number::scalar::Scalar;
 use num_complex::Complex;
 use num_traits::Zero;
 
-/// Nodes and weights of Gauss and Legendre on `[-1, 1]`, exact up to degree 13: for a product of two deflections that turn by
-/// less than 1 over the interval, exact to rounding.
+/// Nodes and weights of Gauss and Legendre on `[-1, 1]`, exact up to degree 13. They are exact to rounding for a product of two
+/// deflections whose phase changes by less than 1 over the interval.
 const GAUSS: [(f64, f64); 7] = [
     (-0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
     (-0.741_531_185_599_394_4, 0.279_705_391_489_276_7),
@@ -32,8 +32,8 @@ impl<T: Real> BuiltBeam<T> {
 
     /// The state at a distance from the input end, given those at both ends.
     ///
-    /// A short beam's follows from that at its input end. In a long one the four waves `e^{sx}`, `s⁴ = β⁴`, are taken from the
-    /// end from which they decay, so that no digits are lost at any frequency.
+    /// In a short beam it follows from the state at the input end. In a long one each of the four waves `e^{sx}`, `s⁴ = β⁴`, is taken
+    /// from the end from which it decays, so that no digits are lost at any frequency.
     pub(crate) fn state_at<S: Oscillation<T>>(&self, ends: &Ends<S>, distance: T) -> State<S> {
         let z = self.z(ends.x);
         if z.size() > 1.0 {
@@ -42,7 +42,7 @@ impl<T: Real> BuiltBeam<T> {
         self.state_of_series(ends, distance)
     }
 
-    /// The transfer matrix of a part of the beam, written so that a part of no length is one.
+    /// The state by the transfer matrix of a part of the beam, in a form that holds for a part of length zero.
     fn state_of_series<S: Oscillation<T>>(&self, ends: &Ends<S>, distance: T) -> State<S> {
         let flexibility = T::one() / self.parameters.bending_stiffness;
         let square = distance * distance;

@@ -1,4 +1,4 @@
-//! The motion of a beam: covectors through it, its energies, and how they change with its parameters.
+//! The motion of a beam: its back transfer, its energies and their derivatives with respect to its parameters.
 
 use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::{Energies, Inside};
@@ -18,7 +18,7 @@ use crate::subspace::minors::subspace::Subspace;
 
 /// Relative distance of two values of `z⁴` from which on the integral of a product is a difference at the ends.
 const APART: f64 = 1e-3;
-/// Value of `z⁴` above which states at the ends tell the forms of a beam: they cancel to this part.
+/// Value of `z⁴` above which the forms of a beam are differences between states at the ends: they cancel to this part.
 const LONG: f64 = 1e-2;
 
 impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Beam<T> {
@@ -82,7 +82,7 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
         built.state_at(ends, T::from_f64(distance))
     }
 
-    /// Of the length it is the same at every point of the beam, `λ² m Y²/2 - M²/(2 EI) + Θ Q`.
+    /// The derivative with respect to the length is constant along the beam, `λ² m Y²/2 - M²/(2 EI) + Θ Q`.
     fn gradient(built: &BuiltBeam<T>, ends: &Ends<S>) -> Beam<S> {
         let [mass, stiffness] = built.forms(ends, ends).map(half);
         let Beam { bending_stiffness, mass_per_length, .. } = built.parameters;
@@ -95,7 +95,7 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
 }
 
 impl<T: Real> BuiltBeam<T> {
-    /// The links for `|z| <= 1`, entire in `z⁴`.
+    /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     fn short_links<S: Oscillation<T>>(&self, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
         let x = -at.lambda_squared * self.wave_fourth;
         let functions = krylov(x);
@@ -112,8 +112,8 @@ impl<T: Real> BuiltBeam<T> {
 
     /// Mass and stiffness form of two motions: `[∫ m Y₁ Y₂ dx, ∫ M₁ M₂/EI dx]`.
     ///
-    /// In a long beam the latter is `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`. So is the former by the same token, for frequencies
-    /// apart; that of one motion follows from its flow. What is short or close is integrated.
+    /// In a long beam the stiffness form is `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`. The mass form is a difference of the ends, too, if
+    /// the frequencies are apart; that of one motion with itself follows from its flow. In other cases both are integrated.
     fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
         let (a, b) = (first.x.lambda_squared(), second.x.lambda_squared());
         let size = S::size(a).max(S::size(b));
@@ -133,7 +133,7 @@ impl<T: Real> BuiltBeam<T> {
         [mass, work - a * mass]
     }
 
-    /// `λ² m Y²/2 - M²/(2 EI) + Θ Q`: from the end where its parts are smaller, for they cancel where waves decay.
+    /// `λ² m Y²/2 - M²/(2 EI) + Θ Q` at the end where its terms are smaller, since they cancel where waves decay.
     fn flow<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
         let (ei, m) = (self.parameters.bending_stiffness, self.parameters.mass_per_length);
         let [at_input, at_output] = [ends.input, ends.output].map(|state| {

@@ -23,7 +23,8 @@ impl<T: Real> Levers<T> {
         Levers { output, centre, reach: if one > other { one } else { other } }
     }
 
-    /// `p_YM` and `w` of a plane at the far end of either lever; beside each `p_YM` stands something else of a size in its unit.
+    /// `p_YM` and `w` of a plane at the far end of either lever. `beside` has the size, in the unit of `p_YM`, of the number to which
+    /// each `p_YM` is added.
     #[inline(always)]
     pub(super) fn far_ends<S: Frequency<T>, C: RootCounter<S>>(
         self,
@@ -56,7 +57,7 @@ impl<T: Real> Levers<T> {
     }
 }
 
-/// A length, and what its rounding left out.
+/// A length and its rounding error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lever<T> {
     pub(super) length: T,
@@ -79,7 +80,7 @@ impl<T: Real> Lever<T> {
         Lever { length, rest: T::from_extended(exact(to) - exact(from) - exact(length)) }
     }
 
-    /// The product with the lever; a judge takes it with what rounding left out.
+    /// The product with the lever; in extended precision with its rounding error, too.
     #[inline(always)]
     pub(super) fn times<S: Frequency<T>>(self, value: S) -> S {
         if S::IS_EXTENDED {
@@ -95,9 +96,8 @@ impl<T: Real> Lever<T> {
         [p.y_m + self.times(p.w + p.w + moved), p.w + moved]
     }
 
-    /// `p_YM` and `w` at the far end where `p_YM` may cancel, with something else of a size beside it: as it does by chance, or where
-    /// levers lead back to the place from which they came and leave rounding. A judge takes what is left from the other minors,
-    /// `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
+    /// `p_YM` and `w` at the far end where `p_YM` may cancel: by chance, or since levers lead back to the place from which they came
+    /// and leave rounding. In extended precision `p_YM` then follows from the other minors, `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
     fn settled<S: Frequency<T>, C: RootCounter<S>>(self, p: &Plane<S>, beside: f64, counter: &mut C) -> [S; 2] {
         let [y_m, w] = self.far_end(p);
         let (arm, theta_q) = (self.length.size(), p.theta_q.size());
@@ -114,7 +114,7 @@ impl<T: Real> Lever<T> {
         } else {
             (y_m, [1.0, ROUNDINGS].map(plain))
         };
-        // beside `w²/p_ΘQ`, which is a length squared in the same unit, a chance zero of p_YM does not count
+        // a chance zero of p_YM does not count beside `w²/p_ΘQ`, a length squared in the same unit
         let size = y_m.size().max(beside).max(w.size() * w.size() / theta_q);
         let is_nothing = Remainder { size, whole: size, rounding, estimate }.tell(counter);
         if is_nothing && S::IS_EXTENDED { [S::zero(); 2] } else { [y_m, w] }

@@ -20,7 +20,7 @@ use std::vec::Vec;
 /// Decades of |λ| in which a beam of the samples has z from 0.03 to 6: there its transfer matrix still has most digits.
 const ORDINARY: core::ops::Range<f64> = -3.0..1.2;
 
-/// What the laws need of an element.
+/// An element of which the laws hold.
 trait Moving: Sample + TransferMatrix<C> + BackTransfer<C> + Energies<C> {}
 impl<E: Sample + TransferMatrix<C> + BackTransfer<C> + Energies<C>> Moving for E {}
 
@@ -87,14 +87,14 @@ where
             let covector = if space.size() == 2 { Covector::Line(entries[0], 3) } else { Covector::Plane(entries, 3) };
             let output = step(&element, lambda, input);
             if matches!(output, Subspace::Tip(..)) {
-                continue; // what holds a line holds it behind an inertia, too
+                continue; // a support that holds a line holds it behind an inertia, too
             }
             let back = E::back_transfer(&E::back_coefficients(&built(element), &at), &input, covector);
             let (before, after) = (back.pick(&input).shifted(0), covector.pick(&output).shifted(0));
             let expected = behind(&element, lambda, before);
             let largest = rows(&element, lambda).iter().flatten().map(|z| z.norm()).fold(1.0, f64::max);
             let scale = largest * (before.size() + after.size());
-            // four sums of four products, in the step, in the way back and in the matrix
+            // four sums of four products, in the step, in the back transfer and in the matrix
             assert_close(after.plus(expected, -C::ONE).size(), 0.0, scale, 3.0 * 16.0 * 8.0);
         }
     });
@@ -141,10 +141,10 @@ where
     });
 }
 
-/// Roundings of a form: some forty sums of products, and what a beam of `z⁴ = 1e-2` cancels.
+/// Roundings of a form: some forty sums of products, and the cancellation in a beam of `z⁴ = 1e-2`.
 const FORM: f64 = 40.0 * 100.0;
 
-/// Two motions at different frequencies do not share stiffness: what is left of their works are mass and damping,
+/// The stiffness forms of two motions at different frequencies cancel: the rest of their works are mass and damping,
 /// `[Q₁ Y₂ - M₁ Θ₂ + Θ₁ M₂ - Y₁ Q₂] = (λ₂² - λ₁²) mass + (λ₂ - λ₁) damping`.
 fn two_motions_share_mass_and_damping<E>()
 where

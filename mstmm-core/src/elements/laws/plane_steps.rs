@@ -44,8 +44,8 @@ fn scales(estimates: &Rows) -> Vec<f64> {
     }
 }
 
-/// What a step multiplies in besides the transfer matrix: the denominator of a dashpot, else a constant of the element,
-/// here seen at rest on one line or plane.
+/// The factor of a step besides the transfer matrix: the denominator of a dashpot, else a constant of the element, taken here at
+/// rest from one line or plane.
 fn factor<E>(element: &E, lambda: C) -> C
 where
     E: Sample + TransferMatrix<C> + PlaneStep<C>,
@@ -80,7 +80,7 @@ where
     });
 }
 
-/// A step from a tip is the step from the line or plane of that tip, but for the sign, which a subspace is free to have.
+/// A step from a tip is the step from the line or plane of that tip up to the sign, which is free in a subspace.
 /// Each coordinate is one term, so that each agrees to a few roundings of itself.
 fn a_step_from_a_tip_is_that_from_its_subspace<E>()
 where
@@ -135,7 +135,7 @@ where
     });
 }
 
-/// The last step before the root gives the same bits as a step and a look at its outcome.
+/// The last step before the root gives the bits of a step and `at_root`.
 fn a_step_into_the_root_is_a_step_and_the_root<E>()
 where
     E: Sample + PlaneStep<C>,

@@ -1,12 +1,12 @@
-//! The way of covectors against a beam-like element, given the functions of its transfer matrix.
+//! The back transfer of covectors through a beam-like element, given the functions of its transfer matrix.
 
 use crate::number::scalar::Scalar;
 use crate::subspace::minors::covector::Covector;
 
 /// The transfer matrix in units in which it has neither l, EI nor β, and those units.
 ///
-/// With the Krylov functions `s, t, u, v` of z, twice each and divided by `2^exponent`; for small z their series, divided by 1,
-/// z, z², z³, and for the lower triangle multiplied by z⁴ (`raised`).
+/// The functions are twice the Krylov functions `s, t, u, v` of z, divided by `2^exponent`. For small z they are series, divided by
+/// 1, z, z², z³, and for the lower triangle multiplied by z⁴ (`raised`).
 #[derive(Clone, Copy, Debug)]
 pub struct BendingBackTransfer<S> {
     pub(crate) krylov: [S; 4],

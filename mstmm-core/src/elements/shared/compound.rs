@@ -7,8 +7,8 @@ use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::Support;
 
-/// `EI b, EI b², EI b³, EI² b⁴` and their inverses: the minors p_YM, w, p_ΘQ, p_MQ of a plane whose states have the
-/// entries `Y, Θ/b, M/(EI b²), Q/(EI b³)`, divided by the minor p_YΘ.
+/// Units of minors and their inverses: `EI b, EI b², EI b³, EI² b⁴` for p_YM, w, p_ΘQ, p_MQ beside p_YΘ, of a plane whose states
+/// have the entries `Y, Θ/b, M/(EI b²), Q/(EI b³)`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Units<T> {
     pub(crate) factors: [T; 4],
@@ -23,7 +23,7 @@ impl<T: Scalar> Units<T> {
         Units { factors, inverses: factors.map(|factor| T::one() / factor) }
     }
 
-    /// Whether all of them are numbers other than zero.
+    /// Whether all units are finite and not zero.
     pub(crate) fn are_in_range(&self) -> bool {
         let is_number = |x: &T| x.size() > 0.0 && x.size().is_finite();
         self.factors.iter().chain(&self.inverses).all(is_number)
@@ -33,8 +33,8 @@ impl<T: Scalar> Units<T> {
 /// The second compound of the transfer matrix in units in which it has neither l, EI nor β, and those units.
 ///
 /// With `ch, sh, c, s` of z: `a = (1 + ch c)/2, c = ch c, b = (ch s + sh c)/2, f = sh s/2, d = (ch s - sh c)/2,
-/// e = (1 - ch c)/2`, all divided by `2^exponent`. For small z, where these cancel, their Taylor series divided by z, z²,
-/// z³, z⁴ take the place of b, f, d, e, those multiplied by z³, z², z, z⁴ the place of the raised ones, and `1/l` that of β.
+/// e = (1 - ch c)/2`, all divided by `2^exponent`. For small z, where these cancel, b, f, d, e are their Taylor series divided by
+/// z, z², z³, z⁴, the raised ones these series multiplied by z³, z², z, z⁴, and `1/l` replaces β.
 #[derive(Clone, Copy, Debug)]
 pub struct BendingCoefficients<S> {
     pub(crate) z: S,
@@ -60,7 +60,7 @@ impl<S: Scalar> BendingCoefficients<S> {
     #[inline(always)]
     pub(crate) fn step<C: RootCounter<S>>(&self, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
         let after = match input {
-            Subspace::Tip(support, _) if S::BRANCHES == Branches::All => self.called_behind_tip(support),
+            Subspace::Tip(support, _) if S::BRANCHES == Branches::All => self.behind_tip_auto_inline(support),
             Subspace::Tip(support, _) => self.behind_tip(support),
             Subspace::Springs { y, theta } => self.behind_springs(y, theta),
             Subspace::OnPin(plane) => self.behind_pin(&plane).in_range(),
@@ -72,8 +72,8 @@ impl<S: Scalar> BendingCoefficients<S> {
         Subspace::Plane(after)
     }
 
-    /// The beam with both ends clamped: of `i` whole half waves of `z/π` all frequencies are below but the last where
-    /// `1 - ch z cos z`, a positive multiple of e, has not yet the sign of `(-1)^i`. Nothing oscillates where `z⁴ < 0`.
+    /// The count of the beam with both ends clamped: the number i of whole half waves in `z/π`, less one where `1 - ch z cos z`, a
+    /// positive multiple of e, has not yet the sign of `(-1)^i`. It is zero where `z⁴ < 0`.
     #[inline(always)]
     fn held(&self) -> Held<S> {
         let BendingCoefficients { z, e, b, .. } = *self;
@@ -94,7 +94,7 @@ impl<S: Scalar> BendingCoefficients<S> {
             }
             return delta;
         }
-        // no look at the range: only the minor that decides is needed
+        // not shifted into the range: only one minor is needed
         let plane = match input {
             Subspace::Springs { y, theta } => self.behind_springs(y, theta),
             Subspace::OnPin(plane) => self.behind_pin(&plane),
@@ -103,7 +103,7 @@ impl<S: Scalar> BendingCoefficients<S> {
         Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
     }
 
-    /// Shows a counter the sizes of Δ and of its terms: a beam before the root is where they are many and cancel.
+    /// Reports the sizes of Δ and of its terms to a counter: for a beam before the root these are many and cancel.
     #[inline(never)]
     fn watch_root<C: RootCounter<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, counter: &mut C) {
         let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, factors, .. } =
@@ -121,7 +121,7 @@ impl<S: Scalar> BendingCoefficients<S> {
         counter.root_sum(sum, terms.sum::<f64>() * factor.size());
     }
 
-    /// The plane behind the beam, given its minors in the units of the coefficients.
+    /// The plane behind the beam, from minors in the units of the coefficients.
     #[inline(always)]
     fn plane(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5], exponent: i32) -> Plane<S> {
         let factors = self.factors;
@@ -129,7 +129,7 @@ impl<S: Scalar> BendingCoefficients<S> {
         Plane::unscaled(minors, exponent.saturating_add(self.exponent))
     }
 
-    /// Takes a plane through the beam. Sums in pairs: short chains of dependent additions.
+    /// Takes a plane through the beam. Sums are formed in pairs, for short chains of dependent additions.
     #[inline(always)]
     fn through(&self, p: &Plane<S>) -> Plane<S> {
         let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, .. } = *self;
@@ -146,7 +146,7 @@ impl<S: Scalar> BendingCoefficients<S> {
         self.plane(minors, p.exponent)
     }
 
-    /// The same for the plane of a point on a pin.
+    /// Takes the plane of a point on a pin through the beam.
     #[inline(always)]
     fn behind_pin(&self, p: &Plane<S>) -> Plane<S> {
         let BendingCoefficients { a, c, b, f, d, e, raised_d, inverses, .. } = *self;
@@ -161,7 +161,7 @@ impl<S: Scalar> BendingCoefficients<S> {
         self.plane(minors, p.exponent)
     }
 
-    /// The same for grounded springs at the free end of the beam, like behind a tip without a look at the range.
+    /// The plane behind a beam that starts at grounded springs; like that behind a tip it is not shifted into the range.
     #[inline(always)]
     fn behind_springs(&self, y: Option<S>, theta: Option<S>) -> Plane<S> {
         let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, .. } = *self;
@@ -195,8 +195,8 @@ impl<S: Scalar> BendingCoefficients<S> {
         self.plane(minors, 0)
     }
 
-    /// The same as the compiler likes it: in line or not.
-    fn called_behind_tip(&self, support: Support) -> Plane<S> {
+    /// [`behind_tip`](Self::behind_tip) without forced inlining.
+    fn behind_tip_auto_inline(&self, support: Support) -> Plane<S> {
         self.behind_tip(support)
     }
 

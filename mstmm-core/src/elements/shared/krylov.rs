@@ -1,4 +1,4 @@
-//! The entire functions behind the exact beam: bending and longitudinal vibration.
+//! The entire functions of the exact beam, for bending and for longitudinal vibration.
 
 use crate::number::frequency::{Frequency, Real};
 use crate::number::scalar::Scalar;
@@ -7,7 +7,7 @@ use nalgebra::Matrix4;
 /// Krylov functions `[S, T/z, U/z², V/z³]` of `x = z⁴`, with `S = (ch z + cos z)/2`, `T = (sh z + sin z)/2`,
 /// `U = (ch z - cos z)/2`, `V = (sh z - sin z)/2`: entire in `x`.
 ///
-/// Taylor series `Σ x^k/(4k+j)!` for `|x| <= 1`, where the closed forms cancel. Near the negative axis, where z is not real,
+/// They are Taylor series `Σ x^k/(4k+j)!` for `|x| <= 1`, where the closed forms cancel. Near the negative axis they are
 /// `[ch y cos y, (ch y sin y + sh y cos y)/(2y), sh y sin y/(2y²), (ch y sin y - sh y cos y)/(4y³)]` with `z = (1 + i) y`.
 #[inline]
 pub(crate) fn krylov<S: Scalar>(x: S) -> [S; 4] {

@@ -1,4 +1,4 @@
-//! The steps of spring-like and mass-like elements on lines; in rotation paths `q = -μ` makes them the same.
+//! The steps of massless and inertial elements on lines. With `q = -μ` they hold in rotation paths, too.
 
 use crate::number::scalar::Scalar;
 use crate::subspace::count::RootCounter;
@@ -7,7 +7,7 @@ use crate::subspace::minors::line::Line;
 use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::Support;
 
-/// Through a massless element of dynamic stiffness κ: `(κ y - q, κ q)`; a grounded one needs no line.
+/// Takes a line through a massless element of dynamic stiffness κ: `(κ y - q, κ q)`. An element on a fixed tip becomes grounded.
 #[inline(always)]
 pub(crate) fn through_stiffness<S: Scalar, C: RootCounter<S>>(
     kappa: S,
@@ -31,12 +31,12 @@ pub(crate) fn through_stiffness<S: Scalar, C: RootCounter<S>>(
     Subspace::Line(after, space)
 }
 
-/// Through an inertia `m λ²`: `(y, q - mλ² y)`; a free one needs no line, a fixed one does not move.
+/// Takes a line through an inertia `m λ²`: `(y, q - mλ² y)`. An inertia on a free tip becomes grounded.
 #[inline(always)]
 pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subspace<S> {
     let space = input.space();
     match input {
-        // a line and no longer a tip: what holds a translation need not hold a rotation
+        // a line and no longer a tip: a support of the translation need not hold a rotation
         Subspace::Tip(Support::Fixed, _) => Subspace::Line(input.line(), space),
         Subspace::Grounded(k, _) => Subspace::Grounded(k + inertia, space),
         Subspace::Line(Line { y, q, exponent }, _) => Subspace::Line(Line { y, q: q - inertia * y, exponent }, space),
@@ -46,7 +46,7 @@ pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subs
     }
 }
 
-/// Against a massless element of dynamic stiffness κ: its step multiplies a line by `κ U`, a grounded one by `-κ U`.
+/// Takes a covector back through a massless element, whose step multiplies a line by `κ U`, on a fixed tip by `-κ U`.
 pub(crate) fn back_through_stiffness<S: Scalar>(kappa: S, input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
     let is_grounded = matches!(input, Subspace::Tip(Support::Fixed, _));
     covector.times(if is_grounded { -kappa } else { kappa }, 0)

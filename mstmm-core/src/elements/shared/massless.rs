@@ -1,10 +1,10 @@
-//! Springs and dampers side by side without mass, and their dynamic stiffness.
+//! Massless springs and dampers in parallel, and their dynamic stiffness.
 
 use crate::number::exponent::binary_exponent;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::scalar::Scalar;
 
-/// A spring and a damper side by side, each of which may not be there.
+/// A spring and a damper in parallel, or one of them.
 pub(crate) struct Massless<T> {
     /// Stiffness K.
     pub(crate) stiffness: Option<T>,
@@ -39,15 +39,15 @@ impl<T: Real> Massless<T> {
         self.damping.is_some().then(|| off_pole(self.dynamic_stiffness(x)).0)
     }
 
-    /// The size of κ by its parts, not by their sum: an overdamped motion is where they cancel.
+    /// The sum of the sizes of K and Cλ: for an overdamped motion κ itself cancels.
     pub(crate) fn size(&self, lambda: f64) -> f64 {
         self.stiffness.map_or(0.0, T::to_f64) + self.damping.map_or(0.0, |damping| damping.to_f64() * lambda)
     }
 }
 
 /// A dynamic stiffness κ and its reciprocal, for κ of any size. Where the reciprocal is not finite, at the pole of the
-/// transfer matrix or for a damper without damping, a number so small takes the place of κ that the product with the
-/// denominator does not show it.
+/// transfer matrix or for a damper without damping, κ is `2^-100`, which is zero in effect once the determinant is multiplied by
+/// the denominator.
 fn off_pole<S: Scalar>(kappa: S) -> (S, S) {
     // a complex division alone squares the modulus, which vanishes at half the range
     let shift = -binary_exponent(kappa.size());

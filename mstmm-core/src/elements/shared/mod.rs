@@ -1,4 +1,4 @@
-//! What several elements share.
+//! Formulas that several elements share.
 
 pub(crate) mod back_transfer;
 pub(crate) mod compound;

@@ -1,5 +1,5 @@
-//! Subspaces behind the steps of a tree at all frequencies of a block: what is upstream leaves of the state there, and what is
-//! downstream.
+//! The two subspaces behind every step of a tree at the frequencies of a block: that of the boundary conditions upstream, and that
+//! of those downstream.
 
 use crate::element::moving::{CoefficientsOf, Moving};
 use crate::element::visit::Visit;
@@ -25,8 +25,8 @@ use mstmm_plan::{Space, Step};
 pub(crate) struct BlockPasses<'a, Y: Tree<S> + ?Sized, S: InColumns> {
     system: &'a Y,
     at: Frequencies<S>,
-    /// Behind each step, what is upstream leaves the first; what is downstream the second, in the frame of a path that arrives
-    /// from there. Those of the root are free.
+    /// The upstream and the downstream subspace behind each step, the latter in the frame of a path that arrives from there. The
+    /// places of the root are free.
     lanes: Y::PerStep<[Lanes<S>; 2]>,
     /// Whether lanes differ in kind.
     is_lost: bool,
@@ -42,13 +42,13 @@ fn downstream(step: usize) -> usize {
 }
 
 impl<'a, Y: Tree<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
-    /// Room for them.
+    /// Passes in which nothing is evaluated yet.
     pub(crate) fn new(system: &'a Y) -> Self {
         BlockPasses { system, at: Frequencies::new(), lanes: Y::per_step([Lanes::new(); 2]), is_lost: false }
     }
 
     /// Both passes at some frequencies, at most as many as a block has: from the tips over the steps that are needed, and from the
-    /// root down to a step. Returns whether the subspaces are known; what remains of a block repeats the last frequency.
+    /// root down to a step. Returns whether the subspaces are known; the last frequency fills the lanes that remain.
     pub(crate) fn run<T>(&mut self, frequencies: &[S], needed: impl Fn(usize) -> bool, down_to: usize) -> bool
     where
         S: Frequency<T>,
@@ -74,7 +74,7 @@ impl<'a, Y: Tree<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
         !self.is_lost
     }
 
-    /// What meets behind a step in a lane.
+    /// The subspaces that meet behind a step in a lane.
     pub(crate) fn meeting(&self, step: usize, lane: usize) -> Meeting<S> {
         Meeting {
             upstream: self.subspace(step, false, lane),
@@ -83,7 +83,7 @@ impl<'a, Y: Tree<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
         }
     }
 
-    /// What is upstream of a step leaves of the state behind it in a lane; or what is downstream.
+    /// The upstream or the downstream subspace behind a step in a lane.
     pub(crate) fn subspace(&self, step: usize, is_downstream: bool, lane: usize) -> Subspace<S> {
         self.lanes.as_ref()[step][usize::from(is_downstream)].lane(lane)
     }
@@ -98,7 +98,7 @@ impl<'a, Y: Tree<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
         [upstream(root), downstream(root)]
     }
 
-    /// What is downstream of a step, and of all steps on its way to the root.
+    /// Sets the downstream subspaces of a step and of all steps between it and the root.
     fn look_down_to(&mut self, step: usize) {
         let scheme = self.system.scheme();
         let below = scheme.downstream(step);
@@ -123,7 +123,7 @@ impl<'a, Y: Tree<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
         }
     }
 
-    /// From one place to another through the element of a step, or against its transfer direction.
+    /// Takes the subspaces of one place to another through the element of a step, or against its transfer direction.
     fn through(&mut self, step: usize, from: usize, to: usize, against: bool) {
         let lanes = self.lanes.as_mut().as_flattened_mut();
         if let Ok([input, output]) = lanes.get_disjoint_mut([from, to]) {
@@ -132,7 +132,7 @@ impl<'a, Y: Tree<S> + ?Sized, S: InColumns> BlockPasses<'a, Y, S> {
         }
     }
 
-    /// The connection of what is in some places, to another place.
+    /// Joins the subspaces of some places into another place.
     fn connect(&mut self, inputs: impl Iterator<Item = usize> + Clone, output: Option<Space>, to: usize) {
         let free = self.free();
         let lanes = self.lanes.as_mut().as_flattened_mut();
@@ -165,7 +165,7 @@ impl<S: InColumns> Visit<S> for GoThrough<'_, S> {
     }
 }
 
-/// ModalAnalysis in all lanes.
+/// The motions in all lanes.
 pub(crate) struct CarriedInBlock<'a, 'y, Y: Tree<S> + ?Sized, S: InColumns> {
     pub(crate) passes: &'a mut BlockPasses<'y, Y, S>,
     pub(crate) covectors: [Covector<S>; WIDTH],

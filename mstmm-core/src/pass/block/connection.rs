@@ -12,9 +12,9 @@ use crate::pass::block::loops::{
 use crate::subspace::count::{NoCount, RootCounter};
 use mstmm_plan::{Space, Support};
 
-/// The connection of the inputs in some places, supports among them, to an output that goes on as `output`: what
-/// [`connection`](crate::subspace::minors::join::connection) does in each lane. Returns the place of the sum: one of the two free ones, or that of
-/// the only path where nothing is done to it.
+/// The connection of the inputs in some places, supports among them, to an output in the space `output`, as
+/// [`connection`](crate::subspace::minors::join::connection) gives it in each lane. Returns the place of the sum: one of the two
+/// free places, or the place of an only path that does not change.
 pub(crate) fn connection<S: InColumns, C: RootCounter<S> + Copy>(
     lanes: &mut [Lanes<S>],
     inputs: impl Iterator<Item = usize> + Clone,
@@ -37,7 +37,7 @@ pub(crate) fn connection<S: InColumns, C: RootCounter<S> + Copy>(
         }
     }
     if first.is_none() {
-        // supports alone hold what goes on
+        // supports alone hold the output
         sum.lanes[free[0]].become_tip(Support::Free, output.unwrap_or(Space::Bending));
     } else if joins == 0 && !matches!(sum.kind(), Kind::Springs { .. } | Kind::Grounded(_)) {
         // springs are never shifted
@@ -60,7 +60,7 @@ pub(crate) fn connection<S: InColumns, C: RootCounter<S> + Copy>(
     sum.place
 }
 
-/// A sum of paths, in a place; what is done to it goes to a free one.
+/// A sum of paths in a place; the result of an operation goes to a free place.
 struct Sum<'a, S: InColumns> {
     lanes: &'a mut [Lanes<S>],
     free: [usize; 2],
@@ -77,13 +77,13 @@ impl<S: InColumns> Sum<'_, S> {
         output.is_some_and(|output| !output.is(self.kind().space()))
     }
 
-    /// The free place in which it is not.
+    /// The free place for the next result.
     fn next(&self) -> usize {
         let [first, second] = self.free;
         if self.place == first { second } else { first }
     }
 
-    /// Joins a path.
+    /// Joins a path to the sum.
     fn join(&mut self, path: usize) {
         let to = self.next();
         if let Ok([sum, other, output]) = self.lanes.get_disjoint_mut([self.place, path, to]) {
@@ -92,7 +92,7 @@ impl<S: InColumns> Sum<'_, S> {
         self.place = to;
     }
 
-    /// Acts on it.
+    /// Applies an operation to the sum.
     fn act<C: Copy, A: LaneOp<S, C>>(&mut self, task: &A, counters: &mut Counters<C>) {
         let to = self.next();
         if let Ok([sum, output]) = self.lanes.get_disjoint_mut([self.place, to]) {

@@ -1,4 +1,4 @@
-//! Counters of a block, and what they receive of numbers without branches.
+//! Counters of a block, and their adapter for branch-free numbers.
 
 use crate::number::branch_free::BranchFree;
 use crate::number::scalar::Scalar;
@@ -8,8 +8,8 @@ use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use mstmm_plan::{Space, Support};
 
-/// A counter in each lane, and room for what they are about to receive: a lane that has to go alone starts from what it has received
-/// before.
+/// Two counters in each lane: one as of the last step, and a pending one for the current step. A lane that has to be evaluated alone
+/// starts from the first.
 pub(crate) struct Counters<C> {
     two: [[C; WIDTH]; 2],
     is_second: bool,
@@ -23,33 +23,33 @@ impl<C: Copy + Default> Counters<C> {
 }
 
 impl<C> Counters<C> {
-    /// What they have received, and room for what they receive next.
+    /// The committed counters, and the pending ones.
     #[inline]
     pub(crate) fn both(&mut self) -> (&[C; WIDTH], &mut [C; WIDTH]) {
         let [first, second] = &mut self.two;
         if self.is_second { (second, first) } else { (first, second) }
     }
 
-    /// What they were about to receive is what they have received.
+    /// Commits the pending counters.
     #[inline]
     pub(crate) fn commit(&mut self) {
         self.is_second = !self.is_second;
     }
 
-    /// What they have received.
+    /// The committed counters.
     #[inline]
     pub(crate) fn committed(&self) -> &[C; WIDTH] {
         &self.two[usize::from(self.is_second)]
     }
 
-    /// The same, to receive more.
+    /// The committed counters, to be changed.
     #[inline]
     pub(crate) fn committed_mut(&mut self) -> &mut [C; WIDTH] {
         &mut self.two[usize::from(self.is_second)]
     }
 }
 
-/// Tells a counter of plain numbers what straight ones do.
+/// A counter of plain numbers as one of branch-free numbers.
 pub(crate) struct Unwrapped<'a, C>(pub(super) &'a mut C);
 
 fn line<S: Scalar, const SERIES: bool>(line: &Line<BranchFree<S, SERIES>>) -> Line<S> {

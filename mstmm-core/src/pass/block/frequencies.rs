@@ -1,4 +1,4 @@
-//! Frequencies of all lanes with their powers, a column for each number.
+//! The frequencies of all lanes with their powers, a column for each number.
 
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
@@ -16,7 +16,7 @@ pub(crate) struct Frequencies<S: InColumns> {
 }
 
 impl<S: InColumns> Frequencies<S> {
-    /// Room for them.
+    /// Frequencies of zero.
     pub(crate) fn new() -> Self {
         Frequencies { x: S::zero().columns(), powers: [S::zero().columns(); 9] }
     }
@@ -42,7 +42,7 @@ impl<S: InColumns> Frequencies<S> {
         true
     }
 
-    /// Sets the frequencies of which straight-line code has no root.
+    /// Sets the frequencies whose branch-free square root is NaN.
     #[cold]
     fn take_roots_alone<T>(&mut self, all: &[S; WIDTH])
     where
@@ -78,7 +78,7 @@ impl<S: InColumns> Frequencies<S> {
     }
 }
 
-/// The powers of frequencies, in straight-line code.
+/// The powers of frequencies by branch-free numbers.
 struct Powers<'a, S: InColumns, T> {
     of: &'a [S; WIDTH],
     to: &'a mut Frequencies<S>,
@@ -89,7 +89,7 @@ impl<T, S: Frequency<T> + InColumns> Task for Powers<'_, S, T>
 where
     BranchFree<S, false>: Frequency<T>,
 {
-    /// Whether all frequencies have a root in straight-line code.
+    /// Whether all frequencies have a branch-free square root.
     type Output = bool;
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-//! Kinds of subspaces, known to the compiler where a loop over lanes is in straight-line code.
+//! Kinds of subspaces, known to the compiler in branch-free loops over lanes.
 
 use crate::number::scalar::Scalar;
 use crate::subspace::minors::line::Line;
@@ -6,7 +6,7 @@ use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::{Space, Support};
 
-/// What kind of subspace all lanes have.
+/// The kind of the subspaces in all lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Tip(Support, Space),
@@ -29,7 +29,7 @@ impl Kind {
         }
     }
 
-    /// Columns in which its numbers are.
+    /// Number of columns for its numbers.
     #[inline(always)]
     pub(crate) fn columns(self) -> usize {
         match self {
@@ -48,7 +48,7 @@ impl Kind {
         }
     }
 
-    /// The subspace of this kind with such numbers.
+    /// The subspace of this kind with given numbers.
     #[inline(always)]
     pub(crate) fn subspace<S: Scalar>(self, numbers: impl Fn(usize) -> S, exponent: i32) -> Subspace<S> {
         let plane = || Plane::unscaled([numbers(0), numbers(1), numbers(2), numbers(3), numbers(4)], exponent);
@@ -65,7 +65,7 @@ impl Kind {
     }
 }
 
-/// The numbers of a subspace and its exponent; what it has not is zero.
+/// The numbers of a subspace, with zeros behind them, and its exponent.
 #[inline(always)]
 pub(crate) fn numbers<S: Scalar>(subspace: Subspace<S>) -> ([S; 5], i32) {
     let zero = S::zero();

@@ -1,4 +1,4 @@
-//! What steps do to the subspace of a lane: once written, for straight-line code and for a lane of its own.
+//! Operations on the subspace of a lane, each written once for branch-free numbers and for a lane that is evaluated alone.
 
 use crate::element::traits::{Element, PlaneStep};
 use crate::model::state::StateSpace;
@@ -15,7 +15,7 @@ use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::{Space, Support};
 
-/// Through an element.
+/// The step of an element.
 pub(crate) struct Through<'a, E: Element, S: InColumns> {
     pub(crate) built: &'a E::Built,
     pub(crate) at: &'a Frequencies<S>,
@@ -104,16 +104,16 @@ impl<S: InColumns, const OTHER: usize, const SERIES: bool> BranchFreeOp<S, NoCou
     }
 }
 
-/// The join of two paths in a lane of its own. A sum that cancels is no number here: nobody listens, and such a frequency is
-/// evaluated alone.
+/// The join of two paths in a lane that is evaluated alone. A sum that cancels is NaN, since no counter is told of it; the whole
+/// frequency is then evaluated outside of the block.
 pub(crate) fn joined_fallback<S: Scalar>(input: Subspace<S>, other: Subspace<S>) -> Subspace<S> {
     let mut watch = Watch::default();
     let sum = joined(rescaled(input), rescaled(other), &mut watch);
     if watch.cancelled.any() { Subspace::Plane(Plane::unscaled([S::zero().or_nan(false); 5], 0)) } else { sum }
 }
 
-/// An act on one subspace by a function that is generic over scalars: what it is, its field, the kinds worth a loop, the
-/// function.
+/// Declares an operation on one subspace by its name, its field, the kinds worth a loop, and a function that is generic over
+/// scalars.
 macro_rules! act_by {
     ($(#[$doc:meta])* $name:ident($field:ty), $suits:expr, |$own:ident, $input:ident, $counter:ident| $result:expr) => {
         $(#[$doc])*
@@ -146,17 +146,17 @@ macro_rules! act_by {
 }
 
 act_by!(
-    /// The point goes on wider than its paths.
+    /// The join to the free state of an output that is wider than the paths.
     Widen(Option<Space>), 0, |output, input, _counter| widened(input, output)
 );
 act_by!(
-    /// The point goes on narrower than its paths.
+    /// The restriction to an output that is narrower than the paths.
     Narrow(Option<Space>), 0b11 << PLANE,
     |output, input, counter| narrowed(input, output, counter)
 );
 
 act_by!(
-    /// The one path of a connection, which is what others see of it.
+    /// The only path of a connection, as an ordinary subspace in the range of joins.
     Rescale(()), 0b11 << PLANE | 1 << LINE | 1 << TURN, |_own, input, _counter| rescaled(input)
 );
 
@@ -167,7 +167,7 @@ pub(crate) const PINNED: usize = 1;
 pub(crate) const GUIDED: usize = 2;
 pub(crate) const FREE: usize = 3;
 
-/// A support holds the point; which is known to the compiler, since it decides what moves where.
+/// The support that holds the point; it is known to the compiler, since the order of minors depends on it.
 #[derive(Clone, Copy)]
 pub(crate) struct Hold<const SUPPORT: usize>;
 

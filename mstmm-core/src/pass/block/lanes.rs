@@ -1,4 +1,4 @@
-//! Subspaces of all lanes, a column for each number.
+//! The subspaces of all lanes, a column for each number.
 
 use crate::number::columns::InColumns;
 use crate::number::scalar::{Scalar, is_moderate};
@@ -14,27 +14,27 @@ pub(crate) struct Lanes<S: InColumns> {
     pub(crate) kind: Kind,
     pub(crate) columns: [S::Columns<WIDTH>; 5],
     pub(crate) exponents: [i32; WIDTH],
-    /// Whether every lane is of that kind; an element of one's own may decide otherwise in each.
+    /// Whether every lane is of that kind; the step of a user-defined element may return several.
     pub(crate) is_uniform: bool,
     /// Whether every lane is in the range in which nothing is shifted.
     pub(crate) is_fit: bool,
 }
 
 impl<S: InColumns> Lanes<S> {
-    /// Room for them.
+    /// Free tips.
     pub(crate) fn new() -> Self {
         let kind = Kind::Tip(Support::Free, Space::Bending);
         let columns = [S::zero().columns(); 5];
         Lanes { kind, columns, exponents: [0; WIDTH], is_uniform: true, is_fit: true }
     }
 
-    /// The same support in all lanes; it has no numbers.
+    /// Sets a support in all lanes; it has no numbers.
     pub(crate) fn become_tip(&mut self, support: Support, space: Space) {
         self.begin(Kind::Tip(support, space));
         self.exponents = [0; WIDTH];
     }
 
-    /// Subspaces of a kind are going to be set.
+    /// Begins to set subspaces of a kind.
     #[inline(always)]
     pub(crate) fn begin(&mut self, kind: Kind) {
         (self.kind, self.is_uniform, self.is_fit) = (kind, true, true);
@@ -45,13 +45,13 @@ impl<S: InColumns> Lanes<S> {
         self.of_kind(self.kind, lane)
     }
 
-    /// The same where the kind is known to the compiler.
+    /// The subspace in a lane, of a kind that the compiler knows.
     #[inline(always)]
     pub(crate) fn of_kind(&self, kind: Kind, lane: usize) -> Subspace<S> {
         kind.subspace(|column| S::get(&self.columns[column], lane), self.exponents[lane])
     }
 
-    /// The same over another scalar, without its exponent.
+    /// The subspace in a lane over another scalar, without its exponent.
     #[inline(always)]
     pub(crate) fn known<X: Scalar>(&self, kind: Kind, lane: usize, number: impl Fn(S) -> X) -> Subspace<X> {
         kind.subspace(|column| number(S::get(&self.columns[column], lane)), 0)
@@ -79,8 +79,8 @@ impl<S: InColumns> Lanes<S> {
     }
 }
 
-/// Whether a subspace is where straight-line code may take it up: all its numbers are numbers, and neither it nor what a join
-/// makes of it would be shifted into another range.
+/// Whether a subspace suits branch-free code: none of its numbers is NaN, and neither it nor its joins would be shifted into
+/// another range.
 #[inline(always)]
 pub(crate) fn is_fit<S: Scalar>(subspace: &Subspace<S>) -> bool {
     match subspace {
@@ -94,7 +94,7 @@ pub(crate) fn is_fit<S: Scalar>(subspace: &Subspace<S>) -> bool {
         Subspace::Line(line, _) => is_moderate(line.y.size() + line.q.size()),
         Subspace::Plane(plane) | Subspace::OnPin(plane) => {
             let Plane { y_theta, y_m, w, theta_q, m_q, .. } = *plane;
-            // the third minor is between the others, but for what is not a number
+            // the third minor is between the others in size, unless it is NaN
             is_moderate((y_theta.size() + y_m.size()) + (theta_q.size() + m_q.size())) & !w.size().is_nan()
         }
     }

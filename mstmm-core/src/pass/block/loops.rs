@@ -1,4 +1,4 @@
-//! Loops over the lanes: in straight-line code first, then alone for each lane in which that does not hold.
+//! Loops over the lanes: branch-free first, then alone for each lane in which branch-free formulas do not hold.
 
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
@@ -10,12 +10,12 @@ use crate::pass::block::lanes::{Lanes, is_fit};
 use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::{Space, Support};
 
-/// What is done to the subspace of each lane.
+/// An operation on the subspace of each lane.
 pub(crate) trait LaneOp<S: InColumns, C>: BranchFreeOp<S, C, false> + BranchFreeOp<S, C, true> {
     /// Whether there are series for short waves.
     const HAS_SERIES: bool = false;
 
-    /// Which formulas suit most lanes; `All` where none of straight-line code does.
+    /// The formulas that suit most lanes; `All` where no branch-free ones do.
     fn branches(&self) -> Branches {
         Branches::Waves
     }
@@ -23,19 +23,19 @@ pub(crate) trait LaneOp<S: InColumns, C>: BranchFreeOp<S, C, false> + BranchFree
     /// The kinds of subspaces that are worth a loop of their own, a bit for each of [`KINDS`].
     const SUITS: u32;
 
-    /// In a lane of its own.
+    /// The operation in a lane that is evaluated alone.
     fn fallback(&self, lane: usize, input: Subspace<S>, counter: &mut C) -> Subspace<S>;
 }
 
-/// The same in straight-line code, on subspaces whose exponents are left out: all that is done to them is to add others.
+/// An operation over branch-free numbers. Exponents of subspaces are left out, since they are only added.
 pub(crate) trait BranchFreeOp<S: InColumns, C, const SERIES: bool>: Copy {
-    /// The exponent of what else takes part.
+    /// The exponent of the other subspace, if there is one.
     #[inline(always)]
     fn other_exponent(&self, _lane: usize) -> i32 {
         0
     }
 
-    /// In one of many lanes: marked `#[inline(always)]`, as all that it calls.
+    /// The operation in one of many lanes. It and all functions that it calls are `#[inline(always)]`.
     fn straight(
         &self,
         lane: usize,
@@ -44,7 +44,7 @@ pub(crate) trait BranchFreeOp<S: InColumns, C, const SERIES: bool>: Copy {
     ) -> Subspace<BranchFree<S, SERIES>>;
 }
 
-/// Kinds for which there are loops in straight-line code, by their number.
+/// Kinds for which there are branch-free loops, by their number.
 pub(crate) const KINDS: [Kind; 17] = {
     use Support::{Fixed, Free, Guided, Pinned};
     [
@@ -83,7 +83,7 @@ pub(crate) const GROUNDED: usize = 10;
 pub(crate) const TURN: usize = 13;
 pub(crate) const GROUNDED_TURN: usize = 14;
 
-/// The number of a kind in [`KINDS`]; not a search, which would take as long as the loop.
+/// The number of a kind in [`KINDS`], without a search, which would take as long as the loop.
 #[inline]
 fn kind_of(kind: Kind) -> Option<usize> {
     use Support::{Fixed, Free, Guided, Pinned};
@@ -115,7 +115,7 @@ fn kind_of(kind: Kind) -> Option<usize> {
     }
 }
 
-/// Acts on all lanes.
+/// Applies an operation to all lanes.
 pub(crate) fn act<S: InColumns, C: Copy, A: LaneOp<S, C>>(
     act: &A,
     input: &Lanes<S>,
@@ -190,7 +190,7 @@ fn straight<
     counters.commit();
 }
 
-/// A loop in straight-line code.
+/// A branch-free loop.
 struct BranchFreeLoop<'a, S: InColumns, C, A, const SERIES: bool, const KIND: usize> {
     act: &'a A,
     input: &'a Lanes<S>,
@@ -218,7 +218,7 @@ impl<S: InColumns, C: Copy, A: BranchFreeOp<S, C, SERIES>, const SERIES: bool, c
     }
 }
 
-/// Adds the exponents of what took part; what it writes is an argument of its own.
+/// Adds the exponents of the subspaces that took part. `exponents` is a separate argument, as in [`each_lane`].
 #[inline(always)]
 fn add_exponents<S: InColumns, C, A: BranchFreeOp<S, C, SERIES>, const SERIES: bool>(
     act: A,
@@ -231,8 +231,8 @@ fn add_exponents<S: InColumns, C, A: BranchFreeOp<S, C, SERIES>, const SERIES: b
     }
 }
 
-/// The loop itself, in which exponents are those that the act adds. What it writes are arguments of their own: then the compiler
-/// knows that they are apart.
+/// The body of a branch-free loop; exponents are those that the operation adds. Outputs are separate arguments, so that the
+/// compiler knows that they do not overlap.
 #[inline(always)]
 fn each_lane<S: InColumns, C: Copy, A: BranchFreeOp<S, C, SERIES>, const SERIES: bool, const KIND: usize>(
     act: A,
@@ -264,12 +264,12 @@ fn each_lane<S: InColumns, C: Copy, A: BranchFreeOp<S, C, SERIES>, const SERIES:
 #[cfg(feature = "std")]
 pub(crate) use mstmm_lanes::{Task, run as widest};
 
-/// A loop; without `std` nobody can ask for the instruction sets of the machine.
+/// A loop. Without `std` the instruction sets of the machine cannot be detected.
 #[cfg(not(feature = "std"))]
 pub(crate) trait Task {
-    /// What comes of it.
+    /// The result of the loop.
     type Output;
-    /// Runs it.
+    /// Runs the loop.
     fn run(self) -> Self::Output;
 }
 

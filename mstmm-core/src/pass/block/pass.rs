@@ -1,4 +1,4 @@
-//! The plane method over a block: what is open stands in columns.
+//! The plane method over a block: the subspaces of open paths stand in columns.
 
 use crate::element::moving::Stepping;
 use crate::element::visit::VisitStep;
@@ -16,17 +16,17 @@ use crate::pass::tree::Steps;
 use crate::subspace::count::RootCounter;
 use mstmm_plan::{Space, Step, Support};
 
-/// Paths that may be open at once: branches within branches.
+/// Largest number of paths that are open at once: branches within branches.
 const OPEN: usize = 12;
 
 /// The pass at the frequencies of a block.
 pub(crate) struct BlockPass<S: InColumns, C> {
     at: Frequencies<S>,
-    /// What is open in the first places, what is being made in the next.
+    /// The subspaces of open paths, in places, and two free places for results.
     lanes: [Lanes<S>; OPEN + 2],
-    /// Where each open path is; behind them the free places.
+    /// The place of each open path; behind them the free places.
     places: [usize; OPEN + 2],
-    /// The step behind which each open path is.
+    /// The last step of each open path.
     ends: [usize; OPEN],
     open: usize,
     /// Whether too many paths were open, or lanes differ in kind.
@@ -50,8 +50,8 @@ impl<S: InColumns, C: RootCounter<S> + Copy + Default> BlockPass<S, C> {
         }
     }
 
-    /// Δ at the frequencies of a block, and what the counters receive; the last frequency fills the lanes that remain. Returns whether
-    /// there were any, and no more paths open at once than there is room for.
+    /// Runs the pass with its counters; the last frequency fills the lanes that remain. Returns false without frequencies, with more
+    /// open paths than there is room for, or where lanes differ in kind.
     pub(crate) fn run<T, Y>(&mut self, system: &Y, frequencies: &[S]) -> bool
     where
         S: Frequency<T> + InColumns,
@@ -76,7 +76,7 @@ impl<S: InColumns, C: RootCounter<S> + Copy + Default> BlockPass<S, C> {
             if self.is_lost {
                 return false;
             }
-            // each step leaves the last open path behind it
+            // the last open path is behind this step
             self.ends[self.open - 1] = index;
         }
         true
@@ -98,7 +98,7 @@ impl<S: InColumns, C: RootCounter<S> + Copy + Default> BlockPass<S, C> {
         self.is_lost = paths.clone().any(|path| !self.lanes[path].is_uniform);
         let free = [places[top], places[top + 1]];
         let sum = connection(&mut self.lanes, paths, output, free, &mut self.counters);
-        // what is left of the inputs is free again
+        // the other places of the inputs are free again
         if let Some(place) = self.places[base..].iter().position(|place| *place == sum) {
             self.places.swap(base, base + place);
         }

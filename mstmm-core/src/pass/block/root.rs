@@ -1,4 +1,4 @@
-//! Δ in each lane: the last subspaces meet the root.
+//! Δ in each lane, where the last subspaces meet the root.
 
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
@@ -19,12 +19,12 @@ pub(crate) struct Values<S: InColumns> {
 }
 
 impl<S: InColumns> Values<S> {
-    /// Room for them.
+    /// Values of zero.
     pub(crate) fn new() -> Self {
         Values { mantissas: S::zero().columns(), exponents: [0; WIDTH] }
     }
 
-    /// That in a lane.
+    /// The value in a lane.
     #[inline(always)]
     pub(crate) fn lane(&self, lane: usize) -> Scaled<S> {
         Scaled::normalised(S::get(&self.mantissas, lane), self.exponents[lane])
@@ -36,7 +36,7 @@ impl<S: InColumns> Values<S> {
     }
 }
 
-/// Δ where the last subspaces meet the support of the root; planes and lines of any range, since nothing is multiplied.
+/// Δ where the last subspaces meet the support of the root. Planes and lines may be out of range, since nothing is multiplied.
 pub(crate) fn at_root<S: InColumns, C: RootCounter<S> + Copy>(
     last: &Lanes<S>,
     support: Support,
@@ -85,7 +85,7 @@ fn straight<S: InColumns, C: RootCounter<S> + Copy, const KIND: usize, const SUP
     counters.commit();
 }
 
-/// The loop in straight-line code.
+/// The branch-free loop over the lanes.
 struct RootLoop<'a, S: InColumns, C, const KIND: usize, const SUPPORT: usize> {
     last: &'a Lanes<S>,
     values: &'a mut Values<S>,
@@ -107,7 +107,7 @@ impl<S: InColumns, C: RootCounter<S> + Copy, const KIND: usize, const SUPPORT: u
     }
 }
 
-/// The loop itself; what it writes are arguments of their own, as in that of a step.
+/// The body of the loop; outputs are separate arguments, as in that of a step.
 #[inline(always)]
 fn each_lane<S: InColumns, C: RootCounter<S> + Copy, const KIND: usize, const SUPPORT: usize>(
     last: &Lanes<S>,

@@ -1,4 +1,4 @@
-//! The overall transfer equation: matrix products per transfer path, geometrical equations at each connection.
+//! Assembly of the overall transfer equation: matrix products per transfer path, geometrical equations at each connection.
 
 use crate::element::traits::{Element, MatrixOf};
 use crate::model::state::StateSpace;
@@ -14,7 +14,7 @@ use nalgebra::SMatrix;
 #[derive(Debug)]
 pub struct Assembly<'a, S, const N: usize> {
     scheme: Scheme<'a>,
-    /// State per column, indexed by [`Coordinate`](crate::model::state::Coordinate).
+    /// State per column, indexed by [`Coordinate`](mstmm_plan::Coordinate).
     states: [[S; WIDEST]; N],
     matrix: SMatrix<S, N, N>,
 }
@@ -71,7 +71,7 @@ impl<'a, S: Scalar, const N: usize> Assembly<'a, S, N> {
         self.leave_behind(step, row);
     }
 
-    /// What does not go on where a connection leads to fewer states: its forces are zero, its displacements free.
+    /// Ends the entries that the output of a connection has not: their forces are zero, their displacements free.
     fn leave_behind(&mut self, step: usize, mut row: usize) {
         let place = self.scheme.places[step];
         for &coordinate in self.scheme.left_behind(step).coordinates() {

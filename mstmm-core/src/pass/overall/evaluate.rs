@@ -1,4 +1,4 @@
-//! What the overall transfer equation of a built system answers.
+//! Evaluation of the overall transfer equation of a built system.
 
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;

@@ -9,7 +9,7 @@ use core::ops::RangeInclusive;
 /// A local minimum on an interval.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Minimum1d {
-    /// Where it is.
+    /// The coordinate of the minimum.
     pub x: f64,
     /// The modulus of the function there.
     pub residual: Magnitude,

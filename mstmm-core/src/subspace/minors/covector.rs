@@ -1,4 +1,4 @@
-//! Covectors: they pick a state out of a subspace, and go against the transfer direction where states may not.
+//! Covectors: they pick a state out of a subspace, and are transferred against the direction of the pass.
 
 use crate::model::scaled_state::ScaledState;
 use crate::model::state::State;
@@ -11,8 +11,8 @@ use mstmm_plan::{Coordinate, Space, Support};
 
 /// Picks the state `z_i = Σ_j p_ij η_j` out of a plane with the minors `p_ij`, or `t l` out of a line.
 ///
-/// Against the transfer direction covectors go through elements and connections by products and sums alone, while states
-/// would have to be divided out of them, and would lose what decays beside what grows.
+/// Against the direction of the pass covectors go through elements and connections by products and sums alone. States would need
+/// divisions, and decaying waves would lose their digits beside growing ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Covector<S> {
     /// Entries for Y, Θ, M, Q, and a power of two that multiplies all.
@@ -30,7 +30,7 @@ impl<S: Scalar> Covector<S> {
         }
     }
 
-    /// The same with entries near 1 and the rest in the exponent.
+    /// The covector with entries near 1 and the rest in the exponent.
     pub(crate) fn rescaled(self) -> Self {
         match self {
             Covector::Plane(entries, exponent) => {
@@ -45,7 +45,7 @@ impl<S: Scalar> Covector<S> {
         }
     }
 
-    /// The same times a number.
+    /// The covector times `factor · 2^shift`.
     pub(crate) fn times(self, factor: S, shift: i32) -> Self {
         match self {
             Covector::Plane(entries, exponent) => {
@@ -64,7 +64,7 @@ impl<S: Scalar> Covector<S> {
         }
     }
 
-    /// The state that it picks out of a subspace.
+    /// The state that the covector picks out of a subspace.
     pub(crate) fn pick(self, subspace: &Subspace<S>) -> ScaledState<S> {
         let entry = |coordinate| self.pick_entry(subspace, coordinate);
         let ((y, exponent), (theta, _), (m, _), (q, _)) =
@@ -121,7 +121,8 @@ fn of_plane<S: Scalar>([y, theta, m, q]: [S; 4], p: &Plane<S>, coordinate: Coord
     }
 }
 
-/// The same for the plane that a support leaves: of its two unknowns, whose minor is 1, each is what the covector has for the other.
+/// `z_i = Σ_j p_ij η_j` for the plane that a support leaves. The minor of its two unknowns is 1, so that each unknown is the
+/// covector's entry for the other.
 fn of_tip<S: Scalar>(entries: [S; 4], support: Support, coordinate: Coordinate) -> S {
     let bending = Space::Bending.coordinates().iter().zip(entries);
     let mut unknowns = bending.filter(|(entry, _)| support.leaves(**entry));
@@ -133,8 +134,8 @@ fn of_tip<S: Scalar>(entries: [S; 4], support: Support, coordinate: Coordinate) 
 }
 
 impl<S: Scalar> Subspace<S> {
-    /// What the boundary conditions downstream of a point leave of the state there, seen from the other side: in the frame
-    /// of a path that arrives from there, given in that of one that leads there, or back.
+    /// The subspace seen against the x-axis. It takes a downstream subspace from the frame of a path that leads downstream to that of
+    /// a path that arrives from there, or back.
     pub(crate) fn mirrored(self) -> Self {
         match self {
             Subspace::Plane(plane) => Subspace::Plane(Plane { w: -plane.w, ..plane }),

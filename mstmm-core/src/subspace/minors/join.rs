@@ -87,8 +87,8 @@ impl<S: Scalar> Plane<S> {
 
     /// p_MQ of two joined planes where its mixed part cancels; watches what rounding leaves of it.
     ///
-    /// A lever on a pin leaves a plane of a rigid constraint. Where a second one holds the same all minors of their sum vanish but
-    /// for rounding, which must not be taken for a clamp.
+    /// A lever on a pin leaves a plane of a rigid constraint. Where a second lever holds the same displacement, all minors of their sum
+    /// vanish but for rounding, which must not be taken for a clamp.
     #[cold]
     fn m_q_by_squares<C: RootCounter<S>>(&self, r: &Plane<S>, counter: &mut C) -> S {
         let p = self;
@@ -97,7 +97,7 @@ impl<S: Scalar> Plane<S> {
         let ratio = r.y_m / p.y_m;
         let mixed = skew / p.y_m * (skew / r.y_m) + ratio * p.y_theta * p.m_q + r.y_theta * r.m_q / ratio;
         let m_q = (p.m_q * r.y_theta + p.y_theta * r.m_q) + mixed;
-        // in its unit `w²/p_YΘ` and `p_YM p_ΘQ/p_YΘ` of the sum say whether anything is left
+        // `w²/p_YΘ` and `p_YM p_ΘQ/p_YΘ` of the sum, in its unit, show whether it is rounding alone
         let y_theta = (p.y_theta * r.y_theta).size();
         let w = (p.w * r.y_theta + p.y_theta * r.w).size();
         let diagonal = (p.y_m * r.y_theta + p.y_theta * r.y_m) * (p.theta_q * r.y_theta + p.y_theta * r.theta_q);
@@ -131,7 +131,7 @@ impl<S: Scalar> Line<S> {
     }
 }
 
-/// The stiffness of two springs side by side, each of which may not be there.
+/// The stiffness of two springs in parallel, or of one of them.
 #[inline(always)]
 pub(crate) fn in_parallel<S: Scalar>(a: Option<S>, b: Option<S>) -> Option<S> {
     a.zip(b).map(|(a, b)| a + b).or(a).or(b)
@@ -141,7 +141,7 @@ pub(crate) fn in_parallel<S: Scalar>(a: Option<S>, b: Option<S>) -> Option<S> {
 #[inline(always)]
 pub(crate) fn joined<S: Scalar, C: RootCounter<S>>(a: Subspace<S>, b: Subspace<S>, counter: &mut C) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
-    // what a pin holds is an ordinary plane to others
+    // to other paths a point on a pin is an ordinary plane
     let ordinary = |subspace| if let Subspace::OnPin(plane) = subspace { OfPlane(plane) } else { subspace };
     let (a, b) = (ordinary(a), ordinary(b));
     match (a, b) {
@@ -159,7 +159,7 @@ pub(crate) fn joined<S: Scalar, C: RootCounter<S>>(a: Subspace<S>, b: Subspace<S
             OfPlane(springs.plane().with_line(line, space))
         }
         (OfPlane(p), Springs { y, theta }) | (Springs { y, theta }, OfPlane(p)) => OfPlane(p.with_springs(y, theta)),
-        // behind springs and tips planes come without a look at their range, and here minors meet minors
+        // planes behind springs and tips are not shifted into the range yet, and here minors are multiplied by minors
         (OfPlane(p), OfPlane(r)) => OfPlane(p.in_range().with_plane(r.in_range(), counter)),
         (OfPlane(p), Grounded(k, space)) | (Grounded(k, space), OfPlane(p)) => OfPlane(p.with_stiffness(k, space)),
         (OfPlane(p), OfLine(line, space)) | (OfLine(line, space), OfPlane(p)) => OfPlane(p.with_line(line, space)),
@@ -175,8 +175,8 @@ pub(crate) fn joined<S: Scalar, C: RootCounter<S>>(a: Subspace<S>, b: Subspace<S
     }
 }
 
-/// The same subspace with its entries in the middle of the range: joins multiply entries and do not look at their size, so
-/// between two of them, also at two connections in a row, someone must.
+/// The subspace with its entries shifted into the middle of the range. Joins multiply entries without a shift, so that between
+/// two joins, also at successive connections, the entries have to be shifted.
 #[doc(hidden)]
 #[inline(always)]
 pub fn rescaled<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
@@ -187,7 +187,7 @@ pub fn rescaled<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
     }
 }
 
-/// The join of one path more to a sum.
+/// The join of a further path to a sum.
 #[inline(always)]
 pub(crate) fn joined_on<S: Scalar, C: RootCounter<S>>(
     sum: Subspace<S>,
@@ -197,7 +197,7 @@ pub(crate) fn joined_on<S: Scalar, C: RootCounter<S>>(
     joined(rescaled(sum), path, counter)
 }
 
-/// Joins a line to the free bending state of a connection that goes on otherwise, before supports hold the point.
+/// Joins a line to the free bending state of a connection whose output is wider, before supports hold the point.
 #[inline(always)]
 pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subspace<S> {
     if output.is_none_or(|output| output.is(subspace.space())) {
@@ -230,8 +230,8 @@ pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
     }
 }
 
-/// Leaves behind what does not go on to a narrower output: the moment of a bending path that goes on as a translation,
-/// the shear force of one that goes on as a rotation, is zero.
+/// Restricts a subspace to a narrower output: the moment of a bending path that goes on as a translation, or the shear force of
+/// one that goes on as a rotation, is zero.
 #[inline(always)]
 pub fn narrowed<S: Scalar, C: RootCounter<S>>(
     subspace: Subspace<S>,
@@ -252,10 +252,10 @@ pub fn narrowed<S: Scalar, C: RootCounter<S>>(
     }
 }
 
-/// The connection of several inputs, supports among them, to an output that goes on as `output`; `None` at the root.
+/// The connection of several inputs, supports among them, to an output in the space `output`; `None` at the root.
 ///
-/// Paths are joined first; if the output is wider, they are joined to its free state; then supports hold the point; if
-/// the output is narrower, what does not go on has no force.
+/// Paths are joined first; if the output is wider, they are joined to its free state. Then supports hold the point; if
+/// the output is narrower, forces that it does not carry are zero.
 pub(crate) fn connection<S: Scalar, C: RootCounter<S>>(
     inputs: impl Iterator<Item = Subspace<S>> + Clone,
     output: Option<Space>,
@@ -266,7 +266,7 @@ pub(crate) fn connection<S: Scalar, C: RootCounter<S>>(
     let first = paths.next();
     let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second, counter)));
     let sum = pair.map(|pair| paths.fold(pair, |sum, path| joined_on(sum, path, counter)));
-    // supports alone hold what goes on
+    // supports alone hold the output
     let alone = Subspace::Tip(Support::Free, output.unwrap_or(Space::Bending));
     let mut sum = sum.map_or(alone, |sum| widened(sum, output));
     for input in inputs {

@@ -31,13 +31,13 @@ impl<S: Scalar> Plane<S> {
         Plane::unscaled(minors, exponent.saturating_add(shift))
     }
 
-    /// The same without a look at the range, for steps that cannot leave it.
+    /// The plane with given minors, not shifted into the range, for steps that cannot leave it.
     #[inline(always)]
     pub(crate) fn unscaled([y_theta, y_m, w, theta_q, m_q]: [S; 5], exponent: i32) -> Self {
         Plane { y_theta, y_m, w, theta_q, m_q, exponent }
     }
 
-    /// The same plane with its minors in the middle of the range.
+    /// The plane with its minors shifted into the middle of the range.
     #[inline(always)]
     pub(crate) fn in_range(self) -> Self {
         let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = self;

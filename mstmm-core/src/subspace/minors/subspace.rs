@@ -1,4 +1,4 @@
-//! Subspaces of states: what the boundary conditions upstream of a point leave of the state there.
+//! Subspaces of states that the boundary conditions upstream of a point allow there.
 //!
 //! A tip leaves half of the entries of a state free. Elements and connections map such a subspace to another of half the
 //! dimension; at the root, Δ = 0 where it meets the root's boundary condition. A line of a two-entry state is given by
@@ -11,7 +11,7 @@ use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use mstmm_plan::{Space, Support};
 
-/// What the boundary conditions upstream of a point leave of the state there.
+/// The subspace of states that the boundary conditions upstream of a point allow there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Subspace<S> {
     /// The boundary itself: half of the entries are zero.
@@ -19,7 +19,7 @@ pub enum Subspace<S> {
     /// `q = -k y`, never scaled: a grounded spring, a free mass, or several of them at one point.
     Grounded(S, Space),
     /// `Q = -k_y Y` and `M = k_θ Θ` in a bending path, never scaled: a grounded hinge, a free point mass, or grounded springs
-    /// at the free end of a beam. What is not there is known to be zero when the code is compiled.
+    /// at the free end of a beam. A spring that is missing is known to be zero when the code is compiled.
     Springs {
         /// Stiffness against deflection.
         y: Option<S>,
@@ -90,7 +90,7 @@ impl<S: Scalar> Subspace<S> {
     }
 }
 
-/// Δ of a pass that counts: the count looks at all entries, so that Δ is a number only if all of them are.
+/// Δ of a pass that counts, NaN if one of the entries is not finite, since the count needs all of them.
 #[inline(always)]
 fn counted<S: Scalar, C: RootCounter<S>, const N: usize>(delta: S, entries: impl Fn() -> [S; N]) -> S {
     if !C::COUNTS {
