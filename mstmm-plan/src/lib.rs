@@ -1,4 +1,6 @@
-//! What a model is before any number: freedoms, supports, and which entries of a state they make unknown.
+//! What a model is before any number: freedoms, supports, the steps of an evaluation, their order, and where each stands in the
+//! overall equation. All is `const`: the macro asks it while it expands a model, the emitted code in constants, the core at run
+//! time.
 //!
 //! This crate is an implementation detail of `mstmm`, which re-exports what users need.
 #![no_std]
@@ -6,10 +8,18 @@
 
 mod coordinate;
 mod freedom;
+mod layout;
+mod order;
+mod resolve;
+mod rules;
 mod space;
+mod step;
 mod support;
 
 pub use coordinate::Coordinate;
 pub use freedom::Freedoms;
+pub use layout::{Layout, Place, Scheme};
+pub use order::inputs_first;
 pub use space::{Space, WIDEST};
+pub use step::Step;
 pub use support::Support;

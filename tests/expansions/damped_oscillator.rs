@@ -529,50 +529,55 @@ where
     }
 }
 const _: () = {
-    const LAYOUT: mstmm::__private::Layout<'static, 16usize> = mstmm::__private::Layout::new([
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
-        mstmm::__private::Step::Element(
-            0usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
-        mstmm::__private::Step::Element(
-            2usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
-        ),
-        mstmm::__private::Step::Connection(&[1usize, 3usize]),
-        mstmm::__private::Step::Element(
-            4usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
-        mstmm::__private::Step::Element(
-            6usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
-        ),
-        mstmm::__private::Step::Element(
-            7usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::SpringDamper<f64>>(),
-        ),
-        mstmm::__private::Step::Connection(&[5usize, 8usize]),
-        mstmm::__private::Step::Element(
-            9usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
-        mstmm::__private::Step::Element(
-            11usize,
-            mstmm::__private::space_of::<
-                mstmm::__private::elements::TorsionSpring<f64>,
-            >(),
-        ),
-        mstmm::__private::Step::Connection(&[10usize, 12usize]),
-        mstmm::__private::Step::Element(
-            13usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Root(14usize, mstmm::__private::Support::Pinned),
-    ]);
+    const LAYOUT: mstmm::__private::Scheme<'static> = const {
+        &mstmm::__private::Layout::new([
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
+            mstmm::__private::Step::Element(
+                0usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                2usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
+            ),
+            mstmm::__private::Step::Connection(&[1usize, 3usize]),
+            mstmm::__private::Step::Element(
+                4usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
+            mstmm::__private::Step::Element(
+                6usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
+            ),
+            mstmm::__private::Step::Element(
+                7usize,
+                mstmm::__private::space_of::<
+                    mstmm::__private::elements::SpringDamper<f64>,
+                >(),
+            ),
+            mstmm::__private::Step::Connection(&[5usize, 8usize]),
+            mstmm::__private::Step::Element(
+                9usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                11usize,
+                mstmm::__private::space_of::<
+                    mstmm::__private::elements::TorsionSpring<f64>,
+                >(),
+            ),
+            mstmm::__private::Step::Connection(&[10usize, 12usize]),
+            mstmm::__private::Step::Element(
+                13usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Root(14usize, mstmm::__private::Support::Pinned),
+        ])
+    }
+        .scheme();
     const _: () = LAYOUT.check_support(0usize);
     const _: () = LAYOUT.check_arrow(1usize);
     const _: () = LAYOUT.check_support(2usize);
@@ -648,7 +653,7 @@ const _: () = {
             > as mstmm::__private::TransferMatrix<
                 S,
             >>::transfer_matrix(&self.element_11, x);
-            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            let mut equation = mstmm::__private::Assembly::new(LAYOUT);
             equation.element::<mstmm::__private::elements::Beam<T>>(1usize, &u_1);
             equation.element::<mstmm::__private::elements::Spring<T>>(3usize, &u_3);
             equation.connection(4usize);
@@ -881,7 +886,7 @@ const _: () = {
             [value; 16usize]
         }
         fn scheme() -> mstmm::__private::Scheme<'static> {
-            const { &LAYOUT }.scheme()
+            LAYOUT
         }
     }
     #[automatically_derived]
@@ -942,7 +947,10 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::FrequencyPowers<S>) -> Self::Evaluated {
+        fn evaluate(
+            &self,
+            at: &mstmm::__private::FrequencyPowers<S>,
+        ) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::Beam<
                     T,

@@ -295,26 +295,33 @@ where
     }
 }
 const _: () = {
-    const LAYOUT: mstmm::__private::Layout<'static, 9usize> = mstmm::__private::Layout::new([
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
-        mstmm::__private::Step::Element(
-            1usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::ElasticHinge<f64>>(),
-        ),
-        mstmm::__private::Step::Connection(&[0usize, 2usize]),
-        mstmm::__private::Step::Element(
-            3usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
-        mstmm::__private::Step::Element(
-            5usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::ElasticHinge<f64>>(),
-        ),
-        mstmm::__private::Step::Connection(&[4usize, 6usize]),
-        mstmm::__private::Step::Root(7usize, mstmm::__private::Support::Free),
-    ]);
+    const LAYOUT: mstmm::__private::Scheme<'static> = const {
+        &mstmm::__private::Layout::new([
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                1usize,
+                mstmm::__private::space_of::<
+                    mstmm::__private::elements::ElasticHinge<f64>,
+                >(),
+            ),
+            mstmm::__private::Step::Connection(&[0usize, 2usize]),
+            mstmm::__private::Step::Element(
+                3usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                5usize,
+                mstmm::__private::space_of::<
+                    mstmm::__private::elements::ElasticHinge<f64>,
+                >(),
+            ),
+            mstmm::__private::Step::Connection(&[4usize, 6usize]),
+            mstmm::__private::Step::Root(7usize, mstmm::__private::Support::Free),
+        ])
+    }
+        .scheme();
     const _: () = LAYOUT.check_support(0usize);
     const _: () = LAYOUT.check_support(1usize);
     const _: () = LAYOUT.check_arrow(2usize);
@@ -353,7 +360,7 @@ const _: () = {
             > as mstmm::__private::TransferMatrix<
                 S,
             >>::transfer_matrix(&self.element_5, x);
-            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            let mut equation = mstmm::__private::Assembly::new(LAYOUT);
             equation
                 .element::<mstmm::__private::elements::ElasticHinge<T>>(2usize, &u_1);
             equation.connection(3usize);
@@ -478,7 +485,7 @@ const _: () = {
             [value; 9usize]
         }
         fn scheme() -> mstmm::__private::Scheme<'static> {
-            const { &LAYOUT }.scheme()
+            LAYOUT
         }
     }
     #[automatically_derived]
@@ -512,7 +519,10 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::FrequencyPowers<S>) -> Self::Evaluated {
+        fn evaluate(
+            &self,
+            at: &mstmm::__private::FrequencyPowers<S>,
+        ) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::ElasticHinge<
                     T,

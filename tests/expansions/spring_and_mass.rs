@@ -364,34 +364,37 @@ where
     }
 }
 const _: () = {
-    const LAYOUT: mstmm::__private::Layout<'static, 11usize> = mstmm::__private::Layout::new([
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
-        mstmm::__private::Step::Element(
-            0usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
-        mstmm::__private::Step::Element(
-            2usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
-        ),
-        mstmm::__private::Step::Connection(&[1usize, 3usize]),
-        mstmm::__private::Step::Element(
-            4usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
-        mstmm::__private::Step::Element(
-            6usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
-        ),
-        mstmm::__private::Step::Connection(&[5usize, 7usize]),
-        mstmm::__private::Step::Element(
-            8usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Root(9usize, mstmm::__private::Support::Pinned),
-    ]);
+    const LAYOUT: mstmm::__private::Scheme<'static> = const {
+        &mstmm::__private::Layout::new([
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
+            mstmm::__private::Step::Element(
+                0usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                2usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
+            ),
+            mstmm::__private::Step::Connection(&[1usize, 3usize]),
+            mstmm::__private::Step::Element(
+                4usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
+            mstmm::__private::Step::Element(
+                6usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
+            ),
+            mstmm::__private::Step::Connection(&[5usize, 7usize]),
+            mstmm::__private::Step::Element(
+                8usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Root(9usize, mstmm::__private::Support::Pinned),
+        ])
+    }
+        .scheme();
     const _: () = LAYOUT.check_support(0usize);
     const _: () = LAYOUT.check_arrow(1usize);
     const _: () = LAYOUT.check_support(2usize);
@@ -443,7 +446,7 @@ const _: () = {
             > as mstmm::__private::TransferMatrix<
                 S,
             >>::transfer_matrix(&self.element_7, x);
-            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            let mut equation = mstmm::__private::Assembly::new(LAYOUT);
             equation.element::<mstmm::__private::elements::Beam<T>>(1usize, &u_1);
             equation.element::<mstmm::__private::elements::Spring<T>>(3usize, &u_3);
             equation.connection(4usize);
@@ -605,7 +608,7 @@ const _: () = {
             [value; 11usize]
         }
         fn scheme() -> mstmm::__private::Scheme<'static> {
-            const { &LAYOUT }.scheme()
+            LAYOUT
         }
     }
     #[automatically_derived]
@@ -649,7 +652,10 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::FrequencyPowers<S>) -> Self::Evaluated {
+        fn evaluate(
+            &self,
+            at: &mstmm::__private::FrequencyPowers<S>,
+        ) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::Beam<
                     T,

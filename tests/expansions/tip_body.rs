@@ -243,18 +243,21 @@ where
     }
 }
 const _: () = {
-    const LAYOUT: mstmm::__private::Layout<'static, 4usize> = mstmm::__private::Layout::new([
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
-        mstmm::__private::Step::Element(
-            0usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Element(
-            1usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Body<f64>>(),
-        ),
-        mstmm::__private::Step::Root(2usize, mstmm::__private::Support::Free),
-    ]);
+    const LAYOUT: mstmm::__private::Scheme<'static> = const {
+        &mstmm::__private::Layout::new([
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                0usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Element(
+                1usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Body<f64>>(),
+            ),
+            mstmm::__private::Step::Root(2usize, mstmm::__private::Support::Free),
+        ])
+    }
+        .scheme();
     const _: () = LAYOUT.check_support(0usize);
     const _: () = LAYOUT.check_arrow(1usize);
     const _: () = LAYOUT.check_arrow(2usize);
@@ -283,7 +286,7 @@ const _: () = {
             > as mstmm::__private::TransferMatrix<
                 S,
             >>::transfer_matrix(&self.element_2, x);
-            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            let mut equation = mstmm::__private::Assembly::new(LAYOUT);
             equation.element::<mstmm::__private::elements::Beam<T>>(1usize, &u_1);
             equation.element::<mstmm::__private::elements::Body<T>>(2usize, &u_2);
             equation.finish()
@@ -366,7 +369,7 @@ const _: () = {
             [value; 4usize]
         }
         fn scheme() -> mstmm::__private::Scheme<'static> {
-            const { &LAYOUT }.scheme()
+            LAYOUT
         }
     }
     #[automatically_derived]
@@ -397,7 +400,10 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::FrequencyPowers<S>) -> Self::Evaluated {
+        fn evaluate(
+            &self,
+            at: &mstmm::__private::FrequencyPowers<S>,
+        ) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::Beam<
                     T,

@@ -362,34 +362,37 @@ where
     }
 }
 const _: () = {
-    const LAYOUT: mstmm::__private::Layout<'static, 11usize> = mstmm::__private::Layout::new([
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
-        mstmm::__private::Step::Element(
-            0usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
-        mstmm::__private::Step::Connection(&[1usize, 2usize]),
-        mstmm::__private::Step::Element(
-            3usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
-        mstmm::__private::Step::Element(
-            5usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
-        ),
-        mstmm::__private::Step::Element(
-            6usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
-        ),
-        mstmm::__private::Step::Connection(&[4usize, 7usize]),
-        mstmm::__private::Step::Element(
-            8usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
-        ),
-        mstmm::__private::Step::Root(9usize, mstmm::__private::Support::Pinned),
-    ]);
+    const LAYOUT: mstmm::__private::Scheme<'static> = const {
+        &mstmm::__private::Layout::new([
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
+            mstmm::__private::Step::Element(
+                0usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Pinned),
+            mstmm::__private::Step::Connection(&[1usize, 2usize]),
+            mstmm::__private::Step::Element(
+                3usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Free),
+            mstmm::__private::Step::Element(
+                5usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
+            ),
+            mstmm::__private::Step::Element(
+                6usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
+            ),
+            mstmm::__private::Step::Connection(&[4usize, 7usize]),
+            mstmm::__private::Step::Element(
+                8usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Beam<f64>>(),
+            ),
+            mstmm::__private::Step::Root(9usize, mstmm::__private::Support::Pinned),
+        ])
+    }
+        .scheme();
     const _: () = LAYOUT.check_support(0usize);
     const _: () = LAYOUT.check_arrow(1usize);
     const _: () = LAYOUT.check_support(2usize);
@@ -441,7 +444,7 @@ const _: () = {
             > as mstmm::__private::TransferMatrix<
                 S,
             >>::transfer_matrix(&self.element_7, x);
-            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            let mut equation = mstmm::__private::Assembly::new(LAYOUT);
             equation.element::<mstmm::__private::elements::Beam<T>>(1usize, &u_1);
             equation.connection(3usize);
             equation.element::<mstmm::__private::elements::Beam<T>>(4usize, &u_3);
@@ -598,7 +601,7 @@ const _: () = {
             [value; 11usize]
         }
         fn scheme() -> mstmm::__private::Scheme<'static> {
-            const { &LAYOUT }.scheme()
+            LAYOUT
         }
     }
     #[automatically_derived]
@@ -642,7 +645,10 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::FrequencyPowers<S>) -> Self::Evaluated {
+        fn evaluate(
+            &self,
+            at: &mstmm::__private::FrequencyPowers<S>,
+        ) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::Beam<
                     T,

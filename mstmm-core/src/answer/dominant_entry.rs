@@ -1,12 +1,12 @@
 //! Where a motion of the system shows best: the entries of states at all ends of elements, made comparable.
 
 use crate::element::energies::Energies;
-use crate::model::layout::Step;
 use crate::model::state::{Coordinate, Space};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::{Tree, Visit};
+use mstmm_plan::Step;
 
 /// An entry of the state at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,6 @@
 use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::error::MotionError;
 use crate::model::label::{Entry, Load};
-use crate::model::layout::{Scheme, Step};
 use crate::model::state::{Coordinate, Space};
 use crate::number::columns::InColumns;
 use crate::number::frequency::Oscillation;
@@ -18,6 +17,7 @@ use crate::pass::transfer_path::{Carried, Crossing, Follow};
 use crate::pass::tree::{Planned, Tree, TreeInBlocks};
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Scheme, Step};
 use num_traits::One;
 
 /// Systems of more steps are evaluated at one frequency after the other: the subspaces behind all steps are on the stack.

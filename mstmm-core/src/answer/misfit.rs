@@ -7,13 +7,13 @@ use crate::answer::dominant_entry::{UnitsOf, comparable};
 use crate::answer::error::MotionError;
 use crate::answer::mode_shape::ModeShape;
 use crate::answer::states::SystemStates;
-use crate::model::layout::Step;
 use crate::model::state::{Coordinate, State};
 use crate::number::doubt::{MISFIT, REFUSED_MISFIT};
 use crate::number::frequency::Oscillation;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::tree::Tree;
+use mstmm_plan::Step;
 
 impl<Y, S> SystemStates<'_, Y, S>
 where

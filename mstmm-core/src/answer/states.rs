@@ -5,11 +5,11 @@ use crate::element::energies::{Energies, Inside};
 use crate::element::traits::Element;
 use crate::model::ends::Ends;
 use crate::model::label::{Label, Point};
-use crate::model::layout::Step;
 use crate::model::state::State;
 use crate::number::scalar::Scalar;
 use crate::pass::state_recovery::RecoveredStates;
 use crate::pass::tree::{Tree, Visit};
+use mstmm_plan::Step;
 
 /// The states of a whole system in one motion; part of every result about motions.
 #[derive(Debug)]

@@ -23,7 +23,7 @@ pub trait Chain<S: Scalar>: Fields {
     /// `∂L/∂(field) = Σ ∂L/∂(parameter) · ∂(parameter)/∂(field)`, summed over the elements of the sketch and their parameters,
     /// at the values of the model.
     ///
-    /// `ends` gives the states at the ends of the element that is a step of the [`Layout`](crate::model::layout::Layout), by the step's
+    /// `ends` gives the states at the ends of the element that is a step of the [`Scheme`](mstmm_plan::Scheme), by the step's
     /// index; the states at its ends are all that an element's `∂L/∂(parameter)` depends on.
     #[doc(hidden)]
     fn chain(&self, ends: impl Fn(usize) -> Ends<S>) -> Self::PerField<S>;

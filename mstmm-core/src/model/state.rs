@@ -7,7 +7,7 @@ use crate::number::scalar::Scalar;
 use mstmm_plan::WIDEST;
 use nalgebra::SMatrix;
 
-pub use mstmm_plan::{Coordinate, Space, Support};
+pub(crate) use mstmm_plan::{Coordinate, Space, Support};
 
 /// A state vector of planar bending; of a translation or rotation path half of the entries are zero.
 ///

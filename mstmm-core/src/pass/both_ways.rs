@@ -2,7 +2,6 @@
 //! downstream leave of it.
 
 use crate::element::energies::Energies;
-use crate::model::layout::Step;
 use crate::model::state::{Space, Support};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
@@ -10,6 +9,7 @@ use crate::pass::tree::{Tree, VisitAt};
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::Step;
 
 /// A tree at one frequency, with the subspaces behind its steps.
 #[derive(Debug)]

@@ -1,12 +1,12 @@
 //! States everywhere, from a source at one point: against all directions that lead to it.
 
-use crate::model::layout::Step;
 use crate::model::scaled_state::ScaledState;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
 use crate::pass::transfer_path::Crossing;
 use crate::pass::tree::{Planned, Tree};
 use crate::subspace::minors::covector::Covector;
+use mstmm_plan::Step;
 
 /// States behind steps, and at one of them, the source, on both sides.
 #[derive(Debug)]

@@ -1,7 +1,6 @@
 //! The way of a covector through a tree, step by step: against an element, and across a connection from one path to another.
 
 use crate::element::energies::Energies;
-use crate::model::layout::{Scheme, Step};
 use crate::model::scaled_state::ScaledState;
 use crate::model::state::Space;
 use crate::number::frequency_powers::FrequencyPowers;
@@ -12,6 +11,7 @@ use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::{Scheme, Step};
 
 /// Takes a covector to the input end of an element, or to its output end.
 struct PullBack<'a, S> {

@@ -2,13 +2,13 @@
 
 use crate::element::energies::Energies;
 use crate::element::traits::PlaneStep;
-use crate::model::layout::Scheme;
 use crate::number::branch_free::BranchFree;
 use crate::number::frequency::{ExtendedOf, Oscillation};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::characteristic::System;
 use core::fmt::Debug;
+use mstmm_plan::Scheme;
 
 /// What is done with an element, of whatever type.
 pub trait Visit<S: Scalar> {

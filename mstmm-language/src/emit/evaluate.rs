@@ -41,7 +41,7 @@ pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
 
         fn overall_matrix(&self, x: #frequency) -> Self::Matrix {
             #(#matrices)*
-            let mut equation = #private::Assembly::new(&LAYOUT);
+            let mut equation = #private::Assembly::new(LAYOUT);
             #(#steps)*
             equation.finish()
         }

@@ -59,7 +59,7 @@ pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStr
             }
 
             fn scheme() -> #private::Scheme<'static> {
-                const { &LAYOUT }.scheme()
+                LAYOUT
             }
         }
     }

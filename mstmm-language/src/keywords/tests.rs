@@ -64,7 +64,7 @@ fn each_element_of_the_core_has_one_keyword_with_its_state_and_parameters() {
     let names: Vec<&str> = of_core.iter().map(|element| element.type_name.as_str()).collect();
     assert_eq!(rows, names, "rows of keywords.rs, and of elements/mod.rs in the core");
     for (keyword, of_core) in keywords.iter().zip(of_core) {
-        assert_eq!(format!("{:?}", keyword.state), of_core.state, "{}", keyword.name);
+        assert_eq!(keyword.space.to_string(), of_core.state.to_lowercase(), "{}", keyword.name);
         assert_eq!(keyword.parameters, of_core.parameters, "{}", keyword.name);
     }
 }
@@ -90,7 +90,7 @@ fn the_grammar_has_a_row_for_each_element() {
         let names_it = |row: &&str| row.split('|').nth(1).is_some_and(|cell| cell.contains(&quoted));
         let row = grammar.lines().filter(|line| line.starts_with('|')).find(names_it);
         let row = row.unwrap_or_else(|| panic!("no row for {quoted} in the table of elements in docs/grammar.md"));
-        assert_eq!(row.split('|').nth(2).unwrap().trim(), format!("{:?}", keyword.state).to_lowercase(), "{row}");
+        assert_eq!(row.split('|').nth(2).unwrap().trim(), keyword.space.to_string(), "{row}");
         for parameter in keyword.parameters {
             assert!(row.contains(&format!("`{parameter}`")), "no `{parameter}` in docs/grammar.md: {row}");
         }

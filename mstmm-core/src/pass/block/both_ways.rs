@@ -3,7 +3,6 @@
 
 use crate::element::energies::Energies;
 use crate::element::traits::PlaneStep;
-use crate::model::layout::Step;
 use crate::model::state::Space;
 use crate::number::branch_free::BranchFree;
 use crate::number::columns::InColumns;
@@ -21,6 +20,7 @@ use crate::pass::tree::{TreeInBlocks, Visit, VisitInBlock};
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::subspace::Subspace;
+use mstmm_plan::Step;
 
 /// A tree at the frequencies of a block, with the subspaces behind its steps.
 pub(crate) struct BlockPasses<'a, Y: TreeInBlocks<S> + ?Sized, S: InColumns> {

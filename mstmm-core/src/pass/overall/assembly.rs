@@ -1,10 +1,9 @@
 //! The overall transfer equation: matrix products per transfer path, geometrical equations at each connection.
 
 use crate::element::traits::{Element, MatrixOf};
-use crate::model::layout::{Layout, Step};
 use crate::model::state::StateSpace;
 use crate::number::scalar::Scalar;
-use mstmm_plan::WIDEST;
+use mstmm_plan::{Scheme, Step, WIDEST};
 use nalgebra::SMatrix;
 
 /// `U_all` under construction.
@@ -13,30 +12,30 @@ use nalgebra::SMatrix;
 /// point of its path; an element multiplies it, a connection keeps the displacements of its first input and the
 /// forces of all.
 #[derive(Debug)]
-pub struct Assembly<'a, S, const N: usize, const STEPS: usize> {
-    layout: &'a Layout<'a, STEPS>,
+pub struct Assembly<'a, S, const N: usize> {
+    scheme: Scheme<'a>,
     /// State per column, indexed by [`Coordinate`](crate::model::state::Coordinate).
     states: [[S; WIDEST]; N],
     matrix: SMatrix<S, N, N>,
 }
 
-impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS> {
+impl<'a, S: Scalar, const N: usize> Assembly<'a, S, N> {
     /// An empty equation in which every tip has its unit states.
-    pub fn new(layout: &'a Layout<'a, STEPS>) -> Self {
+    pub fn new(scheme: Scheme<'a>) -> Self {
         let mut states = [[S::zero(); WIDEST]; N];
-        for (step, place) in layout.steps.iter().zip(&layout.places) {
+        for (step, place) in scheme.steps.iter().zip(scheme.places) {
             let Step::Tip(support) = step else { continue };
             for (column, unknown) in support.unknowns(place.space).enumerate() {
                 states[place.first_column + column][unknown as usize] = S::one();
             }
         }
-        Assembly { layout, states, matrix: SMatrix::zeros() }
+        Assembly { scheme, states, matrix: SMatrix::zeros() }
     }
 
     /// Takes the paths up to `step` through an element with transfer matrix `u`.
     #[inline]
     pub fn element<E: Element>(&mut self, step: usize, u: &MatrixOf<E, S>) {
-        let place = self.layout.places[step];
+        let place = self.scheme.places[step];
         for state in &mut self.states[place.first_column..place.first_column + place.columns] {
             E::State::transfer(u, state);
         }
@@ -48,15 +47,15 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
     /// # Source
     /// Eqs. (20)-(29) of the paper.
     pub fn connection(&mut self, step: usize) {
-        let layout = self.layout;
-        let Some((&first, others)) = layout.inputs(step).split_first() else { return };
-        let reference = layout.places[first];
-        let connection = layout.places[step];
-        let geometrical_rows: usize = others.iter().map(|&input| layout.places[input].space.count()).sum();
-        let left_behind = layout.forces_left_behind(step);
+        let Scheme { places, .. } = self.scheme;
+        let Some((&first, others)) = self.scheme.inputs(step).split_first() else { return };
+        let reference = places[first];
+        let connection = places[step];
+        let geometrical_rows: usize = others.iter().map(|&input| places[input].space.count()).sum();
+        let left_behind = self.scheme.left_behind(step).count();
         let mut row = connection.first_row + connection.rows - geometrical_rows - left_behind;
         for &input in others {
-            let input = layout.places[input];
+            let input = places[input];
             let columns = input.first_column..input.first_column + input.columns;
             for &displacement in input.space.displacements() {
                 for column in reference.first_column..reference.first_column + reference.columns {
@@ -74,13 +73,8 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
 
     /// What does not go on where a connection leads to fewer states: its forces are zero, its displacements free.
     fn leave_behind(&mut self, step: usize, mut row: usize) {
-        let layout = self.layout;
-        let Some(output) = layout.output(step).filter(|_| layout.narrows(step)) else { return };
-        let place = layout.places[step];
-        for &coordinate in place.space.coordinates() {
-            if output.coordinates().contains(&coordinate) {
-                continue;
-            }
+        let place = self.scheme.places[step];
+        for &coordinate in self.scheme.left_behind(step).coordinates() {
             for column in place.first_column..place.first_column + place.columns {
                 if coordinate.is_force() {
                     self.matrix[(row, column)] = self.states[column][coordinate as usize];
@@ -93,9 +87,9 @@ impl<'a, S: Scalar, const N: usize, const STEPS: usize> Assembly<'a, S, N, STEPS
 
     /// Ends all paths at the root: `z_root` of the tips minus its own unknowns, eq. (30).
     pub fn finish(mut self) -> SMatrix<S, N, N> {
-        let last = STEPS - 1;
-        let place = self.layout.places[last];
-        let Step::Root(_, support) = self.layout.steps[last] else { return self.matrix };
+        let Scheme { steps: [.., Step::Root(_, support)], places: [.., place], .. } = self.scheme else {
+            return self.matrix;
+        };
         let own_column = N - place.space.count();
         for (row, &coordinate) in place.space.coordinates().iter().enumerate() {
             for column in 0..own_column {

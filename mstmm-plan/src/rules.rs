@@ -1,25 +1,19 @@
 //! Rules that need the states. The macro emits each check as a constant at the user's token: a failing one is a compile
 //! error there, and the compiler shows the caller instead of what is written here.
 
-use crate::model::layout::{Layout, Step};
-use crate::model::state::Space;
+use crate::layout::Scheme;
+use crate::space::Space;
+use crate::step::Step;
 
 #[allow(clippy::panic)] // how a constant reports an error
-impl<const STEPS: usize> Layout<'_, STEPS> {
+impl Scheme<'_> {
     /// A support must exist in the space of the state to which it belongs.
     #[track_caller]
     pub const fn check_support(&self, step: usize) {
-        let (support, neighbour) = match self.steps[step] {
-            Step::Tip(support) => (support, self.downstream[step]),
-            Step::Root(input, support) => (support, input),
-            _ => return,
-        };
+        let Some(support) = self.steps[step].support() else { return };
+        let space = self.space(step);
         // where paths cannot meet there is no state to adopt, and the connection says so
-        if matches!(self.steps[neighbour], Step::Connection(_)) && self.widest_neighbour(neighbour).is_none() {
-            return;
-        }
-        let space = self.places[step].space;
-        if support.exists_in(space) {
+        if space.is_empty() || support.exists_in(space) {
             return;
         }
         match space {
@@ -34,14 +28,14 @@ impl<const STEPS: usize> Layout<'_, STEPS> {
     #[track_caller]
     pub const fn check_arrow(&self, step: usize) {
         let Step::Element(input, space) = self.steps[step] else { return };
-        if !matches!(self.steps[input], Step::Element(..)) || self.places[input].space.is(space) {
+        let before = self.space(input);
+        if !matches!(self.steps[input], Step::Element(..)) || before.is(space) {
             return;
         }
-        let before = self.places[input].space;
-        if before.is(Space::Planar) || space.is(Space::Planar) {
+        if before.join(space).is_none() {
             panic!("planar paths meet planar paths only: use planar elements on both sides of this arrow, or on none");
         }
-        if before.is(Space::Bending) {
+        if before.contains(space) {
             panic!(
                 "an arrow joins equal states only: put a connection between these two elements, `-> conn .. ->`, where \
                  the path goes on with fewer states"
@@ -56,37 +50,38 @@ impl<const STEPS: usize> Layout<'_, STEPS> {
     /// The states around a connection must be able to meet there, and its widest input must fill its output.
     #[track_caller]
     pub const fn check_connection(&self, step: usize) {
-        let Some(&widest_input) = self.inputs(step).first() else { return };
-        let Some(space) = self.widest_neighbour(step) else {
+        let space = self.space(step);
+        let [widest, others @ ..] = self.inputs(step) else { return };
+        if space.is_empty() {
             panic!("planar paths meet planar paths only: join all planar elements here, or none");
-        };
-        if !self.places[widest_input].space.is(space) {
+        }
+        if !self.space(*widest).is(space) {
             panic!(
                 "the output of this connection has more states than any input: give it a free tip, `free -> conn ..`"
             );
         }
-        if self.inputs(step).len() == 1 && !self.narrows(step) {
+        if others.is_empty() && self.left_behind(step).is_empty() {
             panic!(
                 "a connection with one input must lead on to fewer states, as from a beam to a spring; else write the \
                  arrow from element to element"
             );
         }
-        if self.is_supported_twice(step) {
+        if self.is_held_twice(step) {
             panic!("two supports at this connection hold the same displacement: one of them is enough");
         }
     }
 
-    /// Whether two supports at a connection, the root among them, fix one displacement.
-    const fn is_supported_twice(&self, connection: usize) -> bool {
-        let inputs = self.inputs(connection);
-        let mut held = match self.steps[self.downstream[connection]] {
+    /// Whether two supports at a connection, the root among them, hold one displacement.
+    const fn is_held_twice(&self, connection: usize) -> bool {
+        let (space, inputs) = (self.space(connection), self.inputs(connection));
+        let mut held = match self.steps[self.downstream(connection)] {
             Step::Root(_, root) => root.holds(),
             _ => Space::NONE,
         };
         let mut k = 0;
         while k < inputs.len() {
             if let Step::Tip(tip) = self.steps[inputs[k]] {
-                if !held.intersection(tip.holds()).intersection(self.places[connection].space).is_empty() {
+                if !held.intersection(tip.holds()).intersection(space).is_empty() {
                     return true;
                 }
                 held = held.union(tip.holds());
@@ -101,7 +96,8 @@ impl<const STEPS: usize> Layout<'_, STEPS> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::state::Support::{self, Fixed, Free, Guided, Pinned, Roller};
+    use crate::layout::Layout;
+    use crate::support::Support::{self, Fixed, Free, Guided, Pinned, Roller};
 
     /// A path of one element between two supports.
     fn path(tip: Support, space: Space, root: Support) -> Layout<'static, 3> {
@@ -130,35 +126,36 @@ mod tests {
             (Space::Planar, &[Fixed, Pinned, Free, Guided, Roller]),
         ] {
             for &support in supports {
-                path(support, space, support).check_support(0);
-                path(support, space, support).check_support(2);
+                let path = path(support, space, support);
+                path.scheme().check_support(0);
+                path.scheme().check_support(2);
             }
         }
         for layout in [
             meeting([Space::Translation, Space::Bending], Space::Bending),
             meeting([Space::Bending, Space::Rotation], Space::Translation),
         ] {
-            layout.check_connection(4);
-            layout.check_arrow(5);
+            layout.scheme().check_connection(4);
+            layout.scheme().check_arrow(5);
         }
     }
 
     #[test]
     #[should_panic(expected = "a translation path ends in `fixed` or `free` only")]
     fn a_translation_path_has_no_pin() {
-        path(Pinned, Space::Translation, Free).check_support(0);
+        path(Pinned, Space::Translation, Free).scheme().check_support(0);
     }
 
     #[test]
     #[should_panic(expected = "a rotation path ends in `fixed` or `free` only")]
     fn a_rotation_path_has_no_guide() {
-        path(Fixed, Space::Rotation, Guided).check_support(2);
+        path(Fixed, Space::Rotation, Guided).scheme().check_support(2);
     }
 
     #[test]
     #[should_panic(expected = "a bending path ends in `fixed`, `pinned`, `free` or `guided`")]
     fn a_bending_path_has_no_roller() {
-        path(Roller, Space::Bending, Free).check_support(0);
+        path(Roller, Space::Bending, Free).scheme().check_support(0);
     }
 
     /// Two elements with an arrow between them.
@@ -169,25 +166,25 @@ mod tests {
     #[test]
     #[should_panic(expected = "put a connection between these two elements, `-> conn .. ->`, where the path goes on")]
     fn an_arrow_does_not_narrow() {
-        arrow(Space::Bending, Space::Translation).check_arrow(2);
+        arrow(Space::Bending, Space::Translation).scheme().check_arrow(2);
     }
 
     #[test]
     #[should_panic(expected = "put a connection with a free tip between these two elements")]
     fn an_arrow_does_not_widen() {
-        arrow(Space::Rotation, Space::Bending).check_arrow(2);
+        arrow(Space::Rotation, Space::Bending).scheme().check_arrow(2);
     }
 
     #[test]
     #[should_panic(expected = "put a connection with a free tip between these two elements")]
     fn an_arrow_does_not_turn_a_force_into_a_moment() {
-        arrow(Space::Translation, Space::Rotation).check_arrow(2);
+        arrow(Space::Translation, Space::Rotation).scheme().check_arrow(2);
     }
 
     #[test]
     #[should_panic(expected = "use planar elements on both sides of this arrow, or on none")]
     fn no_connection_joins_a_planar_path_to_a_spring() {
-        arrow(Space::Planar, Space::Translation).check_arrow(2);
+        arrow(Space::Planar, Space::Translation).scheme().check_arrow(2);
     }
 
     /// What the messages advise is right.
@@ -201,7 +198,7 @@ mod tests {
                 Step::Element(2, behind),
                 Step::Root(3, Free),
             ];
-            Layout::new(steps).check_connection(2);
+            Layout::new(steps).scheme().check_connection(2);
         }
         for (before, behind) in [
             (Space::Translation, Space::Bending),
@@ -217,15 +214,15 @@ mod tests {
                 Step::Element(3, behind),
                 Step::Root(4, Free),
             ];
-            Layout::new(steps).check_connection(3);
-            Layout::new(steps).check_support(2);
+            Layout::new(steps).scheme().check_connection(3);
+            Layout::new(steps).scheme().check_support(2);
         }
     }
 
     #[test]
     #[should_panic(expected = "planar paths meet planar paths only: join all planar elements here, or none")]
     fn a_planar_path_and_a_spring_do_not_meet() {
-        meeting([Space::Planar, Space::Translation], Space::Planar).check_connection(4);
+        meeting([Space::Planar, Space::Translation], Space::Planar).scheme().check_connection(4);
     }
 
     /// The root is pinned, which no translation path has; but what is wrong is the connection.
@@ -239,13 +236,13 @@ mod tests {
             Step::Connection(&[1, 3]),
             Step::Root(4, Pinned),
         ];
-        Layout::new(steps).check_support(5);
+        Layout::new(steps).scheme().check_support(5);
     }
 
     #[test]
     #[should_panic(expected = "the output of this connection has more states than any input: give it a free tip")]
     fn two_springs_do_not_carry_a_beam() {
-        meeting([Space::Translation, Space::Translation], Space::Bending).check_connection(4);
+        meeting([Space::Translation, Space::Translation], Space::Bending).scheme().check_connection(4);
     }
 
     #[test]
@@ -258,6 +255,6 @@ mod tests {
             Step::Element(2, Space::Bending),
             Step::Root(3, Free),
         ];
-        Layout::new(steps).check_connection(2);
+        Layout::new(steps).scheme().check_connection(2);
     }
 }

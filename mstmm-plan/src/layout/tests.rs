@@ -1,6 +1,7 @@
 //! Sizes and order of columns and rows, on the scenes of the paper and at their limits.
 
 use super::*;
+use crate::support::Support;
 
 /// Section 4.4 of the paper, with the spring-mass written before the beam it hangs on.
 const TWO_SPANS: Layout<'_, 11> = Layout::new([
@@ -19,7 +20,7 @@ const TWO_SPANS: Layout<'_, 11> = Layout::new([
 
 #[test]
 fn the_widest_input_comes_first_whatever_the_source_order() {
-    assert_eq!(TWO_SPANS.size(), 7);
+    assert_eq!(TWO_SPANS.scheme().size(), 7);
     assert_eq!(TWO_SPANS.places[2].first_column, 4, "the spring-mass stands behind the four beam columns");
     assert_eq!(TWO_SPANS.places[3].first_column, 0, "equal states keep the source order");
     assert_eq!(TWO_SPANS.places[4].first_column, 2);
@@ -48,10 +49,10 @@ fn a_constant_has_room_for_a_connection_of_two_hundred_paths() {
         steps[401] = Step::Root(400, Support::Free);
         Layout::new(steps)
     };
-    assert_eq!(STAR.size(), 100 + 200 + 2);
-    assert_eq!(STAR.inputs(400)[..3], [3, 7, 11], "beams first, in the order of the source");
-    assert_eq!(STAR.inputs(400)[100..102], [1, 5]);
-    STAR.check_connection(400);
+    assert_eq!(STAR.scheme().size(), 100 + 200 + 2);
+    assert_eq!(STAR.scheme().inputs(400)[..3], [3, 7, 11], "beams first, in the order of the source");
+    assert_eq!(STAR.scheme().inputs(400)[100..102], [1, 5]);
+    STAR.scheme().check_connection(400);
 }
 
 #[test]
