@@ -10,12 +10,12 @@ mod random_tree;
 mod tree;
 
 use list_of_tree::{any_steps, undamped_steps};
+use mstmm::element::Support;
 use mstmm::elements::Beam;
+use mstmm::list::{AnyUndamped, ListStep, StepList};
+use mstmm::number::{DoubleDouble, Dual, Frequency, InColumns, Scaled};
 use mstmm::prelude::*;
-use mstmm::{
-    AnyUndamped, DoubleDouble, Dual, Frequency, InBlocks, InColumns, ListStep, Scaled, SearchError, StepList, Support,
-    System,
-};
+use mstmm::search::{InBlocks, SearchError, System};
 use mstmm_lanes::InstructionSet;
 use paper::models;
 use proptest::prelude::*;
@@ -24,7 +24,7 @@ use random_tree::{Random, random_tree};
 type C = Complex<f64>;
 
 /// Numbers are the same only if all bits are; `Debug` shows the sign of zero, and all NaN alike.
-fn bits<S: mstmm::Scalar>(value: Scaled<S>) -> String {
+fn bits<S: mstmm::number::Scalar>(value: Scaled<S>) -> String {
     format!("{value:?}")
 }
 

@@ -2,9 +2,12 @@
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use core::ops::RangeInclusive;
+use mstmm::element::Support;
 use mstmm::elements::Beam;
+use mstmm::list::{AnyUndamped, ListStep, StepList};
+use mstmm::number::{DoubleDouble, Real, Scalar, Scaled};
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, DoubleDouble, ListStep, Real, Scalar, Scaled, StepList, Support, System};
+use mstmm::search::System;
 use paper::models;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;

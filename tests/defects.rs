@@ -5,8 +5,8 @@
 mod counts;
 
 use counts::count_below;
-use mstmm::SearchError;
 use mstmm::prelude::*;
+use mstmm::search::SearchError;
 
 system! {
     /// Two equal levers on one axle, both bolted to the joint of a cantilever.

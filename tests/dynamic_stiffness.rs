@@ -20,9 +20,12 @@ mod tree;
 use dynamic_stiffness::{Stiffness, Verdict};
 use finite_elements::Model;
 use legendre_beam::LegendreBeam;
+use mstmm::Complex;
+use mstmm::element::Support;
 use mstmm::elements::{Beam, Body, Damper, Mass, PointMass, Spring};
+use mstmm::list::ListStep;
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::search::{Eigenvalue, NaturalFrequency};
-use mstmm::{Complex, DoubleDouble, ListStep, Real, Scalar, Support};
 use random_tree::{Random, random_tree};
 use tree::{Part, Tree};
 

@@ -4,9 +4,9 @@
 //! a central difference of the same formulas over plain numbers.
 
 use mstmm::__private::{Chain, Covector, Ends, Energies, Fields};
-use mstmm::{
-    Element, Frequency, FrequencyPowers, InvalidParameter, PlaneStep, Real, RootCounter, Subspace, System, Translation,
-};
+use mstmm::element::{Element, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter, Subspace, Translation};
+use mstmm::number::{Frequency, Real};
+use mstmm::search::System;
 
 mod probe {
     /// Takes whatever parameters, and does nothing to a state.

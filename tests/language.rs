@@ -7,8 +7,9 @@ mod hygiene;
 mod roots;
 
 use core::f64::consts::PI;
+use mstmm::element::SMatrix;
+use mstmm::number::Scaled;
 use mstmm::prelude::*;
-use mstmm::{SMatrix, Scaled};
 use roots::{assert_same_roots, bisect, zeros};
 
 /// Closed form and determinant of a few springs and masses: a handful of roundings on either side.

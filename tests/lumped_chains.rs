@@ -18,12 +18,13 @@ mod tree;
 
 use list_of_tree::any_steps;
 use moving_tree::{Labels, MovingTree};
+use mstmm::Complex;
+use mstmm::element::Support;
 use mstmm::elements::{Damper, Mass, Spring, SpringDamper};
+use mstmm::list::{ListStep, StepList};
+use mstmm::motion::{Entry, Label, Load, ModalAnalysis, MotionError, Point};
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::search::{Eigenvalues, Region};
-use mstmm::{
-    Complex, DoubleDouble, Entry, Label, ListStep, Load, ModalAnalysis, MotionError, Point, Real, Scalar, StepList,
-    Support,
-};
 use random_tree::Random;
 use tree::{Part, Tree};
 

@@ -30,11 +30,12 @@ use damped_models::for_each_damped;
 use finite_elements::Model;
 use legendre_beam::LegendreBeam;
 use list_of_tree::{any_steps, undamped_steps};
+use mstmm::Complex;
+use mstmm::element::{ParameterError, SMatrix, Space};
+use mstmm::list::{ListStep, StepList};
+use mstmm::number::{Scalar, Scaled};
+use mstmm::search::{Characteristic, Evaluate, InBlocks, ManyFrequencies, System};
 use mstmm::search::{NaturalFrequencies, Undamped};
-use mstmm::{
-    Characteristic, Complex, Evaluate, InBlocks, ListStep, ManyFrequencies, ParameterError, SMatrix, Scalar, Scaled,
-    Space, StepList, System,
-};
 use nalgebra::DMatrix;
 use random_tree::{Random, random_tree};
 use tree::{Tree, next_space};

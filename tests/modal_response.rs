@@ -13,8 +13,9 @@ mod residuals;
 #[path = "modal_response/transforms.rs"]
 mod transforms;
 
+use mstmm::motion::MotionError;
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::prelude::*;
-use mstmm::{DoubleDouble, MotionError, Real, Scalar};
 use paper::models;
 
 system! {

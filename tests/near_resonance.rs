@@ -14,9 +14,13 @@ mod tree;
 
 use list_of_tree::undamped_steps;
 use moving_tree::{Labels, MOST, MovingTree, varied_tree};
+use mstmm::Complex;
+use mstmm::element::Support;
 use mstmm::elements::{Beam, Mass, Spring};
+use mstmm::list::{ListStep, StepList};
+use mstmm::motion::{Entry, Label, Load, ModalAnalysis, Point};
+use mstmm::number::{DoubleDouble, Real};
 use mstmm::search::{Eigenvalue, NaturalFrequencies};
-use mstmm::{Complex, DoubleDouble, Entry, Label, ListStep, Load, ModalAnalysis, Point, Real, StepList, Support};
 use tree::Part;
 
 fn output(step: usize) -> Point<Labels> {

@@ -10,9 +10,12 @@ mod random_tree;
 mod tree;
 
 use moving_tree::{Labels, MOST, MovingTree, varied_tree};
+use mstmm::TreeInBlocks;
 use mstmm::elements::Mass;
+use mstmm::motion::{Entry, Label, Load, MotionError, Point};
+use mstmm::number::{InColumns, Oscillation};
 use mstmm::prelude::*;
-use mstmm::{Entry, InColumns, Label, Load, MotionError, Oscillation, Point, System, TreeInBlocks};
+use mstmm::search::System;
 use mstmm_lanes::InstructionSet;
 use paper::models::*;
 use random_tree::Random;
@@ -48,7 +51,7 @@ where
 }
 
 /// Numbers are the same only if all bits are.
-fn bits<S: mstmm::Scalar>(value: &Result<S, MotionError>) -> String {
+fn bits<S: mstmm::number::Scalar>(value: &Result<S, MotionError>) -> String {
     format!("{value:?}")
 }
 

@@ -11,12 +11,15 @@ mod random_tree;
 mod tree;
 
 use list_of_tree::any_steps;
+use mstmm::element::{Support, WittrickWilliams};
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
+use mstmm::list::{AnyUndamped, ListStep, StepList};
+use mstmm::number::Scaled;
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, ListStep, Scaled, SearchError, StepList, Support, WittrickWilliams};
+use mstmm::search::SearchError;
 use random_tree::{Random, random_tree};
 use tree::{Part, Tree};
 

@@ -18,8 +18,11 @@ mod tree;
 
 use list_of_tree::any_steps;
 use moving_tree::{MOST, MovingTree, varied_tree};
+use mstmm::Complex;
+use mstmm::list::{ListStep, StepList};
+use mstmm::motion::ModalAnalysis;
+use mstmm::number::Real;
 use mstmm::search::{Eigenvalue, Eigenvalues, Region};
-use mstmm::{Complex, ListStep, ModalAnalysis, Real, StepList};
 use state_equations::{StateEquations, Wide};
 use tree::{Part, Tree};
 

@@ -1,12 +1,12 @@
 //! An element of one's own that decides by its numbers what kind of subspace it makes: in a block its lanes differ, and each
 //! frequency is evaluated alone.
 
-use mstmm::elements::Spring;
-use mstmm::prelude::*;
-use mstmm::{
-    Covector, Element, Ends, Energies, Frequency, FrequencyPowers, InvalidParameter, Oscillation, PlaneStep, Real,
-    RootCounter, Scaled, Subspace, Translation,
+use mstmm::element::{
+    Covector, Element, Ends, Energies, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter, Subspace, Translation,
 };
+use mstmm::elements::Spring;
+use mstmm::number::{Frequency, Oscillation, Real, Scaled};
+use mstmm::prelude::*;
 
 /// A spring that is not there below a frequency.
 #[derive(Clone, Copy, Debug)]

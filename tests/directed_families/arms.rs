@@ -6,7 +6,7 @@ use crate::random_tree::Random;
 use crate::searches::{first_eigenvalues, intervals_and_discs};
 use crate::tally::Tally;
 use crate::tree::Tree;
-use mstmm::Support;
+use mstmm::element::Support;
 
 /// Masses in those of the beam.
 pub(crate) const RATIOS: [f64; 11] = [1.0, 3.0, 10.0, 30.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8];

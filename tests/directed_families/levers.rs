@@ -6,7 +6,7 @@ use crate::random_tree::Random;
 use crate::searches::{counts_up_to, first_eigenvalues, first_frequencies, frequencies_up_to};
 use crate::tally::Tally;
 use crate::tree::Tree;
-use mstmm::Support;
+use mstmm::element::Support;
 
 /// A random model in three orders of the paths into its joint, and the same with one lever.
 fn levers(seed: u64) -> ([Tree; 3], Tree) {

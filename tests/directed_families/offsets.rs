@@ -5,7 +5,7 @@ use crate::random_tree::Random;
 use crate::searches::intervals_and_discs;
 use crate::tally::Tally;
 use crate::tree::Tree;
-use mstmm::Support;
+use mstmm::element::Support;
 
 /// Lengths of the levers, decades \[m\].
 pub(crate) const DECADES: core::ops::RangeInclusive<i32> = 2..=10;

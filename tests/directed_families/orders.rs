@@ -7,8 +7,9 @@ use crate::random_tree::Random;
 use crate::searches::{counts_up_to, first_frequencies};
 use crate::tally::Tally;
 use crate::tree::Tree;
+use mstmm::element::Support;
+use mstmm::list::StepList;
 use mstmm::search::{NaturalFrequencies, NaturalFrequency};
-use mstmm::{StepList, Support};
 
 /// A path into the joint.
 fn path(random: &mut Random) -> Tree {

@@ -5,11 +5,11 @@ use crate::random_tree::{Random, random_tree};
 use crate::searches::{counts_up_to, first_eigenvalues, first_frequencies};
 use crate::tally::Tally;
 use crate::tree::{Part, Tree};
-use mstmm::ListStep;
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
+use mstmm::list::ListStep;
 
 /// Part of the bodies that are points on arms.
 const POINTS: f64 = 0.3;

@@ -3,8 +3,9 @@
 use crate::list_of_tree::any_steps;
 use crate::parts::{beam, damper, joint, root, tip};
 use crate::tally::Tally;
+use mstmm::element::Support;
+use mstmm::list::StepList;
 use mstmm::search::{Eigenvalues, Region};
-use mstmm::{StepList, Support};
 
 /// Evaluations of a long region beside those of a short one: a few cuts of each decade.
 const MORE: usize = 20;

@@ -3,8 +3,10 @@
 use crate::energy::forms;
 use crate::recorded::{C, Recordable, Sketched, record};
 use crate::residuals::{Worst, worst_residual};
+use mstmm::motion::Root;
+use mstmm::number::Oscillation;
 use mstmm::prelude::*;
-use mstmm::{Oscillation, Root, System};
+use mstmm::search::System;
 
 /// The limit of residuals and products.
 pub(crate) const LIMIT: f64 = 1e-10;

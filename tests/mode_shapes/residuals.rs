@@ -4,7 +4,7 @@
 use crate::recorded::{C, Ends, Recorded};
 use crate::sketch::{Node, Sketch};
 use crate::waves::Section;
-use mstmm::State;
+use mstmm::element::State;
 use std::collections::BTreeMap;
 
 /// A law that a shape keeps worst.

@@ -5,8 +5,12 @@ use crate::list_of_tree::any_steps;
 use crate::moving_tree::{MOST, MovingTree, varied_tree};
 use crate::state_equations::{StateEquations, Wide};
 use crate::tree::Tree;
+use mstmm::Complex;
+use mstmm::element::Coordinate;
+use mstmm::list::StepList;
+use mstmm::motion::{ModalAnalysis, MotionError};
+use mstmm::number::{Real, Scalar};
 use mstmm::search::{Eigenvalues, Region};
-use mstmm::{Complex, Coordinate, ModalAnalysis, MotionError, Real, Scalar, StepList};
 
 /// Near rest, beside frequencies of trees of unit parameters; its fourth power is far below eps.
 const NEAR: f64 = 1.0 / (1 << 22) as f64;

@@ -7,7 +7,10 @@
 use gungraun::{library_benchmark, library_benchmark_group, main};
 use mstmm::prelude::*;
 
-use mstmm::{ExtendedTree, FrequencyResponse, Oscillation, ParameterError, Root, Scaled, SearchError, System, Tree};
+use mstmm::element::ParameterError;
+use mstmm::motion::{ExtendedTree, FrequencyResponse, Root, Tree};
+use mstmm::number::{Oscillation, Scaled};
+use mstmm::search::{SearchError, System};
 use paper::models::{self, DampedOscillator, RestrainedBeam, SpringAndMass, TipBody, TwoSpans};
 use paper::models::{damped_oscillator, light_tip_body, restrained_beam, spring_and_mass, two_spans};
 use std::hint::black_box;

@@ -11,7 +11,7 @@ use crate::subspace::minors::subspace::Subspace;
     message = "`{Self}` takes no states back through it",
     label = "no `BackTransfer<{S}>` for this element",
     note = "mode shapes, responses and sensitivities need it; planar elements have none yet, an element of your own \
-            implements `mstmm::BackTransfer<S>`"
+            implements `mstmm::element::BackTransfer<S>`"
 )]
 pub trait BackTransfer<S: Scalar>: PlaneStep<S> {
     /// The coefficients of [`back_transfer`](BackTransfer::back_transfer) at a frequency.

@@ -23,7 +23,7 @@ pub struct Inside {
     message = "`{Self}` does not say how it moves",
     label = "no `Energies<{S}>` for this element",
     note = "mode shapes, responses and sensitivities need it; planar elements have none yet, an element of your own \
-            implements `mstmm::Energies<S>`"
+            implements `mstmm::element::Energies<S>`"
 )]
 pub trait Energies<S: Scalar>: Element {
     /// The derivatives with respect to the parameters: the struct of the parameters, over `S`.

@@ -21,7 +21,7 @@ pub type MatrixOf<E, S> = <<E as Element>::State as StateSpace>::Matrix<S>;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an element: it does not implement `Element`",
     label = "not an element",
-    note = "an element of your own is a struct `Cable<T>` that implements `mstmm::Element` and `mstmm::TransferMatrix<S>` \
+    note = "an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element` and `mstmm::element::TransferMatrix<S>` \
             for every `T: mstmm::Real`"
 )]
 pub trait Element: Sized {
@@ -48,7 +48,7 @@ pub trait Element: Sized {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no transfer matrix at a frequency of type `{S}`",
     label = "no `TransferMatrix<{S}>` for this element",
-    note = "an element of your own implements `mstmm::TransferMatrix<S>` for every `S: mstmm::Frequency<T>`"
+    note = "an element of your own implements `mstmm::element::TransferMatrix<S>` for every `S: mstmm::Frequency<T>`"
 )]
 pub trait TransferMatrix<S: Scalar>: Element {
     /// The transfer matrix `U`.
@@ -68,7 +68,7 @@ pub trait TransferMatrix<S: Scalar>: Element {
     message = "`{Self}` takes no part in the plane method",
     label = "no `PlaneStep` for this element",
     note = "planar elements have `overall_matrix` and `overall_determinant` only; an element of your own implements \
-            `mstmm::PlaneStep<S>`"
+            `mstmm::element::PlaneStep<S>`"
 )]
 pub trait PlaneStep<S: Scalar>: Element {
     /// Whether the element needs the square root of the frequency, as waves do.

@@ -272,6 +272,6 @@ mod tests {
     fn an_inertia_below_that_of_the_mass_centre_is_refused_with_its_bound() {
         let error = Body { mass: 2.0, inertia: 0.4, output_x: 1.0, centre_x: 0.5 }.build().unwrap_err();
         assert_eq!((error.parameter, error.value), ("inertia", 0.4));
-        assert_eq!(error.requirement, Requirement::AtLeast { estimate: 0.5, formula: "mass * centre_x²" });
+        assert_eq!(error.requirement, Requirement::AtLeast { bound: 0.5, formula: "mass * centre_x²" });
     }
 }

@@ -16,11 +16,11 @@ pub enum Requirement {
     Rescale,
     /// Finite and not less than zero.
     NonNegative,
-    /// Finite and at least `estimate`, which comes from `formula`, with room for the rounding of the caller, who may have
+    /// Finite and at least `bound`, which comes from `formula`, with room for the rounding of the caller, who may have
     /// computed the same product in another order (three roundings on either side).
     AtLeast {
         /// Smallest valid value.
-        estimate: f64,
+        bound: f64,
         /// Where the bound comes from, in terms of the other parameters.
         formula: &'static str,
     },
@@ -34,7 +34,7 @@ impl fmt::Display for Requirement {
             Requirement::Invertible => write!(f, "positive and finite, with a finite reciprocal"),
             Requirement::Rescale => write!(f, "positive, and not too extreme beside the other parameters"),
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
-            Requirement::AtLeast { estimate, formula } => write!(f, "finite and at least {formula} = {estimate}"),
+            Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
         }
     }
 }
@@ -63,9 +63,9 @@ impl InvalidParameter {
 }
 
 impl Requirement {
-    /// At least `estimate`, which comes from `formula`.
-    pub fn at_least<T: Real>(estimate: T, formula: &'static str) -> Self {
-        Requirement::AtLeast { estimate: estimate.to_f64(), formula }
+    /// At least `bound`, which comes from `formula`.
+    pub fn at_least<T: Real>(bound: T, formula: &'static str) -> Self {
+        Requirement::AtLeast { bound: bound.to_f64(), formula }
     }
 
     /// Checks `value` and names it `parameter` if it fails.
@@ -87,7 +87,7 @@ impl Requirement {
             Requirement::Invertible => value > 0.0 && reciprocal.is_finite(),
             Requirement::NonNegative => value >= 0.0,
             // see `AtLeast`: three roundings of each of two numbers of the size of the bound
-            Requirement::AtLeast { estimate, .. } => value >= estimate - rounding(3, 2.0 * estimate.abs()),
+            Requirement::AtLeast { bound, .. } => value >= bound - rounding(3, 2.0 * bound.abs()),
         };
         if valid && value.is_finite() {
             return Ok(());
@@ -266,7 +266,7 @@ mod tests {
             Requirement::Positive,
             Requirement::Invertible,
             Requirement::NonNegative,
-            Requirement::AtLeast { estimate: 0.0, formula: "nothing" },
+            Requirement::AtLeast { bound: 0.0, formula: "nothing" },
         ];
         for requirement in all {
             for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

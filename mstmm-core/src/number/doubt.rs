@@ -57,7 +57,7 @@ pub(crate) const USUAL_ERROR: f64 = 20.0;
 pub(crate) const NEARLY_ZERO_EXPONENT: i32 = 20;
 
 /// Least and largest growth of Δ across a root, by its slope beside it, that rounding leaves alone.
-pub(crate) const BRANCH_FREE: (f64, f64) = (0.5, 2.0);
+pub(crate) const STRAIGHT: (f64, f64) = (0.5, 2.0);
 
 /// Misfit of the states of a motion, in units of rounding, from which on the motion is computed again in extended precision.
 pub(crate) const MISFIT: f64 = 1e3;

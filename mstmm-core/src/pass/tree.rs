@@ -27,7 +27,7 @@ pub trait Planned: System {
 #[diagnostic::on_unimplemented(
     message = "the steps of `{Self}` are not known at frequencies of type `{S}`",
     note = "a real ω is a frequency of undamped systems only; planar elements take no part in the plane method; an element of \
-            your own implements `mstmm::PlaneStep<S>` for every `S`"
+            your own implements `mstmm::element::PlaneStep<S>` for every `S`"
 )]
 pub trait Steps<S: Scalar>: Planned {
     /// Visits the element of a step; `None` where the step is not an element.
@@ -38,7 +38,7 @@ pub trait Steps<S: Scalar>: Planned {
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
     note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet; an element of your own \
-            implements `mstmm::BackTransfer<S>` and `mstmm::Energies<S>`, and `mstmm::PlaneStep<S>` for every `S`"
+            implements `mstmm::element::BackTransfer<S>` and `mstmm::element::Energies<S>`, and `mstmm::element::PlaneStep<S>` for every `S`"
 )]
 pub trait Tree<S: Scalar>: Planned {
     /// Coefficients of all elements at a frequency.

@@ -13,14 +13,14 @@ pub(crate) struct Remainder {
     /// The change of the sum by a unit in the last place of its terms.
     pub(crate) rounding: f64,
     /// The change of the sum by all roundings that its terms may carry.
-    pub(crate) estimate: f64,
+    pub(crate) bound: f64,
 }
 
 impl Remainder {
     /// Reports a sum that lost too many digits to a counter. Returns whether it lost all.
     #[cold]
     pub(crate) fn tell<S: Scalar, C: RootCounter<S>>(self, counter: &mut C) -> bool {
-        let is_nothing = self.whole <= self.estimate;
+        let is_nothing = self.whole <= self.bound;
         if is_nothing || self.rounding > largest_loss::<S>() * self.size {
             counter.cancelled(is_nothing);
         }

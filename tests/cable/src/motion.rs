@@ -1,9 +1,8 @@
 //! How the string moves: for mode shapes, responses and sensitivities.
 
 use crate::Cable;
-use mstmm::{
-    BackTransfer, Covector, Ends, Energies, FrequencyPowers, Inside, Oscillation, PlaneStep, Real, State, Subspace,
-};
+use mstmm::element::{BackTransfer, Covector, Ends, Energies, FrequencyPowers, Inside, PlaneStep, State, Subspace};
+use mstmm::number::{Oscillation, Real};
 
 /// Nodes and weights of Gauss and Legendre on `[-1, 1]`.
 const GAUSS: [(f64, f64); 5] = [

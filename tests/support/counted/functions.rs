@@ -2,7 +2,7 @@
 
 use super::Counted;
 use super::tape::{self, Operation, Origin};
-use mstmm::{Real, Scalar, WaveFunctions};
+use mstmm::number::{Real, Scalar, WaveFunctions};
 
 impl Counted {
     /// A function of one number.

@@ -1,8 +1,9 @@
 //! |Δ| of the examples in the ranges of the paper's searches, and the roots in them.
 
 use crate::error::ReportError;
+use mstmm::number::{Frequency, InColumns, Scaled};
 use mstmm::prelude::*;
-use mstmm::{Frequency, InBlocks, InColumns, Scaled, SearchError, System};
+use mstmm::search::{InBlocks, SearchError, System};
 use paper::models::*;
 use paper::{Search, examples};
 use std::f64::consts::LOG10_2;

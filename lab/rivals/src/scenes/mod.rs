@@ -13,8 +13,8 @@ use core::f64::consts::PI;
 use core::fmt;
 use core::ops::RangeInclusive;
 use extremes::{FreeFixed, SoftAndStiff, Twins};
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::prelude::*;
-use mstmm::{DoubleDouble, Real, Scalar};
 use paper::models;
 
 /// Stiffness of the spring between the twin cantilevers: their first two frequencies differ by a relative 3.2e-9.

@@ -109,14 +109,14 @@ impl<T: Real> Lever<T> {
             (of_w * (2.0 * w.size() + of_w) + of_squares) / theta_q
         };
         let is_by_others = S::IS_EXTENDED && by_others(1.0) < plain(1.0);
-        let (y_m, [rounding, estimate]) = if is_by_others {
+        let (y_m, [rounding, bound]) = if is_by_others {
             ((w * w + product) / p.theta_q, [1.0, ROUNDINGS].map(by_others))
         } else {
             (y_m, [1.0, ROUNDINGS].map(plain))
         };
         // a chance zero of p_YM does not count beside `w²/p_ΘQ`, a length squared in the same unit
         let size = y_m.size().max(beside).max(w.size() * w.size() / theta_q);
-        let is_nothing = Remainder { size, whole: size, rounding, estimate }.tell(counter);
+        let is_nothing = Remainder { size, whole: size, rounding, bound }.tell(counter);
         if is_nothing && S::IS_EXTENDED { [S::zero(); 2] } else { [y_m, w] }
     }
 }

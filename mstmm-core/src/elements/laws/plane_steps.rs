@@ -36,11 +36,11 @@ fn transferred(u: &Rows, states: &Rows) -> (Rows, Rows) {
 }
 
 /// Sums of the moduli of all terms of [`coordinates`]: what their roundings are relative to.
-fn scales(estimates: &Rows) -> Vec<f64> {
-    match estimates.as_slice() {
+fn scales(bounds: &Rows) -> Vec<f64> {
+    match bounds.as_slice() {
         [line] => line.iter().map(|entry| entry.re).collect(),
         [a, b] => MINORS.iter().map(|&(i, j)| a[i].re * b[j].re + a[j].re * b[i].re).collect(),
-        _ => panic!("{} states", estimates.len()),
+        _ => panic!("{} states", bounds.len()),
     }
 }
 
@@ -72,9 +72,9 @@ where
         let states = random_states(space::<E>(), numbers, 1.0);
         let output = plain(step(&element, lambda, subspace(space::<E>(), &coordinates(space::<E>(), &states))));
         let kappa = factor(&element, lambda);
-        let (behind, estimates) = transferred(&rows(&element, lambda), &states);
+        let (behind, bounds) = transferred(&rows(&element, lambda), &states);
         let expected = coordinates(space::<E>(), &behind);
-        for ((actual, expected), scale) in output.iter().zip(expected).zip(scales(&estimates)) {
+        for ((actual, expected), scale) in output.iter().zip(expected).zip(scales(&bounds)) {
             assert_close((actual - kappa * expected).norm(), 0.0, kappa.norm() * scale, ROUNDINGS);
         }
     });
@@ -171,9 +171,9 @@ where
         let real_input: Vec<f64> = input.iter().map(|z| z.re).collect();
         let real = plain(step(&element, omega, subspace(space::<E>(), &real_input)));
         let complex = plain(step(&element, C::new(0.0, omega), subspace(space::<E>(), &input)));
-        let (_, estimates) = transferred(&rows(&element, C::new(0.0, omega)), &states);
+        let (_, bounds) = transferred(&rows(&element, C::new(0.0, omega)), &states);
         let kappa = factor(&element, C::ZERO).norm();
-        for ((real, complex), scale) in real.iter().zip(complex).zip(scales(&estimates)) {
+        for ((real, complex), scale) in real.iter().zip(complex).zip(scales(&bounds)) {
             assert_close((complex - real).norm(), 0.0, kappa * scale, ROUNDINGS);
         }
     });

@@ -233,8 +233,8 @@ fn bend<T: Real>(here: &Point<T>, there: &Point<T>) -> T {
 /// Growth of the argument of Δ from one point to the next, if the step is short enough.
 fn change_of_argument<T: Real>(here: &Point<T>, there: &Point<T>) -> Option<f64> {
     let step = there.lambda - here.lambda;
-    let estimate = T::from_f64(STEP_BOUND);
-    if there.is_root || modulus(step) * larger(modulus(here.rate), modulus(there.rate)) > estimate {
+    let bound = T::from_f64(STEP_BOUND);
+    if there.is_root || modulus(step) * larger(modulus(here.rate), modulus(there.rate)) > bound {
         return None;
     }
     let predicted = step * (here.rate + there.rate) * T::from_f64(0.5);

@@ -242,24 +242,24 @@ where
             let lambda = settled(centre, radius);
             let rim = Complex::new(T::from_f64(RIM.0), T::from_f64(RIM.1)) * radius;
             let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
-            let estimate = T::from_f64(OFF_CENTRE);
+            let bound = T::from_f64(OFF_CENTRE);
             let is_straight = |point: &Point<T>| {
                 let ratio = point.slope().over(nearest.slope()).value();
-                modulus(ratio - Complex::from(T::one())) <= estimate
+                modulus(ratio - Complex::from(T::one())) <= bound
             };
             if !(is_straight(&left) && is_straight(&right)) {
                 return Ok(None);
             }
             let offset = |point: &Point<T>| point.lambda - lambda - Complex::from(T::one()) / point.rate;
             let offsets = [offset(&left), offset(&right)];
-            if offsets.iter().all(|&offset| modulus(offset) <= radius * estimate) {
+            if offsets.iter().all(|&offset| modulus(offset) <= radius * bound) {
                 // both predict one root, but for rounding
                 let is_noisy = modulus(offsets[0] - offsets[1]) > radius * T::from_f64(NOISE);
                 let error =
                     if is_noisy { self.evaluation.proven_radius(lambda, radius + radius) } else { radius + radius };
                 return Ok(Some(Eigenvalue { lambda, error, multiplicity: 1 }));
             }
-            if modulus(offsets[0] - offsets[1]) > radius * (estimate + estimate) {
+            if modulus(offsets[0] - offsets[1]) > radius * (bound + bound) {
                 return Ok(None);
             }
             centre = lambda + (offsets[0] + offsets[1]) * T::from_f64(0.5);

@@ -49,7 +49,7 @@ impl Cells {
     }
 
     /// Least and largest coordinate along each axis, inside the rectangle.
-    pub(super) fn estimates(&self, grids: &[Grid; 2]) -> [[f64; 2]; 2] {
+    pub(super) fn bounds(&self, grids: &[Grid; 2]) -> [[f64; 2]; 2] {
         core::array::from_fn(|axis| {
             let Grid { start, end, .. } = grids[axis];
             [self.centre[axis] - self.step[axis], self.centre[axis] + self.step[axis]].map(|x| x.clamp(start, end))

@@ -120,7 +120,7 @@ fn search_around(
         return refine(cells, grids.map(|grid| [grid.start, grid.end]), evaluate, grids, known);
     }
     match cells.find_minimum(evaluate, grids)? {
-        Some(inner) => refine(inner, inner.estimates(grids), evaluate, grids, known),
+        Some(inner) => refine(inner, inner.bounds(grids), evaluate, grids, known),
         None => Ok(None),
     }
 }
@@ -128,12 +128,12 @@ fn search_around(
 /// Halvings after which a search within the cells of a known minimum is assumed to end there, too.
 const HALVINGS_TO_TELL_ROOTS_APART: u32 = 4;
 
-/// Halves the cells around the lowest point so far, moving along with it inside `estimates`, until they are shorter than
+/// Halves the cells around the lowest point so far, moving along with it inside `bounds`, until they are shorter than
 /// the tolerances or no number is left between two points. `None` where that leads to a minimum that is known already,
 /// or to bounds inside the rectangle, beyond which the function falls further.
 fn refine(
     Cells { mut centre, mut step, own: mut value, .. }: Cells,
-    estimates: [[f64; 2]; 2],
+    bounds: [[f64; 2]; 2],
     evaluate: &mut impl FnMut(f64, f64) -> Result<Magnitude, SearchError>,
     grids: &[Grid; 2],
     known: &[Minimum2d],
@@ -157,7 +157,7 @@ fn refine(
             break;
         }
         let mut moves = 0;
-        while let Some((lower, lower_value)) = lowest_neighbour(evaluate, estimates, centre, step, value)? {
+        while let Some((lower, lower_value)) = lowest_neighbour(evaluate, bounds, centre, step, value)? {
             (centre, value) = (lower, lower_value);
             moves += 1;
             if moves == MAX_MOVES {
@@ -170,7 +170,7 @@ fn refine(
         }
     }
     let at_edge = on_edge(edges, centre);
-    if is_known(centre, step) || (on_edge(estimates, centre) && !at_edge) {
+    if is_known(centre, step) || (on_edge(bounds, centre) && !at_edge) {
         return Ok(None);
     }
     Ok(Some(Minimum2d { x: centre[0], y: centre[1], residual: value, at_edge }))
@@ -179,24 +179,24 @@ fn refine(
 /// The lowest of the 8 neighbours at a given step inside the bounds, if it is lower than the centre.
 fn lowest_neighbour(
     evaluate: &mut impl FnMut(f64, f64) -> Result<Magnitude, SearchError>,
-    estimates: [[f64; 2]; 2],
+    bounds: [[f64; 2]; 2],
     centre: [f64; 2],
     step: [f64; 2],
     value: Magnitude,
 ) -> Result<Option<([f64; 2], Magnitude)>, SearchError> {
     let mut lowest = None;
-    let mut estimate = value;
+    let mut bound = value;
     for sign in [[-1, -1], [-1, 0], [-1, 1], [0, -1], [0, 1], [1, -1], [1, 0], [1, 1]] {
         let point: [f64; 2] = core::array::from_fn(|axis| {
             let moved = centre[axis] + f64::from(sign[axis]) * step[axis];
-            moved.clamp(estimates[axis][0], estimates[axis][1])
+            moved.clamp(bounds[axis][0], bounds[axis][1])
         });
         if point == centre {
             continue;
         }
         let candidate = evaluate(point[0], point[1])?;
-        if candidate < estimate {
-            (lowest, estimate) = (Some((point, candidate)), candidate);
+        if candidate < bound {
+            (lowest, bound) = (Some((point, candidate)), candidate);
         }
     }
     Ok(lowest)

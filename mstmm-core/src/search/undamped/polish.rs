@@ -1,7 +1,7 @@
 //! The last digits of a single root, by inverse interpolation with derivatives inside a bracket of counts.
 
 use crate::model::error::SearchError;
-use crate::number::doubt::BRANCH_FREE;
+use crate::number::doubt::STRAIGHT;
 use crate::number::dual::Dual;
 use crate::number::frequency::Real;
 use crate::number::scaled::Scaled;
@@ -136,7 +136,7 @@ fn is_straight<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>
     };
     let growth = at_scale(above.value) - at_scale(below.value);
     let ratio = growth / (nearest.derivative * (above.omega - below.omega));
-    let (least, greatest) = BRANCH_FREE;
+    let (least, greatest) = STRAIGHT;
     ratio > T::from_f64(least) && ratio < T::from_f64(greatest)
 }
 

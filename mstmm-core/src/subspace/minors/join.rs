@@ -108,7 +108,7 @@ impl<S: Scalar> Plane<S> {
             let of_skew = units * S::EPSILON * products[0].size();
             of_skew * (2.0 * skew.size() + of_skew) / (p.y_m * r.y_m).size()
         };
-        let remainder = Remainder { size, whole, rounding: rounding(1.0), estimate: rounding(ROUNDINGS) };
+        let remainder = Remainder { size, whole, rounding: rounding(1.0), bound: rounding(ROUNDINGS) };
         if remainder.tell(counter) { S::zero() } else { m_q }
     }
 }
