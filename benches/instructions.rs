@@ -9,7 +9,7 @@ use models::{DampedOscillator, RestrainedBeam, SpringAndMass, TipBody, TwoSpans}
 use models::{damped_oscillator, light_tip_body, restrained_beam, spring_and_mass, two_spans};
 use mstmm::prelude::*;
 
-use mstmm::{FrequencyResponse, JudgedTree, Oscillation, ParameterError, Root, Scaled, SearchError, System, Tree};
+use mstmm::{FrequencyResponse, ExtendedTree, Oscillation, ParameterError, Root, Scaled, SearchError, System, Tree};
 use std::hint::black_box;
 use subjects::{BeamChain, PinnedBeam, PinnedBeamSystem, around, chain, kept, valid};
 
@@ -117,7 +117,7 @@ fn first_eigenvalues(system: &models::DampedOscillatorSystem) -> usize {
 #[bench::spring_and_mass(lowest(kept(spring_and_mass().build())))]
 #[bench::two_spans(lowest(kept(two_spans().build())))]
 #[bench::damped_oscillator(lowest_damped())]
-fn mode_shape<Y: JudgedTree<R::Frequency> + System<Parameter = f64>, R: Root<f64>>(mode: (&Y, R)) -> bool {
+fn mode_shape<Y: ExtendedTree<R::Frequency> + System<Parameter = f64>, R: Root<f64>>(mode: (&Y, R)) -> bool {
     black_box(mode.0).mode_shape(black_box(&mode.1)).is_ok()
 }
 

@@ -26,7 +26,7 @@ pub enum ReportError {
     Search(#[from] mstmm::SearchError),
     /// A mode has no shape.
     #[error(transparent)]
-    Motion(#[from] mstmm::MotionError),
+    Energies(#[from] mstmm::MotionError),
     /// The paper's data cannot be read or its examples not be solved.
     #[error("the paper's examples: {0}")]
     Paper(Box<dyn std::error::Error>),

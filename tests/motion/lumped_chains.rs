@@ -11,7 +11,7 @@ use core::ops::Range;
 use mstmm::elements::{Damper, Mass, Spring, SpringDamper};
 use mstmm::search::{Eigenvalues, Region};
 use mstmm::{
-    Complex, DoubleDouble, Entry, Label, ListStep, Load, MotionError, Motions, Point, Real, Scalar, StepList, Support,
+    Complex, DoubleDouble, Entry, Label, ListStep, Load, MotionError, ModalAnalysis, Point, Real, Scalar, StepList, Support,
 };
 
 type Wide = Complex<DoubleDouble>;

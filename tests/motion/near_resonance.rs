@@ -5,7 +5,7 @@ use crate::support::moving_tree::{Labels, MOST, MovingTree, varied_tree};
 use crate::support::tree::Part;
 use mstmm::elements::{Beam, Mass, Spring};
 use mstmm::search::{Eigenvalue, NaturalFrequencies};
-use mstmm::{Complex, DoubleDouble, Entry, Label, ListStep, Load, Motions, Point, Real, StepList, Support};
+use mstmm::{Complex, DoubleDouble, Entry, Label, ListStep, Load, ModalAnalysis, Point, Real, StepList, Support};
 
 fn output(step: usize) -> Point<Labels> {
     Label::<Labels, Mass<f64>>::new(step, 0).output()

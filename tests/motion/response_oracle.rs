@@ -7,7 +7,7 @@ use crate::state_equations::{StateEquations, Wide};
 use crate::support::moving_tree::{Labels, MOST, MovingTree, varied_tree};
 use crate::support::tree::{Part, Tree};
 use mstmm::elements::{Beam, Body, Mass};
-use mstmm::{Complex, Coordinate, Entry, Label, ListStep, Load, Motions, Point, Real, Space};
+use mstmm::{Complex, Coordinate, Entry, Label, ListStep, Load, ModalAnalysis, Point, Real, Space};
 use mstmm_core::Step;
 
 /// Frequencies of 24 bits: undamped, decaying, growing, real, high.

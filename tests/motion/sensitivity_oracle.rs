@@ -8,7 +8,7 @@ use crate::support::moving_tree::{MOST, MovingTree, varied_tree};
 use crate::support::tree::{Part, Tree};
 use core::ops::Range;
 use mstmm::search::{Eigenvalue, Eigenvalues, Region};
-use mstmm::{Complex, ListStep, Motions, Real, StepList};
+use mstmm::{Complex, ListStep, ModalAnalysis, Real, StepList};
 
 /// Eigenvalues above zero, of beams whose waves the equations follow.
 const REGION: Region = Region { re: -30.0..=1.0, im: 0.05..=8.0 };

@@ -10,7 +10,7 @@ use mstmm::elements::{
     TorsionSpringDamper,
 };
 use mstmm::{
-    At, Complex, DoubleDouble, Element, Ends, FrequencyBounds, Layout, ListStep, Motion, PlaneStep, Planned, Real,
+    FrequencyPowers, Complex, DoubleDouble, Element, Ends, FrequencyEstimates, Layout, ListStep, Energies, PlaneStep, Planned, Real,
     System, TransferMatrix, TreeInBlocks, Visit, VisitAt, VisitInBlock,
 };
 use mstmm_core::{Chain, Fields, Scheme, Step};
@@ -102,9 +102,9 @@ macro_rules! moving {
                 }
             }
 
-            fn bound(&self, bounds: &mut FrequencyBounds) {
+            fn estimate(&self, estimates: &mut FrequencyEstimates) {
                 match self {
-                    $(Moving::$kind(built) => $kind::<T>::bound(built, bounds),)*
+                    $(Moving::$kind(built) => $kind::<T>::estimate(built, estimates),)*
                 }
             }
         }
@@ -125,7 +125,7 @@ macro_rules! moving {
                     match part {
                         None => {}
                         $(Some(Moving::$kind(built)) => {
-                            let gradient = <$kind<T> as Motion<Complex<T>>>::gradient(built, &ends(step));
+                            let gradient = <$kind<T> as Energies<Complex<T>>>::gradient(built, &ends(step));
                             for (k, value) in [$(gradient.$field),*].into_iter().enumerate() {
                                 values[4 * step + k] = value;
                             }
@@ -178,10 +178,10 @@ impl<T: Real> MovingTree<T> {
 impl<T: Real> System for MovingTree<T> {
     type Parameter = T;
 
-    fn bounds(&self) -> FrequencyBounds {
-        let mut bounds = FrequencyBounds::default();
-        self.parts.iter().flatten().for_each(|part| part.bound(&mut bounds));
-        bounds
+    fn estimates(&self) -> FrequencyEstimates {
+        let mut estimates = FrequencyEstimates::default();
+        self.parts.iter().flatten().for_each(|part| part.estimate(&mut estimates));
+        estimates
     }
 }
 
@@ -211,13 +211,13 @@ impl<T: Real> Planned for MovingTree<T> {
 macro_rules! tree {
     ([$($generic:tt)*], $parameter:ty, $scalar:ty; $($kind:ident)*) => {
         impl<$($generic)*> mstmm::Tree<$scalar> for MovingTree<$parameter> {
-            type Evaluated = At<$scalar>;
+            type Evaluated = FrequencyPowers<$scalar>;
 
-            fn at(x: $scalar) -> At<$scalar> {
-                At::new(x, true)
+            fn at(x: $scalar) -> FrequencyPowers<$scalar> {
+                FrequencyPowers::new(x, true)
             }
 
-            fn evaluate(&self, at: &At<$scalar>) -> At<$scalar> {
+            fn evaluate(&self, at: &FrequencyPowers<$scalar>) -> FrequencyPowers<$scalar> {
                 *at
             }
 
@@ -229,7 +229,7 @@ macro_rules! tree {
                 }
             }
 
-            fn visit_at<V: VisitAt<$scalar>>(&self, at: &At<$scalar>, step: usize, visitor: V) -> Option<V::Output> {
+            fn visit_at<V: VisitAt<$scalar>>(&self, at: &FrequencyPowers<$scalar>, step: usize, visitor: V) -> Option<V::Output> {
                 match self.parts[step].as_ref()? {
                     $(Moving::$kind(built) => {
                         let coefficients = <$kind<$parameter> as PlaneStep<$scalar>>::coefficients(built, at);

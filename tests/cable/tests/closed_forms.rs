@@ -80,7 +80,7 @@ fn its_frequencies_are_certified_to_the_hundredth() {
 
 /// An element with a step but no transfer matrix: what builds and runs here forms no matrix.
 mod ballast {
-    use mstmm::{At, Element, Frequency, InvalidParameter, PlaneStep, Real, Requirement, Subspace, Tally, Translation};
+    use mstmm::{FrequencyPowers, Element, Frequency, InvalidParameter, PlaneStep, Real, Requirement, Subspace, RootCounter, Translation};
 
     #[derive(Clone, Copy, Debug)]
     pub(crate) struct Ballast<T> {
@@ -100,11 +100,11 @@ mod ballast {
     impl<T: Real, S: Frequency<T>> PlaneStep<S> for Ballast<T> {
         type Coefficients = S;
 
-        fn coefficients(built: &Self, at: &At<S>) -> S {
+        fn coefficients(built: &Self, at: &FrequencyPowers<S>) -> S {
             at.lambda_squared * built.mass
         }
 
-        fn step<C: Tally<S>>(inertia: &S, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+        fn step<C: RootCounter<S>>(inertia: &S, input: Subspace<S>, _counter: &mut C) -> Subspace<S> {
             let mut line = input.line();
             line.q -= *inertia * line.y;
             Subspace::Line(line, input.space())

@@ -5,7 +5,7 @@ use crate::support::models::{self, DampedOscillator, RestrainedBeam, SpringAndMa
 use mstmm::elements::{Beam, Body, ElasticHinge, Mass, Spring, SpringDamper};
 use mstmm::prelude::*;
 use mstmm::search::{Eigenvalue, NaturalFrequency};
-use mstmm::{At, Dual, Frequency, Line, Plane, PlaneStep, Point, Scalar, Space, StateSpace, Subspace, Untallied};
+use mstmm::{FrequencyPowers, Dual, Frequency, Line, Plane, PlaneStep, Point, Scalar, Space, StateSpace, Subspace, NoCount};
 
 /// The dearest of all responses between some points, in evaluations of Δ.
 macro_rules! dearest_response {
@@ -93,8 +93,8 @@ where
         space => Subspace::Line(Line { y: y_theta, q: y_m, exponent: 0 }, space),
     };
     let (counts, _) = count_of(|| {
-        let at = At::new(Dual::variable(x), E::WAVES);
-        match E::step(&E::coefficients(&built, &at), input, &mut Untallied) {
+        let at = FrequencyPowers::new(Dual::variable(x), E::WAVES);
+        match E::step(&E::coefficients(&built, &at), input, &mut NoCount) {
             Subspace::Plane(p) => [p.y_theta, p.y_m, p.w, p.theta_q, p.m_q].into_iter().flat_map(both).collect(),
             other => [other.line().y, other.line().q].into_iter().flat_map(both).collect::<Vec<S>>(),
         }

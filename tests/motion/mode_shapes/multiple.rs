@@ -13,7 +13,7 @@ use mstmm::prelude::*;
 pub(crate) fn check_basis<M, Y>(model: &M, system: &Y, root: &NaturalFrequency)
 where
     M: Sketched,
-    Y: Recordable<f64> + System<Parameter = f64> + mstmm::JudgedTree<f64>,
+    Y: Recordable<f64> + System<Parameter = f64> + mstmm::ExtendedTree<f64>,
 {
     let sketch = model.sketch();
     let list = system.mode_shapes::<4, _>(root).unwrap();
@@ -43,7 +43,7 @@ where
 fn check_bases<M, Y>(model: &M, system: &Y, roots: &[NaturalFrequency], multiplicity: u64)
 where
     M: Sketched,
-    Y: Recordable<f64> + System<Parameter = f64> + mstmm::JudgedTree<f64>,
+    Y: Recordable<f64> + System<Parameter = f64> + mstmm::ExtendedTree<f64>,
 {
     // the last ones may have neighbours that are not in the list
     let multiple = || roots[..roots.len() - 2].iter().filter(|root| root.multiplicity > 1);

@@ -1,4 +1,4 @@
-//! Motions that live in a part of a system, and parts that differ by many orders of magnitude.
+//! ModalAnalysis that live in a part of a system, and parts that differ by many orders of magnitude.
 
 use crate::mode_shapes::checks::{check_energies, check_laws, check_orthogonality, first};
 use crate::mode_shapes::models::*;

@@ -44,7 +44,7 @@ pub(crate) fn plain<T: Real, S: Oscillation<T>>(state: State<S>) -> State<C> {
 }
 
 /// A built system whose shapes can be recorded.
-pub(crate) trait Recordable<S: Oscillation<Self::Parameter>>: mstmm::JudgedTree<S> + System + Sized {
+pub(crate) trait Recordable<S: Oscillation<Self::Parameter>>: mstmm::ExtendedTree<S> + System + Sized {
     fn record<'a>(shape: &'a ModeShape<'_, Self, S>, x: S) -> Recorded<'a>;
 }
 
@@ -87,7 +87,7 @@ macro_rules! recordable {
 
         impl<T: mstmm::Real, S: mstmm::Oscillation<T>> crate::mode_shapes::recorded::Recordable<S> for $system<T>
         where
-            $system<T>: mstmm::JudgedTree<S> + mstmm::Planned<Model = $model> + mstmm::System<Parameter = T>,
+            $system<T>: mstmm::ExtendedTree<S> + mstmm::Planned<Model = $model> + mstmm::System<Parameter = T>,
         {
             fn record<'a>(shape: &'a mstmm::ModeShape<'_, Self, S>, x: S) -> crate::mode_shapes::recorded::Recorded<'a> {
                 let mut recorded = crate::mode_shapes::recorded::Recorded::at(x);

@@ -7,7 +7,7 @@ use crate::support::moving_tree::{MOST, MovingTree, varied_tree};
 use crate::support::tree::Tree;
 use core::ops::Range;
 use mstmm::search::{Eigenvalues, Region};
-use mstmm::{Complex, Coordinate, MotionError, Motions, Real, Scalar, StepList};
+use mstmm::{Complex, Coordinate, MotionError, ModalAnalysis, Real, Scalar, StepList};
 
 /// Near rest, beside frequencies of trees of unit parameters; its fourth power is far below eps.
 const NEAR: f64 = 1.0 / (1 << 22) as f64;

@@ -2,8 +2,8 @@
 
 use mstmm::elements::{Beam, Mass, Spring};
 use mstmm::{
-    AnyUndamped, Characteristic, Frequency, FrequencyBounds, InvalidParameter, ListStep, Scaled, StepList, Support,
-    System, Tally,
+    AnyUndamped, Characteristic, Frequency, FrequencyEstimates, InvalidParameter, ListStep, Scaled, StepList, Support,
+    System, RootCounter,
 };
 
 /// Steps of a list.
@@ -23,14 +23,14 @@ impl Steps {
 
 impl System for Steps {
     type Parameter = f64;
-    fn bounds(&self) -> FrequencyBounds {
-        self.list().bounds()
+    fn estimates(&self) -> FrequencyEstimates {
+        self.list().estimates()
     }
 }
 
 impl<S: Frequency<f64>> Characteristic<S> for Steps {
-    fn pass<C: Tally<S>>(&self, x: S, tally: &mut C) -> Scaled<S> {
-        self.list().pass(x, tally)
+    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
+        self.list().pass(x, counter)
     }
 }
 

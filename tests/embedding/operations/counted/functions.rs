@@ -70,7 +70,7 @@ impl Scalar for Counted {
 }
 
 impl Real for Counted {
-    type Judge = Self;
+    type Extended = Self;
 
     fn to_f64(self) -> f64 {
         tape::look_at(self.origin);
