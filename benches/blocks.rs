@@ -3,8 +3,11 @@
 //!
 //! `cargo bench --bench blocks`. Times are the least of many rounds; quote the ratios.
 
+use mstmm::TreeInBlocks;
+use mstmm::motion::Point;
+use mstmm::number::{Oscillation, Scaled};
 use mstmm::prelude::*;
-use mstmm::{InBlocks, Oscillation, Point, Scaled, System, TreeInBlocks};
+use mstmm::search::{InBlocks, System};
 use mstmm_lanes::InstructionSet;
 use std::hint::black_box;
 use std::time::Instant;
@@ -53,7 +56,7 @@ fn print(name: &str, mut alone: impl FnMut(), mut together: impl FnMut()) {
 /// Δ of a system, at shares of a range of frequencies.
 fn values<Y, S>(name: &str, system: &Y, at: impl Fn(f64) -> S) -> Result<(), Failure>
 where
-    S: mstmm::Frequency<f64> + mstmm::InColumns,
+    S: mstmm::number::Frequency<f64> + mstmm::number::InColumns,
     Y: InBlocks<S> + System<Parameter = f64>,
 {
     let frequencies: Vec<S> = (1..=FREQUENCIES).map(|k| at(k as f64 / FREQUENCIES as f64)).collect();
@@ -104,7 +107,7 @@ fn counts<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(
 fn responses<Y, S>(name: &str, system: &Y, point: Point<Y::Model>, at: impl Fn(f64) -> S) -> Result<(), Failure>
 where
     Y: TreeInBlocks<S> + System<Parameter = f64>,
-    S: Oscillation<f64> + mstmm::InColumns,
+    S: Oscillation<f64> + mstmm::number::InColumns,
 {
     let frequencies: Vec<S> = (1..=FREQUENCIES).map(|k| at((k as f64 - 0.3) / FREQUENCIES as f64)).collect();
     let response = system.frequency_response(point.force(), point.deflection())?;
@@ -140,8 +143,10 @@ fn main() -> Result<(), Failure> {
     values("4.3, Δ", &c, |share| 2000.0 * share)?;
     values("4.4, Δ", &d, |share| 20_000.0 * share)?;
     values("4.5, Δ", &e, |share| Complex::new(-300.0 * share, 12_000.0 * share))?;
-    values("4.1a, Δ and Δ'", &a, |share| mstmm::Dual::variable(1700.0 * share))?;
-    values("4.5, Δ and Δ'", &e, |share| mstmm::Dual::variable(Complex::new(-300.0 * share, 12_000.0 * share)))?;
+    values("4.1a, Δ and Δ'", &a, |share| mstmm::number::Dual::variable(1700.0 * share))?;
+    values("4.5, Δ and Δ'", &e, |share| {
+        mstmm::number::Dual::variable(Complex::new(-300.0 * share, 12_000.0 * share))
+    })?;
     counts("4.1a, count", &a, 1700.0)?;
     counts("4.2, count", &b, 3000.0)?;
     counts("4.3, count", &c, 2000.0)?;

@@ -9,7 +9,10 @@ use models::{DampedOscillator, RestrainedBeam, SpringAndMass, TipBody, TwoSpans}
 use models::{damped_oscillator, light_tip_body, restrained_beam, spring_and_mass, two_spans};
 use mstmm::prelude::*;
 
-use mstmm::{FrequencyResponse, ExtendedTree, Oscillation, ParameterError, Root, Scaled, SearchError, System, Tree};
+use mstmm::element::ParameterError;
+use mstmm::motion::{ExtendedTree, FrequencyResponse, Root, Tree};
+use mstmm::number::{Oscillation, Scaled};
+use mstmm::search::{SearchError, System};
 use std::hint::black_box;
 use subjects::{BeamChain, PinnedBeam, PinnedBeamSystem, around, chain, kept, valid};
 

@@ -127,7 +127,7 @@ mod elements_of_a_chain {
     #[divan::bench(args = SIZES)]
     fn characteristic(bencher: Bencher, elements: usize) {
         let chain = chain(elements);
-        bencher.bench_local(|| -> mstmm::Scaled<f64> { black_box(&chain).characteristic(black_box(30.0)) });
+        bencher.bench_local(|| -> mstmm::number::Scaled<f64> { black_box(&chain).characteristic(black_box(30.0)) });
     }
 
     #[divan::bench(args = SIZES)]

@@ -3,8 +3,8 @@
 //!
 //! `cargo bench --bench speed`. Times are the least of many rounds; quote the ratios.
 
-use mstmm::System;
 use mstmm::prelude::*;
+use mstmm::search::System;
 use std::hint::black_box;
 use std::time::Instant;
 

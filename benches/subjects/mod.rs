@@ -2,9 +2,10 @@
 
 use core::f64::consts::PI;
 use core::ops::RangeInclusive;
+use mstmm::element::Support;
 use mstmm::elements::Beam;
+use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, ListStep, StepList, Support};
 
 /// A chain whose steps live as long as the program.
 pub type BeamChain = StepList<'static, AnyUndamped<f64>>;

@@ -6,8 +6,8 @@ use crate::models::{
 };
 use crate::reference::{Example, Failure, Search};
 use core::time::Duration;
-use mstmm::System;
 use mstmm::prelude::*;
+use mstmm::search::System;
 use std::time::Instant;
 
 /// Room for the minima of one search, ends and edges of its range included.

@@ -14,19 +14,19 @@ pub enum ReportError {
     Contours(#[from] contour::Error),
     /// A model of the report is refused.
     #[error(transparent)]
-    Parameter(#[from] mstmm::ParameterError),
+    Parameter(#[from] mstmm::element::ParameterError),
     /// An element of a list is refused.
     #[error("an element of a list: {0:?}")]
-    Element(mstmm::InvalidParameter),
+    Element(mstmm::element::InvalidParameter),
     /// A list of steps is refused.
     #[error(transparent)]
-    List(#[from] mstmm::ListError),
+    List(#[from] mstmm::list::ListError),
     /// A search fails.
     #[error(transparent)]
-    Search(#[from] mstmm::SearchError),
+    Search(#[from] mstmm::search::SearchError),
     /// A mode has no shape.
     #[error(transparent)]
-    Energies(#[from] mstmm::MotionError),
+    Energies(#[from] mstmm::motion::MotionError),
     /// The paper's data cannot be read or its examples not be solved.
     #[error("the paper's examples: {0}")]
     Paper(Box<dyn std::error::Error>),

@@ -2,9 +2,10 @@
 
 use crate::clock::least_seconds;
 use crate::error::ReportError;
+use mstmm::element::Support;
 use mstmm::elements::Beam;
+use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, ListStep, StepList, Support};
 use std::f64::consts::PI;
 use std::hint::black_box;
 

@@ -1,7 +1,8 @@
 //! What can go wrong.
 
 use core::fmt;
-use mstmm::{ParameterError, SearchError};
+use mstmm::element::ParameterError;
+use mstmm::search::SearchError;
 
 /// A failure of the measurements themselves; a method that finds nothing has a [`Run`](crate::Run) that says so.
 #[derive(Debug)]

@@ -3,12 +3,12 @@
 use crate::brent;
 use crate::found::Found;
 use core::ops::RangeInclusive;
+use mstmm::number::{Magnitude, Scaled};
 use mstmm::prelude::*;
-use mstmm::{Magnitude, Scaled};
 use std::cell::Cell;
 
 /// The value in units of `2^exponent`.
-fn in_units<S: mstmm::Scalar>(value: Scaled<S>, exponent: i64) -> S {
+fn in_units<S: mstmm::number::Scalar>(value: Scaled<S>, exponent: i64) -> S {
     // beyond these shifts the value is zero or infinite anyway
     value.mantissa().times_power_of_two((value.exponent() - exponent).clamp(-2000, 2000) as i32)
 }

@@ -4,9 +4,12 @@ use crate::support::models::*;
 use crate::support::moving_tree::{Labels, MOST, MovingTree, varied_tree};
 use crate::support::random_tree::Random;
 use core::ops::Range;
+use mstmm::TreeInBlocks;
 use mstmm::elements::Mass;
+use mstmm::motion::{Entry, Label, Load, MotionError, Point};
+use mstmm::number::{InColumns, Oscillation};
 use mstmm::prelude::*;
-use mstmm::{Entry, InColumns, Label, Load, MotionError, Oscillation, Point, System, TreeInBlocks};
+use mstmm::search::System;
 use mstmm_lanes::InstructionSet;
 
 type C = Complex<f64>;
@@ -40,7 +43,7 @@ where
 }
 
 /// Numbers are the same only if all bits are.
-fn bits<S: mstmm::Scalar>(value: &Result<S, MotionError>) -> String {
+fn bits<S: mstmm::number::Scalar>(value: &Result<S, MotionError>) -> String {
     format!("{value:?}")
 }
 

@@ -1,12 +1,12 @@
 //! An element of one's own that decides by its numbers what kind of subspace it makes: in a block its lanes differ, and each
 //! frequency is evaluated alone.
 
-use mstmm::elements::Spring;
-use mstmm::prelude::*;
-use mstmm::{
-    FrequencyPowers, Covector, Element, Ends, Frequency, InvalidParameter, Energies, Oscillation, PlaneStep, Real, Scaled, Subspace,
-    RootCounter, Translation,
+use mstmm::element::{
+    Covector, Element, Ends, Energies, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter, Subspace, Translation,
 };
+use mstmm::elements::Spring;
+use mstmm::number::{Frequency, Oscillation, Real, Scaled};
+use mstmm::prelude::*;
 
 /// A spring that is not there below a frequency.
 #[derive(Clone, Copy, Debug)]
@@ -41,16 +41,15 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Latch<T> {
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Energies<S> for Latch<T> {
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Latch<T> {
     type BackCoefficients = Option<S>;
-    type Gradient = Latch<S>;
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &Self) -> Self {
         *built
     }
 
-    fn links(built: &Self, at: &FrequencyPowers<S>) -> Option<S> {
+    fn back_coefficients(built: &Self, at: &FrequencyPowers<S>) -> Option<S> {
         <Self as PlaneStep<S>>::coefficients(built, at)
     }
 
@@ -60,6 +59,10 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Latch<T> {
             Some(stiffness) => <Spring<T> as Energies<S>>::back_transfer(stiffness, input, covector),
         }
     }
+}
+
+impl<T: Real, S: Oscillation<T>> Energies<S> for Latch<T> {
+    type Gradient = Latch<S>;
 
     fn units(built: &Self, _at: &FrequencyPowers<S>) -> [f64; 2] {
         [built.stiffness.to_f64(), 0.0]

@@ -4,19 +4,19 @@
 use crate::support::list_of_tree::{any_steps, undamped_steps};
 use crate::support::models;
 use crate::support::random_tree::{Random, random_tree};
+use mstmm::element::Support;
 use mstmm::elements::Beam;
+use mstmm::list::{AnyUndamped, ListStep, StepList};
+use mstmm::number::{DoubleDouble, Dual, Frequency, InColumns, Scaled};
 use mstmm::prelude::*;
-use mstmm::{
-    AnyUndamped, DoubleDouble, Dual, Frequency, InBlocks, InColumns, ListStep, Scaled, SearchError, StepList, Support,
-    System,
-};
+use mstmm::search::{InBlocks, SearchError, System};
 use mstmm_lanes::InstructionSet;
 use proptest::prelude::*;
 
 type C = Complex<f64>;
 
 /// Numbers are the same only if all bits are; `Debug` shows the sign of zero, and all NaN alike.
-fn bits<S: mstmm::Scalar>(value: Scaled<S>) -> String {
+fn bits<S: mstmm::number::Scalar>(value: Scaled<S>) -> String {
     format!("{value:?}")
 }
 

@@ -2,9 +2,9 @@
 
 mod one_element;
 
-use mstmm::SearchError;
 use mstmm::elements::NAMES;
 use mstmm::prelude::*;
+use mstmm::search::SearchError;
 use one_element::{C, Range, SCENES};
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];

@@ -3,8 +3,10 @@
 //! A model has a probe for an element, whose dynamic work is made up, so that the chain rule alone is tested: the oracle is
 //! a central difference of the same formulas over plain numbers.
 
-use mstmm::__private::{Chain, Covector, Ends, Fields, Energies};
-use mstmm::{FrequencyPowers, Element, Frequency, InvalidParameter, PlaneStep, Real, Subspace, System, RootCounter, Translation};
+use mstmm::__private::{Chain, Covector, Ends, Energies, Fields};
+use mstmm::element::{Element, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter, Subspace, Translation};
+use mstmm::number::{Frequency, Real};
+use mstmm::search::System;
 
 mod probe {
     /// Takes whatever parameters, and does nothing to a state.
@@ -36,21 +38,23 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Probe<T> {
 }
 
 /// Made up: `∂L/∂first` is the input's Y, `∂L/∂second` the output's.
-impl<T: Real, S: Frequency<T>> Energies<S> for Probe<T> {
+impl<T: Real, S: Frequency<T>> BackTransfer<S> for Probe<T> {
     type BackCoefficients = ();
-    type Gradient = Probe<S>;
-
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &Self) -> Self {
         *built
     }
 
-    fn links(_built: &Self, _at: &FrequencyPowers<S>) {}
+    fn back_coefficients(_built: &Self, _at: &FrequencyPowers<S>) {}
 
     fn back_transfer(_links: &(), _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         covector
     }
+}
+
+impl<T: Real, S: Frequency<T>> Energies<S> for Probe<T> {
+    type Gradient = Probe<S>;
 
     fn units(_built: &Self, _at: &FrequencyPowers<S>) -> [f64; 2] {
         [1.0; 2]

@@ -8,11 +8,13 @@ use crate::support::moving_tree::{Labels, MovingTree};
 use crate::support::random_tree::Random;
 use crate::support::tree::{Part, Tree};
 use core::ops::Range;
+use mstmm::Complex;
+use mstmm::element::Support;
 use mstmm::elements::{Damper, Mass, Spring, SpringDamper};
+use mstmm::list::{ListStep, StepList};
+use mstmm::motion::{Entry, Label, Load, ModalAnalysis, MotionError, Point};
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::search::{Eigenvalues, Region};
-use mstmm::{
-    Complex, DoubleDouble, Entry, Label, ListStep, Load, MotionError, ModalAnalysis, Point, Real, Scalar, StepList, Support,
-};
 
 type Wide = Complex<DoubleDouble>;
 

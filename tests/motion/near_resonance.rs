@@ -3,9 +3,13 @@
 use crate::support::list_of_tree::undamped_steps;
 use crate::support::moving_tree::{Labels, MOST, MovingTree, varied_tree};
 use crate::support::tree::Part;
+use mstmm::Complex;
+use mstmm::element::Support;
 use mstmm::elements::{Beam, Mass, Spring};
+use mstmm::list::{ListStep, StepList};
+use mstmm::motion::{Entry, Label, Load, ModalAnalysis, Point};
+use mstmm::number::{DoubleDouble, Real};
 use mstmm::search::{Eigenvalue, NaturalFrequencies};
-use mstmm::{Complex, DoubleDouble, Entry, Label, ListStep, Load, ModalAnalysis, Point, Real, StepList, Support};
 
 fn output(step: usize) -> Point<Labels> {
     Label::<Labels, Mass<f64>>::new(step, 0).output()

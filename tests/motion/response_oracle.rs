@@ -6,8 +6,12 @@ mod at_rest;
 use crate::state_equations::{StateEquations, Wide};
 use crate::support::moving_tree::{Labels, MOST, MovingTree, varied_tree};
 use crate::support::tree::{Part, Tree};
+use mstmm::Complex;
+use mstmm::element::{Coordinate, Space};
 use mstmm::elements::{Beam, Body, Mass};
-use mstmm::{Complex, Coordinate, Entry, Label, ListStep, Load, ModalAnalysis, Point, Real, Space};
+use mstmm::list::ListStep;
+use mstmm::motion::{Entry, Label, Load, ModalAnalysis, Point};
+use mstmm::number::Real;
 use mstmm_core::Step;
 
 /// Frequencies of 24 bits: undamped, decaying, growing, real, high.
@@ -177,8 +181,8 @@ fn a_long_beam_is_an_infinite_one() {
     let beam = |length: f64| ListStep::Element(Part::Beam(Beam { length, bending_stiffness: ei, mass_per_length: m }));
     let body = ListStep::Element(Part::Body(Body { mass: 0.0, inertia: 0.0, output_x: 0.0, centre_x: 0.0 }));
     let distance = 1.5;
-    let tip = ListStep::Tip(mstmm::Support::Pinned);
-    let tree = vec![tip, beam(l), body, beam(distance), beam(l), ListStep::Root(mstmm::Support::Free)];
+    let tip = ListStep::Tip(mstmm::element::Support::Pinned);
+    let tree = vec![tip, beam(l), body, beam(distance), beam(l), ListStep::Root(mstmm::element::Support::Free)];
     let system = MovingTree::<f64>::new(&tree);
     let omega = Complex::new(9.0, -0.9);
     let (lambda, beta) = (omega * Complex::<f64>::I, (omega * (m / ei).sqrt()).sqrt());

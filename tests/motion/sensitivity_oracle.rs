@@ -7,8 +7,11 @@ use crate::support::list_of_tree::any_steps;
 use crate::support::moving_tree::{MOST, MovingTree, varied_tree};
 use crate::support::tree::{Part, Tree};
 use core::ops::Range;
+use mstmm::Complex;
+use mstmm::list::{ListStep, StepList};
+use mstmm::motion::ModalAnalysis;
+use mstmm::number::Real;
 use mstmm::search::{Eigenvalue, Eigenvalues, Region};
-use mstmm::{Complex, ListStep, ModalAnalysis, Real, StepList};
 
 /// Eigenvalues above zero, of beams whose waves the equations follow.
 const REGION: Region = Region { re: -30.0..=1.0, im: 0.05..=8.0 };

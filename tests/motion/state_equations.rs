@@ -5,7 +5,10 @@
 
 use crate::support::moving_tree::{steps_of, transfer_matrix};
 use crate::support::tree::Tree;
-use mstmm::{Complex, Coordinate, DoubleDouble, ListStep, Scalar, Space, Support};
+use mstmm::Complex;
+use mstmm::element::{Coordinate, Space, Support};
+use mstmm::list::ListStep;
+use mstmm::number::{DoubleDouble, Scalar};
 use mstmm_core::Step;
 
 pub(crate) type Wide = Complex<DoubleDouble>;

@@ -4,12 +4,16 @@
 use crate::support::list_of_tree::any_steps;
 use crate::support::random_tree::{Random, random_tree};
 use crate::support::tree::{Part, Tree};
+use mstmm::Count;
+use mstmm::element::Support;
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
+use mstmm::list::{AnyUndamped, ListStep, StepList};
+use mstmm::number::Scaled;
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, Count, ListStep, Scaled, SearchError, StepList, Support};
+use mstmm::search::SearchError;
 
 type C = Complex<f64>;
 

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, clippy::panic, reason = "random trees have valid parameters")]
 
 use super::tree::{Part, Tree};
-use mstmm::{AnyElement, AnyUndamped, ListStep};
+use mstmm::list::{AnyElement, AnyUndamped, ListStep};
 
 /// The steps with every element built by `build`.
 fn steps<E>(tree: &Tree, build: impl Fn(Part) -> E) -> Vec<ListStep<E>> {

@@ -5,14 +5,17 @@ use super::random_tree::{Random, random_tree};
 use super::tree::{Part, Tree};
 use core::cell::Cell;
 use core::fmt::Debug;
+use mstmm::__private::{Layout, Visit};
+use mstmm::element::{Element, Ends, Energies, FrequencyEstimates, FrequencyPowers, PlaneStep, TransferMatrix};
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
-use mstmm::{
-    FrequencyPowers, Complex, DoubleDouble, Element, Ends, FrequencyEstimates, Layout, ListStep, Energies, PlaneStep, Planned, Real,
-    System, TransferMatrix, TreeInBlocks, Visit, VisitAt, VisitInBlock,
-};
+use mstmm::list::ListStep;
+use mstmm::motion::Planned;
+use mstmm::number::{DoubleDouble, Real};
+use mstmm::search::System;
+use mstmm::{Complex, TreeInBlocks, VisitAt, VisitInBlock};
 use mstmm_core::{Chain, Fields, Scheme, Step};
 
 /// Most steps of a tree.
@@ -210,7 +213,7 @@ impl<T: Real> Planned for MovingTree<T> {
 
 macro_rules! tree {
     ([$($generic:tt)*], $parameter:ty, $scalar:ty; $($kind:ident)*) => {
-        impl<$($generic)*> mstmm::Tree<$scalar> for MovingTree<$parameter> {
+        impl<$($generic)*> mstmm::motion::Tree<$scalar> for MovingTree<$parameter> {
             type Evaluated = FrequencyPowers<$scalar>;
 
             fn at(x: $scalar) -> FrequencyPowers<$scalar> {

@@ -1,11 +1,12 @@
 //! Random trees from a seed: every kind of element, support, branch, narrowing and widening.
 
 use super::tree::{Part, Tree};
+use mstmm::element::{Space, Support};
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
-use mstmm::{ListStep, Space, Support};
+use mstmm::list::ListStep;
 
 /// Random numbers: SplitMix64.
 #[derive(Clone, Debug)]

@@ -1,10 +1,11 @@
 //! Trees as data: the same description leads to a list of steps of the library and to an independent model.
 
+use mstmm::element::Space;
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
-use mstmm::{ListStep, Space};
+use mstmm::list::ListStep;
 
 /// A tree: tips before what they lead to, inputs of a connection before it, the root last.
 ///

@@ -1,8 +1,9 @@
 //! Digits that the determinant and the certified search keep, against mode number and against stiffness.
 
 use crate::error::ReportError;
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::prelude::*;
-use mstmm::{DoubleDouble, Real, Scalar, System};
+use mstmm::search::System;
 use std::f64::consts::PI;
 
 /// Digits that a double has.

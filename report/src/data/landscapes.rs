@@ -3,8 +3,9 @@
 use crate::error::ReportError;
 use crate::models::*;
 use crate::reference::{Search, examples};
+use mstmm::number::{Frequency, InColumns, Scaled};
 use mstmm::prelude::*;
-use mstmm::{Frequency, InBlocks, InColumns, Scaled, SearchError, System};
+use mstmm::search::{InBlocks, SearchError, System};
 use std::f64::consts::LOG10_2;
 use std::ops::RangeInclusive;
 

@@ -16,8 +16,8 @@ use core::f64::consts::PI;
 use core::fmt;
 use core::ops::RangeInclusive;
 use extremes::{FreeFixed, SoftAndStiff, Twins};
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::prelude::*;
-use mstmm::{DoubleDouble, Real, Scalar};
 
 /// Stiffness of the spring between the twin cantilevers: their first two frequencies differ by a relative 3.2e-9.
 pub const WEAK: f64 = 1e-8;

@@ -6,8 +6,9 @@ use crate::found::Found;
 use crate::plain;
 use crate::structure::Structure;
 use core::ops::RangeInclusive;
+use mstmm::element::SMatrix;
 use mstmm::prelude::*;
-use mstmm::{SMatrix, System};
+use mstmm::search::System;
 
 /// Room for the minima of a scan, ends and edges of its range included.
 const MINIMA: usize = 32;

@@ -3,10 +3,11 @@
 
 mod motion;
 
-use mstmm::{
-    FrequencyPowers, Element, Frequency, FrequencyEstimates, InvalidParameter, Line, PlaneStep, Real, Requirement, SMatrix, Subspace,
-    RootCounter, TransferMatrix, Translation,
+use mstmm::element::{
+    Element, FrequencyEstimates, FrequencyPowers, InvalidParameter, Line, PlaneStep, Requirement, RootCounter, SMatrix,
+    Subspace, TransferMatrix, Translation,
 };
+use mstmm::number::{Frequency, Real};
 
 /// A uniform string in tension, exact at every frequency.
 ///
@@ -41,7 +42,7 @@ impl<T: Real> Element for Cable<T> {
 
     fn estimate(cable: &Self, estimates: &mut FrequencyEstimates) {
         let (l, h, m) = (cable.length.to_f64(), cable.tension.to_f64(), cable.mass_per_length.to_f64());
-        estimates.waves(mstmm::Scalar::sqrt(h / m) / l);
+        estimates.waves(mstmm::number::Scalar::sqrt(h / m) / l);
         estimates.translational_stiffness(h / l);
         estimates.mass(m * l);
     }

@@ -1,7 +1,8 @@
 //! How the string moves: for mode shapes, responses and sensitivities.
 
 use crate::Cable;
-use mstmm::{FrequencyPowers, Covector, Ends, Inside, Energies, Oscillation, PlaneStep, Real, State, Subspace};
+use mstmm::element::{Covector, Ends, Energies, FrequencyPowers, Inside, PlaneStep, State, Subspace};
+use mstmm::number::{Oscillation, Real};
 
 /// Nodes and weights of Gauss and Legendre on `[-1, 1]`.
 const GAUSS: [(f64, f64); 5] = [
@@ -12,21 +13,24 @@ const GAUSS: [(f64, f64); 5] = [
     (0.906_179_845_938_664, 0.236_926_885_056_189_1),
 ];
 
-impl<T: Real, S: Oscillation<T>> Energies<S> for Cable<T> {
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Cable<T> {
     type BackCoefficients = ();
-    type Gradient = Cable<S>;
     const SYMMETRIC: bool = true;
 
     fn reversed(cable: &Self) -> Self {
         *cable
     }
 
-    fn links(_cable: &Self, _at: &FrequencyPowers<S>) {}
+    fn back_coefficients(_cable: &Self, _at: &FrequencyPowers<S>) {}
 
     /// The step multiplies lines by the transfer matrix and by nothing else.
     fn back_transfer(_links: &(), _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         covector
     }
+}
+
+impl<T: Real, S: Oscillation<T>> Energies<S> for Cable<T> {
+    type Gradient = Cable<S>;
 
     fn units(cable: &Self, at: &FrequencyPowers<S>) -> [f64; 2] {
         let phi = Self::coefficients(cable, at).phi.size();

@@ -6,8 +6,12 @@ use crate::support::list_of_tree::any_steps;
 use crate::support::moving_tree::{MOST, MovingTree, varied_tree};
 use crate::support::tree::Tree;
 use core::ops::Range;
+use mstmm::Complex;
+use mstmm::element::Coordinate;
+use mstmm::list::StepList;
+use mstmm::motion::{ModalAnalysis, MotionError};
+use mstmm::number::{Real, Scalar};
 use mstmm::search::{Eigenvalues, Region};
-use mstmm::{Complex, Coordinate, MotionError, ModalAnalysis, Real, Scalar, StepList};
 
 /// Near rest, beside frequencies of trees of unit parameters; its fourth power is far below eps.
 const NEAR: f64 = 1.0 / (1 << 22) as f64;

@@ -6,8 +6,11 @@ use crate::oracles::dynamic_stiffness::Stiffness;
 use crate::support::list_of_tree::any_steps;
 use crate::support::random_tree::Random;
 use crate::support::tree::Tree;
+use mstmm::Complex;
+use mstmm::element::Support;
+use mstmm::list::{AnyElement, StepList};
+use mstmm::search::SearchError;
 use mstmm::search::{Eigenvalue, Eigenvalues, Region};
-use mstmm::{AnyElement, Complex, SearchError, StepList, Support};
 
 /// A chain of pairs of a spring with a dashpot and a mass, from the ground.
 fn chain(links: &[[f64; 3]]) -> Tree {

@@ -2,7 +2,8 @@
 
 use super::Counted;
 use super::tape::{self, Operation, Origin};
-use mstmm::{Real, Scalar, WaveProducts};
+use mstmm::WaveProducts;
+use mstmm::number::{Real, Scalar};
 
 impl Counted {
     /// A function of one number.
