@@ -1,7 +1,7 @@
 //! A tree as a list of steps of the library.
 #![expect(clippy::unwrap_used, clippy::panic, reason = "random trees have valid parameters")]
 
-use crate::tree::{Part, Tree};
+use super::tree::{Part, Tree};
 use mstmm::list::{AnyElement, AnyUndamped, ListStep};
 
 /// The steps with every element built by `build`.

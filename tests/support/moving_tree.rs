@@ -1,8 +1,8 @@
 //! A tree as data whose motions can be asked for: what the macro emits for a model, made at run time.
 #![expect(clippy::unwrap_used, reason = "random trees have valid parameters")]
 
-use crate::random_tree::{Random, random_tree};
-use crate::tree::{Part, Tree};
+use super::random_tree::{Random, random_tree};
+use super::tree::{Part, Tree};
 use core::cell::Cell;
 use core::fmt::Debug;
 use mstmm::__private::{Layout, Visit};

@@ -1,6 +1,6 @@
 //! Random trees from a seed: every kind of element, support, branch, narrowing and widening.
 
-use crate::tree::{Part, Tree};
+use super::tree::{Part, Tree};
 use mstmm::element::{Space, Support};
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
