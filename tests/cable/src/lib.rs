@@ -91,7 +91,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Cable<T> {
         if C::COUNTS {
             // held at both ends it vibrates at φ = π, 2π, ..; the sign of sin φ is that of its flexibility
             let half_waves = (k.phi.size() / core::f64::consts::PI) as u64;
-            counter.line_waves(&before, &after, half_waves, half_waves % 2 == 1);
+            counter.line(&before, &after, half_waves, half_waves % 2 == 1);
         }
         Subspace::Line(after, input.space())
     }

@@ -1,7 +1,7 @@
 //! How the string moves: for mode shapes, responses and sensitivities.
 
 use crate::Cable;
-use mstmm::element::{Covector, Ends, Energies, FrequencyPowers, Inside, PlaneStep, State, Subspace};
+use mstmm::element::{BackTransfer, Covector, Ends, Energies, FrequencyPowers, Inside, PlaneStep, State, Subspace};
 use mstmm::number::{Oscillation, Real};
 
 /// Nodes and weights of Gauss and Legendre on `[-1, 1]`.
