@@ -20,3 +20,4 @@ pub(crate) mod scaled;
 #[cfg(test)]
 pub(crate) mod tolerance;
 pub(crate) mod wave_functions;
+pub(crate) mod waves;
