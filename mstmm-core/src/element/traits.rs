@@ -6,6 +6,7 @@ use crate::model::state::StateSpace;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::{Branches, Scalar};
 use crate::number::scaled::Scaled;
+use crate::subspace::connecting::Connecting;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::subspace::Subspace;
 use core::fmt;

@@ -12,6 +12,7 @@ use crate::number::frequency::Oscillation;
 use crate::number::frequency::{Frequency, Real};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scaled::Scaled;
+use crate::subspace::connecting::Connecting;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::covector::Covector;
 use crate::subspace::minors::plane::Plane;

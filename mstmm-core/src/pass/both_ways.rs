@@ -5,8 +5,8 @@ use crate::element::visit::Visit;
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::tree::Tree;
+use crate::subspace::connecting::connection;
 use crate::subspace::count::NoCount;
-use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::{Space, Step, Support};
 

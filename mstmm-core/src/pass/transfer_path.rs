@@ -7,9 +7,9 @@ use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::Tree;
+use crate::subspace::connecting::connection;
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::join::connection;
 use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::{Scheme, Space, Step};
 

@@ -6,6 +6,7 @@ use crate::elements::laws::subspaces::{
 };
 use crate::elements::laws::{C, Rows, Sample, built, rows};
 use crate::number::frequency_powers::FrequencyPowers;
+use crate::subspace::connecting::Connecting;
 use crate::subspace::count::{NoCount, WittrickWilliams};
 use crate::subspace::minors::subspace::Subspace;
 use core::ops::Index;

@@ -9,6 +9,7 @@ use crate::elements::laws::{C, Rows, Sample, built, rows};
 use crate::number::frequency_powers::FrequencyPowers;
 use crate::number::scalar::Scalar;
 use crate::number::tolerance::assert_close;
+use crate::subspace::connecting::Connecting;
 use crate::subspace::count::NoCount;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;

@@ -2,6 +2,7 @@
 
 use crate::number::scalar::{Branches, Scalar};
 use crate::number::scaled::Scaled;
+use crate::subspace::connecting::Connecting;
 use crate::subspace::count::{Held, RootCounter};
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;

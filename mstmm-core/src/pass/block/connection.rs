@@ -13,7 +13,7 @@ use crate::subspace::count::{NoCount, RootCounter};
 use mstmm_plan::{Space, Support};
 
 /// The connection of the inputs in some places, supports among them, to an output in the space `output`, as
-/// [`connection`](crate::subspace::minors::join::connection) gives it in each lane. Returns the place of the sum: one of the two
+/// [`connection`](crate::subspace::connecting::connection) gives it in each lane. Returns the place of the sum: one of the two
 /// free places, or the place of an only path that does not change.
 pub(crate) fn connection<S: InColumns, C: RootCounter<S> + Copy>(
     lanes: &mut [Lanes<S>],

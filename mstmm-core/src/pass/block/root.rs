@@ -9,6 +9,7 @@ use crate::pass::block::kinds::Kind;
 use crate::pass::block::lane_ops::{FIXED, FREE, GUIDED, PINNED, SUPPORTS};
 use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::{KINDS, LINE, PLANE, TURN, Task, widest};
+use crate::subspace::connecting::Connecting;
 use crate::subspace::count::RootCounter;
 use mstmm_plan::{Space, Support};
 
