@@ -119,7 +119,7 @@ fn root(support: &Ident, input: usize, plan: &Plan<'_>, names: &Names) -> TokenS
             }
         }
         _ => {
-            let input = subspace(input, names);
+            let (private, input) = (&names.private, subspace(input, names));
             quote_spanned!(names.here=> #private::Connecting::at_root(#input, #support, counter))
         }
     }
