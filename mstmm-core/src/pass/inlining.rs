@@ -4,13 +4,9 @@
 //! a multiplication is ten instructions. So every scalar has a longest inlined pass, in steps. In a model of a few steps the
 //! compiler leaves out most of each step, and calls would be longer.
 
-use crate::element::traits::PlaneStep;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
-use crate::subspace::connecting::Connecting;
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::subspace::Subspace;
+use crate::element::PlaneStep;
+use crate::number::{FrequencyPowers, Scalar, Scaled};
+use crate::subspace::{Connecting, RootCounter, Subspace};
 use mstmm_plan::Support;
 
 /// The coefficients of an element in a pass.

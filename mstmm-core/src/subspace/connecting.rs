@@ -1,7 +1,6 @@
 //! What a representation of subspaces does at supports, at connections and at the root.
 
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::number::{Scalar, Scaled};
 use crate::subspace::count::RootCounter;
 use mstmm_plan::{Space, Support};
 

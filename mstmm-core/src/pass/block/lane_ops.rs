@@ -1,18 +1,13 @@
 //! Operations on the subspace of a lane, each written once for branch-free numbers and for a lane that is evaluated alone.
 
-use crate::element::traits::{Element, PlaneStep};
-use crate::model::state::StateSpace;
-use crate::number::branch_free::BranchFree;
-use crate::number::columns::InColumns;
-use crate::number::scalar::{Branches, Scalar};
+use crate::element::{Element, PlaneStep};
+use crate::model::StateSpace;
+use crate::number::{BranchFree, Branches, InColumns, Scalar};
 use crate::pass::block::counters::Unwrapped;
 use crate::pass::block::frequencies::Frequencies;
 use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::{BENDING, BranchFreeOp, KINDS, LINE, LaneOp, PLANE, ROTATION, TRANSLATION, TURN};
-use crate::subspace::connecting::Connecting;
-use crate::subspace::count::{NoCount, RootCounter, Watch};
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::{Connecting, NoCount, Plane, RootCounter, Subspace, Watch};
 use mstmm_plan::{Space, Support};
 
 /// The step of an element.

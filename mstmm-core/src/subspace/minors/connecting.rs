@@ -1,7 +1,6 @@
 //! Lines and planes at supports, at connections and at the root.
 
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::number::{Scalar, Scaled};
 use crate::subspace::connecting::Connecting;
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::join::joined;

@@ -1,7 +1,6 @@
 //! Connections: joining subspaces, holding a point by a support, widening and narrowing.
 
-use crate::number::doubt::ROUNDINGS;
-use crate::number::scalar::{Branches, Scalar};
+use crate::number::{Branches, ROUNDINGS, Scalar};
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;

@@ -4,7 +4,7 @@
 //! dimension; at the root, Δ = 0 where it meets the root's boundary condition. A line of a two-entry state is given by
 //! one of its vectors, a plane of the bending state by its 2×2 minors (Plücker coordinates).
 
-use crate::number::scalar::Scalar;
+use crate::number::Scalar;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use mstmm_plan::{Space, Support};
