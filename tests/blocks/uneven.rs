@@ -2,7 +2,8 @@
 //! frequency is evaluated alone.
 
 use mstmm::element::{
-    Covector, Element, Ends, Energies, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter, Subspace, Translation,
+    BackTransfer, Covector, Element, Ends, Energies, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter,
+    Subspace, Translation,
 };
 use mstmm::elements::Spring;
 use mstmm::number::{Frequency, Oscillation, Real, Scaled};
@@ -56,7 +57,7 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Latch<T> {
     fn back_transfer(stiffness: &Option<S>, input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         match stiffness {
             None => covector,
-            Some(stiffness) => <Spring<T> as Energies<S>>::back_transfer(stiffness, input, covector),
+            Some(stiffness) => <Spring<T> as BackTransfer<S>>::back_transfer(stiffness, input, covector),
         }
     }
 }

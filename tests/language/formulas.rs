@@ -3,8 +3,11 @@
 //! A model has a probe for an element, whose dynamic work is made up, so that the chain rule alone is tested: the oracle is
 //! a central difference of the same formulas over plain numbers.
 
-use mstmm::__private::{Chain, Covector, Ends, Energies, Fields};
-use mstmm::element::{Element, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter, Subspace, Translation};
+use mstmm::__private::{Chain, Fields, NamedFields};
+use mstmm::element::{
+    BackTransfer, Covector, Element, Ends, Energies, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter,
+    Subspace, Translation,
+};
 use mstmm::number::{Frequency, Real};
 use mstmm::search::System;
 

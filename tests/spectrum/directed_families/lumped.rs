@@ -49,7 +49,7 @@ fn meet(a: &Eigenvalue, b: &Eigenvalue) -> bool {
 fn check(links: &[[f64; 3]], tally: &mut Tally) {
     let tree = chain(links);
     let model = Stiffness::of(&tree);
-    let steps = any_steps(&tree);
+    let steps = any_steps::<f64>(&tree);
     let list = StepList::new(&steps).unwrap();
     tally.models += 1;
     let far = far(links);
@@ -119,7 +119,7 @@ pub(crate) fn oscillators(stride: usize) -> Tally {
     for index in (0..15_600_u32).step_by(stride) {
         let (w, z) = (32.0 + 3.2 * f64::from(index % 100) / 100.0, f64::from(index / 100) / 156.0);
         let tree = chain(&[[w * w, 2.0 * z * w, 1.0]]);
-        let steps = any_steps(&tree);
+        let steps = any_steps::<f64>(&tree);
         tally.models += 1;
         match StepList::new(&steps).unwrap().first_eigenvalues::<1>() {
             Err(error) => {
