@@ -9,7 +9,6 @@ use crate::number::scalar::Scalar;
 use crate::number::scaled::{Magnitude, Scaled};
 use crate::pass::both_ways::Passes;
 use crate::pass::characteristic::System;
-use crate::pass::jump::dual_of;
 use crate::pass::tree::{ExtendedTree, Tree};
 use core::fmt;
 use core::ops::Deref;
@@ -129,7 +128,7 @@ where
     if mismatch > <Y::Parameter as Scalar>::EPSILON.sqrt() {
         return Err(MotionError::NotARoot { frequency, mismatch });
     }
-    let jump = passes.meeting(best.step).jump(dual_of(best.coordinate));
+    let jump = passes.meeting(best.step).jump(best.coordinate.dual());
     let recovered = passes.recover(best.step, jump.upstream, jump.downstream);
     let largest = recovered.states.as_ref().iter().filter_map(|state| state.magnitude()).max();
     let field = SystemStates::of(system, x, &recovered, -largest.unwrap_or(0));

@@ -12,9 +12,7 @@ use crate::number::frequency::Oscillation;
 use crate::number::scalar::Scalar;
 use crate::number::scaled::Scaled;
 use crate::pass::both_ways::Passes;
-use crate::pass::jump::dual_of;
 use crate::pass::tree::{ExtendedTree, Tree};
-use mstmm_plan::Coordinate;
 
 /// All shapes of a root. Those of a multiple one are computed again in extended precision where their states do not fit together.
 pub(crate) fn all_shapes<'a, const CAP: usize, S, Y, R>(
@@ -277,9 +275,8 @@ where
             })
         };
         let signed = |candidate: &Candidate| {
-            let is_displacement = matches!(candidate.coordinate, Coordinate::Y | Coordinate::Theta);
             let residue = self.residue(candidate);
-            if is_displacement { residue } else { -residue }
+            if candidate.coordinate.is_force() { -residue } else { residue }
         };
         let ratio = first.map_or(S::zero(), |first| signed(first) / squares(first));
         let mut most: Option<(f64, Candidate)> = None;
@@ -303,7 +300,7 @@ where
             let factor =
                 Scaled::new(weight * self.power(away, Order::Simple), 0).over(passes.meeting(candidate.step).delta());
             let exponent = factor.exponent().clamp(-1 << 30, 1 << 30) as i32;
-            let jump = passes.meeting(candidate.step).jump(dual_of(candidate.coordinate));
+            let jump = passes.meeting(candidate.step).jump(candidate.coordinate.dual());
             let [upstream, downstream] =
                 [jump.upstream, jump.downstream].map(|covector| covector.times(factor.mantissa(), exponent));
             let recovered = passes.recover(candidate.step, upstream, downstream);
