@@ -24,6 +24,7 @@ impl<'a, const STEPS: usize> Layout<'a, STEPS> {
     }
 
     /// The resolved plan.
+    #[inline]
     pub const fn scheme(&'a self) -> Scheme<'a> {
         Scheme { steps: &self.steps, places: &self.places, inputs: &self.inputs }
     }

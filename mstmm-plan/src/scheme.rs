@@ -44,26 +44,31 @@ pub struct Scheme<'a> {
 impl<'a> Scheme<'a> {
     /// Number of steps.
     #[allow(clippy::len_without_is_empty)] // a plan has a root
+    #[inline]
     pub const fn len(&self) -> usize {
         self.steps.len()
     }
 
     /// Number of unknowns at the boundaries: the width of `U_all`.
+    #[inline]
     pub const fn size(&self) -> usize {
         self.places[self.len() - 1].columns
     }
 
     /// Space of a step: of the widest state at a connection, of a support that of its neighbour.
+    #[inline]
     pub const fn space(&self, step: usize) -> Space {
         self.places[step].space
     }
 
     /// The step that takes another as input.
+    #[inline]
     pub const fn downstream(&self, step: usize) -> usize {
         self.places[step].downstream
     }
 
     /// Space of the element to which a step leads; `None` if it leads to a connection or to the root.
+    #[inline]
     pub const fn output(&self, step: usize) -> Option<Space> {
         match self.steps[self.downstream(step)] {
             Step::Element(_, space) => Some(space),
@@ -72,16 +77,19 @@ impl<'a> Scheme<'a> {
     }
 
     /// Space of the state behind a step: that with which a path goes on.
+    #[inline]
     pub const fn behind(&self, step: usize) -> Space {
         self.space(step).without(self.left_behind(step))
     }
 
     /// The inputs of a step, widest state first, then in source order.
+    #[inline]
     pub const fn inputs(&self, step: usize) -> &'a [usize] {
         self.inputs.split_at(self.places[step].first_input).1.split_at(self.steps[step].inputs().len()).0
     }
 
     /// The freedoms that a connection does not lead on, whose forces are zero there: one equation each.
+    #[inline]
     pub const fn left_behind(&self, step: usize) -> Freedoms {
         match (self.steps[step], self.output(step)) {
             (Step::Connection(_), Some(output)) => self.space(step).without(output),

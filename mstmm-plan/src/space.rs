@@ -18,19 +18,33 @@ pub type Space = Freedoms;
 /// Number of entries of the widest state.
 pub const WIDEST: usize = Space::ALL.size();
 
-/// The entries of the states of every space, from the first on.
-const STATES: &[[Coordinate; WIDEST]; Freedoms::ALL.index() + 1] = &{
-    let mut states = [Coordinate::ALL; Freedoms::ALL.index() + 1];
+/// Number of spaces, that of no freedom included.
+const SPACES: usize = Space::ALL.index() + 1;
+
+/// The entries of the states of every space, and room behind them.
+const ENTRIES: &[[Coordinate; WIDEST]; SPACES] = &{
+    let mut entries = [Coordinate::ALL; SPACES];
     let mut space = 0;
-    while space < states.len() {
+    while space < SPACES {
         let (mut entry, mut size) = (0, 0);
         while entry < WIDEST {
             if Freedoms::at(space).contains(Coordinate::ALL[entry].freedom()) {
-                states[space][size] = Coordinate::ALL[entry];
+                entries[space][size] = Coordinate::ALL[entry];
                 size += 1;
             }
             entry += 1;
         }
+        space += 1;
+    }
+    entries
+};
+
+/// The entries of the states of every space.
+const STATES: &[&[Coordinate]; SPACES] = &{
+    let mut states: [&[Coordinate]; SPACES] = [&[]; SPACES];
+    let mut space = 0;
+    while space < SPACES {
+        states[space] = ENTRIES[space].split_at(Freedoms::at(space).size()).0;
         space += 1;
     }
     states
@@ -59,19 +73,25 @@ impl Freedoms {
     /// The entries of a state, in order: displacements first, forces second.
     #[inline]
     pub const fn coordinates(self) -> &'static [Coordinate] {
-        STATES[self.index()].split_at(self.size()).0
+        STATES[self.index()]
     }
 
     /// The displacements of a state.
     #[inline]
     pub const fn displacements(self) -> &'static [Coordinate] {
-        self.coordinates().split_at(self.count()).0
+        self.halves().0
     }
 
     /// The forces of a state.
     #[inline]
     pub const fn forces(self) -> &'static [Coordinate] {
-        self.coordinates().split_at(self.count()).1
+        self.halves().1
+    }
+
+    #[inline]
+    const fn halves(self) -> (&'static [Coordinate], &'static [Coordinate]) {
+        let entries = self.coordinates();
+        entries.split_at(entries.len() / 2)
     }
 
     /// The smallest space that holds the states of both; `None` where they cannot meet at a connection, as planar states and

@@ -66,7 +66,8 @@ impl Support {
     /// Table 1 of the paper.
     #[inline]
     pub fn unknowns(self, space: Space) -> impl Iterator<Item = Coordinate> + Clone {
-        space.coordinates().iter().copied().filter(move |&entry| self.leaves(entry))
+        let (free, held) = (space.without(self.holds()), space.intersection(self.holds()));
+        free.displacements().iter().chain(held.forces()).copied()
     }
 }
 

@@ -6,7 +6,6 @@ use crate::number::{InColumns, Oscillation, Scalar};
 use crate::pass::block::both_ways::BlockPasses;
 use crate::pass::block::{WIDTH, WORTHWHILE};
 use crate::pass::both_ways::Passes;
-use crate::pass::jump::dual_of;
 use crate::pass::route::{Place, Route};
 use crate::pass::tree::{Planned, Tree};
 use mstmm_plan::Coordinate;
@@ -75,7 +74,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
             let meeting = passes.meeting(step);
             meeting.square(coordinate).over(meeting.delta()).value().size()
         };
-        let load = own(self.route.load.step, dual_of(self.route.load.coordinate));
+        let load = own(self.route.load.step, self.route.load.coordinate.dual());
         let entry = own(self.route.entry.step, self.route.entry.coordinate);
         Ok(Part { value, size: value.size().max(load.sqrt() * entry.sqrt()) })
     }

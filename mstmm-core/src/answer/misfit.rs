@@ -50,7 +50,7 @@ where
         }
         let mut gap = State { y: S::zero(), theta: S::zero(), ..left };
         for coordinate in [Coordinate::Y, Coordinate::Theta] {
-            let has = |step: &usize| self.system.scheme().behind(*step).coordinates().contains(&coordinate);
+            let has = |step: &usize| self.system.scheme().behind(*step).contains(coordinate.freedom());
             let mut values =
                 inputs.iter().filter(|input| has(input)).map(|&input| self.at(input, true).entry(coordinate));
             let Some(first) = values.next() else { continue };

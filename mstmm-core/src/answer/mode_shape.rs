@@ -7,7 +7,6 @@ use crate::model::MotionError;
 use crate::number::{Magnitude, Oscillation, Scalar, Scaled};
 use crate::pass::both_ways::Passes;
 use crate::pass::characteristic::System;
-use crate::pass::jump::dual_of;
 use crate::pass::tree::{ExtendedTree, Tree};
 use core::fmt;
 use core::ops::Deref;
@@ -127,7 +126,7 @@ where
     if mismatch > <Y::Parameter as Scalar>::EPSILON.sqrt() {
         return Err(MotionError::NotARoot { frequency, mismatch });
     }
-    let jump = passes.meeting(best.step).jump(dual_of(best.coordinate));
+    let jump = passes.meeting(best.step).jump(best.coordinate.dual());
     let recovered = passes.recover(best.step, jump.upstream, jump.downstream);
     let largest = recovered.states.as_ref().iter().filter_map(|state| state.magnitude()).max();
     let field = SystemStates::of(system, x, &recovered, -largest.unwrap_or(0));

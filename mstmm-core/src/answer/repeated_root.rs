@@ -10,9 +10,7 @@ use crate::answer::states::SystemStates;
 use crate::model::MotionError;
 use crate::number::{Oscillation, Scalar, Scaled};
 use crate::pass::both_ways::Passes;
-use crate::pass::jump::dual_of;
 use crate::pass::tree::{ExtendedTree, Tree};
-use mstmm_plan::Coordinate;
 
 /// All shapes of a root. Those of a multiple one are computed again in extended precision where their states do not fit together.
 pub(crate) fn all_shapes<'a, const CAP: usize, S, Y, R>(
@@ -275,9 +273,8 @@ where
             })
         };
         let signed = |candidate: &Candidate| {
-            let is_displacement = matches!(candidate.coordinate, Coordinate::Y | Coordinate::Theta);
             let residue = self.residue(candidate);
-            if is_displacement { residue } else { -residue }
+            if candidate.coordinate.is_force() { -residue } else { residue }
         };
         let ratio = first.map_or(S::zero(), |first| signed(first) / squares(first));
         let mut most: Option<(f64, Candidate)> = None;
@@ -301,7 +298,7 @@ where
             let factor =
                 Scaled::new(weight * self.power(away, Order::Simple), 0).over(passes.meeting(candidate.step).delta());
             let exponent = factor.exponent().clamp(-1 << 30, 1 << 30) as i32;
-            let jump = passes.meeting(candidate.step).jump(dual_of(candidate.coordinate));
+            let jump = passes.meeting(candidate.step).jump(candidate.coordinate.dual());
             let [upstream, downstream] =
                 [jump.upstream, jump.downstream].map(|covector| covector.times(factor.mantissa(), exponent));
             let recovered = passes.recover(candidate.step, upstream, downstream);

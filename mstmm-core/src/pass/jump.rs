@@ -57,7 +57,7 @@ impl<S: Scalar> Meeting<S> {
     /// The covectors of a jump by 1 in one entry.
     pub(crate) fn jump(&self, coordinate: Coordinate) -> Jump<S> {
         let Meeting { upstream, downstream, space } = *self;
-        let is_force = matches!(coordinate, Coordinate::M | Coordinate::Q);
+        let is_force = coordinate.is_force();
         let (upstream, downstream) = if space.is(Space::Bending) {
             let (p, r) = (upstream.plane(), downstream.plane());
             let sign = if is_force { S::one() } else { -S::one() };
@@ -89,20 +89,9 @@ impl<S: Scalar> Meeting<S> {
             (value, [p.exponent, r.exponent])
         } else {
             let (p, r) = (upstream.line(), downstream.line());
-            let is_force = matches!(coordinate, Coordinate::M | Coordinate::Q);
-            (if is_force { p.q * r.q } else { p.y * r.y }, [p.exponent, r.exponent])
+            (if coordinate.is_force() { p.q * r.q } else { p.y * r.y }, [p.exponent, r.exponent])
         };
         Scaled::new(value, exponents.map(i64::from).iter().sum())
-    }
-}
-
-/// The entry that does work on another.
-pub(crate) fn dual_of(coordinate: Coordinate) -> Coordinate {
-    match coordinate {
-        Coordinate::Theta => Coordinate::M,
-        Coordinate::M => Coordinate::Theta,
-        Coordinate::Q => Coordinate::Y,
-        _ => Coordinate::Q,
     }
 }
 

@@ -47,7 +47,7 @@ impl Place {
     fn new(scheme: Scheme<'_>, step: usize, beyond: bool, coordinate: Coordinate) -> Result<Self, MotionError> {
         let has = |step: usize| {
             let space = scheme.behind(step);
-            space.coordinates().contains(&coordinate) && !space.is(Space::Planar)
+            space.contains(coordinate.freedom()) && !space.is(Space::Planar)
         };
         // the label of a longer list
         if step >= scheme.len() {

@@ -155,12 +155,11 @@ act_by!(
     Rescale(()), 0b11 << PLANE | 1 << LINE | 1 << TURN, |_own, input, _counter| input.rescaled()
 );
 
-/// Supports by the constants of [`Hold`] and of the root.
-pub(crate) const SUPPORTS: [Support; 4] = [Support::Fixed, Support::Pinned, Support::Guided, Support::Free];
-pub(crate) const FIXED: usize = 0;
-pub(crate) const PINNED: usize = 1;
-pub(crate) const GUIDED: usize = 2;
-pub(crate) const FREE: usize = 3;
+/// Supports as constants of [`Hold`] and of the root: their places in [`Support::ALL`].
+pub(crate) const FIXED: usize = Support::Fixed as usize;
+pub(crate) const PINNED: usize = Support::Pinned as usize;
+pub(crate) const GUIDED: usize = Support::Guided as usize;
+pub(crate) const FREE: usize = Support::Free as usize;
 
 /// The support that holds the point; it is known to the compiler, since the order of minors depends on it.
 #[derive(Clone, Copy)]
@@ -171,7 +170,7 @@ impl<S: InColumns, const SUPPORT: usize> LaneOp<S, NoCount> for Hold<SUPPORT> {
 
     #[inline(always)]
     fn fallback(&self, _: usize, input: Subspace<S>, _: &mut NoCount) -> Subspace<S> {
-        input.held(SUPPORTS[SUPPORT])
+        input.held(Support::ALL[SUPPORT])
     }
 }
 
@@ -183,6 +182,6 @@ impl<S: InColumns, const SUPPORT: usize, const SERIES: bool> BranchFreeOp<S, NoC
         input: Subspace<BranchFree<S, SERIES>>,
         _: &mut NoCount,
     ) -> Subspace<BranchFree<S, SERIES>> {
-        input.held(SUPPORTS[SUPPORT])
+        input.held(Support::ALL[SUPPORT])
     }
 }

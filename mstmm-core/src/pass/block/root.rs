@@ -4,7 +4,7 @@ use crate::number::{BranchFree, InColumns, Scaled};
 use crate::pass::block::WIDTH;
 use crate::pass::block::counters::{Counters, Unwrapped};
 use crate::pass::block::kinds::Kind;
-use crate::pass::block::lane_ops::{FIXED, FREE, GUIDED, PINNED, SUPPORTS};
+use crate::pass::block::lane_ops::{FIXED, FREE, GUIDED, PINNED};
 use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::{KINDS, LINE, PLANE, TURN, Task, widest};
 use crate::subspace::{Connecting, RootCounter};
@@ -76,7 +76,7 @@ fn straight<S: InColumns, C: RootCounter<S> + Copy, const KIND: usize, const SUP
         for lane in 0..WIDTH {
             if S::get(&values.mantissas, lane).size().is_nan() {
                 pending[lane] = committed[lane];
-                values.set(lane, last.lane(lane).at_root(SUPPORTS[SUPPORT], &mut pending[lane]));
+                values.set(lane, last.lane(lane).at_root(Support::ALL[SUPPORT], &mut pending[lane]));
             }
         }
     }
@@ -118,7 +118,7 @@ fn each_lane<S: InColumns, C: RootCounter<S> + Copy, const KIND: usize, const SU
     for lane in 0..WIDTH {
         let mut counter = committed[lane];
         let subspace = last.known(KINDS[KIND], lane, BranchFree::<S, false>);
-        let value = subspace.at_root(SUPPORTS[SUPPORT], &mut Unwrapped(&mut counter));
+        let value = subspace.at_root(Support::ALL[SUPPORT], &mut Unwrapped(&mut counter));
         pending[lane] = counter;
         let mantissa = value.mantissa().0;
         are_good &= !mantissa.size().is_nan();

@@ -13,23 +13,27 @@ use nalgebra::SMatrix;
 /// forces of all.
 #[derive(Debug)]
 pub struct Assembly<'a, S, const N: usize> {
-    scheme: Scheme<'a>,
+    scheme: &'a Scheme<'a>,
     /// State per column, indexed by [`Coordinate`](mstmm_plan::Coordinate).
     states: [[S; WIDEST]; N],
     matrix: SMatrix<S, N, N>,
 }
 
 impl<'a, S: Scalar, const N: usize> Assembly<'a, S, N> {
-    /// An empty equation in which every tip has its unit states.
-    pub fn new(scheme: Scheme<'a>) -> Self {
-        let mut states = [[S::zero(); WIDEST]; N];
-        for (step, place) in scheme.steps.iter().zip(scheme.places) {
-            let Step::Tip(support) = step else { continue };
-            for (column, unknown) in support.unknowns(place.space).enumerate() {
-                states[place.first_column + column][unknown as usize] = S::one();
-            }
+    /// An empty equation.
+    #[inline]
+    pub fn new(scheme: &'a Scheme<'a>) -> Self {
+        Assembly { scheme, states: [[S::zero(); WIDEST]; N], matrix: SMatrix::zeros() }
+    }
+
+    /// Starts a path from a tip: each of its unknowns causes a unit state.
+    #[inline(always)]
+    pub fn tip(&mut self, step: usize) {
+        let Step::Tip(support) = self.scheme.steps[step] else { return };
+        let place = self.scheme.places[step];
+        for (column, unknown) in support.unknowns(place.space).enumerate() {
+            self.states[place.first_column + column][unknown as usize] = S::one();
         }
-        Assembly { scheme, states, matrix: SMatrix::zeros() }
     }
 
     /// Takes the paths up to `step` through an element with transfer matrix `u`.
@@ -47,13 +51,11 @@ impl<'a, S: Scalar, const N: usize> Assembly<'a, S, N> {
     /// # Source
     /// Eqs. (20)-(29) of the paper.
     pub fn connection(&mut self, step: usize) {
-        let Scheme { places, .. } = self.scheme;
-        let Some((&first, others)) = self.scheme.inputs(step).split_first() else { return };
+        let places = self.scheme.places;
+        let inputs = self.scheme.inputs(step);
+        let Some((&first, others)) = inputs.split_first() else { return };
         let reference = places[first];
-        let connection = places[step];
-        let geometrical_rows: usize = others.iter().map(|&input| places[input].space.count()).sum();
-        let left_behind = self.scheme.left_behind(step).count();
-        let mut row = connection.first_row + connection.rows - geometrical_rows - left_behind;
+        let mut row = places[step].first_row + inputs.iter().map(|&input| places[input].rows).sum::<usize>();
         for &input in others {
             let input = places[input];
             let columns = input.first_column..input.first_column + input.columns;
@@ -90,15 +92,15 @@ impl<'a, S: Scalar, const N: usize> Assembly<'a, S, N> {
         let Scheme { steps: [.., Step::Root(_, support)], places: [.., place], .. } = self.scheme else {
             return self.matrix;
         };
-        let own_column = N - place.space.count();
+        let tips = N - place.space.count();
+        let mut own_column = tips;
         for (row, &coordinate) in place.space.coordinates().iter().enumerate() {
-            for column in 0..own_column {
+            for column in 0..tips {
                 self.matrix[(row, column)] = self.states[column][coordinate as usize];
             }
-            for (k, unknown) in support.unknowns(place.space).enumerate() {
-                if unknown == coordinate {
-                    self.matrix[(row, own_column + k)] = -S::one();
-                }
+            if support.leaves(coordinate) {
+                self.matrix[(row, own_column)] = -S::one();
+                own_column += 1;
             }
         }
         self.matrix

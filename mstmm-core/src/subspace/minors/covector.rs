@@ -5,7 +5,7 @@ use crate::number::{Scalar, binary_exponent};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
-use mstmm_plan::{Coordinate, Space, Support};
+use mstmm_plan::{Coordinate, Freedoms, Space, Support};
 
 /// Picks the state `z_i = Σ_j p_ij η_j` out of a plane with the minors `p_ij`, or `t l` out of a line.
 ///
@@ -121,12 +121,15 @@ fn of_plane<S: Scalar>([y, theta, m, q]: [S; 4], p: &Plane<S>, coordinate: Coord
 
 /// `z_i = Σ_j p_ij η_j` for the plane that a support leaves. The minor of its two unknowns is 1, so that each unknown is the
 /// covector's entry for the other.
-fn of_tip<S: Scalar>(entries: [S; 4], support: Support, coordinate: Coordinate) -> S {
-    let bending = Space::Bending.coordinates().iter().zip(entries);
-    let mut unknowns = bending.filter(|(entry, _)| support.leaves(**entry));
-    match (unknowns.next(), unknowns.next()) {
-        (Some((first, _)), Some((_, value))) if *first == coordinate => value,
-        (Some((_, value)), Some((second, _))) if *second == coordinate => -value,
+fn of_tip<S: Scalar>([y, theta, m, q]: [S; 4], support: Support, coordinate: Coordinate) -> S {
+    let of_theta = if support.holds().contains(Freedoms::RZ) { m } else { theta };
+    match (coordinate.freedom(), support.holds().contains(Freedoms::Y)) {
+        _ if !support.leaves(coordinate) => S::zero(),
+        // of both unknowns Y stands before that of Θ, and Q behind it
+        (Freedoms::Y, false) => of_theta,
+        (Freedoms::Y, true) => -of_theta,
+        (Freedoms::RZ, false) => -y,
+        (Freedoms::RZ, true) => q,
         _ => S::zero(),
     }
 }
