@@ -1,13 +1,8 @@
 //! The states of a whole system in one motion.
 
-use crate::element::energies::Inside;
-use crate::element::moving::{CoefficientsOf, Moving};
-use crate::element::visit::Visit;
-use crate::model::ends::Ends;
-use crate::model::label::{Label, Point};
-use crate::model::motion_error::MotionError;
-use crate::model::state::State;
-use crate::number::scalar::Scalar;
+use crate::element::{CoefficientsOf, Inside, Moving, Visit};
+use crate::model::{Ends, Label, MotionError, Point, State};
+use crate::number::Scalar;
 use crate::pass::state_recovery::RecoveredStates;
 use crate::pass::tree::Tree;
 use mstmm_plan::Step;
@@ -63,12 +58,11 @@ where
 
     /// The states at both ends of the element of a step.
     pub(crate) fn ends(&self, step: usize) -> Ends<S> {
-        let input = match self.system.scheme().steps[step] {
-            Step::Element(input, _) if input == self.source => self.beyond,
-            Step::Element(input, _) => self.states.as_ref()[input],
+        let input = match self.system.scheme().steps.get(step) {
+            Some(&Step::Element(input, _)) => self.at(input, true),
             _ => State::default(),
         };
-        Ends { x: self.x, input, output: self.states.as_ref()[step] }
+        Ends { x: self.x, input, output: self.at(step, false) }
     }
 
     /// The interior of the element of a step, if it has one.
@@ -83,7 +77,10 @@ where
 
     /// The state at the point behind a step, on its upstream side or `beyond` it.
     pub(crate) fn at(&self, step: usize, beyond: bool) -> State<S> {
-        if beyond && step == self.source { self.beyond } else { self.states.as_ref()[step] }
+        if beyond && step == self.source {
+            return self.beyond;
+        }
+        self.states.as_ref().get(step).copied().unwrap_or_default()
     }
 
     /// The state at an end of an element, or at the output of a connection. Entries that a path does not carry are zero.

@@ -382,8 +382,11 @@ const _: () = {
             >(&k_3, s2, counter);
             let s4 = s1;
             let s4 = mstmm::__private::join::<S, C, true, STEPS>(s4, s3, counter);
-            let s4 = mstmm::__private::widened(s4, const { LAYOUT.output(4usize) });
-            let s4 = mstmm::__private::narrowed(
+            let s4 = mstmm::__private::Connecting::widened(
+                s4,
+                const { LAYOUT.output(4usize) },
+            );
+            let s4 = mstmm::__private::Connecting::narrowed(
                 s4,
                 const { LAYOUT.output(4usize) },
                 counter,
