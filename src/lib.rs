@@ -1,129 +1,112 @@
 //! Exact vibrations of linear systems of beams, rigid bodies, springs, dampers and masses.
 //!
-//! Models are declared with [`system!`](crate::system), on whose page is the language. What a built system answers is in
-//! [`NaturalFrequencies`](search::NaturalFrequencies), [`Eigenvalues`](search::Eigenvalues) and [`Motions`].
+//! A model is a sketch in [`system!`](crate::system), on whose page is the language; a built system answers questions.
+//!
+//! ```
+//! use mstmm::prelude::*;
+//!
+//! system! {
+//!     /// A beam between two supports, with a mass on a spring at its middle.
+//!     pub struct Footbridge { span: f64, bending_stiffness: f64, mass_per_length: f64, absorber: f64, stiffness: f64 }
+//!
+//!     pinned -> beam 1 { length: span / 2.0, bending_stiffness, mass_per_length } -> conn 2
+//!            -> beam 3 { length: span / 2.0, bending_stiffness, mass_per_length } -> pinned;
+//!     conn 2 <- spring 4 { stiffness } <- mass 5 { mass: absorber } <- free;
+//! }
+//!
+//! let bridge = Footbridge {
+//!     span: 40.0,
+//!     bending_stiffness: 2e10,
+//!     mass_per_length: 4000.0,
+//!     absorber: 800.0,
+//!     stiffness: 1.5e5,
+//! };
+//! let bridge = bridge.build()?;
+//! let roots = bridge.first_frequencies::<3>()?;
+//! let hertz = roots[0].hertz();
+//! assert!(1.9 < hertz && hertz < 2.1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | question | method |
+//! |---|---|
+//! | all natural frequencies of a range, the first n; how many are below ω | [`natural_frequencies`], [`first_frequencies`], [`count_below`] |
+//! | all eigenvalues of a region, the first n; how many are in it | [`eigenvalues`], [`first_eigenvalues`], [`count_in`] |
+//! | the shape of a mode: states anywhere, nodes, energies | [`mode_shape`], [`mode_shapes`] |
+//! | the response to a harmonic load, at rest too, on grids and curves | [`frequency_response`] |
+//! | the response in time to an impulse, a step, a history of forces | [`modal_response`] |
+//! | how a root moves with each field of the model | [`sensitivity`] |
+//! | Δ and counts at many frequencies at once | [`characteristics`], [`counts_below`] |
+//! | the overall transfer matrix of the paper and its determinant | [`overall_matrix`], [`overall_determinant`] |
+//! | a tree whose size is known when the program runs | [`list`] |
+//! | an element of one's own | [`element`] |
+//!
+//! [`natural_frequencies`]: search::NaturalFrequencies::natural_frequencies
+//! [`first_frequencies`]: search::NaturalFrequencies::first_frequencies
+//! [`count_below`]: search::NaturalFrequencies::count_below
+//! [`eigenvalues`]: search::Eigenvalues::eigenvalues
+//! [`first_eigenvalues`]: search::Eigenvalues::first_eigenvalues
+//! [`count_in`]: search::Eigenvalues::count_in
+//! [`mode_shape`]: motion::ModalAnalysis::mode_shape
+//! [`mode_shapes`]: motion::ModalAnalysis::mode_shapes
+//! [`frequency_response`]: motion::ModalAnalysis::frequency_response
+//! [`modal_response`]: motion::ModalAnalysis::modal_response
+//! [`sensitivity`]: motion::ModalAnalysis::sensitivity
+//! [`characteristics`]: search::ManyFrequencies::characteristics
+//! [`counts_below`]: search::ManyFrequencies::counts_below
+//! [`overall_matrix`]: search::Evaluate::overall_matrix
+//! [`overall_determinant`]: search::Evaluate::overall_determinant
 #![no_std]
 #![forbid(unsafe_code)]
 
-pub use mstmm_core::{
-    AnyElement, AnyUndamped, Assembly, At, BeamSigns, Bending, Characteristic, Complex, ComplexEigenvalue,
-    ComplexFrequency, Coordinate, Count, Covector, DoubleDouble, Dual, Element, Ends, EnergyShares, Entry, Evaluate,
-    Field, ForceHistory, Frequency, FrequencyBounds, InBlocks, InColumns, Inside, InvalidParameter, JudgedTree, Label,
-    Layout, Line, ListElement, ListError, ListPass, ListStep, ListWalk, Load, Magnitude, ManyFrequencies, MatrixOf,
-    MayDecay, Motion, MotionError, Motions, Oscillation, ParameterError, Planar, Plane, PlaneStep, Planned, Point,
-    Real, RealFrequency, Requirement, Root, Rotation, SMatrix, Sample, Scalar, Scaled, SearchError, ShapeList, Space,
-    State, StateSpace, StepList, Straight, Subspace, Support, System, Tally, TransferMatrix, Translation, Tree,
-    TreeInBlocks, Untallied, Visit, VisitAt, VisitInBlock, Walk, Walker, WaveFunctions, WaveProducts, determinant,
-    elements, search,
-};
+pub mod motion;
 
-/// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.
-///
-/// ```
-/// use mstmm::prelude::*;
-///
-/// system! {
-///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
-///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
-/// }
-///
-/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
-/// let roots = beam.first_frequencies::<3>()?;
-/// let third = beam.mode_shape(&roots[2])?;
-/// assert_eq!(third.nodes(Cantilever::beam_1), 2);
-/// assert_eq!(third.state(Cantilever::beam_1.input()).y, 0.0);
-/// let middle = third.along(Cantilever::beam_1, 0.5)?;
-/// assert!(middle.y.abs() < third.state(Cantilever::beam_1.output()).y.abs());
-///
-/// // of modal mass 1, orthogonal to other modes
-/// assert!((third.modal_mass() - 1.0).abs() < 1e-14);
-/// assert!(third.product(&beam.mode_shape(&roots[0])?).abs() < 1e-13);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub use mstmm_core::ModeShape;
+pub use mstmm_core::{Complex, elements};
 
-/// The response to a harmonic load, at rest too.
-///
-/// ```
-/// use mstmm::prelude::*;
-///
-/// system! {
-///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
-///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
-/// }
-///
-/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
-/// let (clamp, tip) = (Cantilever::beam_1.input(), Cantilever::beam_1.output());
-/// let deflection = beam.frequency_response(tip.force(), tip.deflection())?;
-///
-/// // l³/(3 EI) at rest, at ω = 5 rad/s nearer to the first resonance at 7.03 more
-/// assert!((deflection.at(0.0)? - 1.0 / 6.0).abs() < 1e-15);
-/// assert!(deflection.at(5.0)? > 1.9 / 6.0);
-///
-/// let moment = beam.frequency_response(tip.force(), clamp.moment())?;
-/// let mut values = [0.0; 3];
-/// moment.on(&[0.0, 1.0, 2.0], &mut values)?;
-/// assert!((values[0] - 1.0).abs() < 1e-15);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub use mstmm_core::FrequencyResponse;
+/// Roots, counts and determinants: the searches, their results, and the functions that they search.
+pub mod search {
+    pub use mstmm_core::search::*;
+    pub use mstmm_core::{Characteristic, Evaluate, InBlocks, ManyFrequencies, SearchError, System};
+}
 
-/// What each field of the model moves a root by.
+/// What an element is, how it transfers subspaces and states, and its energies: for elements of one's own.
 ///
-/// ```
-/// use mstmm::prelude::*;
-///
-/// system! {
-///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
-///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
-/// }
-///
-/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
-/// let root = beam.first_frequencies::<1>()?[0];
-/// let sensitivity = beam.sensitivity(&root)?;
-/// for (field, slope) in sensitivity.iter() {
-///     println!("dω/d({field}) = {slope}");
-/// }
-/// // ω is proportional to l⁻²
-/// assert!((sensitivity.get("length").unwrap_or(0.0) + 2.0 * root.omega).abs() < 1e-13);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub use mstmm_core::Sensitivities;
+/// A struct of parameters that implements [`Element`](element::Element) and [`TransferMatrix`](element::TransferMatrix) takes part
+/// in the overall matrix; with [`PlaneStep`](element::PlaneStep) in searches; with [`BackTransfer`](element::BackTransfer) and
+/// [`Energies`](element::Energies) in mode shapes, responses and sensitivities.
+pub mod element {
+    pub use mstmm_core::{
+        BackTransfer, Bending, Connecting, Coordinate, Covector, Element, Ends, Energies, FrequencyEstimates,
+        FrequencyPowers, Held, Inside, InvalidParameter, Line, MatrixOf, NoCount, ParameterError, Planar, Plane,
+        PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State, StateSpace, Subspace, Support,
+        TransferMatrix, Translation, WittrickWilliams,
+    };
+}
 
-/// The response in time to an impulse, a step or a force history.
-///
-/// ```
-/// use mstmm::prelude::*;
-///
-/// system! {
-///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
-///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
-/// }
-///
-/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
-/// let tip = Cantilever::beam_1.output();
-/// let roots = beam.first_frequencies::<6>()?;
-/// let response = beam.modal_response::<6, _>(&roots, tip.force(), tip.deflection())?;
-///
-/// // all but 3e-4 of l³/(3 EI), the deflection under a resting load; a sudden one reaches up to twice as far
-/// assert!((response.static_value()? * 6.0 - 1.0).abs() < 3e-4);
-/// assert!(response.to_step(0.45) > 1.9 / 6.0);
-///
-/// // half a sine, as samples of a measurement would come, with 1 % of the critical damping in every mode
-/// let mut history = response.with_damping_ratio(0.01)?.history(1e-3)?;
-/// let deflections: Vec<f64> = (0..=200).map(|n| history.next((f64::from(n) * 1e-3 * 5.0).sin())).collect();
-/// assert_eq!(deflections[0], 0.0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub use mstmm_core::ModalResponse;
+/// Numbers: what parameters and frequencies are made of.
+pub mod number {
+    pub use mstmm_core::{
+        BranchFree, Complex, ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, InColumns, Magnitude,
+        MayDecay, Oscillation, Real, RealFrequency, Scalar, Scaled, WaveFunctions,
+    };
+}
+
+#[doc = include_str!("../docs/lists.md")]
+pub mod list {
+    pub use mstmm_core::{
+        AnyElement, AnyUndamped, InList, ListElement, ListError, ListMoving, ListParameter, ListStep, ListStepping,
+        OPEN_PATHS, PlannedList, Room, StepList, Support,
+    };
+}
 
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {
+    pub use crate::motion::ModalAnalysis;
     pub use crate::search::{
-        Eigenvalue, Eigenvalues, NaturalFrequencies, NaturalFrequency, Region, Spectrum, Undamped,
+        Characteristic, Eigenvalue, Eigenvalues, Evaluate, ManyFrequencies, NaturalFrequencies, NaturalFrequency,
+        Region, Spectrum, Undamped, fmin1d, fmin2d,
     };
-    pub use crate::search::{fmin1d, fmin2d};
-    pub use crate::{Characteristic, Complex, Evaluate, ManyFrequencies, Motions, system};
+    pub use crate::{Complex, system};
 }
 
 /// What emitted code uses; not for use by hand.

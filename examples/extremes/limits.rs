@@ -4,9 +4,11 @@
 use crate::damped::Oscillator;
 use crate::{CANTILEVER, Failure, FixedPinned, Searched, TipMass, TipSpring, Twins, digits};
 use core::f64::consts::PI;
+use mstmm::element::{ParameterError, Support};
 use mstmm::elements::{Mass, Spring};
+use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, ListStep, ParameterError, SearchError, StepList, Support};
+use mstmm::search::SearchError;
 
 /// Digits that count as kept.
 const KEPT: f64 = 14.0;

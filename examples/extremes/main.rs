@@ -6,9 +6,11 @@
 //! a double has; `-` means that the determinant has the same sign at both ends of the bracket, or is not finite there.
 
 use core::f64::consts::PI;
+use mstmm::element::Support;
 use mstmm::elements::Beam;
+use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, ListStep, StepList, Support, System};
+use mstmm::search::System;
 
 mod damped;
 mod limits;

@@ -2,7 +2,7 @@
 //!
 //! This crate is an implementation detail of `mstmm`, which re-exports what users need. It uses neither `std` nor
 //! `alloc`; the feature `std` (default) or `libm` only chooses where sine, cosine and exponential come from. The feature `judge`
-//! (default) adds the double-double arithmetic that settles doubtful results.
+//! (default) adds the extended precision, double-double, in which doubtful results are computed again.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -12,66 +12,67 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("mstmm needs one of its features `std` (default) or `libm` for sin, cos and exp");
 
-mod assembly;
-mod at;
-mod beam_functions;
-mod bending_links;
-mod bending_steps;
-mod block;
-mod bounds;
-mod characteristic;
-mod count;
-mod determinant;
-mod doubt;
+mod answer;
 mod element;
 pub mod elements;
-mod error;
-mod fields;
-mod in_line;
-mod join;
-mod layout;
-mod line_steps;
-mod list;
-mod motion;
-mod partials;
-mod scalar;
-mod scaled;
+mod model;
+mod number;
+mod pass;
 pub mod search;
-mod state;
-mod step_list;
 mod subspace;
-#[cfg(test)]
-mod tolerance;
 
-pub use assembly::Assembly;
-pub use at::At;
-pub use block::{InBlocks, ManyFrequencies, Straight, Walk, Walker};
-pub use bounds::FrequencyBounds;
-pub use characteristic::{Characteristic, System};
-pub use count::{BeamSigns, Count, Tally, Untallied};
-pub use determinant::determinant;
-pub use element::{Element, Evaluate, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
-pub use error::{InvalidParameter, ParameterError, Requirement, SearchError};
-pub use fields::{Chain, ChainRule, Fields};
-pub use in_line::{coefficients, join, root, step};
-pub use join::{held, moderated, narrowed, widened};
-pub use layout::{Layout, Scheme, Step};
-pub use list::List;
-pub use motion::{
-    Covector, Ends, EnergyShares, Entry, Field, ForceHistory, FrequencyResponse, Inside, JudgedTree, Label, Load,
-    ModalResponse, ModeShape, Motion, MotionError, Motions, Planned, Point, Root, Sample, Sensitivities, ShapeList,
-    Tree, TreeInBlocks, Visit, VisitAt, VisitInBlock,
-};
+pub use answer::energy_shares::EnergyShares;
+pub use answer::force_history::ForceHistory;
+pub use answer::frequency_response::FrequencyResponse;
+pub use answer::many_frequencies::{InBlocks, ManyFrequencies};
+pub use answer::modal_response::ModalResponse;
+pub use answer::mode_shape::{ModeShape, ShapeList};
+pub use answer::questions::ModalAnalysis;
+pub use answer::response_curve::Sample;
+pub use answer::root::Root;
+pub use answer::sensitivity::Sensitivities;
+pub use answer::states::SystemStates;
+pub use element::back_transfer::BackTransfer;
+pub use element::energies::{Energies, Inside};
+pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
+pub use element::moving::{CoefficientsOf, Moving, Stepping};
+pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
+pub use element::visit::{Visit, VisitStep};
+pub use elements::{AnyElement, AnyUndamped};
+pub use model::chain_rule::{Chain, ChainRule, Fields, NamedFields};
+pub use model::ends::Ends;
+pub use model::error::{InvalidParameter, ParameterError, Requirement, SearchError};
+pub use model::estimates::FrequencyEstimates;
+pub use model::label::{Entry, Label, Load, Point};
+pub use model::motion_error::MotionError;
+pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
+pub use mstmm_plan::{Coordinate, Freedoms, Layout, Place, Scheme, Space, Step, Support};
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
-pub use partials::Partials;
-pub use scalar::{
-    Branches, ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, InColumns, JudgeOf, MayDecay,
-    Oscillation, Real, RealFrequency, Scalar, WaveFunctions, WaveProducts,
+pub use number::branch_free::BranchFree;
+pub use number::columns::InColumns;
+pub use number::double_double::DoubleDouble;
+pub use number::dual::Dual;
+pub use number::fixed_list::List;
+pub use number::frequency::{
+    ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, MayDecay, Oscillation, Real, RealFrequency,
 };
-pub use scaled::{Magnitude, Scaled};
-pub use state::{Bending, Coordinate, Planar, Rotation, Space, State, StateSpace, Support, Translation};
-pub use step_list::{
-    AnyElement, AnyUndamped, ListElement, ListError, ListPass, ListStep, ListWalk, OPEN_PATHS, StepList,
-};
-pub use subspace::{Line, Plane, Subspace};
+pub use number::frequency_powers::FrequencyPowers;
+pub use number::partials::Partials;
+pub use number::scalar::{Branches, Scalar};
+pub use number::scaled::{Magnitude, Scaled};
+pub use number::wave_functions::WaveFunctions;
+pub use pass::characteristic::{Characteristic, System};
+pub use pass::inlining::{coefficients, join, root, step};
+pub use pass::overall::assembly::Assembly;
+pub use pass::overall::determinant::determinant;
+pub use pass::overall::evaluate::Evaluate;
+pub use pass::planned_list::{InList, ListParameter, PerParameter, PlannedList, Room};
+pub use pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
+pub use pass::tree::{ExtendedTree, Planned, Steps, Tree};
+pub use subspace::connecting::Connecting;
+pub use subspace::count::{Held, NoCount, RootCounter, WittrickWilliams};
+pub use subspace::minors::covector::Covector;
+pub use subspace::minors::line::Line;
+pub use subspace::minors::plane::Plane;
+pub use subspace::minors::subspace::Subspace;

@@ -1,28 +1,28 @@
 //! Runs a loop compiled for the widest instruction set that the machine has.
 //!
 //! A program is compiled for the least machine it may run on, which on x86-64 has vectors of two numbers. A [`Task`] is
-//! compiled for wider ones as well, and the choice is made when it runs. Its arithmetic is the same on all of them: no
-//! operation is fused with another, so every result has the same bits.
+//! also compiled for wider vectors, and the choice is made when it runs. No operation is fused with another on any of them, so
+//! that every result has the same bits.
 //!
 //! This crate is an implementation detail of `mstmm`, and the only one of its crates with `unsafe` code: a function for an
-//! instruction set may be called only where that is known to be there. It needs `std` to ask.
+//! instruction set may be called only where the machine has it. The crate needs `std` to detect that.
 
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// A loop, or whatever is to be compiled for several instruction sets.
+/// A loop that is compiled for several instruction sets.
 pub trait Task {
-    /// What comes of it.
+    /// The result of the loop.
     type Output;
 
-    /// Runs it. Mark it `#[inline(always)]`, and all that it calls: what is called and not inlined is compiled for the
-    /// least machine.
+    /// Runs the loop. Mark it and all functions that it calls `#[inline(always)]`: a function that is not inlined is compiled for
+    /// the least machine.
     fn run(self) -> Self::Output;
 }
 
-/// What a task is compiled for.
+/// An instruction set for which a task is compiled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum InstructionSet {
-    /// That of the target: two numbers at once on x86-64.
+    /// The instruction set of the target: two numbers at once on x86-64.
     Target,
     /// AVX2: four numbers at once.
     Avx2,
@@ -30,11 +30,11 @@ pub enum InstructionSet {
     Avx512,
 }
 
-/// The set in use, plus one; 0 before the machine was asked.
+/// The set in use, plus one; 0 before the detection.
 static IN_USE: AtomicU8 = AtomicU8::new(0);
 
 impl InstructionSet {
-    /// All of them, narrowest first.
+    /// All instruction sets, narrowest first.
     pub const ALL: [Self; 3] = [Self::Target, Self::Avx2, Self::Avx512];
 
     /// The widest set of this machine.
@@ -63,7 +63,7 @@ impl InstructionSet {
         }
     }
 
-    /// Uses no wider set than this from now on, in the whole program, for comparisons; returns the one in use then.
+    /// Uses no wider set than this from now on, in the whole program, for comparisons. Returns the set in use.
     pub fn limit(self) -> Self {
         let set = self.min(Self::widest());
         IN_USE.store(set as u8 + 1, Ordering::Relaxed);

@@ -1,4 +1,4 @@
-//! The syntax tree of a model: what the user wrote, nothing concluded from it.
+//! The syntax tree of a model, as the user wrote it.
 
 use crate::diagnostics::Place;
 use crate::keywords::{Keyword, element_of};
@@ -30,9 +30,9 @@ pub(crate) const NO_SENSITIVITY: &str = "no_sensitivity";
 /// A field of the struct of parameters.
 pub(crate) struct Field<'a> {
     pub(crate) name: &'a Ident,
-    /// Its `#[cfg(..)]`: a field that is configured away is not there.
+    /// Its `#[cfg(..)]` attributes.
     pub(crate) conditions: Vec<&'a Attribute>,
-    /// Whether it is not marked by `#[no_sensitivity]`.
+    /// Whether it has a derivative: it is not marked by `#[no_sensitivity]`.
     pub(crate) has_derivative: bool,
 }
 
@@ -73,7 +73,7 @@ pub(crate) struct Arrow {
     pub(crate) place: Place,
 }
 
-/// What stands between arrows.
+/// A node of the sketch, between arrows.
 pub(crate) enum Node {
     Support(Ident),
     Connection(Connection),
@@ -94,7 +94,7 @@ pub(crate) struct Element {
     pub(crate) parameters: Option<Vec<Parameter>>,
 }
 
-/// Which element it is: a keyword of the language or a type of the user's own.
+/// The kind of an element: a keyword of the language or a type of the user.
 pub(crate) enum Kind {
     Keyword(Ident),
     Type(Path),
@@ -109,7 +109,7 @@ pub(crate) struct Parameter {
 /// The name of an element or a connection.
 pub(crate) enum Label {
     Name(Ident),
-    /// A number; what else it may be, `check` refuses.
+    /// A number; `check` refuses other literals.
     Literal(Lit),
 }
 
@@ -141,7 +141,7 @@ impl Kind {
         }
     }
 
-    /// What the language knows of the element: nothing of a type of the user's own, nor of a misspelt keyword.
+    /// The row of the element's keyword; `None` for a type of the user and for a misspelt keyword.
     pub(crate) fn known(&self) -> Option<&'static Keyword> {
         match self {
             Kind::Keyword(keyword) => element_of(&keyword.to_string()),

@@ -1,4 +1,4 @@
-//! Refuses what is nested so deeply that reading it could overflow the stack.
+//! Refuses tokens that are nested so deeply that parsing them could overflow the stack.
 //!
 //! The parser of Rust expressions and types calls itself: for each bracket, for each operator in front of an operand, for
 //! each generic argument. One level takes up to 60 kB of stack where a macro is compiled without optimisation, as macros are,
@@ -68,11 +68,11 @@ impl Row {
 /// A bound of how deeply the next token of a row is nested.
 #[derive(Clone, Copy, Default)]
 struct Nesting {
-    /// Weight of what the group of the row stands in.
+    /// Weight of the tokens around the group of the row.
     outside: usize,
     /// Weight since the last `,`.
     passing: usize,
-    /// Weight of what a `,` may belong to: generic arguments, the arguments of a closure.
+    /// Weight of lists to which a `,` may belong: generic arguments, the arguments of a closure.
     lasting: usize,
     /// Whether the last token may end an operand, so that no operator in front of one follows.
     after_operand: bool,

@@ -17,7 +17,7 @@ impl From<Span> for Place {
     }
 }
 
-/// An error takes the place of tokens as its own; what they are does not matter.
+/// An error takes its place from the spans of these tokens; the tokens themselves do not matter.
 impl ToTokens for Place {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         tokens

@@ -13,7 +13,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
     }
 }
 
-/// The same before errors are code: all that syntax, words and graph have to object comes at once.
+/// Expands a model into its code, or returns all errors of syntax, words and graph at once.
 pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
     depth::check(input.clone())?;
     let mut errors = Errors::default();

@@ -12,7 +12,7 @@ pub(crate) fn made_visible(tokens: TokenStream) -> TokenStream {
     tokens
         .into_iter()
         .flat_map(|tree| {
-            // what an attribute holds is no expression, though `derive(Debug)` looks like one
+            // the content of an attribute is no expression, though `derive(Debug)` looks like one
             let in_attribute = after_pound;
             after_pound = matches!(&tree, TokenTree::Punct(punct) if punct.as_char() == '#');
             visible_tree(tree, in_attribute)

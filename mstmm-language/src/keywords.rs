@@ -1,13 +1,6 @@
 //! The keywords of the language: one line per element, support and connection.
 
-/// The state at both ends of an element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum State {
-    Translation,
-    Rotation,
-    Bending,
-    Planar,
-}
+use mstmm_plan::{Space, Support};
 
 /// What the language knows of an element of the core: a test compares it with the core.
 #[derive(Debug, PartialEq, Eq)]
@@ -15,43 +8,47 @@ pub(crate) struct Keyword {
     pub(crate) name: &'static str,
     /// The type in `mstmm_core::elements`.
     pub(crate) type_name: &'static str,
-    pub(crate) state: State,
+    /// Space of the states at both ends.
+    pub(crate) space: Space,
     pub(crate) parameters: &'static [&'static str],
 }
 
 const fn element(
     name: &'static str,
     type_name: &'static str,
-    state: State,
+    space: Space,
     parameters: &'static [&'static str],
 ) -> Keyword {
-    Keyword { name, type_name, state, parameters }
+    Keyword { name, type_name, space, parameters }
 }
-
-use State::{Bending, Planar, Rotation, Translation};
 
 #[rustfmt::skip]
 pub(crate) const ELEMENTS: &[Keyword] = &[
-    element("spring", "Spring", Translation, &["stiffness"]),
-    element("torsion_spring", "TorsionSpring", Rotation, &["stiffness"]),
-    element("damper", "Damper", Translation, &["damping"]),
-    element("torsion_damper", "TorsionDamper", Rotation, &["damping"]),
-    element("spring_damper", "SpringDamper", Translation, &["stiffness", "damping"]),
-    element("torsion_spring_damper", "TorsionSpringDamper", Rotation, &["stiffness", "damping"]),
-    element("mass", "Mass", Translation, &["mass"]),
-    element("inertia", "Inertia", Rotation, &["inertia"]),
-    element("point_mass", "PointMass", Bending, &["mass", "inertia"]),
-    element("elastic_hinge", "ElasticHinge", Bending, &["stiffness_y", "stiffness_theta"]),
-    element("body", "Body", Bending, &["mass", "inertia", "output_x", "centre_x"]),
-    element("beam", "Beam", Bending, &["length", "bending_stiffness", "mass_per_length"]),
-    element("planar_body", "PlanarBody", Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
-    element("planar_beam", "PlanarBeam", Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"]),
-    element("planar_hinge", "PlanarHinge", Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"]),
+    element("spring", "Spring", Space::Translation, &["stiffness"]),
+    element("torsion_spring", "TorsionSpring", Space::Rotation, &["stiffness"]),
+    element("damper", "Damper", Space::Translation, &["damping"]),
+    element("torsion_damper", "TorsionDamper", Space::Rotation, &["damping"]),
+    element("spring_damper", "SpringDamper", Space::Translation, &["stiffness", "damping"]),
+    element("torsion_spring_damper", "TorsionSpringDamper", Space::Rotation, &["stiffness", "damping"]),
+    element("mass", "Mass", Space::Translation, &["mass"]),
+    element("inertia", "Inertia", Space::Rotation, &["inertia"]),
+    element("point_mass", "PointMass", Space::Bending, &["mass", "inertia"]),
+    element("elastic_hinge", "ElasticHinge", Space::Bending, &["stiffness_y", "stiffness_theta"]),
+    element("body", "Body", Space::Bending, &["mass", "inertia", "output_x", "centre_x"]),
+    element("beam", "Beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length"]),
+    element("planar_body", "PlanarBody", Space::Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
+    element("planar_beam", "PlanarBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"]),
+    element("planar_hinge", "PlanarHinge", Space::Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"]),
 ];
 
-/// A support keyword and the variant of `mstmm_core::Support` behind it.
-pub(crate) const SUPPORTS: &[(&str, &str)] =
-    &[("fixed", "Fixed"), ("pinned", "Pinned"), ("free", "Free"), ("guided", "Guided"), ("roller", "Roller")];
+/// The supports and their keywords.
+pub(crate) const SUPPORTS: &[(&str, Support)] = &[
+    ("fixed", Support::Fixed),
+    ("pinned", Support::Pinned),
+    ("free", Support::Free),
+    ("guided", Support::Guided),
+    ("roller", Support::Roller),
+];
 
 /// The keyword of connections.
 pub(crate) const CONNECTION: &str = "conn";
@@ -61,9 +58,9 @@ pub(crate) fn element_of(keyword: &str) -> Option<&'static Keyword> {
     ELEMENTS.iter().find(|element| element.name == keyword)
 }
 
-/// The variant of `mstmm_core::Support` behind a keyword.
-pub(crate) fn support_of(keyword: &str) -> Option<&'static str> {
-    SUPPORTS.iter().find(|(name, _)| *name == keyword).map(|(_, variant)| *variant)
+/// The support behind a keyword.
+pub(crate) fn support_of(keyword: &str) -> Option<Support> {
+    SUPPORTS.iter().find(|(name, _)| *name == keyword).map(|(_, support)| *support)
 }
 
 /// A keyword and a label that were written as one word, `beam1`, apart.

@@ -22,7 +22,7 @@ pub(crate) fn model(input: TokenStream, errors: &mut Errors) -> Result<Model> {
     })
     .parse2(input);
     match model {
-        // what a line with an error leaves unread inside of brackets is no error of its own
+        // tokens that a wrong line leaves unread inside of brackets are no further error
         Some(model) if !model.is_whole => Ok(model),
         Some(model) => outcome.map(|()| model),
         None => Err(outcome.err().unwrap_or_else(|| Error::new(Span::call_site(), "this model cannot be read"))),
@@ -47,7 +47,7 @@ fn read(input: ParseStream<'_>, errors: &mut Errors) -> Result<Model> {
     Ok(Model { facade: facade.stream(), parameters, lets, paths, is_whole: errors.is_empty(), names })
 }
 
-/// Parses a line and its `;`; goes on behind the next `;` where it is wrong, so that other lines are read all the same.
+/// Parses a line and its `;`. A wrong line is skipped up to the next `;`, so that the other lines are read.
 fn recover<T>(input: ParseStream<'_>, parse: fn(ParseStream<'_>) -> Result<T>, errors: &mut Errors) -> Option<T> {
     let line = parse(input).map_err(|error| errors.add(error)).ok();
     while !input.is_empty() && !input.peek(Token![;]) && line.is_none() {

@@ -1,6 +1,5 @@
 //! The plan: a flat list of steps from the tips to the root. A step refers to earlier steps by index.
 
-mod sizes;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -8,8 +7,10 @@ mod text;
 use crate::ast::{Connection, Element, Kind, Parameter};
 use crate::check::Tree;
 use crate::diagnostics::Place;
+use crate::keywords::support_of;
 use crate::spans::origin;
 use crate::topology::Vertex;
+use mstmm_plan::{Scheme, Space, Support, inputs_first};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use std::collections::BTreeMap;
@@ -28,12 +29,15 @@ pub(crate) enum Step<'a> {
 }
 
 impl Step<'_> {
-    /// Earlier steps from which this one goes on.
-    fn inputs(&self) -> &[usize] {
+    /// The step without its tokens; the space of an element of the user's own is known to rustc alone.
+    fn without_tokens(&self) -> mstmm_plan::Step<'_> {
         match self {
-            Step::Tip(_) => &[],
-            Step::Element { input, .. } | Step::Root { input, .. } => std::slice::from_ref(input),
-            Step::Connection { inputs, .. } => inputs,
+            Step::Tip(keyword) => mstmm_plan::Step::Tip(support(keyword)),
+            Step::Element { element, input, .. } => {
+                mstmm_plan::Step::Element(*input, element.kind.known().map_or(Space::NONE, |known| known.space))
+            }
+            Step::Connection { inputs, .. } => mstmm_plan::Step::Connection(inputs),
+            Step::Root { support: keyword, input } => mstmm_plan::Step::Root(*input, support(keyword)),
         }
     }
 }
@@ -57,7 +61,8 @@ impl<'a> Plan<'a> {
         let mut plan = Plan { steps: Vec::new(), elements: Vec::new() };
         let mut known = BTreeMap::new();
         let mut step_of = BTreeMap::new();
-        for vertex in inputs_first(tree) {
+        let edges: Vec<(usize, usize)> = tree.graph.edges.iter().map(|edge| (edge.from, edge.to)).collect();
+        for &vertex in inputs_first(&edges, tree.root, &mut vec![0; tree.graph.vertices.len()]) {
             let inputs: Vec<usize> = tree.graph.inputs(vertex).iter().map(|input| step_of[input]).collect();
             let step = match &tree.graph.vertices[vertex] {
                 Vertex::Support(support) if vertex == tree.root => Step::Root { support, input: inputs[0] },
@@ -88,25 +93,30 @@ impl<'a> Plan<'a> {
 
     /// Whether a step is a support that holds a connection.
     pub(crate) fn holds_connection(&self, step: usize) -> bool {
-        self.downstream(step).is_some_and(|next| matches!(self.steps[next], Step::Connection { .. }))
+        self.steps.iter().any(|next| matches!(next, Step::Connection { inputs, .. } if inputs.contains(&step)))
     }
 
-    /// The step that takes another as input; none takes the root.
-    fn downstream(&self, index: usize) -> Option<usize> {
-        self.steps.iter().position(|step| step.inputs().contains(&index))
+    /// Width of the overall matrix, if the macro knows the states of all elements.
+    pub(crate) fn size(&self) -> Option<usize> {
+        self.resolved(|scheme| is_known(scheme).then(|| scheme.size()))
+    }
+
+    /// Asks the plan what follows from it, as far as the macro knows the states of elements.
+    fn resolved<R>(&self, ask: impl FnOnce(Scheme<'_>) -> R) -> R {
+        let steps: Vec<_> = self.steps.iter().map(Step::without_tokens).collect();
+        let (mut places, mut inputs) = (vec![mstmm_plan::Place::NOWHERE; steps.len()], vec![0; steps.len()]);
+        ask(Scheme::resolve(&steps, &mut places, &mut inputs))
     }
 }
 
-/// The vertices of a tree, each behind all its inputs.
-fn inputs_first(tree: &Tree<'_, '_>) -> Vec<usize> {
-    let mut root_first = Vec::new();
-    let mut pending = vec![tree.root];
-    while let Some(vertex) = pending.pop() {
-        root_first.push(vertex);
-        pending.extend(tree.graph.inputs(vertex));
-    }
-    root_first.reverse();
-    root_first
+/// Whether the macro knows the states of all steps.
+fn is_known(scheme: Scheme<'_>) -> bool {
+    scheme.places.iter().all(|place| !place.space.is_empty())
+}
+
+/// The support of a keyword. `check` has refused unknown ones.
+pub(crate) fn support(keyword: &Ident) -> Support {
+    support_of(&keyword.to_string()).unwrap_or(Support::Fixed)
 }
 
 /// Kind and parameters as text, in the order of the names: equal for elements that are the same.

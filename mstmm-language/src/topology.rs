@@ -5,7 +5,7 @@ use crate::diagnostics::{Errors, Place};
 use std::collections::{BTreeMap, BTreeSet};
 use syn::Ident;
 
-/// A vertex: each mention of a support is one of its own, all mentions of a connection are one.
+/// A vertex. Each mention of a support is a separate vertex; all mentions of a connection are one.
 pub(crate) enum Vertex<'a> {
     Support(&'a Ident),
     Connection(&'a Connection),

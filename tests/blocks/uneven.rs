@@ -1,12 +1,13 @@
 //! An element of one's own that decides by its numbers what kind of subspace it makes: in a block its lanes differ, and each
 //! frequency is evaluated alone.
 
-use mstmm::elements::Spring;
-use mstmm::prelude::*;
-use mstmm::{
-    At, Covector, Element, Ends, Frequency, InvalidParameter, Motion, Oscillation, PlaneStep, Real, Scaled, Subspace,
-    Tally, Translation,
+use mstmm::element::{
+    BackTransfer, Covector, Element, Ends, Energies, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter,
+    Subspace, Translation,
 };
+use mstmm::elements::Spring;
+use mstmm::number::{Frequency, Oscillation, Real, Scaled};
+use mstmm::prelude::*;
 
 /// A spring that is not there below a frequency.
 #[derive(Clone, Copy, Debug)]
@@ -29,39 +30,42 @@ impl<T: Real> Element for Latch<T> {
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Latch<T> {
     type Coefficients = Option<S>;
 
-    fn coefficients(built: &Self, at: &At<S>) -> Option<S> {
+    fn coefficients(built: &Self, at: &FrequencyPowers<S>) -> Option<S> {
         (at.x.size() >= built.from.to_f64()).then(|| S::from_parameter(built.stiffness))
     }
 
-    fn step<C: Tally<S>>(stiffness: &Option<S>, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(stiffness: &Option<S>, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
         match stiffness {
             None => input,
-            Some(stiffness) => <Spring<T> as PlaneStep<S>>::step(stiffness, input, tally),
+            Some(stiffness) => <Spring<T> as PlaneStep<S>>::step(stiffness, input, counter),
         }
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for Latch<T> {
-    type Links = Option<S>;
-    type Gradient = Latch<S>;
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Latch<T> {
+    type BackCoefficients = Option<S>;
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &Self) -> Self {
         *built
     }
 
-    fn links(built: &Self, at: &At<S>) -> Option<S> {
+    fn back_coefficients(built: &Self, at: &FrequencyPowers<S>) -> Option<S> {
         <Self as PlaneStep<S>>::coefficients(built, at)
     }
 
-    fn pull_back(stiffness: &Option<S>, input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(stiffness: &Option<S>, input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         match stiffness {
             None => covector,
-            Some(stiffness) => <Spring<T> as Motion<S>>::pull_back(stiffness, input, covector),
+            Some(stiffness) => <Spring<T> as BackTransfer<S>>::back_transfer(stiffness, input, covector),
         }
     }
+}
 
-    fn units(built: &Self, _at: &At<S>) -> [f64; 2] {
+impl<T: Real, S: Oscillation<T>> Energies<S> for Latch<T> {
+    type Gradient = Latch<S>;
+
+    fn units(built: &Self, _at: &FrequencyPowers<S>) -> [f64; 2] {
         [built.stiffness.to_f64(), 0.0]
     }
 
@@ -70,11 +74,11 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Latch<T> {
     }
 
     fn stiffness_form(built: &Self, first: &Ends<S>, second: &Ends<S>) -> S {
-        <Spring<T> as Motion<S>>::stiffness_form(&Spring { stiffness: built.stiffness }, first, second)
+        <Spring<T> as Energies<S>>::stiffness_form(&Spring { stiffness: built.stiffness }, first, second)
     }
 
     fn gradient(built: &Self, ends: &Ends<S>) -> Latch<S> {
-        let spring = <Spring<T> as Motion<S>>::gradient(&Spring { stiffness: built.stiffness }, ends);
+        let spring = <Spring<T> as Energies<S>>::gradient(&Spring { stiffness: built.stiffness }, ends);
         Latch { stiffness: spring.stiffness, from: S::zero() }
     }
 }

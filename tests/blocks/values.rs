@@ -4,19 +4,22 @@
 use crate::support::list_of_tree::{any_steps, undamped_steps};
 use crate::support::models;
 use crate::support::random_tree::{Random, random_tree};
+use mstmm::element::Support;
 use mstmm::elements::Beam;
+use mstmm::list::{AnyUndamped, ListStep, Room, StepList};
+use mstmm::number::{DoubleDouble, Dual, Frequency, InColumns, Scaled};
 use mstmm::prelude::*;
-use mstmm::{
-    AnyUndamped, DoubleDouble, Dual, Frequency, InBlocks, InColumns, ListStep, Scaled, SearchError, StepList, Support,
-    System,
-};
+use mstmm::search::{InBlocks, SearchError, System};
 use mstmm_lanes::InstructionSet;
 use proptest::prelude::*;
 
 type C = Complex<f64>;
 
+/// Most steps of a list here.
+const STEPS: usize = 320;
+
 /// Numbers are the same only if all bits are; `Debug` shows the sign of zero, and all NaN alike.
-fn bits<S: mstmm::Scalar>(value: Scaled<S>) -> String {
+fn bits<S: mstmm::number::Scalar>(value: Scaled<S>) -> String {
     format!("{value:?}")
 }
 
@@ -104,11 +107,15 @@ fn check_tree(seed: u64, count: usize) {
     let omegas = frequencies(seed, count);
     let steps = undamped_steps(&random_tree(seed, 5, false));
     if let Ok(list) = StepList::new(&steps) {
+        let mut room = Room::<STEPS>::new();
+        let list = list.planned(&mut room).unwrap();
         assert_values(&list, &omegas);
         assert_counts(&list, &omegas);
     }
     let steps = any_steps(&random_tree(seed, 5, true));
     if let Ok(list) = StepList::new(&steps) {
+        let mut room = Room::<STEPS>::new();
+        let list = list.planned(&mut room).unwrap();
         let lambdas: Vec<C> = omegas.iter().map(|&omega| C::new(-0.1 * omega, omega)).collect();
         assert_values(&list, &lambdas);
     }
@@ -154,7 +161,8 @@ fn connections_in_a_row() {
         ListStep::Connection(1),
         ListStep::Root(Support::Free),
     ];
-    let list = StepList::new(&steps).unwrap();
+    let mut room = Room::<STEPS>::new();
+    let list = StepList::new(&steps).unwrap().planned(&mut room).unwrap();
     let near: Vec<f64> =
         list.first_frequencies::<8>().unwrap().iter().flat_map(|root| [root.lower, root.omega, root.upper]).collect();
     for omegas in [frequencies(5, 64), near] {
@@ -204,7 +212,8 @@ fn long_chains() {
         .chain((0..300).map(|k| ListStep::Element(beam(0.2 + 0.001 * f64::from(k)).try_into().unwrap())))
         .chain([ListStep::Root(Support::Pinned)])
         .collect();
-    let list = StepList::new(&steps).unwrap();
+    let mut room = Room::<STEPS>::new();
+    let list = StepList::new(&steps).unwrap().planned(&mut room).unwrap();
     let omegas: Vec<f64> = (1..=64).map(|k| 300.0 * f64::from(k * k)).collect();
     assert_values(&list, &omegas);
     assert_counts(&list, &omegas);
@@ -220,7 +229,8 @@ fn wide_trees() {
         steps.extend([ListStep::Tip(Support::Fixed), ListStep::Element(spring())]);
     }
     steps.extend([ListStep::Connection(20), ListStep::Element(mass()), ListStep::Root(Support::Free)]);
-    let list = StepList::new(&steps).unwrap();
+    let mut room = Room::<STEPS>::new();
+    let list = StepList::new(&steps).unwrap().planned(&mut room).unwrap();
     assert_values(&list, &frequencies(4, 50));
     assert_counts(&list, &frequencies(4, 50));
 }

@@ -6,8 +6,10 @@ use crate::support::models::{self, DampedOscillator, RestrainedBeam, SpringAndMa
 use core::alloc::{GlobalAlloc, Layout};
 use core::cell::Cell;
 use core::hint::black_box;
+use mstmm::element::{ParameterError, SMatrix};
+use mstmm::motion::ModalResponse;
+use mstmm::number::{Magnitude, Scaled};
 use mstmm::prelude::*;
-use mstmm::{Magnitude, ModalResponse, ParameterError, SMatrix, Scaled};
 use std::alloc::System;
 
 system! {
@@ -81,7 +83,7 @@ fn search<D: Into<Magnitude>>(determinant: impl Fn(Complex<f64>) -> D + Copy) {
 fn assert_none<S, const N: usize>(build: impl Fn() -> Result<S, ParameterError>)
 where
     S: Evaluate<Complex<f64>, Matrix = SMatrix<Complex<f64>, N, N>>,
-    S: Spectrum + mstmm::System<Parameter = f64> + Characteristic<Complex<f64>>,
+    S: Spectrum + mstmm::search::System<Parameter = f64> + Characteristic<Complex<f64>>,
 {
     assert_eq!(allocations(&build), 0, "build");
     let (system, lambda) = (build().unwrap(), Complex::new(-0.3, 4.0));
@@ -100,7 +102,7 @@ where
 fn assert_none_undamped<S, const N: usize>(build: impl Fn() -> Result<S, ParameterError>)
 where
     S: Evaluate<f64, Matrix = SMatrix<f64, N, N>> + Evaluate<Complex<f64>, Matrix = SMatrix<Complex<f64>, N, N>>,
-    S: Undamped + mstmm::System<Parameter = f64>,
+    S: Undamped + mstmm::search::System<Parameter = f64>,
     S: Spectrum + Characteristic<Complex<f64>>,
 {
     let system = build().unwrap();

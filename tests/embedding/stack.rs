@@ -64,7 +64,7 @@ fn blocks() {
         star().counts_below(&[3.0; 64], &mut counts).unwrap();
     });
     on_a_stack_of(GRID, || {
-        let mut values = [mstmm::Scaled::new(Complex::new(0.0, 0.0), 0); 64];
+        let mut values = [mstmm::number::Scaled::new(Complex::new(0.0, 0.0), 0); 64];
         absorber().characteristics(&[Complex::new(-1.0, 3.0); 64], &mut values).unwrap();
     });
 }

@@ -2,9 +2,9 @@
 
 mod one_element;
 
-use mstmm::SearchError;
-use mstmm::elements::NAMES;
+use mstmm::elements::ELEMENTS;
 use mstmm::prelude::*;
+use mstmm::search::SearchError;
 use one_element::{C, Range, SCENES};
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -50,7 +50,7 @@ fn every_element_of_the_language_has_its_scene() {
         words.map(|word| word[..1].to_uppercase() + &word[1..]).collect()
     };
     let mut tested: Vec<String> = SCENES.iter().map(|scene| type_name(scene.element)).collect();
-    let mut elements = NAMES.to_vec();
+    let mut elements: Vec<&str> = ELEMENTS.iter().map(|element| element.name).collect();
     tested.sort_unstable();
     elements.sort_unstable();
     assert_eq!(tested, elements, "scenes of support/one_element.rs, and elements of the core");

@@ -3,8 +3,13 @@
 //! A model has a probe for an element, whose dynamic work is made up, so that the chain rule alone is tested: the oracle is
 //! a central difference of the same formulas over plain numbers.
 
-use mstmm::__private::{Chain, Covector, Ends, Fields, Motion};
-use mstmm::{At, Element, Frequency, InvalidParameter, PlaneStep, Real, Subspace, System, Tally, Translation};
+use mstmm::__private::{Chain, Fields, NamedFields};
+use mstmm::element::{
+    BackTransfer, Covector, Element, Ends, Energies, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter,
+    Subspace, Translation,
+};
+use mstmm::number::{Frequency, Real};
+use mstmm::search::System;
 
 mod probe {
     /// Takes whatever parameters, and does nothing to a state.
@@ -28,31 +33,33 @@ impl<T: Real> Element for Probe<T> {
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Probe<T> {
     type Coefficients = ();
 
-    fn coefficients(_built: &Self, _at: &At<S>) {}
+    fn coefficients(_built: &Self, _at: &FrequencyPowers<S>) {}
 
-    fn step<C: Tally<S>>(_coefficients: &(), input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(_coefficients: &(), input: Subspace<S>, _counter: &mut C) -> Subspace<S> {
         input
     }
 }
 
 /// Made up: `∂L/∂first` is the input's Y, `∂L/∂second` the output's.
-impl<T: Real, S: Frequency<T>> Motion<S> for Probe<T> {
-    type Links = ();
-    type Gradient = Probe<S>;
-
+impl<T: Real, S: Frequency<T>> BackTransfer<S> for Probe<T> {
+    type BackCoefficients = ();
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &Self) -> Self {
         *built
     }
 
-    fn links(_built: &Self, _at: &At<S>) {}
+    fn back_coefficients(_built: &Self, _at: &FrequencyPowers<S>) {}
 
-    fn pull_back(_links: &(), _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(_links: &(), _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         covector
     }
+}
 
-    fn units(_built: &Self, _at: &At<S>) -> [f64; 2] {
+impl<T: Real, S: Frequency<T>> Energies<S> for Probe<T> {
+    type Gradient = Probe<S>;
+
+    fn units(_built: &Self, _at: &FrequencyPowers<S>) -> [f64; 2] {
         [1.0; 2]
     }
 

@@ -5,8 +5,9 @@ mod hygiene;
 
 use crate::support::roots::{assert_same_roots, bisect, zeros};
 use core::f64::consts::PI;
+use mstmm::element::SMatrix;
+use mstmm::number::Scaled;
 use mstmm::prelude::*;
-use mstmm::{SMatrix, Scaled};
 
 /// Closed form and determinant of a few springs and masses: a handful of roundings on either side.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;

@@ -2,9 +2,9 @@
 #![allow(missing_docs)]
 
 use crate::support::models::*;
+use mstmm::motion::{MotionError, Point};
 use mstmm::prelude::*;
 use mstmm::search::Eigenvalue;
-use mstmm::{MotionError, Point};
 
 system! {
     /// Beam with supports at its ends as the models below need them.
@@ -185,8 +185,8 @@ macro_rules! assert_reciprocal {
     }};
 }
 
-fn size(value: impl mstmm::Scalar) -> f64 {
-    mstmm::Scalar::size(value)
+fn size(value: impl mstmm::number::Scalar) -> f64 {
+    mstmm::number::Scalar::size(value)
 }
 
 #[test]
@@ -251,11 +251,11 @@ fn loads_that_no_state_carries_are_refused() {
     let system = two_spans().build().unwrap();
     let error =
         system.frequency_response(TwoSpans::mass_6.output().torque(), TwoSpans::conn_4.deflection()).unwrap_err();
-    assert_eq!(error, MotionError::NoSuchEntry { coordinate: mstmm::Coordinate::M });
+    assert_eq!(error, MotionError::NoSuchEntry { coordinate: mstmm::element::Coordinate::M });
     assert_eq!(error.to_string(), "no state at this point has a moment M: no bending or rotation path leads there");
     let error =
         system.frequency_response(TwoSpans::conn_4.force(), TwoSpans::spring_5.output().rotation()).unwrap_err();
-    assert_eq!(error, MotionError::NoSuchEntry { coordinate: mstmm::Coordinate::Theta });
+    assert_eq!(error, MotionError::NoSuchEntry { coordinate: mstmm::element::Coordinate::Theta });
     let response = system.frequency_response(TwoSpans::conn_4.force(), TwoSpans::conn_4.deflection()).unwrap();
     assert_eq!(response.on(&[1.0, 2.0], &mut [0.0]), Err(MotionError::Capacity { capacity: 1 }));
     assert!(matches!(response.at(f64::NAN), Err(MotionError::NotFinite { .. })));

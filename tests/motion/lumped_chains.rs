@@ -3,16 +3,17 @@
 //! Some points have no mass, some masses nothing but dampers to hold them, some chains nothing at all.
 #![expect(clippy::panic, clippy::unwrap_used, reason = "a failing chain is shown as a whole")]
 
-use crate::support::list_of_tree::any_steps;
-use crate::support::moving_tree::{Labels, MovingTree};
+use crate::support::list_of_tree::{any, point};
 use crate::support::random_tree::Random;
 use crate::support::tree::{Part, Tree};
 use core::ops::Range;
+use mstmm::Complex;
+use mstmm::element::Support;
 use mstmm::elements::{Damper, Mass, Spring, SpringDamper};
+use mstmm::list::{InList, ListStep};
+use mstmm::motion::{Entry, Load, ModalAnalysis, MotionError};
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::search::{Eigenvalues, Region};
-use mstmm::{
-    Complex, DoubleDouble, Entry, Label, ListStep, Load, MotionError, Motions, Point, Real, Scalar, StepList, Support,
-};
 
 type Wide = Complex<DoubleDouble>;
 
@@ -165,10 +166,6 @@ fn inverse(time: f64, transform: impl Fn(Wide) -> Wide) -> f64 {
     (r / points * sum).to_f64()
 }
 
-fn point(step: usize, beyond: bool) -> Point<Labels> {
-    if beyond { Point::connection(step) } else { Label::<Labels, Mass<f64>>::new(step, 0).output() }
-}
-
 /// What was compared, and the largest errors relative to their scales.
 #[derive(Clone, Copy, Debug, Default)]
 struct Compared {
@@ -182,14 +179,13 @@ struct Compared {
 
 /// Compares the responses of a chain to a load at one step.
 fn check(seed: u64, chain: &Chain, loaded: usize, compared: &mut Compared) {
-    let steps = any_steps(&chain.tree);
-    let roots = StepList::new(&steps).unwrap().eigenvalues::<MODES>(REGION).unwrap();
-    let system = MovingTree::<f64>::new(&chain.tree);
-    let load: Load<Labels> = point(loaded, true).force();
+    let system = any::<f64>(&chain.tree);
+    let roots = system.eigenvalues::<MODES>(REGION).unwrap();
+    let load: Load<InList> = point(loaded, true).force();
     let slowest = roots.iter().map(|root| root.lambda.norm()).filter(|size| *size > 0.0).fold(1.0, f64::min);
     let places = (1..chain.tree.len() - 1).flat_map(|step| [(step, false), (step, true)]);
     for (step, force) in places {
-        let entry: Entry<Labels> = if force { point(step, false).shear() } else { point(step, false).deflection() };
+        let entry: Entry<InList> = if force { point(step, false).shear() } else { point(step, false).deflection() };
         if force && matches!(chain.tree[step], ListStep::Element(Part::Mass(_))) {
             continue;
         }

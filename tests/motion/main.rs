@@ -5,6 +5,7 @@ pub mod curves_end;
 #[allow(unused_macros, unused_imports, reason = "the shapes go through the models by name")]
 mod damped_models;
 mod energy_shares;
+pub mod examples;
 pub mod frequency_response;
 mod lumped_chains;
 pub mod modal_response;

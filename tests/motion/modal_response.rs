@@ -9,8 +9,9 @@ mod residuals;
 mod transforms;
 
 use crate::support::models;
+use mstmm::motion::MotionError;
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::prelude::*;
-use mstmm::{DoubleDouble, MotionError, Real, Scalar};
 
 system! {
     #[derive(Clone, Copy, Debug)]

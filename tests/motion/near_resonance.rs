@@ -1,19 +1,19 @@
 //! Responses near resonances and near rest, and sensitivities of close roots: errors grow with the inverse of the distance.
 
-use crate::support::list_of_tree::undamped_steps;
-use crate::support::moving_tree::{Labels, MOST, MovingTree, varied_tree};
+use crate::support::list_of_tree::{MOST, Planned, point, undamped, undamped_steps};
+use crate::support::random_tree::varied_tree;
 use crate::support::tree::Part;
+use mstmm::Complex;
+use mstmm::element::Support;
 use mstmm::elements::{Beam, Mass, Spring};
+use mstmm::list::{AnyUndamped, InList, ListStep, StepList};
+use mstmm::motion::{Entry, Load, ModalAnalysis};
+use mstmm::number::{DoubleDouble, Real};
 use mstmm::search::{Eigenvalue, NaturalFrequencies};
-use mstmm::{Complex, DoubleDouble, Entry, Label, ListStep, Load, Motions, Point, Real, StepList, Support};
-
-fn output(step: usize) -> Point<Labels> {
-    Label::<Labels, Mass<f64>>::new(step, 0).output()
-}
 
 /// The load and the displacement in which a point moves, by the space there.
-fn own(step: usize, system: &MovingTree<f64>) -> (Load<Labels>, Entry<Labels>) {
-    let point = output(step);
+fn own(step: usize, system: &Planned<AnyUndamped<f64>>) -> (Load<InList>, Entry<InList>) {
+    let point = point(step, false);
     match system.frequency_response(point.force(), point.deflection()) {
         Ok(_) => (point.force(), point.deflection()),
         Err(_) => (point.torque(), point.rotation()),
@@ -26,13 +26,13 @@ fn responses_lose_no_more_digits_than_the_distance_takes() {
     let mut compared = 0;
     for seed in (1..80).step_by(2) {
         let tree = varied_tree(seed);
-        let steps = undamped_steps(&tree);
+        let steps = undamped_steps::<f64>(&tree);
         let Ok(list) = StepList::new(&steps) else { continue };
         let Ok(roots) = list.first_frequencies::<6>() else { continue };
         if tree.len() > MOST {
             continue;
         }
-        let (system, exact) = (MovingTree::<f64>::new(&tree), MovingTree::<DoubleDouble>::new(&tree));
+        let (system, exact) = (undamped::<f64>(&tree), undamped::<DoubleDouble>(&tree));
         let (load, _) = own(tree.len() / 2, &system);
         for root in roots.iter().filter(|root| root.multiplicity == 1 && root.omega > 1e-3) {
             let is_close = |other: f64| other != root.omega && (other / root.omega - 1.0).abs() < 1e-2;
@@ -70,13 +70,14 @@ fn just_above_rest_a_beam_is_static() {
     let (ei, parts) = (3.0, [0.7, 0.4, 0.9]);
     let beam = |length| ListStep::Element(Part::Beam(Beam { length, bending_stiffness: ei, mass_per_length: 2.0 }));
     let [a, b, c] = parts.map(beam);
-    let system = MovingTree::<f64>::new(&vec![ListStep::Tip(Support::Fixed), a, b, c, ListStep::Root(Support::Free)]);
+    let system = undamped::<f64>(&vec![ListStep::Tip(Support::Fixed), a, b, c, ListStep::Root(Support::Free)]);
     let ends = [0.0_f64, 0.7, 1.1, 2.0];
     for (load, from) in ends.iter().enumerate().skip(1) {
         for (entry, to) in ends.iter().enumerate().skip(1) {
             let (near, far) = (from.min(*to), from.max(*to));
             let expected = near * near * (3.0 * far - near) / (6.0 * ei);
-            let response = system.frequency_response(output(load).force(), output(entry).deflection()).unwrap();
+            let response =
+                system.frequency_response(point(load, false).force(), point(entry, false).deflection()).unwrap();
             for omega in [1e-8, 1e-20, 0.0] {
                 let actual = response.at(omega).unwrap();
                 assert!((actual - expected).abs() < 64.0 * f64::EPSILON * expected, "{omega}: {actual} {expected}");
@@ -95,10 +96,10 @@ fn just_above_rest_beams_between_supports_keep_their_digits() {
     {
         let [a, b, c] = lengths.map(beam);
         let tree = vec![ListStep::Tip(ends.0), a, b, c, ListStep::Root(ends.1)];
-        let (system, exact) = (MovingTree::<f64>::new(&tree), MovingTree::<DoubleDouble>::new(&tree));
+        let (system, exact) = (undamped::<f64>(&tree), undamped::<DoubleDouble>(&tree));
         let pairs = [1, 2].into_iter().flat_map(|load| [0, 1, 2, 3].map(|entry| (load, entry)));
         for (load, entry) in pairs {
-            let (load, entry) = (output(load).force(), output(entry));
+            let (load, entry) = (point(load, false).force(), point(entry, false));
             for entry in [entry.deflection(), entry.rotation(), entry.moment(), entry.shear()] {
                 for omega in [1e-8, 1e-4, 1e-2] {
                     let wide = Complex::new(DoubleDouble::from(0.0), DoubleDouble::from(omega));
@@ -133,15 +134,16 @@ fn close_roots_keep_their_own_sensitivities() {
             spring(1.0),
             ListStep::Root(Support::Fixed),
         ];
-        let system = MovingTree::<f64>::new(&tree);
+        let system = undamped::<f64>(&tree);
         for (stiffness, own, other) in [(first, 2, 5), (second, 5, 2)] {
             let omega = stiffness.sqrt();
             let root = Eigenvalue { lambda: Complex::new(0.0, omega), error: f64::EPSILON, multiplicity: 1 };
-            let values: Vec<_> = system.sensitivity(&root).unwrap().iter().map(|(_, value)| value).collect();
+            let sensitivity = system.sensitivity(&root).unwrap();
+            let [own, other] = [own, other].map(|step| sensitivity.of(system.parameter(step, "stiffness").unwrap()));
             let scale = omega / (2.0 * stiffness);
             let limit = 64.0 * f64::EPSILON / gap * scale;
-            assert!((values[4 * own] - Complex::new(0.0, scale)).norm() < limit, "{gap}: {}", values[4 * own]);
-            assert!(values[4 * other].norm() < limit, "{gap}: {}", values[4 * other]);
+            assert!((own - Complex::new(0.0, scale)).norm() < limit, "{gap}: {own}");
+            assert!(other.norm() < limit, "{gap}: {other}");
         }
     }
 }

@@ -4,10 +4,15 @@
 mod at_rest;
 
 use crate::state_equations::{StateEquations, Wide};
-use crate::support::moving_tree::{Labels, MOST, MovingTree, varied_tree};
+use crate::support::list_of_tree::{self, MOST, point};
+use crate::support::random_tree::varied_tree;
 use crate::support::tree::{Part, Tree};
-use mstmm::elements::{Beam, Body, Mass};
-use mstmm::{Complex, Coordinate, Entry, Label, ListStep, Load, Motions, Point, Real, Space};
+use mstmm::Complex;
+use mstmm::element::{Coordinate, Space};
+use mstmm::elements::{Beam, Body};
+use mstmm::list::{InList, ListStep};
+use mstmm::motion::{Entry, Load, ModalAnalysis, Point};
+use mstmm::number::Real;
 use mstmm_core::Step;
 
 /// Frequencies of 24 bits: undamped, decaying, growing, real, high.
@@ -22,16 +27,11 @@ const FACTOR: f64 = 100.0;
 
 const ALL: [Coordinate; 4] = [Coordinate::Y, Coordinate::Theta, Coordinate::M, Coordinate::Q];
 
-/// The point behind a step, on its upstream or downstream side.
-fn point(step: usize, beyond: bool) -> Point<Labels> {
-    if beyond { Point::connection(step) } else { Label::<Labels, Mass<f64>>::new(step, 0).output() }
-}
-
-fn load(step: usize, coordinate: Coordinate) -> Load<Labels> {
+fn load(step: usize, coordinate: Coordinate) -> Load<InList> {
     if coordinate == Coordinate::Q { point(step, true).force() } else { point(step, true).torque() }
 }
 
-fn entry(point: Point<Labels>, coordinate: Coordinate) -> Entry<Labels> {
+fn entry(point: Point<InList>, coordinate: Coordinate) -> Entry<InList> {
     match coordinate {
         Coordinate::Y => point.deflection(),
         Coordinate::Theta => point.rotation(),
@@ -65,7 +65,7 @@ fn place(equations: &StateEquations, step: usize, coordinate: Coordinate) -> Opt
 
 /// Compares all responses of a tree at a frequency; returns how many there were.
 fn check<T: Real>(seed: u64, tree: &Tree, lambda: Complex<f64>) -> usize {
-    let (equations, system) = (StateEquations::new(tree), MovingTree::<T>::new(tree));
+    let (equations, system) = (StateEquations::new(tree), list_of_tree::any::<T>(tree));
     let wide = Wide::new(lambda.re.into(), lambda.im.into());
     let own = Complex::new(T::from_f64(lambda.re), T::from_f64(lambda.im));
     let limit = FACTOR * T::EPSILON * equations.unknowns as f64;
@@ -138,7 +138,7 @@ fn real_and_complex_frequencies_agree() {
         if tree.len() > MOST {
             continue;
         }
-        let (equations, system) = (StateEquations::new(&tree), MovingTree::<f64>::new(&tree));
+        let (equations, system) = (StateEquations::new(&tree), list_of_tree::undamped::<f64>(&tree));
         let tip = tree.len() - 2;
         let (load_entry, own) = match equations.spaces[tip] {
             Space::Rotation => (Coordinate::M, Coordinate::Theta),
@@ -177,9 +177,9 @@ fn a_long_beam_is_an_infinite_one() {
     let beam = |length: f64| ListStep::Element(Part::Beam(Beam { length, bending_stiffness: ei, mass_per_length: m }));
     let body = ListStep::Element(Part::Body(Body { mass: 0.0, inertia: 0.0, output_x: 0.0, centre_x: 0.0 }));
     let distance = 1.5;
-    let tip = ListStep::Tip(mstmm::Support::Pinned);
-    let tree = vec![tip, beam(l), body, beam(distance), beam(l), ListStep::Root(mstmm::Support::Free)];
-    let system = MovingTree::<f64>::new(&tree);
+    let tip = ListStep::Tip(mstmm::element::Support::Pinned);
+    let tree = vec![tip, beam(l), body, beam(distance), beam(l), ListStep::Root(mstmm::element::Support::Free)];
+    let system = list_of_tree::undamped::<f64>(&tree);
     let omega = Complex::new(9.0, -0.9);
     let (lambda, beta) = (omega * Complex::<f64>::I, (omega * (m / ei).sqrt()).sqrt());
     let expected = |x: f64| {

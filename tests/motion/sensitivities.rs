@@ -1,9 +1,10 @@
 //! Sensitivities against central differences in double-double arithmetic, and closed forms.
 
 use crate::support::models::*;
+use mstmm::motion::MotionError;
+use mstmm::number::{DoubleDouble, Dual, Frequency, Oscillation, Real};
 use mstmm::prelude::*;
 use mstmm::search::NaturalFrequency;
-use mstmm::{DoubleDouble, Dual, Frequency, MotionError, Oscillation, Real};
 
 /// Relative steps of the differences: extrapolated to zero, what is left is of the sixth order. With fields of 24 bits these are
 /// exact, and so are the differences of positions in the formulas of the models.
@@ -57,7 +58,7 @@ macro_rules! assert_sensitivities {
         let sensitivities = model.build().unwrap().sensitivity(&root).unwrap();
         let names: Vec<_> = sensitivities.iter().map(|(name, _)| name).collect();
         assert_eq!(names, [$(stringify!($field)),*]);
-        let x = Into::<Complex<f64>>::into(mstmm::Root::<f64>::frequency(&root));
+        let x = Into::<Complex<f64>>::into(mstmm::motion::Root::<f64>::frequency(&root));
         let near = |x: Complex<f64>| {
             <$scalar>::from_complex(Complex::new(DoubleDouble::from(x.re), DoubleDouble::from(x.im)))
         };

@@ -3,12 +3,15 @@
 #![expect(clippy::unwrap_used, reason = "a failing tree is shown as a whole")]
 
 use crate::state_equations::{StateEquations, Wide};
-use crate::support::list_of_tree::any_steps;
-use crate::support::moving_tree::{MOST, MovingTree, varied_tree};
-use crate::support::tree::{Part, Tree};
+use crate::support::list_of_tree::{MOST, any};
+use crate::support::random_tree::varied_tree;
+use crate::support::tree::Tree;
 use core::ops::Range;
+use mstmm::Complex;
+use mstmm::list::ListStep;
+use mstmm::motion::ModalAnalysis;
+use mstmm::number::Real;
 use mstmm::search::{Eigenvalue, Eigenvalues, Region};
-use mstmm::{Complex, ListStep, Motions, Real, StepList};
 
 /// Eigenvalues above zero, of beams whose waves the equations follow.
 const REGION: Region = Region { re: -30.0..=1.0, im: 0.05..=8.0 };
@@ -54,10 +57,8 @@ fn polished(equations: &StateEquations, tree: &Tree, root: &Eigenvalue) -> Optio
 
 /// Compares all sensitivities of a tree; returns how many there were.
 fn check(seed: u64, tree: &Tree) -> usize {
-    let steps = any_steps(tree);
-    let Ok(list) = StepList::new(&steps) else { return 0 };
-    let Ok(roots) = list.eigenvalues::<64>(REGION) else { return 0 };
-    let (equations, system) = (StateEquations::new(tree), MovingTree::<f64>::new(tree));
+    let (equations, system) = (StateEquations::new(tree), any::<f64>(tree));
+    let Ok(roots) = system.eigenvalues::<64>(REGION) else { return 0 };
     let is_alone = |root: &Eigenvalue| {
         let near = |other: &&Eigenvalue| (other.lambda - root.lambda).norm() < APART;
         root.multiplicity == 1 && roots.iter().filter(near).count() == 1
@@ -65,19 +66,19 @@ fn check(seed: u64, tree: &Tree) -> usize {
     let mut compared = 0;
     for root in roots.iter().filter(|root| is_alone(root)) {
         let Some((x, slope)) = polished(&equations, tree, root) else { continue };
-        let sensitivities: Vec<_> = system.sensitivity(root).unwrap().iter().map(|(_, value)| value).collect();
+        let sensitivities = system.sensitivity(root).unwrap();
         for (step, part) in tree.iter().enumerate() {
-            let ListStep::Element(mut part) = *part else { continue };
-            for index in 0..Part::parameters(&mut part).len() {
+            let ListStep::Element(part) = part else { continue };
+            for (index, name) in part.names().iter().enumerate() {
                 let [(above, a), (below, b)] =
                     [1.0 + STEP, 1.0 - STEP].map(|factor| changed(tree, step, index, factor));
                 let difference = equations.determinant(&above, x) - equations.determinant(&below, x);
                 let expected = -narrow(difference / slope) / (a - b);
-                let actual = sensitivities[4 * step + index];
+                let actual = sensitivities.of(system.parameter(step, name).unwrap());
                 let scale = expected.norm().max(1e-3 * root.lambda.norm() / a.abs());
                 assert!(
                     (actual - expected).norm() <= LIMIT * scale,
-                    "seed {seed}, {}, step {step}, parameter {index}: {actual}, {expected}\nvec!{tree:?}",
+                    "seed {seed}, {}, step {step}, {name}: {actual}, {expected}\nvec!{tree:?}",
                     root.lambda
                 );
                 compared += 1;

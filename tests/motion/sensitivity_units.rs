@@ -1,8 +1,8 @@
 //! Sensitivities of a model of shared elements, `let` lines and fields used twice, in all arithmetics: what units demand.
 #![allow(missing_docs, reason = "models of a test")]
 
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::prelude::*;
-use mstmm::{DoubleDouble, Real, Scalar};
 
 system! {
     /// A frame of three equal arms, two of them elastic, with a body in the middle of its trunk.

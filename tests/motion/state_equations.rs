@@ -3,12 +3,15 @@
 //!
 //! Nothing is carried along paths; what grows costs digits, of which there are twice as many.
 
-use crate::support::moving_tree::{steps_of, transfer_matrix};
-use crate::support::tree::Tree;
-use mstmm::{Complex, Coordinate, DoubleDouble, ListStep, Scalar, Space, Support};
-use mstmm_core::Step;
+#![expect(clippy::unwrap_used, reason = "random trees are valid lists")]
 
-pub(crate) type Wide = Complex<DoubleDouble>;
+pub(crate) use crate::support::tree::Wide;
+
+use crate::support::tree::Tree;
+use mstmm::element::{Coordinate, Space, Support};
+use mstmm::list::ListStep;
+use mstmm::number::Scalar;
+use mstmm_core::Step;
 
 /// A pivot that is none: the equations of a tree that is held twice, or not at all, in some direction.
 const SINGULAR: f64 = 1e-25;
@@ -46,6 +49,23 @@ fn held(support: Support, space: Space) -> Vec<Coordinate> {
         _ => [M, Q],
     };
     held.into_iter().filter(|coordinate| space.coordinates().contains(coordinate)).collect()
+}
+
+/// The inputs of the steps of a tree: a connection takes the last open paths.
+fn steps_of(tree: &Tree) -> Vec<Step<'static>> {
+    let mut open: Vec<usize> = Vec::new();
+    let mut steps = Vec::new();
+    for (index, step) in tree.iter().enumerate() {
+        let step = match *step {
+            ListStep::Tip(support) => Step::Tip(support),
+            ListStep::Element(part) => Step::Element(open.pop().unwrap(), part.space()),
+            ListStep::Connection(count) => Step::Connection(open.split_off(open.len() - count).leak()),
+            ListStep::Root(support) => Step::Root(open.pop().unwrap(), support),
+        };
+        open.push(index);
+        steps.push(step);
+    }
+    steps
 }
 
 impl StateEquations {
@@ -147,7 +167,7 @@ impl StateEquations {
                 Step::Element(input, space) => {
                     let ListStep::Element(part) = tree[index] else { continue };
                     let coordinates = space.coordinates();
-                    for (line, &coordinate) in transfer_matrix(part, lambda).into_iter().zip(coordinates) {
+                    for (line, &coordinate) in part.transfer_matrix(lambda).into_iter().zip(coordinates) {
                         let mut row = (vec![(self.column(index, coordinate), -one)], number(0.0));
                         for (&input_coordinate, factor) in coordinates.iter().zip(line) {
                             add(&mut row, input, input_coordinate, factor);

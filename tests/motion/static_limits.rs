@@ -1,8 +1,9 @@
 //! Static limits of responses, beside what nothing holds as well.
 #![allow(missing_docs, reason = "models of a test")]
 
+use mstmm::motion::MotionError;
+use mstmm::number::{DoubleDouble, Real};
 use mstmm::prelude::*;
-use mstmm::{DoubleDouble, MotionError, Real};
 
 system! {
     /// A mass on a spring, and one that a damper alone ties to it.

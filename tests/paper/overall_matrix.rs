@@ -12,7 +12,9 @@ use hand::{
     C, FIXED, FIXED_LINE, FREE, FREE_LINE, Matrix, PINNED, beam, body, consistent, dynamic_stiffness, hinge, mass,
     minus_identity, reduced, spring, spring_damper, torsion_spring, torsional, translational, zeros,
 };
-use mstmm::{Evaluate, SMatrix, Scaled};
+use mstmm::element::SMatrix;
+use mstmm::number::Scaled;
+use mstmm::search::Evaluate;
 use nalgebra::{Matrix6, Vector6};
 use proptest::prelude::*;
 

@@ -1,16 +1,13 @@
 //! The tables of the paper: every printed value, found by the paper's searches, against print and exact values.
 
-use crate::models;
-use crate::quantity::Value;
-use crate::reference::{self, Column, Example, Failure, Search};
-use crate::solve::{self, Solved};
 use core::ops::RangeInclusive;
 use mstmm::prelude::*;
+use paper::{Column, Example, Failure, Search, Solved, Value, examples, models, solve};
 
 fn solved_examples() -> Result<Vec<(Example, Solved)>, Failure> {
     let mut pairs = Vec::new();
-    for example in reference::examples()? {
-        let solved = solve::solve(&example)?;
+    for example in examples()? {
+        let solved = solve(&example)?;
         pairs.push((example, solved));
     }
     Ok(pairs)

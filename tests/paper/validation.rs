@@ -11,9 +11,10 @@ mod models;
 use crate::decimal::is_within;
 use cases::{Case, Connection, Root, Sequence, Steps, Tip, beam, element, spring};
 use models::{DampedBeam, FromValues, SprungMasses, Stepped, Twins};
+use mstmm::element::Support;
 use mstmm::elements::ElasticHinge;
 use mstmm::prelude::*;
-use mstmm::{Support, System};
+use mstmm::search::System;
 use serde_json::Value;
 
 /// Relative width of a certified interval per unit of condition: 36 eps, of which the certificate takes 32.

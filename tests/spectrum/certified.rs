@@ -3,9 +3,12 @@
 
 use crate::support::models;
 use core::ops::RangeInclusive;
+use mstmm::element::Support;
 use mstmm::elements::Beam;
+use mstmm::list::{AnyUndamped, ListStep, StepList};
+use mstmm::number::{DoubleDouble, Real, Scalar, Scaled};
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, DoubleDouble, ListStep, Real, Scalar, Scaled, StepList, Support, System};
+use mstmm::search::System;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 

@@ -2,8 +2,8 @@
 #![expect(clippy::panic, reason = "a failing helper fails the test that called it")]
 
 use crate::counts::count_below;
-use mstmm::SearchError;
 use mstmm::prelude::*;
+use mstmm::search::SearchError;
 
 system! {
     /// Two equal levers on one axle, both bolted to the joint of a cantilever.

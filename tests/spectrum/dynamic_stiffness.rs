@@ -8,9 +8,12 @@ use crate::oracles::legendre_beam::LegendreBeam;
 use crate::support::random_tree::{Random, random_tree};
 use crate::support::tree::{Part, Tree};
 use core::ops::Range;
+use mstmm::Complex;
+use mstmm::element::Support;
 use mstmm::elements::{Beam, Body, Damper, Mass, PointMass, Spring};
+use mstmm::list::ListStep;
+use mstmm::number::{DoubleDouble, Real, Scalar};
 use mstmm::search::{Eigenvalue, NaturalFrequency};
-use mstmm::{Complex, DoubleDouble, ListStep, Real, Scalar, Support};
 
 fn double(value: f64) -> DoubleDouble {
     DoubleDouble::from(value)

@@ -14,11 +14,12 @@ use crate::support::list_of_tree::{any_steps, undamped_steps};
 use crate::support::random_tree::{Random, random_tree};
 use crate::support::tree::{Tree, next_space};
 use crate::undamped_models::for_each_undamped;
+use mstmm::Complex;
+use mstmm::element::{ParameterError, SMatrix, Space};
+use mstmm::list::{ListStep, StepList};
+use mstmm::number::{Scalar, Scaled};
+use mstmm::search::{Characteristic, Evaluate, InBlocks, ManyFrequencies, System};
 use mstmm::search::{NaturalFrequencies, Undamped};
-use mstmm::{
-    Characteristic, Complex, Evaluate, InBlocks, ListStep, ManyFrequencies, ParameterError, SMatrix, Scalar, Scaled,
-    Space, StepList, System,
-};
 use nalgebra::DMatrix;
 
 type C = Complex<f64>;

@@ -12,10 +12,14 @@ use crate::support::random_tree::{Random, random_tree};
 use crate::support::roots::bisect;
 use crate::support::tree::{Part, Tree};
 use core::f64::consts::PI;
+use mstmm::Complex;
+use mstmm::element::Support;
 use mstmm::elements::Beam;
+use mstmm::list::{ListStep, StepList};
+use mstmm::number::Dual;
+use mstmm::search::Characteristic;
 use mstmm::search::{Eigenvalue, Eigenvalues, Region};
 use mstmm::search::{NaturalFrequencies, NaturalFrequency};
-use mstmm::{Characteristic, Complex, Dual, ListStep, StepList, Support};
 use std::sync::LazyLock;
 
 /// Inner functions of a beam in the oracle.

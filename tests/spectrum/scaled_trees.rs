@@ -4,12 +4,15 @@
 use crate::support::list_of_tree::any_steps;
 use crate::support::random_tree::{Random, random_tree};
 use crate::support::tree::{Part, Tree};
+use mstmm::element::{Support, WittrickWilliams};
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
+use mstmm::list::{AnyUndamped, ListStep, StepList};
+use mstmm::number::Scaled;
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, Count, ListStep, Scaled, SearchError, StepList, Support};
+use mstmm::search::SearchError;
 
 type C = Complex<f64>;
 
@@ -115,7 +118,7 @@ fn a_beam_in_pieces_has_the_same_characteristic() {
 }
 
 fn count(steps: &[ListStep<AnyUndamped<f64>>], omega: f64) -> u64 {
-    let mut count = Count::default();
+    let mut count = WittrickWilliams::<false, true>::default();
     StepList::new(steps).unwrap().pass(omega, &mut count);
     count.below()
 }

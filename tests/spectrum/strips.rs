@@ -1,9 +1,10 @@
 //! Eigenvalues of undamped systems in strips along the imaginary axis: the two counts must agree.
 #![expect(clippy::unwrap_used, reason = "all elements here are valid")]
 
+use mstmm::element::Support;
 use mstmm::elements::{Mass, Spring};
+use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::prelude::*;
-use mstmm::{AnyUndamped, ListStep, StepList, Support};
 
 /// A chain of unit springs and masses, held at one end: its frequencies are `2 sin((2k - 1)π/(4n + 2))`.
 fn chain(masses: usize) -> Vec<ListStep<AnyUndamped<f64>>> {

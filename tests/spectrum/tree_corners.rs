@@ -2,9 +2,10 @@
 #![expect(clippy::unwrap_used, reason = "all elements here are valid")]
 
 use core::f64::consts::PI;
+use mstmm::element::Support;
 use mstmm::elements::{Beam, Damper, ElasticHinge, Mass, PointMass, Spring, SpringDamper};
+use mstmm::list::{AnyElement, AnyUndamped, ListStep, StepList};
 use mstmm::prelude::*;
-use mstmm::{AnyElement, AnyUndamped, ListStep, StepList, Support};
 
 type Step = ListStep<AnyUndamped<f64>>;
 

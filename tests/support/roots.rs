@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing search fails the test that asked for it")]
 
 use core::ops::RangeInclusive;
-use mstmm::Scaled;
+use mstmm::number::Scaled;
 use mstmm::search::fmin1d;
 
 /// Room for the roots of one search.

@@ -1,16 +1,12 @@
 //! Euler-Bernoulli beam.
 
-use crate::at::At;
-use crate::beam_functions::{bending_matrix, plane_series};
-use crate::bending_steps::{BendingCoefficients, Units};
-use crate::bounds::FrequencyBounds;
-use crate::count::Tally;
 use crate::element::{Element, PlaneStep, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Branches, Frequency, Real, WaveProducts};
-use crate::scaled::{Scaled, binary_exponent};
-use crate::state::{Bending, Support};
-use crate::subspace::Subspace;
+use crate::elements::shared::compound::{BendingCoefficients, Units};
+use crate::elements::shared::krylov::{bending_matrix, plane_series};
+use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::number::{Branches, Frequency, FrequencyPowers, Real, Scalar, Scaled, WaveFunctions, binary_exponent};
+use crate::subspace::{RootCounter, Subspace};
+use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
 /// Uniform Euler-Bernoulli beam, exact at every frequency.
@@ -38,7 +34,7 @@ pub struct Beam<T> {
     pub mass_per_length: T,
 }
 
-/// A beam with what does not depend on the frequency.
+/// A beam with its quantities that do not depend on the frequency.
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltBeam<T> {
     parameters: Beam<T>,
@@ -78,15 +74,15 @@ impl<T: Real> Element for Beam<T> {
         })
     }
 
-    fn bound(built: &BuiltBeam<T>, bounds: &mut FrequencyBounds) {
+    fn estimate(built: &BuiltBeam<T>, estimates: &mut FrequencyEstimates) {
         let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
         let (l, ei, m) = (length.to_f64(), bending_stiffness.to_f64(), mass_per_length.to_f64());
-        bounds.waves(1.0 / (built.wave * built.wave).to_f64());
-        bounds.translational_stiffness(ei / (l * l * l));
-        bounds.torsional_stiffness(ei / l);
-        bounds.length(l);
-        bounds.mass(m * l);
-        bounds.moment_of_inertia(m * l * l * l);
+        estimates.waves(1.0 / (built.wave * built.wave).to_f64());
+        estimates.translational_stiffness(ei / (l * l * l));
+        estimates.torsional_stiffness(ei / l);
+        estimates.length(l);
+        estimates.mass(m * l);
+        estimates.moment_of_inertia(m * l * l * l);
     }
 }
 
@@ -111,17 +107,17 @@ impl<T: Real> Beam<T> {
                 worst = parameter;
             }
         }
-        InvalidParameter { parameter: worst.0, value: worst.1, requirement: Requirement::Moderate }
+        InvalidParameter { parameter: worst.0, value: worst.1, requirement: Requirement::Rescale }
     }
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     const WAVES: bool = true;
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = BendingCoefficients<S>;
 
     #[inline]
-    fn branches(built: &BuiltBeam<T>, at: &At<S>) -> Branches {
+    fn branches(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> Branches {
         let size = (at.powers[0] * built.wave).size();
         if size <= 1.0 {
             Branches::Series
@@ -133,41 +129,47 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     }
 
     #[inline(always)]
-    fn coefficients(built: &BuiltBeam<T>, at: &At<S>) -> BendingCoefficients<S> {
+    fn coefficients(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         let z = at.powers[0] * built.wave;
         let size = z.size();
         match S::BRANCHES {
             Branches::All if size <= 1.0 => built.small(z, at),
-            Branches::All => built.waving(z, z.wave_products(), at),
-            Branches::Series => built.by_series(z, -at.lambda_squared.provided(size <= 1.0)),
+            Branches::All => built.waving(z, S::Plain::wave_functions, at),
+            Branches::Series => built.by_series(z, -at.lambda_squared.valid_if(size <= 1.0)),
             Branches::Waves => {
-                let products = z.provided((size > 1.0) & (size < S::WAVE_LIMIT)).moderate_wave_products();
-                built.waving(z, products, at)
+                let z = z.valid_if((size > 1.0) & (size < S::WAVE_LIMIT));
+                built.waving(z, S::Plain::moderate_wave_functions, at)
             }
         }
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
-        coefficients.step(input, tally)
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
+        coefficients.step(input, counter)
     }
 
     #[inline(always)]
-    fn root<C: Tally<S>>(
+    fn root<C: RootCounter<S>>(
         coefficients: &Self::Coefficients,
         input: Subspace<S>,
         support: Support,
-        tally: &mut C,
+        counter: &mut C,
     ) -> Scaled<S> {
-        coefficients.root(input, support, tally)
+        coefficients.root(input, support, counter)
     }
 }
 
 impl<T: Real> BuiltBeam<T> {
     /// The coefficients for `|z| > 1`.
     #[inline(always)]
-    fn waving<S: Frequency<T>>(&self, z: S, products: WaveProducts<S>, at: &At<S>) -> BendingCoefficients<S> {
-        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = products;
+    fn waving<S: Frequency<T>>(
+        &self,
+        z: S,
+        waves: impl FnOnce(S::Plain) -> WaveFunctions<S::Plain>,
+        at: &FrequencyPowers<S>,
+    ) -> BendingCoefficients<S> {
+        let ([ch_cos, ch_sin, sh_cos, f], (one, exponent)) = wave_products(z, waves);
+        let one = S::constant(one);
         let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
         let Units { factors, inverses } = self.units(at);
         BendingCoefficients {
@@ -189,11 +191,11 @@ impl<T: Real> BuiltBeam<T> {
         }
     }
 
-    /// Units of the minors with the wave number β. A judge needs them without rounding between them: only then is a step the
-    /// compound of the transfer matrix.
+    /// Units of the minors with the wave number β. In extended precision they are computed anew, since a step is the compound of
+    /// the transfer matrix only if they fit each other.
     #[inline(always)]
-    fn units<S: Frequency<T>>(&self, at: &At<S>) -> Units<S> {
-        if S::JUDGES {
+    fn units<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> Units<S> {
+        if S::IS_EXTENDED {
             let number = S::from_parameter(self.wave) / S::from_parameter(self.parameters.length);
             return Units::new(S::from_parameter(self.parameters.bending_stiffness), at.powers[0] * number);
         }
@@ -203,22 +205,26 @@ impl<T: Real> BuiltBeam<T> {
         }
     }
 
-    /// The same with `1/l` in place of β.
+    /// Units of the minors with `1/l` in place of β.
     #[inline(always)]
     fn short_units<S: Frequency<T>>(&self) -> Units<S> {
-        if S::JUDGES {
-            let [length, stiffness] = [self.parameters.length, self.parameters.bending_stiffness].map(S::from_parameter);
+        if S::IS_EXTENDED {
+            let [length, stiffness] =
+                [self.parameters.length, self.parameters.bending_stiffness].map(S::from_parameter);
             return Units::new(stiffness, S::one() / length);
         }
         let Units { factors, inverses } = self.length_units;
         let ([a, b, c, d], [e, f, g, h]) = (factors, inverses);
         let number = S::from_parameter;
-        Units { factors: [number(a), number(b), number(c), number(d)], inverses: [number(e), number(f), number(g), number(h)] }
+        Units {
+            factors: [number(a), number(b), number(c), number(d)],
+            inverses: [number(e), number(f), number(g), number(h)],
+        }
     }
 
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     #[cold]
-    fn small<S: Frequency<T>>(&self, z: S, at: &At<S>) -> BendingCoefficients<S> {
+    fn small<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         self.by_series(z, -at.lambda_squared)
     }
 
@@ -247,7 +253,23 @@ impl<T: Real> BuiltBeam<T> {
     }
 }
 
-/// Products of powers with what belongs to each.
+/// `ch z cos z`, `ch z sin z`, `sh z cos z`, `sh z sin z`, and 1, all divided by a power of two, and its exponent.
+#[inline(always)]
+fn wave_products<S: Scalar>(
+    z: S,
+    waves: impl FnOnce(S::Plain) -> WaveFunctions<S::Plain>,
+) -> ([S; 4], (S::Plain, i32)) {
+    let values = |z| {
+        let WaveFunctions { sin, cos, sh, ch, one, exponents: [j, k] } = waves(z);
+        ([ch * cos, ch * sin, sh * cos, sh * sin], (one, j.saturating_add(k)))
+    };
+    let slopes = |[ch_cos, ch_sin, sh_cos, sh_sin]: [S::Plain; 4]| {
+        [sh_cos - ch_sin, sh_sin + ch_cos, ch_cos - sh_sin, ch_sin + sh_cos]
+    };
+    z.functions(values, slopes)
+}
+
+/// The products of powers of the frequency with their factors.
 #[inline(always)]
 fn products<T: Real, S: Frequency<T>>([a, b, c, d]: [S; 4], [e, f, g, h]: [T; 4]) -> [S; 4] {
     [a * e, b * f, c * g, d * h]

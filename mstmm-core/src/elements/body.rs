@@ -1,17 +1,12 @@
 //! Rigid body in a bending path.
 
-use crate::at::At;
-use crate::bounds::FrequencyBounds;
-use crate::count::Tally;
-use crate::element::{Element, PlaneStep, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::motion::line_motions::half;
-use crate::motion::{Covector, Ends, Motion};
-use crate::scalar::{Frequency, Oscillation, Real};
-use crate::scaled::Scaled;
-use crate::state::{Bending, Support};
-use crate::subspace::{Plane, Subspace};
+use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::elements::shared::line_forms::half;
+use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled};
+use crate::subspace::{Connecting, Covector, Plane, RootCounter, Subspace};
 use lever::{Lever, Levers};
+use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
 mod lever;
@@ -43,11 +38,11 @@ pub struct Body<T> {
     pub centre_x: T,
 }
 
-/// A body with what does not depend on the frequency: its inertia about the mass centre, from which nothing is subtracted again.
+/// A body with its quantities that do not depend on the frequency: its inertia about the mass centre is subtracted once.
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltBody<T> {
     mass: T,
-    /// `J_C = J_I - m c1²`; where the rounding of J_I has put it below zero, it is.
+    /// `J_C = J_I - m c1²`; below zero where the rounding of J_I has put it there.
     central_inertia: T,
     /// b1 and c1.
     levers: Levers<T>,
@@ -56,7 +51,7 @@ pub struct BuiltBody<T> {
 }
 
 impl<T: Real> Body<T> {
-    /// `J_I - m c1²`. The product must be exact: beside a mass on a long arm what is left may be all rounding.
+    /// `J_I - m c1²`. The product must be exact, since for a mass on a long arm the difference may be rounding alone.
     fn central_inertia(&self) -> T {
         let Body { mass, inertia, centre_x, .. } = *self;
         inertia.minus_product([mass, centre_x, centre_x])
@@ -81,14 +76,14 @@ impl<T: Real> Element for Body<T> {
         })
     }
 
-    fn bound(built: &BuiltBody<T>, bounds: &mut FrequencyBounds) {
-        bounds.mass(built.mass.to_f64());
+    fn estimate(built: &BuiltBody<T>, estimates: &mut FrequencyEstimates) {
+        estimates.mass(built.mass.to_f64());
         let Levers { output, centre, .. } = built.levers;
-        // what rounding leaves of the inertia about the mass centre moves fast
-        bounds.moment_of_inertia(built.central_inertia.abs().to_f64());
-        bounds.lever(output.length.to_f64());
-        bounds.lever(centre.length.to_f64());
-        bounds.moment_of_inertia((built.central_inertia + centre.times(centre.times(built.mass))).to_f64());
+        // an inertia about the mass centre that is rounding alone gives high frequencies
+        estimates.moment_of_inertia(built.central_inertia.abs().to_f64());
+        estimates.lever(output.length.to_f64());
+        estimates.lever(centre.length.to_f64());
+        estimates.moment_of_inertia((built.central_inertia + centre.times(centre.times(built.mass))).to_f64());
     }
 }
 
@@ -119,39 +114,39 @@ pub struct BodyCoefficients<T, S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = BodyCoefficients<T, S>;
 
     #[inline(always)]
-    fn coefficients(built: &BuiltBody<T>, at: &At<S>) -> BodyCoefficients<T, S> {
+    fn coefficients(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> BodyCoefficients<T, S> {
         BodyCoefficients::new(built, at.lambda_squared)
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
         let BodyCoefficients { a, j, to_output, about_output, .. } = *coefficients;
         if let Subspace::Tip(Support::Free, _) = input {
             return Subspace::Plane(Plane::new([S::one(), about_output, to_output, a, a * j], 0));
         }
         let p = input.plane();
         let inertia = about_output * p.y_theta;
-        let Behind { y_m, w, theta_q, m_q } = coefficients.behind(&p, inertia, tally);
+        let Behind { y_m, w, theta_q, m_q } = coefficients.behind(&p, inertia, counter);
         Subspace::Plane(Plane::new([p.y_theta, y_m + inertia, w + to_output * p.y_theta, theta_q, m_q], p.exponent))
     }
 
     #[inline(always)]
-    fn root<C: Tally<S>>(
+    fn root<C: RootCounter<S>>(
         coefficients: &Self::Coefficients,
         input: Subspace<S>,
         support: Support,
-        tally: &mut C,
+        counter: &mut C,
     ) -> Scaled<S> {
         if C::COUNTS || support != Support::Free {
-            return Self::step(coefficients, input, tally).at_root(support, tally);
+            return Self::step(coefficients, input, counter).at_root(support, counter);
         }
         // the shift to the output end does not change p_MQ
         let p = input.plane();
-        let Behind { m_q, .. } = coefficients.behind(&p, S::zero(), tally);
+        let Behind { m_q, .. } = coefficients.behind(&p, S::zero(), counter);
         Scaled::new(m_q, i64::from(p.exponent))
     }
 }
@@ -173,42 +168,45 @@ impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
         BodyCoefficients { a, j, to_output, about_output: j + centre_to_output.times(to_output), levers }
     }
 
-    /// `p_ΘQ + a p_YΘ`, with it `p_MQ + a p_YM + j p_ΘQ` with p_YM of the mass centre, and what the shift to the output end makes
-    /// of the others; at once, since by way of the mass centre a lever there and back would leave rounding.
+    /// `p_ΘQ + a p_YΘ`, with it `p_MQ + a p_YM + j p_ΘQ` with p_YM of the mass centre, and p_YM and w at the output end. The shift is
+    /// a single one, since one by way of the mass centre would leave rounding where it leads there and back.
     #[inline(always)]
-    fn behind<C: Tally<S>>(&self, p: &Plane<S>, inertia: S, tally: &mut C) -> Behind<S> {
+    fn behind<C: RootCounter<S>>(&self, p: &Plane<S>, inertia: S, counter: &mut C) -> Behind<S> {
         let theta_q = p.theta_q + self.a * p.y_theta;
         let turning = self.j * theta_q;
         let beside = || [inertia.size(), (p.m_q.size() + turning.size()) / self.a.size()];
-        let [[y_m, w], [at_centre, _]] = self.levers.far_ends(p, beside, tally);
+        let [[y_m, w], [at_centre, _]] = self.levers.far_ends(p, beside, counter);
         Behind { y_m, w, theta_q, m_q: p.m_q + self.a * at_centre + turning }
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for Body<T> {
-    type Links = BodyCoefficients<T, S>;
-    type Gradient = Body<S>;
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Body<T> {
+    type BackCoefficients = BodyCoefficients<T, S>;
     const SYMMETRIC: bool = false;
 
-    /// The same body about its output end: the levers from its mass centre change places.
+    /// The body about its output end: the levers from its mass centre change places.
     fn reversed(built: &BuiltBody<T>) -> BuiltBody<T> {
         let Levers { output, centre, .. } = built.levers;
         BuiltBody { levers: Levers::new(output, built.centre_to_output), centre_to_output: centre, ..*built }
     }
 
-    fn links(built: &BuiltBody<T>, at: &At<S>) -> BodyCoefficients<T, S> {
+    fn back_coefficients(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> BodyCoefficients<T, S> {
         Self::coefficients(built, at)
     }
 
-    fn pull_back(links: &BodyCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(links: &BodyCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
         let BodyCoefficients { a, j, to_output, levers: Levers { output, centre, .. }, .. } = *links;
         let force = a * q + to_output * m;
         let entries = [y - force, theta + output.times(y) + j * m - centre.times(force), m, q + output.times(m)];
         Covector::Plane(entries, exponent)
     }
+}
 
-    fn units(built: &BuiltBody<T>, at: &At<S>) -> [f64; 2] {
+impl<T: Real, S: Oscillation<T>> Energies<S> for Body<T> {
+    type Gradient = Body<S>;
+
+    fn units(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
         let BodyCoefficients { a, j, levers: Levers { centre, .. }, .. } = Self::coefficients(built, at);
         [S::size(a), S::size(j + centre.times(centre.times(a)))]
     }

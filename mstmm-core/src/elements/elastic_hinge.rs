@@ -1,16 +1,11 @@
 //! Elastic hinge in a bending path.
 
-use crate::at::At;
-use crate::bounds::FrequencyBounds;
-use crate::count::Tally;
-use crate::element::{Element, PlaneStep, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::motion::line_motions::{elongations, half};
-use crate::motion::{Covector, Ends, Motion};
-use crate::scalar::{Frequency, Oscillation, Real};
-use crate::scaled::Scaled;
-use crate::state::{Bending, Coordinate, Support};
-use crate::subspace::{Plane, Subspace};
+use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::elements::shared::line_forms::{elongations, half};
+use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled};
+use crate::subspace::{Connecting, Covector, Held, Plane, RootCounter, Subspace};
+use mstmm_plan::{Coordinate, Support};
 use nalgebra::Matrix4;
 
 /// Massless elastic hinge: a translational and a torsion spring side by side in a bending path.
@@ -37,9 +32,9 @@ impl<T: Real> Element for ElasticHinge<T> {
         Ok(self)
     }
 
-    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
-        bounds.translational_stiffness(built.stiffness_y.to_f64());
-        bounds.torsional_stiffness(built.stiffness_theta.to_f64());
+    fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
+        estimates.translational_stiffness(built.stiffness_y.to_f64());
+        estimates.torsional_stiffness(built.stiffness_theta.to_f64());
     }
 }
 
@@ -53,8 +48,8 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for ElasticHinge<T> {
     }
 }
 
-/// The two stiffnesses and their product: rounded in the arithmetic of the evaluation, so that the judge of a root judges
-/// the hinge that was given.
+/// The two stiffnesses and their product. The product is rounded in the precision of the evaluation, so that extended precision
+/// is about the hinge that was given.
 #[derive(Clone, Copy, Debug)]
 pub struct HingeCoefficients<T, S> {
     k_y: T,
@@ -63,38 +58,39 @@ pub struct HingeCoefficients<T, S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = HingeCoefficients<T, S>;
 
     #[inline(always)]
-    fn coefficients(built: &Self, _at: &At<S>) -> HingeCoefficients<T, S> {
+    fn coefficients(built: &Self, _at: &FrequencyPowers<S>) -> HingeCoefficients<T, S> {
         let (k_y, k_theta) = (built.stiffness_y, built.stiffness_theta);
         HingeCoefficients { k_y, k_theta, product: S::from_parameter(k_y) * k_theta }
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
         if let Subspace::Tip(Support::Fixed, _) = input {
             let (y, theta) = (S::from_parameter(coefficients.k_y), S::from_parameter(coefficients.k_theta));
             return Subspace::Springs { y: Some(y), theta: Some(theta) };
         }
         let before = input.plane();
         let after = coefficients.through(&before).in_range();
-        tally.hinge(&before, &after, S::from_parameter(coefficients.k_y));
+        let held = Held { below: 0, is_negative: false, stiffness: S::from_parameter(coefficients.k_y) };
+        counter.plane(&before, &after, held);
         Subspace::Plane(after)
     }
 
     #[inline(always)]
-    fn root<C: Tally<S>>(
+    fn root<C: RootCounter<S>>(
         coefficients: &Self::Coefficients,
         input: Subspace<S>,
         support: Support,
-        tally: &mut C,
+        counter: &mut C,
     ) -> Scaled<S> {
         if C::COUNTS || matches!(input, Subspace::Tip(..)) {
-            return Self::step(coefficients, input, tally).at_root(support, tally);
+            return Self::step(coefficients, input, counter).at_root(support, counter);
         }
-        // no look at the range: only the minor that decides is needed
+        // not shifted into the range: only one minor is needed
         let plane = coefficients.through(&input.plane());
         Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
     }
@@ -116,28 +112,31 @@ impl<T: Real, S: Frequency<T>> HingeCoefficients<T, S> {
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for ElasticHinge<T> {
-    type Links = HingeCoefficients<T, S>;
-    type Gradient = ElasticHinge<S>;
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for ElasticHinge<T> {
+    type BackCoefficients = HingeCoefficients<T, S>;
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &Self) -> Self {
         *built
     }
 
-    fn links(built: &Self, at: &At<S>) -> HingeCoefficients<T, S> {
+    fn back_coefficients(built: &Self, at: &FrequencyPowers<S>) -> HingeCoefficients<T, S> {
         Self::coefficients(built, at)
     }
 
     /// `K_y K_θ Uᵀ η`, since the step multiplies by the stiffnesses.
-    fn pull_back(links: &HingeCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(links: &HingeCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
         let HingeCoefficients { k_y, k_theta, product } = *links;
         let entries = [y * product, theta * product, m * product + theta * k_y, q * product - y * k_theta];
         Covector::Plane(entries, exponent)
     }
+}
 
-    fn units(built: &Self, _at: &At<S>) -> [f64; 2] {
+impl<T: Real, S: Oscillation<T>> Energies<S> for ElasticHinge<T> {
+    type Gradient = ElasticHinge<S>;
+
+    fn units(built: &Self, _at: &FrequencyPowers<S>) -> [f64; 2] {
         [built.stiffness_y.to_f64(), built.stiffness_theta.to_f64()]
     }
 

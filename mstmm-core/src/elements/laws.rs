@@ -7,9 +7,10 @@ mod subspaces;
 
 use super::*;
 use crate::element::{Element, MatrixOf, TransferMatrix};
-use crate::state::{Coordinate, StateSpace};
-use crate::tolerance::assert_close;
+use crate::model::StateSpace;
+use crate::number::assert_close;
 use core::ops::Index;
+use mstmm_plan::Coordinate;
 use num_complex::Complex;
 use proptest::test_runner::TestRunner;
 use std::vec::Vec;
@@ -24,7 +25,7 @@ pub(super) trait Sample: Element + Copy + core::fmt::Debug {
         None
     }
 
-    /// The element without what ties it to the ground.
+    /// The element without its springs to the ground.
     fn untied(self) -> Self {
         self
     }
@@ -123,7 +124,7 @@ where
     });
 }
 
-/// At λ = 0 a displacement needs no force, but for what ties the element to the ground.
+/// At λ = 0 a displacement needs no force, but for springs of the element to the ground.
 fn rests_without_force<E>()
 where
     E: Sample + TransferMatrix<C>,
@@ -209,7 +210,7 @@ fn refuses_what_is_not_a_number<E: Sample>() {
     }
 }
 
-/// Whatever `sample` returns is in range.
+/// Every sample is in range.
 fn accepts_valid_samples<E: Sample>() {
     check(|element: E, _| assert!(element.build().is_ok()));
 }

@@ -1,29 +1,65 @@
 //! The elements: one file holds everything about one element.
 
+use crate::element::space_of;
+use mstmm_plan::Space;
+
+mod any;
+mod beam;
+mod body;
+mod elastic_hinge;
 #[cfg(test)]
 mod laws;
+mod line;
+mod planar_beam;
+mod planar_body;
+mod planar_hinge;
+mod point_mass;
+pub(crate) mod shared;
 
-/// Declares the files of the elements and re-exports their types; the laws of the tests and the lists of steps use the same
-/// list. Planar elements, which have no step of the plane method and no damping, stand apart.
+pub use any::{AnyElement, AnyUndamped};
+pub use beam::Beam;
+pub use body::Body;
+pub use elastic_hinge::ElasticHinge;
+pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
+pub use planar_beam::PlanarBeam;
+pub use planar_body::PlanarBody;
+pub use planar_hinge::PlanarHinge;
+pub use point_mass::PointMass;
+
+/// An element type: its name, space and parameters. The language has a row for each, too, and a test compares the two.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// Name of the type.
+    pub name: &'static str,
+    /// Space of its states.
+    pub space: Space,
+    /// Names of its parameters, in the order of the fields.
+    pub parameters: &'static [&'static str],
+}
+
+/// Declares the list of the elements with their parameters, which laws and lists of steps share. Planar elements are listed apart,
+/// since they have no step of the plane method.
 macro_rules! elements {
     (
-        undamped { $($file:ident :: $element:ident),* $(,)? }
-        damped { $($damped_file:ident :: $damped_element:ident),* $(,)? }
-        planar { $($planar_file:ident :: $planar_element:ident),* $(,)? }
+        undamped { $($element:ident { $($field:ident),* })* }
+        damped { $($damped:ident { $($damped_field:ident),* })* }
+        planar { $($planar:ident { $($planar_field:ident),* })* }
     ) => {
-        $(mod $file; pub use $file::$element;)*
-        $(mod $damped_file; pub use $damped_file::$damped_element;)*
-        $(mod $planar_file; pub use $planar_file::$planar_element;)*
-
-        /// Names of all element types, for the test that compares them with the keywords of the language.
+        /// All element types.
         #[doc(hidden)]
-        pub const NAMES: &[&str] =
-            &[$(stringify!($element),)* $(stringify!($damped_element),)* $(stringify!($planar_element)),*];
+        pub const ELEMENTS: &[Row] = &[
+            $(row!($element { $($field),* }),)*
+            $(row!($damped { $($damped_field),* }),)*
+            $(row!($planar { $($planar_field),* }),)*
+        ];
 
         /// Hands the elements of the plane method to a macro: those without damping, then those with.
         macro_rules! stepping_elements {
             ($use_of_them:ident) => {
-                $use_of_them! { undamped { $($element),* } damped { $($damped_element),* } }
+                $use_of_them! {
+                    undamped { $($element { $($field),* })* } damped { $($damped { $($damped_field),* })* }
+                }
             };
         }
         pub(crate) use stepping_elements;
@@ -32,15 +68,15 @@ macro_rules! elements {
         macro_rules! for_each_undamped_element {
             ($law:ident) => {
                 $($law::<$element<f64>>();)*
-                $($law::<$planar_element<f64>>();)*
+                $($law::<$planar<f64>>();)*
             };
         }
         #[cfg(test)]
         macro_rules! for_each_element {
             ($law:ident) => {
                 $($law::<$element<f64>>();)*
-                $($law::<$damped_element<f64>>();)*
-                $($law::<$planar_element<f64>>();)*
+                $($law::<$damped<f64>>();)*
+                $($law::<$planar<f64>>();)*
             };
         }
         #[cfg(test)]
@@ -48,26 +84,53 @@ macro_rules! elements {
     };
 }
 
+/// The row of an element; a field that is missing or misspelt does not compile.
+macro_rules! row {
+    ($element:ident { $($field:ident),* }) => {{
+        const fn has_all_fields<T: Copy>($element { $($field: _),* }: $element<T>) {}
+        let _ = has_all_fields::<f64>;
+        Row { name: stringify!($element), space: space_of::<$element<f64>>(), parameters: &[$(stringify!($field)),*] }
+    }};
+}
+
 elements! {
     undamped {
-        spring::Spring,
-        torsion_spring::TorsionSpring,
-        mass::Mass,
-        inertia::Inertia,
-        point_mass::PointMass,
-        elastic_hinge::ElasticHinge,
-        body::Body,
-        beam::Beam,
+        Spring { stiffness }
+        TorsionSpring { stiffness }
+        Mass { mass }
+        Inertia { inertia }
+        PointMass { mass, inertia }
+        ElasticHinge { stiffness_y, stiffness_theta }
+        Body { mass, inertia, output_x, centre_x }
+        Beam { length, bending_stiffness, mass_per_length }
     }
     damped {
-        damper::Damper,
-        torsion_damper::TorsionDamper,
-        spring_damper::SpringDamper,
-        torsion_spring_damper::TorsionSpringDamper,
+        Damper { damping }
+        TorsionDamper { damping }
+        SpringDamper { stiffness, damping }
+        TorsionSpringDamper { stiffness, damping }
     }
     planar {
-        planar_body::PlanarBody,
-        planar_beam::PlanarBeam,
-        planar_hinge::PlanarHinge,
+        PlanarBody { mass, inertia, output_x, output_y, centre_x, centre_y }
+        PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length }
+        PlanarHinge { stiffness_x, stiffness_y, stiffness_theta }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::vec::Vec;
+
+    #[test]
+    fn each_element_has_its_row() {
+        let lines = include_str!("mod.rs").lines().filter_map(|line| line.strip_prefix("pub use ")?.strip_suffix(';'));
+        let names = lines.flat_map(|line| line.split(['{', '}', ',', ':', ' ']));
+        let is_type = |name: &&str| name.starts_with(char::is_uppercase) && !name.starts_with("Any");
+        let mut exported: Vec<&str> = names.filter(is_type).collect();
+        let mut rows: Vec<&str> = ELEMENTS.iter().map(|row| row.name).collect();
+        exported.sort_unstable();
+        rows.sort_unstable();
+        assert_eq!(exported, rows, "types that are exported, and rows of the list");
     }
 }

@@ -1,10 +1,9 @@
 //! Beam in planar motion: bending and longitudinal vibration.
 
-use crate::beam_functions::{bending_matrix, cosine_and_sinc};
 use crate::element::{Element, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real};
-use crate::state::Planar;
+use crate::elements::shared::krylov::{bending_matrix, cosine_and_sinc};
+use crate::model::{InvalidParameter, Planar, Requirement};
+use crate::number::{Frequency, Real};
 use nalgebra::Matrix6;
 
 /// Uniform Euler-Bernoulli beam with exact longitudinal vibration; the two motions do not couple along a beam.
@@ -70,12 +69,7 @@ impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PlanarBeam<T> {
 #[cfg(test)]
 impl super::laws::Sample for PlanarBeam<f64> {
     fn sample(mut next: impl FnMut() -> f64) -> Self {
-        PlanarBeam {
-            length: next(),
-            axial_stiffness: next(),
-            bending_stiffness: next(),
-            mass_per_length: next(),
-        }
+        PlanarBeam { length: next(), axial_stiffness: next(), bending_stiffness: next(), mass_per_length: next() }
     }
 
     fn halves(self) -> Option<Self> {

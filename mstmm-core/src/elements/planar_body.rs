@@ -1,9 +1,8 @@
 //! Rigid body in planar motion.
 
 use crate::element::{Element, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real};
-use crate::state::Planar;
+use crate::model::{InvalidParameter, Planar, Requirement};
+use crate::number::{Frequency, Real};
 use nalgebra::Matrix6;
 
 /// Rigid body with one input and one output end in planar motion; small rotations.
@@ -96,14 +95,8 @@ mod tests {
 
     #[test]
     fn a_body_without_mass_needs_no_inertia_wherever_its_centre_is() {
-        let massless = PlanarBody {
-            mass: 0.0,
-            inertia: 0.0,
-            output_x: 1.0,
-            output_y: 0.0,
-            centre_x: 1e200,
-            centre_y: -1e200,
-        };
+        let massless =
+            PlanarBody { mass: 0.0, inertia: 0.0, output_x: 1.0, output_y: 0.0, centre_x: 1e200, centre_y: -1e200 };
         assert!(massless.build().is_ok());
     }
 }

@@ -1,9 +1,8 @@
 //! Elastic hinge in planar motion.
 
 use crate::element::{Element, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::scalar::{Frequency, Real};
-use crate::state::Planar;
+use crate::model::{InvalidParameter, Planar, Requirement};
+use crate::number::{Frequency, Real};
 use nalgebra::Matrix6;
 
 /// Massless elastic hinge in planar motion: three springs side by side.

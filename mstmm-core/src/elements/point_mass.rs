@@ -1,16 +1,11 @@
 //! Lumped mass inside a bending path.
 
-use crate::at::At;
-use crate::bounds::FrequencyBounds;
-use crate::count::Tally;
-use crate::element::{Element, PlaneStep, TransferMatrix};
-use crate::error::{InvalidParameter, Requirement};
-use crate::join::in_parallel;
-use crate::motion::line_motions::{displacements, half};
-use crate::motion::{Covector, Ends, Motion};
-use crate::scalar::{Frequency, Oscillation, Real};
-use crate::state::{Bending, Coordinate, Support};
-use crate::subspace::{Plane, Subspace};
+use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::elements::shared::line_forms::{displacements, half};
+use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Real};
+use crate::subspace::{Covector, Plane, RootCounter, Subspace, in_parallel};
+use mstmm_plan::{Coordinate, Support};
 use nalgebra::Matrix4;
 
 /// Lumped mass with rotary inertia inside a bending path: a rigid body of no length.
@@ -37,9 +32,9 @@ impl<T: Real> Element for PointMass<T> {
         Ok(self)
     }
 
-    fn bound(built: &Self, bounds: &mut FrequencyBounds) {
-        bounds.mass(built.mass.to_f64());
-        bounds.moment_of_inertia(built.inertia.to_f64());
+    fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
+        estimates.mass(built.mass.to_f64());
+        estimates.moment_of_inertia(built.inertia.to_f64());
     }
 }
 
@@ -61,16 +56,16 @@ pub struct PointMassCoefficients<S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
-    const STRAIGHT: bool = true;
+    const BRANCH_FREE: bool = true;
     type Coefficients = PointMassCoefficients<S>;
 
     #[inline(always)]
-    fn coefficients(built: &Self, at: &At<S>) -> PointMassCoefficients<S> {
+    fn coefficients(built: &Self, at: &FrequencyPowers<S>) -> PointMassCoefficients<S> {
         PointMassCoefficients { a: at.lambda_squared * built.mass, j: at.lambda_squared * built.inertia }
     }
 
     #[inline(always)]
-    fn step<C: Tally<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, _counter: &mut C) -> Subspace<S> {
         let PointMassCoefficients { a, j } = *coefficients;
         match input {
             Subspace::Tip(Support::Free, _) => return Subspace::Springs { y: Some(a), theta: Some(j) },
@@ -86,25 +81,28 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
     }
 }
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for PointMass<T> {
-    type Links = PointMassCoefficients<S>;
-    type Gradient = PointMass<S>;
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for PointMass<T> {
+    type BackCoefficients = PointMassCoefficients<S>;
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &Self) -> Self {
         *built
     }
 
-    fn links(built: &Self, at: &At<S>) -> PointMassCoefficients<S> {
+    fn back_coefficients(built: &Self, at: &FrequencyPowers<S>) -> PointMassCoefficients<S> {
         Self::coefficients(built, at)
     }
 
-    fn pull_back(links: &PointMassCoefficients<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(links: &PointMassCoefficients<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
         Covector::Plane([y - links.a * q, theta + links.j * m, m, q], exponent)
     }
+}
 
-    fn units(built: &Self, at: &At<S>) -> [f64; 2] {
+impl<T: Real, S: Oscillation<T>> Energies<S> for PointMass<T> {
+    type Gradient = PointMass<S>;
+
+    fn units(built: &Self, at: &FrequencyPowers<S>) -> [f64; 2] {
         let PointMassCoefficients { a, j } = Self::coefficients(built, at);
         [S::size(a), S::size(j)]
     }

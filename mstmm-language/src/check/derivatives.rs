@@ -1,8 +1,8 @@
-//! Which values depend on the fields of the struct, and the formulas of those values over numbers with derivatives.
+//! The values that depend on the fields of the struct, and their formulas over numbers with derivatives.
 //!
-//! Every expression is as the user wrote it unless its value depends on a field. Then it is made of the operators and
-//! functions that such numbers have, and wherever either kind of number may come, at the ends of branches and as arguments,
-//! plain ones are made constants. What else a value passes through has no derivative that is known here: it is an error.
+//! An expression stays as the user wrote it unless its value depends on a field. Then it may use the operators and functions
+//! of numbers with derivatives alone; any other code that the value passes through is an error. Where either kind of number
+//! may come, at the ends of branches and as arguments, plain numbers are made constants.
 
 mod bindings;
 mod branches;
@@ -38,7 +38,7 @@ impl Derivatives {
     }
 }
 
-/// Finds the formulas, and all that has no derivative.
+/// Finds the formulas, and reports code without a derivative.
 pub(crate) fn derivatives(model: &Model, errors: &mut Errors) -> Derivatives {
     let mut formulas = Formulas { scope: Scope::of(model), facade: &model.facade, errors };
     let mut lets = model.lets.clone();
@@ -69,7 +69,7 @@ impl Formulas<'_> {
         matches!(dependence, Dependence::Number(_)).then(|| (parameter.name.clone(), value))
     }
 
-    /// Refuses what a value passes through, if the value depends on fields.
+    /// Refuses code through which a value passes, if the value depends on fields.
     fn refuse(&mut self, dependence: &Dependence, place: impl ToTokens, what: &str, advice: &str) -> Dependence {
         let fields = dependence.fields();
         if !fields.is_empty() {

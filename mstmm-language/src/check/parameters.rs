@@ -1,4 +1,4 @@
-//! The parameters of an element: all that it has, each once, and no others.
+//! The parameters of an element: each must be given once, and no others.
 
 use super::listed;
 use crate::ast::Element;
@@ -7,7 +7,7 @@ use crate::keywords::nearest;
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
-/// Checks the parameters of one element. Those of a type of the user's own only rustc knows: here they are given once.
+/// Checks the parameters of one element. For a type of the user it only checks that each is given once, since rustc knows which.
 pub(super) fn parameters(element: &Element, errors: &mut Errors) {
     let mut given = BTreeSet::new();
     for parameter in element.parameters() {

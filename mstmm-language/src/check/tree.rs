@@ -22,7 +22,7 @@ pub(crate) fn topology<'g, 'a>(model: &Model, graph: &'g Graph<'a>, mut errors: 
     Ok(Tree { graph, root: root.unwrap_or(0) })
 }
 
-/// Checks the ends of every vertex, except of those that may be meant otherwise; then that every way that is clear leads to
+/// Checks the numbers of inputs and outputs of every vertex whose meaning is known, and that the paths of faultless vertices lead to
 /// one root.
 fn check_graph(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
     let mut is_clear = Vec::new();
@@ -37,7 +37,7 @@ fn check_graph(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
     find_root(graph, &is_clear, errors)
 }
 
-/// What is wrong with the number of inputs and outputs of one vertex.
+/// The fault in the number of inputs and outputs of one vertex, if there is one.
 fn ends_fault(graph: &Graph<'_>, index: usize) -> Option<(Place, &'static str)> {
     let inputs = graph.edges.iter().filter(|edge| edge.to == index).map(|edge| edge.place).collect::<Vec<_>>();
     let outputs = graph.edges.iter().filter(|edge| edge.from == index).map(|edge| edge.place).collect::<Vec<_>>();
@@ -115,7 +115,7 @@ fn joins_supports_alone(graph: &Graph<'_>, index: usize) -> bool {
     graph.inputs(index).iter().all(is_support) && !leads_to_element
 }
 
-/// Where the way from a vertex ends.
+/// The end of the path from a vertex.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum End {
     /// In a support, where every vertex of one sketch ends.
@@ -124,7 +124,7 @@ enum End {
     Loop(usize),
 }
 
-/// The support in which all ways end that are clear. Every clear vertex but a root has one output.
+/// The support in which the paths of all clear vertices end. Every clear vertex but a root has one output.
 fn find_root(graph: &Graph<'_>, is_clear: &[bool], errors: &mut Errors) -> Option<usize> {
     let mut ends: Vec<End> = Vec::new();
     let starts = (0..graph.vertices.len()).filter(|vertex| graph.output(*vertex).is_some());

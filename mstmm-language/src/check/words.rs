@@ -1,4 +1,4 @@
-//! Rules that need no graph: keywords, labels, and what an element is made of.
+//! Rules that need no graph: keywords, labels, and the parts of an element.
 
 use super::{fields, listed, parameters};
 use crate::ast::{Element, Kind, Label, Model, Node};
@@ -7,7 +7,7 @@ use crate::keywords::{CONNECTION, ELEMENTS, SUPPORTS, apart, element_of, nearest
 use crate::topology::Vertex;
 use syn::{Ident, Lit};
 
-/// Checks all that one node or one field shows by itself.
+/// Checks each node and each field by itself.
 pub(crate) fn words(model: &Model, errors: &mut Errors) {
     fields::fields(&model.parameters, errors);
     for node in model.nodes() {
@@ -26,7 +26,7 @@ pub(crate) fn words(model: &Model, errors: &mut Errors) {
     }
 }
 
-/// Whether it is unknown what the author meant by a vertex, so that nothing can be said of its arrows.
+/// Whether the meaning of a vertex is unknown, so that its arrows are not checked.
 pub(crate) fn is_doubtful(vertex: &Vertex<'_>) -> bool {
     match vertex {
         Vertex::Support(keyword) => support_of(&keyword.to_string()).is_none(),
@@ -35,7 +35,7 @@ pub(crate) fn is_doubtful(vertex: &Vertex<'_>) -> bool {
     }
 }
 
-/// A type of the user's own is known to rustc.
+/// Whether the language or rustc knows the kind: rustc knows types of the user.
 fn is_known(kind: &Kind) -> bool {
     matches!(kind, Kind::Type(_)) || kind.known().is_some()
 }
@@ -85,7 +85,7 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
     }
 }
 
-/// What is wrong with the keyword of an element.
+/// The message for an unknown keyword of an element.
 fn unknown_keyword(text: &str) -> String {
     if support_of(text).is_some() {
         return format!("the support `{text}` takes no label and no parameters: write `{text}` alone");

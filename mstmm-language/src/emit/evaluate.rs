@@ -21,7 +21,8 @@ pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
             Some(quote_spanned!(names.here=> equation.element::<#kind>(#index, &#matrix);))
         }
         Step::Connection { .. } => Some(quote_spanned!(names.here=> equation.connection(#index);)),
-        Step::Tip(_) | Step::Root { .. } => None,
+        Step::Tip(_) => Some(quote_spanned!(names.here=> equation.tip(#index);)),
+        Step::Root { .. } => None,
     });
     let denominators = plan.steps.iter().filter_map(|step| {
         let Step::Element { evaluated, .. } = step else { return None };

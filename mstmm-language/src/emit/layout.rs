@@ -9,7 +9,6 @@ use quote::{format_ident, quote_spanned};
 /// `LAYOUT`, `N`, and one constant per check at the user's token.
 pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, .. } = names;
-    let count = plan.steps.len();
     let steps = plan.steps.iter().map(|step| emit_step(step, plan, names));
     let checks = plan.steps.iter().enumerate().map(|(index, step)| match step {
         Step::Tip(keyword) | Step::Root { support: keyword, .. } => {
@@ -24,7 +23,7 @@ pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
         None => (quote_spanned!(names.here=> const N: usize = LAYOUT.size();), quote_spanned!(names.here=> N)),
     };
     quote_spanned! {names.here=>
-        const LAYOUT: #private::Layout<'static, #count> = #private::Layout::new([#(#steps),*]);
+        const LAYOUT: #private::Scheme<'static> = const { &#private::Layout::new([#(#steps),*]) }.scheme();
         #from_layout
         #(#checks)*
 

@@ -8,7 +8,6 @@ mod pass;
 mod sensitivity;
 mod system;
 mod tree;
-mod walk;
 
 use crate::ast::{Element, Model, NO_SENSITIVITY};
 use crate::check::Derivatives;
@@ -33,8 +32,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
     let constants = tree::labels(model, plan, &names);
     let planned = tree::planned(model, plan, &names);
     let tree = tree::tree(plan, &names);
-    let tree_in_blocks = tree::tree_in_blocks(plan, &names);
-    let walk = walk::walk(plan, &names);
+    let steps = tree::steps(plan, &names);
     quote_spanned! {names.here=>
         #parameters
         #system
@@ -47,8 +45,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
             #characteristic
             #planned
             #tree
-            #tree_in_blocks
-            #walk
+            #steps
         };
     }
 }

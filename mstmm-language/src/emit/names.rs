@@ -1,7 +1,8 @@
 //! Names and paths that several emitted items share, and where errors in them are shown.
 
 use crate::ast::{Element, Kind, Model};
-use crate::keywords::{element_of, support_of};
+use crate::keywords::element_of;
+use crate::plan::support;
 use crate::spans::emitted_at;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote_spanned};
@@ -22,7 +23,7 @@ pub(super) struct Names {
     /// Type parameter: scalar of the frequency.
     pub(super) frequency: Ident,
     /// Type parameter: what counts during a pass.
-    pub(super) tally: Ident,
+    pub(super) counter: Ident,
 }
 
 impl Names {
@@ -36,7 +37,7 @@ impl Names {
             system: format_ident!("{}System", model.parameters.ident),
             parameter: fresh("T", &model.names, here),
             frequency: fresh("S", &model.names, here),
-            tally: fresh("C", &model.names, here),
+            counter: fresh("C", &model.names, here),
         }
     }
 
@@ -114,8 +115,7 @@ impl Names {
     pub(super) fn support(&self, keyword: &Ident) -> TokenStream {
         let span = self.at(keyword.span());
         let private = private_at(&self.facade, span);
-        // `check` has refused unknown keywords
-        let variant = Ident::new(support_of(&keyword.to_string()).unwrap_or("Fixed"), span);
+        let variant = Ident::new(&format!("{:?}", support(keyword)), span);
         quote_spanned!(span=> #private::Support::#variant)
     }
 }

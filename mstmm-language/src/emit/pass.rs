@@ -7,7 +7,7 @@ use quote::{ToTokens, format_ident, quote_spanned};
 
 /// `impl Characteristic<S>`: one pass of the plane method, a line per step.
 pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let Names { private, frequency, tally, .. } = names;
+    let Names { private, frequency, counter, .. } = names;
     let types = first_of_each_type(plan, names);
     let types = types.into_iter().map(|element| names.element_as(element, "PlaneStep"));
     let coefficients = plan.elements.iter().map(|element| {
@@ -21,13 +21,13 @@ pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let count = plan.steps.len();
     let body = quote_spanned! {names.here=>
         #[inline]
-        fn pass<#tally: #private::Tally<#frequency>>(
+        fn pass<#counter: #private::RootCounter<#frequency>>(
             &self,
             x: #frequency,
-            tally: &mut #tally,
+            counter: &mut #counter,
         ) -> #private::Scaled<#frequency> {
             const STEPS: usize = #count;
-            let at = #private::At::new(x, false #(|| #types::WAVES)*);
+            let at = #private::FrequencyPowers::new(x, false #(|| #types::WAVES)*);
             #(#coefficients)*
             #(#steps)*
         }
@@ -50,9 +50,9 @@ fn pass_step(index: usize, step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> T
         Step::Element { evaluated, input, .. } => {
             let element = plan.elements[*evaluated];
             let (coefficients, input) = (local("k", element, names), subspace(*input, names));
-            let (kind, frequency, tally) = (names.element(element), &names.frequency, &names.tally);
+            let (kind, frequency, counter) = (names.element(element), &names.frequency, &names.counter);
             quote_spanned! {names.here=>
-                let #own = #private::step::<#kind, #frequency, #tally, STEPS>(&#coefficients, #input, tally);
+                let #own = #private::step::<#kind, #frequency, #counter, STEPS>(&#coefficients, #input, counter);
             }
         }
         Step::Connection { inputs, .. } => connection(index, inputs, plan, names),
@@ -70,21 +70,21 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) ->
     let held = tips.iter().map(|&tip| {
         let Step::Tip(keyword) = &plan.steps[tip] else { return TokenStream::new() };
         let support = names.support(keyword);
-        quote_spanned!(names.here=> let #own = #private::held(#own, #support);)
+        quote_spanned!(names.here=> let #own = #private::Connecting::held(#own, #support);)
     });
     let mut joined = TokenStream::new();
     for (rank, &path) in paths.iter().enumerate() {
         let subspace = subspace(path, names);
         // a sum that enters another one
         let path = match &plan.steps[path] {
-            Step::Connection { .. } => quote_spanned!(names.here=> #private::moderated(#subspace)),
+            Step::Connection { .. } => quote_spanned!(names.here=> #private::Connecting::rescaled(#subspace)),
             _ => subspace.into_token_stream(),
         };
-        let (frequency, tally, first_two) = (&names.frequency, &names.tally, rank == 1);
+        let (frequency, counter, first_two) = (&names.frequency, &names.counter, rank == 1);
         joined.extend(match rank {
             0 => quote_spanned!(names.here=> let #own = #path;),
             _ => quote_spanned! {names.here=>
-                let #own = #private::join::<#frequency, #tally, #first_two, STEPS>(#own, #path, tally);
+                let #own = #private::join::<#frequency, #counter, #first_two, STEPS>(#own, #path, counter);
             },
         });
     }
@@ -95,13 +95,13 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) ->
         };
     } else {
         joined.extend(quote_spanned! {names.here=>
-            let #own = #private::widened(#own, const { LAYOUT.output(#index) });
+            let #own = #private::Connecting::widened(#own, const { LAYOUT.output(#index) });
         });
     }
     quote_spanned! {names.here=>
         #joined
         #(#held)*
-        let #own = #private::narrowed(#own, const { LAYOUT.output(#index) }, tally);
+        let #own = #private::Connecting::narrowed(#own, const { LAYOUT.output(#index) }, counter);
     }
 }
 
@@ -112,15 +112,15 @@ fn root(support: &Ident, input: usize, plan: &Plan<'_>, names: &Names) -> TokenS
         Step::Element { evaluated, input, .. } => {
             let element = plan.elements[*evaluated];
             let (coefficients, input) = (local("k", element, names), subspace(*input, names));
-            let Names { private, frequency, tally, .. } = names;
+            let Names { private, frequency, counter, .. } = names;
             let kind = names.element(element);
             quote_spanned! {names.here=>
-                #private::root::<#kind, #frequency, #tally, STEPS>(&#coefficients, #input, #support, tally)
+                #private::root::<#kind, #frequency, #counter, STEPS>(&#coefficients, #input, #support, counter)
             }
         }
         _ => {
-            let input = subspace(input, names);
-            quote_spanned!(names.here=> #input.at_root(#support, tally))
+            let (private, input) = (&names.private, subspace(input, names));
+            quote_spanned!(names.here=> #private::Connecting::at_root(#input, #support, counter))
         }
     }
 }

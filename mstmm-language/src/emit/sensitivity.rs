@@ -39,9 +39,12 @@ fn fields(model: &Model, names: &Names) -> TokenStream {
     });
     quote_spanned! {names.here=>
         #[automatically_derived]
-        impl<#parameter: #private::Real> #private::Fields for #system<#parameter> {
+        impl<#parameter: #private::Real> #private::NamedFields for #system<#parameter> {
             const NAMES: &'static [&'static ::core::primitive::str] = &[#(#texts),*];
+        }
 
+        #[automatically_derived]
+        impl<#parameter: #private::Real> #private::Fields for #system<#parameter> {
             type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(&[#(#units),*])];
 
             fn per_field<V: ::core::marker::Copy + ::core::fmt::Debug>(value: V) -> Self::PerField<V> {
@@ -81,11 +84,11 @@ fn chain(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives, names: &Name
     implement("Chain", elements, &body, names)
 }
 
-/// `Type<T>: Motion<S, Gradient = Type<S>>`
+/// `Type<T>: Energies<S, Gradient = Type<S>>`
 fn bound(element: &Element, names: &Names) -> TokenStream {
     let span = names.at_element(element);
     let (kind, gradient) = (names.element(element), names.element_over(element, &names.frequency));
-    let motion = names.trait_with("Motion", span, &quote_spanned!(span=> Gradient = #gradient));
+    let motion = names.trait_with("Energies", span, &quote_spanned!(span=> Gradient = #gradient));
     quote_spanned!(span=> #kind: #motion)
 }
 
@@ -97,7 +100,7 @@ fn summand(index: usize, plan: &Plan<'_>, derivatives: &Derivatives, names: &Nam
         return TokenStream::new();
     }
     let steps = plan.steps_of(index);
-    let (field, motion) = (element_field(element, names), names.element_as(element, "Motion"));
+    let (field, motion) = (element_field(element, names), names.element_as(element, "Energies"));
     let (parameters, values): (Vec<_>, Vec<_>) = parameters.iter().cloned().unzip();
     let order = (0..values.len()).map(Index::from);
     quote_spanned! {names.here=>

@@ -12,14 +12,14 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
     let definition = definition(model, plan, keeps_fields, names);
     let build = build(model, plan, keeps_fields, names);
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
-    let bounds = plan.elements.iter().enumerate().map(|(index, element)| {
+    let estimates = plan.elements.iter().enumerate().map(|(index, element)| {
         let (span, element_field, kind) =
             (names.at_element(element), element_field(element, names), names.element_as(element, "Element"));
-        let bound = quote_spanned!(span=> #kind::bound(&self.#element_field, &mut bounds););
+        let estimate = quote_spanned!(span=> #kind::estimate(&self.#element_field, &mut estimates););
         // equal elements are built once, but each adds its length
         match plan.uses_of(index) {
-            1 => bound,
-            uses => quote_spanned!(span=> for _ in 0..#uses { #bound }),
+            1 => estimate,
+            uses => quote_spanned!(span=> for _ in 0..#uses { #estimate }),
         }
     });
     quote_spanned! {names.here=>
@@ -30,10 +30,10 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
             type Parameter = #parameter;
 
-            fn bounds(&self) -> #private::FrequencyBounds {
-                let mut bounds = ::core::default::Default::default();
-                #(#bounds)*
-                bounds
+            fn estimates(&self) -> #private::FrequencyEstimates {
+                let mut estimates = ::core::default::Default::default();
+                #(#estimates)*
+                estimates
             }
         }
     }

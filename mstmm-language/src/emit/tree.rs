@@ -1,8 +1,7 @@
 //! Emits what motions need: the labels of the model as values, and the system as a tree whose elements can be visited.
 
-use super::walk::straight_bounds;
 use super::{Names, bounds, element_field, first_of_each_type, implement};
-use crate::ast::{Label, Model};
+use crate::ast::{Element, Label, Model};
 use crate::plan::{Plan, Step};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote_spanned};
@@ -45,7 +44,7 @@ fn constant(keyword: &str, label: &Label, names: &Names) -> Ident {
 
 /// `impl Planned`: the plan.
 pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let (private, system, parameter, value) = (&names.private, &names.system, &names.parameter, &names.tally);
+    let (private, system, parameter, value) = (&names.private, &names.system, &names.parameter, &names.counter);
     let (name, count) = (&model.parameters.ident, plan.steps.len());
     let bounds = quote_spanned!(names.here=> ::core::marker::Copy + ::core::fmt::Debug);
     quote_spanned! {names.here=>
@@ -58,8 +57,8 @@ pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStr
                 [value; #count]
             }
 
-            fn scheme() -> #private::Scheme<'static> {
-                const { &LAYOUT }.scheme()
+            fn scheme(&self) -> #private::Scheme<'_> {
+                LAYOUT
             }
         }
     }
@@ -77,30 +76,27 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let values = coefficients().map(|(field, step)| quote_spanned!(names.here=> #step::coefficients(&self.#field, at)));
     let visits = elements().map(|(index, element)| {
         let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
-        quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
-    });
-    let visits_at = elements().map(|(index, element)| {
-        let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
         let index = Literal::usize_unsuffixed(index);
         quote_spanned! {names.here=>
-            #(#steps)|* => visitor.element::<#kind>(&self.#field, &evaluated.#index),
+            #(#steps)|* => visitor.element::<#kind>(&self.#field, evaluated.map(|evaluated| &evaluated.#index)),
         }
     });
     let some = quote_spanned!(names.here=> ::core::option::Option);
-    let visitor = &names.tally;
+    let visitor = &names.counter;
     let body = quote_spanned! {names.here=>
         type Evaluated = (#(#evaluated,)*);
 
-        fn at(x: #frequency) -> #private::At<#frequency> {
-            #private::At::new(x, false #(|| #waves::WAVES)*)
+        fn at(x: #frequency) -> #private::FrequencyPowers<#frequency> {
+            #private::FrequencyPowers::new(x, false #(|| #waves::WAVES)*)
         }
 
-        fn evaluate(&self, at: &#private::At<#frequency>) -> Self::Evaluated {
+        fn evaluate(&self, at: &#private::FrequencyPowers<#frequency>) -> Self::Evaluated {
             (#(#values,)*)
         }
 
         fn visit<#visitor: #private::Visit<#frequency>>(
             &self,
+            evaluated: #some<&Self::Evaluated>,
             step: usize,
             visitor: #visitor,
         ) -> #some<#visitor::Output> {
@@ -109,36 +105,43 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
                 _ => return #some::None,
             })
         }
-
-        fn visit_at<#visitor: #private::VisitAt<#frequency>>(
-            &self,
-            evaluated: &Self::Evaluated,
-            step: usize,
-            visitor: #visitor,
-        ) -> #some<#visitor::Output> {
-            #some::Some(match step {
-                #(#visits_at)*
-                _ => return #some::None,
-            })
-        }
     };
-    implement("Tree", bounds("Motion", plan, names), &body, names)
+    let ways = [bounds("BackTransfer", plan, names), bounds("Energies", plan, names), straight_bounds(plan, names)];
+    implement("Tree", ways.concat(), &body, names)
 }
 
-/// `impl TreeInBlocks<S>`: a visit per element, of those that take blocks of frequencies.
-pub(super) fn tree_in_blocks(plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let (private, frequency, visitor) = (&names.private, &names.frequency, &names.tally);
+/// `impl Steps<S>`: a visit per element, as passes make it.
+pub(super) fn steps(plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let (private, frequency, visitor) = (&names.private, &names.frequency, &names.counter);
     let visits = plan.elements.iter().enumerate().map(|(index, element)| {
         let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
         quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
     });
+    let some = quote_spanned!(names.here=> ::core::option::Option);
     let body = quote_spanned! {names.here=>
-        fn visit_in_block<#visitor: #private::VisitInBlock<#frequency>>(&self, step: usize, visitor: #visitor) {
-            match step {
+        fn visit_step<#visitor: #private::VisitStep<#frequency>>(
+            &self,
+            step: usize,
+            visitor: #visitor,
+        ) -> #some<#visitor::Output> {
+            #some::Some(match step {
                 #(#visits)*
-                _ => {}
-            }
+                _ => return #some::None,
+            })
         }
     };
-    implement("TreeInBlocks", [bounds("Motion", plan, names), straight_bounds(plan, names)].concat(), &body, names)
+    implement("Steps", [bounds("PlaneStep", plan, names), straight_bounds(plan, names)].concat(), &body, names)
+}
+
+/// The further bounds of blocks of frequencies: steps over branch-free numbers.
+fn straight_bounds(plan: &Plan<'_>, names: &Names) -> Vec<TokenStream> {
+    let bounds = |series: bool| {
+        let bound = move |element: &Element| {
+            let span = names.at_element(element);
+            let (kind, private, frequency) = (names.element(element), &names.private, &names.frequency);
+            quote_spanned!(span=> #kind: #private::PlaneStep<#private::BranchFree<#frequency, #series>>)
+        };
+        first_of_each_type(plan, names).into_iter().map(bound)
+    };
+    bounds(false).chain(bounds(true)).collect()
 }

@@ -1,4 +1,4 @@
-//! Parses what stands between arrows: supports, connections, elements.
+//! Parses the nodes between arrows: supports, connections, elements.
 
 use super::error_at;
 use crate::ast::{Connection, Element, Kind, Label, Node, Parameter};

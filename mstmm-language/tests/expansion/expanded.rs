@@ -125,18 +125,18 @@ impl DampedMass {
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::System for DampedMassSystem<T> {
     type Parameter = T;
-    fn bounds(&self) -> mstmm::__private::FrequencyBounds {
-        let mut bounds = ::core::default::Default::default();
+    fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
+        let mut estimates = ::core::default::Default::default();
         <mstmm::__private::elements::Spring<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_1, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_1, &mut estimates);
         <mstmm::__private::elements::Damper<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_3, &mut bounds);
+        > as mstmm::__private::Element>::estimate(&self.element_3, &mut estimates);
         <mstmm::__private::elements::Mass<
             T,
-        > as mstmm::__private::Element>::bound(&self.element_4, &mut bounds);
-        bounds
+        > as mstmm::__private::Element>::estimate(&self.element_4, &mut estimates);
+        estimates
     }
 }
 /// The labels of the sketch: elements and connections, as results about motions take them.
@@ -163,12 +163,15 @@ impl DampedMass {
     > = mstmm::__private::Label::new(5usize, 4usize);
 }
 #[automatically_derived]
-impl<T: mstmm::__private::Real> mstmm::__private::Fields for DampedMassSystem<T> {
+impl<T: mstmm::__private::Real> mstmm::__private::NamedFields for DampedMassSystem<T> {
     const NAMES: &'static [&'static ::core::primitive::str] = &[
         "stiffness",
         "damping",
         "mass",
     ];
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::Fields for DampedMassSystem<T> {
     type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(
         &[(), (), ()],
     )];
@@ -185,13 +188,13 @@ where
     S: mstmm::__private::Frequency<T>,
     mstmm::__private::elements::Damper<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Damper<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Damper<S>>,
     mstmm::__private::elements::Mass<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Mass<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Mass<S>>,
     mstmm::__private::elements::Spring<
         T,
-    >: mstmm::__private::Motion<S, Gradient = mstmm::__private::elements::Spring<S>>,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Spring<S>>,
 {
     fn chain(
         &self,
@@ -208,45 +211,48 @@ where
         for step in [1usize] {
             let gradient = <mstmm::__private::elements::Spring<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_1, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_1, &ends(step));
             chain.add(gradient.stiffness, values.0);
         }
         let values = (damping,);
         for step in [3usize] {
             let gradient = <mstmm::__private::elements::Damper<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_3, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_3, &ends(step));
             chain.add(gradient.damping, values.0);
         }
         let values = (mass,);
         for step in [5usize] {
             let gradient = <mstmm::__private::elements::Mass<
                 T,
-            > as mstmm::__private::Motion<S>>::gradient(&self.element_4, &ends(step));
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_4, &ends(step));
             chain.add(gradient.mass, values.0);
         }
         chain.finish()
     }
 }
 const _: () = {
-    const LAYOUT: mstmm::__private::Layout<'static, 7usize> = mstmm::__private::Layout::new([
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
-        mstmm::__private::Step::Element(
-            0usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
-        ),
-        mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
-        mstmm::__private::Step::Element(
-            2usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Damper<f64>>(),
-        ),
-        mstmm::__private::Step::Connection(&[1usize, 3usize]),
-        mstmm::__private::Step::Element(
-            4usize,
-            mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
-        ),
-        mstmm::__private::Step::Root(5usize, mstmm::__private::Support::Free),
-    ]);
+    const LAYOUT: mstmm::__private::Scheme<'static> = const {
+        &mstmm::__private::Layout::new([
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                0usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                2usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Damper<f64>>(),
+            ),
+            mstmm::__private::Step::Connection(&[1usize, 3usize]),
+            mstmm::__private::Step::Element(
+                4usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
+            ),
+            mstmm::__private::Step::Root(5usize, mstmm::__private::Support::Free),
+        ])
+    }
+        .scheme();
     const _: () = LAYOUT.check_support(0usize);
     const _: () = LAYOUT.check_arrow(1usize);
     const _: () = LAYOUT.check_support(2usize);
@@ -284,7 +290,7 @@ const _: () = {
             > as mstmm::__private::TransferMatrix<
                 S,
             >>::transfer_matrix(&self.element_4, x);
-            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            let mut equation = mstmm::__private::Assembly::new(LAYOUT);
             equation.element::<mstmm::__private::elements::Spring<T>>(1usize, &u_1);
             equation.element::<mstmm::__private::elements::Damper<T>>(3usize, &u_3);
             equation.connection(4usize);
@@ -320,13 +326,13 @@ const _: () = {
         mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
     {
         #[inline]
-        fn pass<C: mstmm::__private::Tally<S>>(
+        fn pass<C: mstmm::__private::RootCounter<S>>(
             &self,
             x: S,
-            tally: &mut C,
+            counter: &mut C,
         ) -> mstmm::__private::Scaled<S> {
             const STEPS: usize = 7usize;
-            let at = mstmm::__private::At::new(
+            let at = mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Damper<
@@ -363,7 +369,7 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_1, s0, tally);
+            >(&k_1, s0, counter);
             let s2 = mstmm::__private::Subspace::Tip(
                 mstmm::__private::Support::Fixed,
                 const { LAYOUT.space(2usize) },
@@ -373,21 +379,24 @@ const _: () = {
                 S,
                 C,
                 STEPS,
-            >(&k_3, s2, tally);
+            >(&k_3, s2, counter);
             let s4 = s1;
-            let s4 = mstmm::__private::join::<S, C, true, STEPS>(s4, s3, tally);
-            let s4 = mstmm::__private::widened(s4, const { LAYOUT.output(4usize) });
-            let s4 = mstmm::__private::narrowed(
+            let s4 = mstmm::__private::join::<S, C, true, STEPS>(s4, s3, counter);
+            let s4 = mstmm::__private::Connecting::widened(
                 s4,
                 const { LAYOUT.output(4usize) },
-                tally,
+            );
+            let s4 = mstmm::__private::Connecting::narrowed(
+                s4,
+                const { LAYOUT.output(4usize) },
+                counter,
             );
             mstmm::__private::root::<
                 mstmm::__private::elements::Mass<T>,
                 S,
                 C,
                 STEPS,
-            >(&k_4, s4, mstmm::__private::Support::Free, tally)
+            >(&k_4, s4, mstmm::__private::Support::Free, counter)
         }
     }
     #[automatically_derived]
@@ -399,8 +408,8 @@ const _: () = {
         ) -> [C; 7usize] {
             [value; 7usize]
         }
-        fn scheme() -> mstmm::__private::Scheme<'static> {
-            const { &LAYOUT }.scheme()
+        fn scheme(&self) -> mstmm::__private::Scheme<'_> {
+            LAYOUT
         }
     }
     #[automatically_derived]
@@ -408,9 +417,30 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Damper<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::BackTransfer<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::BackTransfer<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::BackTransfer<S>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Damper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Damper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
     {
         type Evaluated = (
             <mstmm::__private::elements::Spring<
@@ -423,8 +453,8 @@ const _: () = {
                 T,
             > as mstmm::__private::PlaneStep<S>>::Coefficients,
         );
-        fn at(x: S) -> mstmm::__private::At<S> {
-            mstmm::__private::At::new(
+        fn at(x: S) -> mstmm::__private::FrequencyPowers<S> {
+            mstmm::__private::FrequencyPowers::new(
                 x,
                 false
                     || <mstmm::__private::elements::Damper<
@@ -438,7 +468,10 @@ const _: () = {
                     > as mstmm::__private::PlaneStep<S>>::WAVES,
             )
         }
-        fn evaluate(&self, at: &mstmm::__private::At<S>) -> Self::Evaluated {
+        fn evaluate(
+            &self,
+            at: &mstmm::__private::FrequencyPowers<S>,
+        ) -> Self::Evaluated {
             (
                 <mstmm::__private::elements::Spring<
                     T,
@@ -452,6 +485,64 @@ const _: () = {
             )
         }
         fn visit<C: mstmm::__private::Visit<S>>(
+            &self,
+            evaluated: ::core::option::Option<&Self::Evaluated>,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Spring<T>,
+                            >(&self.element_1, evaluated.map(|evaluated| &evaluated.0))
+                    }
+                    3usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Damper<T>,
+                            >(&self.element_3, evaluated.map(|evaluated| &evaluated.1))
+                    }
+                    5usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Mass<T>,
+                            >(&self.element_4, evaluated.map(|evaluated| &evaluated.2))
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Steps<S> for DampedMassSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Damper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Damper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+    {
+        fn visit_step<C: mstmm::__private::VisitStep<S>>(
             &self,
             step: usize,
             visitor: C,
@@ -479,126 +570,6 @@ const _: () = {
                     _ => return ::core::option::Option::None,
                 },
             )
-        }
-        fn visit_at<C: mstmm::__private::VisitAt<S>>(
-            &self,
-            evaluated: &Self::Evaluated,
-            step: usize,
-            visitor: C,
-        ) -> ::core::option::Option<C::Output> {
-            ::core::option::Option::Some(
-                match step {
-                    1usize => {
-                        visitor
-                            .element::<
-                                mstmm::__private::elements::Spring<T>,
-                            >(&self.element_1, &evaluated.0)
-                    }
-                    3usize => {
-                        visitor
-                            .element::<
-                                mstmm::__private::elements::Damper<T>,
-                            >(&self.element_3, &evaluated.1)
-                    }
-                    5usize => {
-                        visitor
-                            .element::<
-                                mstmm::__private::elements::Mass<T>,
-                            >(&self.element_4, &evaluated.2)
-                    }
-                    _ => return ::core::option::Option::None,
-                },
-            )
-        }
-    }
-    #[automatically_derived]
-    impl<T, S> mstmm::__private::TreeInBlocks<S> for DampedMassSystem<T>
-    where
-        T: mstmm::__private::Real,
-        S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Damper<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::Motion<S>,
-        mstmm::__private::elements::Damper<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
-        mstmm::__private::elements::Mass<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
-        mstmm::__private::elements::Spring<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
-        mstmm::__private::elements::Damper<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
-        mstmm::__private::elements::Mass<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
-        mstmm::__private::elements::Spring<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
-    {
-        fn visit_in_block<C: mstmm::__private::VisitInBlock<S>>(
-            &self,
-            step: usize,
-            visitor: C,
-        ) {
-            match step {
-                1usize => {
-                    visitor
-                        .element::<
-                            mstmm::__private::elements::Spring<T>,
-                        >(&self.element_1)
-                }
-                3usize => {
-                    visitor
-                        .element::<
-                            mstmm::__private::elements::Damper<T>,
-                        >(&self.element_3)
-                }
-                5usize => {
-                    visitor
-                        .element::<mstmm::__private::elements::Mass<T>>(&self.element_4)
-                }
-                _ => {}
-            }
-        }
-    }
-    #[automatically_derived]
-    impl<T, S> mstmm::__private::Walk<S> for DampedMassSystem<T>
-    where
-        T: mstmm::__private::Real,
-        S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Damper<T>: mstmm::__private::PlaneStep<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
-        mstmm::__private::elements::Damper<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
-        mstmm::__private::elements::Mass<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
-        mstmm::__private::elements::Spring<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, false>>,
-        mstmm::__private::elements::Damper<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
-        mstmm::__private::elements::Mass<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
-        mstmm::__private::elements::Spring<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::Straight<S, true>>,
-    {
-        fn walk<C: mstmm::__private::Walker<S>>(&self, walker: &mut C) {
-            walker.tip(mstmm::__private::Support::Fixed, const { LAYOUT.space(0usize) });
-            walker.element::<mstmm::__private::elements::Spring<T>>(&self.element_1);
-            walker.tip(mstmm::__private::Support::Fixed, const { LAYOUT.space(2usize) });
-            walker.element::<mstmm::__private::elements::Damper<T>>(&self.element_3);
-            walker.connection(&[1, 0], const { LAYOUT.output(4usize) });
-            walker.element::<mstmm::__private::elements::Mass<T>>(&self.element_4);
-            walker.root(mstmm::__private::Support::Free);
         }
     }
 };

@@ -8,7 +8,7 @@ use models_in::models_in;
 use proc_macro2::TokenStream;
 
 const SOURCES: [&str; 3] = [
-    include_str!("../../../examples/paper/models.rs"),
+    include_str!("../../../examples/paper/src/models.rs"),
     include_str!("../../../tests/support/undamped_models.rs"),
     include_str!("../../../tests/support/damped_models.rs"),
 ];

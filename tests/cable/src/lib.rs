@@ -3,10 +3,11 @@
 
 mod motion;
 
-use mstmm::{
-    At, Element, Frequency, FrequencyBounds, InvalidParameter, Line, PlaneStep, Real, Requirement, SMatrix, Subspace,
-    Tally, TransferMatrix, Translation,
+use mstmm::element::{
+    Element, FrequencyEstimates, FrequencyPowers, InvalidParameter, Line, PlaneStep, Requirement, RootCounter, SMatrix,
+    Subspace, TransferMatrix, Translation,
 };
+use mstmm::number::{Frequency, Real};
 
 /// A uniform string in tension, exact at every frequency.
 ///
@@ -39,11 +40,11 @@ impl<T: Real> Element for Cable<T> {
         Ok(self)
     }
 
-    fn bound(cable: &Self, bounds: &mut FrequencyBounds) {
+    fn estimate(cable: &Self, estimates: &mut FrequencyEstimates) {
         let (l, h, m) = (cable.length.to_f64(), cable.tension.to_f64(), cable.mass_per_length.to_f64());
-        bounds.waves(mstmm::Scalar::sqrt(h / m) / l);
-        bounds.translational_stiffness(h / l);
-        bounds.mass(m * l);
+        estimates.waves(mstmm::number::Scalar::sqrt(h / m) / l);
+        estimates.translational_stiffness(h / l);
+        estimates.mass(m * l);
     }
 }
 
@@ -76,21 +77,21 @@ pub struct CableCoefficients<S> {
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Cable<T> {
     type Coefficients = CableCoefficients<S>;
 
-    fn coefficients(cable: &Self, at: &At<S>) -> CableCoefficients<S> {
+    fn coefficients(cable: &Self, at: &FrequencyPowers<S>) -> CableCoefficients<S> {
         let (cos, sinc, phi) = cable.waves(at.lambda_squared);
         let flexibility = cable.length / cable.tension;
         let stiffness = phi * phi * sinc * (T::one() / flexibility);
         CableCoefficients { cos, flexibility: sinc * flexibility, stiffness, phi }
     }
 
-    fn step<C: Tally<S>>(k: &CableCoefficients<S>, input: Subspace<S>, tally: &mut C) -> Subspace<S> {
+    fn step<C: RootCounter<S>>(k: &CableCoefficients<S>, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
         let before = input.line();
         let (y, q) = (k.cos * before.y - k.flexibility * before.q, k.stiffness * before.y + k.cos * before.q);
         let after = Line::new(y, q, before.exponent);
         if C::COUNTS {
             // held at both ends it vibrates at φ = π, 2π, ..; the sign of sin φ is that of its flexibility
             let half_waves = (k.phi.size() / core::f64::consts::PI) as u64;
-            tally.line_waves(&before, &after, half_waves, half_waves % 2 == 1);
+            counter.line(&before, &after, half_waves, half_waves % 2 == 1);
         }
         Subspace::Line(after, input.space())
     }

@@ -1,7 +1,8 @@
 //! How the string moves: for mode shapes, responses and sensitivities.
 
 use crate::Cable;
-use mstmm::{At, Covector, Ends, Inside, Motion, Oscillation, PlaneStep, Real, State, Subspace};
+use mstmm::element::{BackTransfer, Covector, Ends, Energies, FrequencyPowers, Inside, PlaneStep, State, Subspace};
+use mstmm::number::{Oscillation, Real};
 
 /// Nodes and weights of Gauss and Legendre on `[-1, 1]`.
 const GAUSS: [(f64, f64); 5] = [
@@ -12,23 +13,26 @@ const GAUSS: [(f64, f64); 5] = [
     (0.906_179_845_938_664, 0.236_926_885_056_189_1),
 ];
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for Cable<T> {
-    type Links = ();
-    type Gradient = Cable<S>;
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Cable<T> {
+    type BackCoefficients = ();
     const SYMMETRIC: bool = true;
 
     fn reversed(cable: &Self) -> Self {
         *cable
     }
 
-    fn links(_cable: &Self, _at: &At<S>) {}
+    fn back_coefficients(_cable: &Self, _at: &FrequencyPowers<S>) {}
 
     /// The step multiplies lines by the transfer matrix and by nothing else.
-    fn pull_back(_links: &(), _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(_links: &(), _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
         covector
     }
+}
 
-    fn units(cable: &Self, at: &At<S>) -> [f64; 2] {
+impl<T: Real, S: Oscillation<T>> Energies<S> for Cable<T> {
+    type Gradient = Cable<S>;
+
+    fn units(cable: &Self, at: &FrequencyPowers<S>) -> [f64; 2] {
         let phi = Self::coefficients(cable, at).phi.size();
         [cable.tension.to_f64() / cable.length.to_f64() * phi.max(1.0), 0.0]
     }

@@ -2,8 +2,8 @@
 
 use cable::Cable;
 use core::f64::consts::PI;
-use mstmm::SearchError;
 use mstmm::prelude::*;
+use mstmm::search::SearchError;
 
 system! {
     /// A string between two walls.
@@ -80,7 +80,10 @@ fn its_frequencies_are_certified_to_the_hundredth() {
 
 /// An element with a step but no transfer matrix: what builds and runs here forms no matrix.
 mod ballast {
-    use mstmm::{At, Element, Frequency, InvalidParameter, PlaneStep, Real, Requirement, Subspace, Tally, Translation};
+    use mstmm::element::{
+        Element, FrequencyPowers, InvalidParameter, PlaneStep, Requirement, RootCounter, Subspace, Translation,
+    };
+    use mstmm::number::{Frequency, Real};
 
     #[derive(Clone, Copy, Debug)]
     pub(crate) struct Ballast<T> {
@@ -100,11 +103,11 @@ mod ballast {
     impl<T: Real, S: Frequency<T>> PlaneStep<S> for Ballast<T> {
         type Coefficients = S;
 
-        fn coefficients(built: &Self, at: &At<S>) -> S {
+        fn coefficients(built: &Self, at: &FrequencyPowers<S>) -> S {
             at.lambda_squared * built.mass
         }
 
-        fn step<C: Tally<S>>(inertia: &S, input: Subspace<S>, _tally: &mut C) -> Subspace<S> {
+        fn step<C: RootCounter<S>>(inertia: &S, input: Subspace<S>, _counter: &mut C) -> Subspace<S> {
             let mut line = input.line();
             line.q -= *inertia * line.y;
             Subspace::Line(line, input.space())
@@ -177,11 +180,11 @@ fn many_frequencies_at_once() {
     let model = LoadedString { length: 2.0, tension: 3.0, mass_per_length: 0.5, mass: 0.7 };
     let system = model.build().unwrap();
     let omegas: [f64; 100] = core::array::from_fn(|k| 1e-3 * 1.2f64.powi(k as i32));
-    let (mut values, mut counts) = ([mstmm::Scaled::new(0.0, 0); 100], [Ok(0); 100]);
+    let (mut values, mut counts) = ([mstmm::number::Scaled::new(0.0, 0); 100], [Ok(0); 100]);
     system.characteristics(&omegas, &mut values).unwrap();
     system.counts_below(&omegas, &mut counts).unwrap();
     for ((value, count), omega) in values.into_iter().zip(counts).zip(omegas) {
-        let alone: mstmm::Scaled<f64> = system.characteristic(omega);
+        let alone: mstmm::number::Scaled<f64> = system.characteristic(omega);
         assert_eq!((value, count), (alone, system.count_below(omega)), "at {omega}");
     }
 }

@@ -2,10 +2,12 @@
 
 use super::counted::{Counted, Counts, Parts, count, count_of};
 use crate::support::models::{self, DampedOscillator, RestrainedBeam, SpringAndMass, TipBody, TwoSpans};
+use mstmm::element::{FrequencyPowers, Line, NoCount, Plane, PlaneStep, Space, StateSpace, Subspace};
 use mstmm::elements::{Beam, Body, ElasticHinge, Mass, Spring, SpringDamper};
+use mstmm::motion::Point;
+use mstmm::number::{Dual, Frequency, Scalar};
 use mstmm::prelude::*;
 use mstmm::search::{Eigenvalue, NaturalFrequency};
-use mstmm::{At, Dual, Frequency, Line, Plane, PlaneStep, Point, Scalar, Space, StateSpace, Subspace, Untallied};
 
 /// The dearest of all responses between some points, in evaluations of Δ.
 macro_rules! dearest_response {
@@ -67,7 +69,7 @@ fn a_response_costs_at_most_four_evaluations() {
 macro_rules! sensitivities {
     ($model:expr, $root:expr, [$(($count:literal, $element:expr)),*]) => {{
         let (system, root) = ($model.build_as::<Counted>().unwrap(), $root);
-        let x = mstmm::Root::<Counted>::frequency(&root);
+        let x = mstmm::motion::Root::<Counted>::frequency(&root);
         let (own, _) = count(&system, x);
         let (counts, _) =
             count_of(|| system.sensitivity(&root).unwrap().iter().map(|(_, value)| value).collect::<Vec<_>>());
@@ -93,8 +95,8 @@ where
         space => Subspace::Line(Line { y: y_theta, q: y_m, exponent: 0 }, space),
     };
     let (counts, _) = count_of(|| {
-        let at = At::new(Dual::variable(x), E::WAVES);
-        match E::step(&E::coefficients(&built, &at), input, &mut Untallied) {
+        let at = FrequencyPowers::new(Dual::variable(x), E::WAVES);
+        match E::step(&E::coefficients(&built, &at), input, &mut NoCount) {
             Subspace::Plane(p) => [p.y_theta, p.y_m, p.w, p.theta_q, p.m_q].into_iter().flat_map(both).collect(),
             other => [other.line().y, other.line().q].into_iter().flat_map(both).collect::<Vec<S>>(),
         }

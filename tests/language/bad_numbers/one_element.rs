@@ -1,7 +1,8 @@
 //! For each keyword of the language a scene of one element, with the valid range of each of its parameters.
 
+use mstmm::element::{ParameterError, SMatrix};
+use mstmm::number::Scaled;
 use mstmm::prelude::*;
-use mstmm::{ParameterError, SMatrix, Scaled};
 
 pub(crate) type C = Complex<f64>;
 
@@ -100,7 +101,7 @@ macro_rules! scenes {
 }
 
 /// The determinant; the matrix on its own must come back too.
-fn evaluate<S: mstmm::Scalar, const N: usize>(
+fn evaluate<S: mstmm::number::Scalar, const N: usize>(
     system: &impl Evaluate<S, Matrix = SMatrix<S, N, N>>,
     frequency: S,
 ) -> Scaled<S> {

@@ -1,5 +1,6 @@
 use mstmm::prelude::*;
-use mstmm::{Element, Frequency, InvalidParameter, Real, SMatrix, TransferMatrix, Translation};
+use mstmm::element::{Element, InvalidParameter, SMatrix, TransferMatrix, Translation};
+use mstmm::number::{Frequency, Real};
 
 struct Rope<T> {
     length: T,

@@ -1,5 +1,6 @@
 use mstmm::prelude::*;
-use mstmm::{Element, InvalidParameter, Real, Translation};
+use mstmm::element::{Element, InvalidParameter, Translation};
+use mstmm::number::Real;
 
 #[derive(Clone, Debug)]
 struct Rope<T> {

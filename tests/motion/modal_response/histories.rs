@@ -2,8 +2,9 @@
 
 use super::{Alone, assert_close};
 use crate::support::models::{DampedOscillator, TipBody, damped_oscillator, light_tip_body};
+use mstmm::motion::ModalResponse;
+use mstmm::number::{ComplexEigenvalue, RealFrequency};
 use mstmm::prelude::*;
-use mstmm::{ComplexEigenvalue, ModalResponse, RealFrequency};
 
 /// Points and weights of Gauss' rule on -1..1 that is exact up to the ninth degree.
 const GAUSS: [(f64, f64); 5] = [

@@ -3,8 +3,10 @@
 use crate::mode_shapes::energy::forms;
 use crate::mode_shapes::recorded::{C, Recordable, Sketched, record};
 use crate::mode_shapes::residuals::{Worst, worst_residual};
+use mstmm::motion::Root;
+use mstmm::number::Oscillation;
 use mstmm::prelude::*;
-use mstmm::{Oscillation, Root, System};
+use mstmm::search::System;
 
 /// The limit of residuals and products.
 pub(crate) const LIMIT: f64 = 1e-10;

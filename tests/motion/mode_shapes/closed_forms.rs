@@ -3,8 +3,9 @@
 use crate::mode_shapes::checks::first;
 use crate::mode_shapes::single_beams::*;
 use core::f64::consts::PI;
+use mstmm::element::State;
+use mstmm::motion::{Label, ModeShape, Planned, Tree};
 use mstmm::prelude::*;
-use mstmm::{Label, ModeShape, Planned, State, Tree};
 
 /// Asserts that deflections at 98 places are those of a function up to a common sign, to a tolerance relative to a size.
 fn assert_shape<Y, E>(
@@ -15,7 +16,7 @@ fn assert_shape<Y, E>(
     tolerance: f64,
 ) where
     Y: Tree<f64> + Planned,
-    E: mstmm::Element,
+    E: mstmm::element::Element,
 {
     let places = (0..=97).map(|k| length * f64::from(k) / 97.0);
     let pairs: Vec<(f64, f64)> = places.map(|x| (shape.along(label, x).unwrap().y, exact(x))).collect();

@@ -3,11 +3,13 @@
 use crate::mode_shapes::checks::first;
 use crate::mode_shapes::models::{Oscillator, Star3};
 use crate::mode_shapes::single_beams::*;
+use mstmm::motion::{ModeShape, MotionError};
 use mstmm::prelude::*;
-use mstmm::{ModeShape, MotionError};
 
 /// The error of a shape.
-fn error<Y: mstmm::Tree<S> + ?Sized, S: mstmm::Scalar>(shape: Result<ModeShape<'_, Y, S>, MotionError>) -> MotionError {
+fn error<Y: mstmm::motion::Tree<S> + ?Sized, S: mstmm::number::Scalar>(
+    shape: Result<ModeShape<'_, Y, S>, MotionError>,
+) -> MotionError {
     shape.err().unwrap()
 }
 

@@ -6,14 +6,14 @@ use crate::mode_shapes::models::*;
 use crate::mode_shapes::recorded::{Recordable, Sketched, record};
 use crate::mode_shapes::residuals::worst_residual;
 use crate::mode_shapes::single_beams::*;
-use mstmm::System;
 use mstmm::prelude::*;
+use mstmm::search::System;
 
 /// Asserts that the shapes of a root are as many as its multiplicity, keep all laws and are orthonormal.
 pub(crate) fn check_basis<M, Y>(model: &M, system: &Y, root: &NaturalFrequency)
 where
     M: Sketched,
-    Y: Recordable<f64> + System<Parameter = f64> + mstmm::JudgedTree<f64>,
+    Y: Recordable<f64> + System<Parameter = f64> + mstmm::motion::ExtendedTree<f64>,
 {
     let sketch = model.sketch();
     let list = system.mode_shapes::<4, _>(root).unwrap();
@@ -43,7 +43,7 @@ where
 fn check_bases<M, Y>(model: &M, system: &Y, roots: &[NaturalFrequency], multiplicity: u64)
 where
     M: Sketched,
-    Y: Recordable<f64> + System<Parameter = f64> + mstmm::JudgedTree<f64>,
+    Y: Recordable<f64> + System<Parameter = f64> + mstmm::motion::ExtendedTree<f64>,
 {
     // the last ones may have neighbours that are not in the list
     let multiple = || roots[..roots.len() - 2].iter().filter(|root| root.multiplicity > 1);

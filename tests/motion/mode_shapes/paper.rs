@@ -5,7 +5,7 @@ use crate::mode_shapes::recorded::recordable;
 use crate::support::models::*;
 use mstmm::prelude::*;
 
-recordable! { in include_str!("../../../examples/paper/models.rs");
+recordable! { in include_str!("../../../examples/paper/src/models.rs");
     TipBody TipBodySystem [beam_1 body_2] [];
     RestrainedBeam RestrainedBeamSystem [elastic_hinge_1 beam_3 elastic_hinge_5] [conn_2 conn_4];
     SpringAndMass SpringAndMassSystem [beam_1 spring_3 beam_4 mass_6 beam_7] [conn_2 conn_5];

@@ -1,4 +1,4 @@
-//! Motions that live in a part of a system, and parts that differ by many orders of magnitude.
+//! ModalAnalysis that live in a part of a system, and parts that differ by many orders of magnitude.
 
 use crate::mode_shapes::checks::{check_energies, check_laws, check_orthogonality, first};
 use crate::mode_shapes::models::*;
@@ -6,8 +6,8 @@ use crate::mode_shapes::recorded::Sketched;
 use crate::mode_shapes::recorded::{C, record};
 use crate::mode_shapes::residuals::{entries, worst_residual};
 use crate::mode_shapes::single_beams::*;
-use mstmm::DoubleDouble;
-use mstmm::State;
+use mstmm::element::State;
+use mstmm::number::DoubleDouble;
 use mstmm::prelude::*;
 
 /// Asserts that an arm moves less than `1e-12` of another, entry by entry.

@@ -1,7 +1,11 @@
 //! A shape as plain numbers: complex states at the ends of all elements and inside of the beams, by the names of the sketch.
 
 use crate::mode_shapes::sketch::Sketch;
-use mstmm::{Complex, ModeShape, Oscillation, Real, Root, State, System};
+use mstmm::Complex;
+use mstmm::element::State;
+use mstmm::motion::{ModeShape, Root};
+use mstmm::number::{Oscillation, Real};
+use mstmm::search::System;
 use std::collections::BTreeMap;
 
 pub(crate) type C = Complex<f64>;
@@ -44,7 +48,9 @@ pub(crate) fn plain<T: Real, S: Oscillation<T>>(state: State<S>) -> State<C> {
 }
 
 /// A built system whose shapes can be recorded.
-pub(crate) trait Recordable<S: Oscillation<Self::Parameter>>: mstmm::JudgedTree<S> + System + Sized {
+pub(crate) trait Recordable<S: Oscillation<Self::Parameter>>:
+    mstmm::motion::ExtendedTree<S> + System + Sized
+{
     fn record<'a>(shape: &'a ModeShape<'_, Self, S>, x: S) -> Recorded<'a>;
 }
 
@@ -85,11 +91,11 @@ macro_rules! recordable {
     };
     (@states $($model:ident $system:ident [$($element:ident)*] [$($connection:ident)*];)*) => {$(
 
-        impl<T: mstmm::Real, S: mstmm::Oscillation<T>> crate::mode_shapes::recorded::Recordable<S> for $system<T>
+        impl<T: mstmm::number::Real, S: mstmm::number::Oscillation<T>> crate::mode_shapes::recorded::Recordable<S> for $system<T>
         where
-            $system<T>: mstmm::JudgedTree<S> + mstmm::Planned<Model = $model> + mstmm::System<Parameter = T>,
+            $system<T>: mstmm::motion::ExtendedTree<S> + mstmm::motion::Planned<Model = $model> + mstmm::search::System<Parameter = T>,
         {
-            fn record<'a>(shape: &'a mstmm::ModeShape<'_, Self, S>, x: S) -> crate::mode_shapes::recorded::Recorded<'a> {
+            fn record<'a>(shape: &'a mstmm::motion::ModeShape<'_, Self, S>, x: S) -> crate::mode_shapes::recorded::Recorded<'a> {
                 let mut recorded = crate::mode_shapes::recorded::Recorded::at(x);
                 $(recorded.elements.insert(stringify!($element), crate::mode_shapes::recorded::Ends {
                     input: crate::mode_shapes::recorded::plain(shape.state($model::$element.input())),

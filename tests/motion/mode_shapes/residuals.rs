@@ -4,7 +4,7 @@
 use crate::mode_shapes::recorded::{C, Ends, Recorded};
 use crate::mode_shapes::sketch::{Node, Sketch};
 use crate::mode_shapes::waves::Section;
-use mstmm::State;
+use mstmm::element::State;
 use std::collections::BTreeMap;
 
 /// A law that a shape keeps worst.

@@ -1,7 +1,7 @@
 //! A uniform beam in the bounded basis: waves `e^{sx}`, `s⁴ = β⁴ = -mλ²/EI`, each counted from the end where it is largest.
 
 use crate::mode_shapes::recorded::C;
-use mstmm::State;
+use mstmm::element::State;
 
 /// A beam at a frequency.
 #[derive(Clone, Copy, Debug)]

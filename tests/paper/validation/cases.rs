@@ -1,10 +1,10 @@
 //! The cases of validation.json as lists of steps, with the parameters on which their frequencies depend.
 
+use mstmm::element::{FrequencyEstimates, InvalidParameter, RootCounter, Support};
 use mstmm::elements::{Beam, Mass, Spring};
-use mstmm::{
-    AnyUndamped, Characteristic, Frequency, FrequencyBounds, InvalidParameter, ListStep, Scaled, StepList, Support,
-    System, Tally,
-};
+use mstmm::list::{AnyUndamped, ListStep, StepList};
+use mstmm::number::{Frequency, Scaled};
+use mstmm::search::{Characteristic, System};
 
 /// Steps of a list.
 pub(crate) type Sequence = Vec<ListStep<AnyUndamped<f64>>>;
@@ -23,14 +23,14 @@ impl Steps {
 
 impl System for Steps {
     type Parameter = f64;
-    fn bounds(&self) -> FrequencyBounds {
-        self.list().bounds()
+    fn estimates(&self) -> FrequencyEstimates {
+        self.list().estimates()
     }
 }
 
 impl<S: Frequency<f64>> Characteristic<S> for Steps {
-    fn pass<C: Tally<S>>(&self, x: S, tally: &mut C) -> Scaled<S> {
-        self.list().pass(x, tally)
+    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
+        self.list().pass(x, counter)
     }
 }
 
@@ -61,7 +61,7 @@ pub(crate) fn mass(mass: f64) -> ListStep<AnyUndamped<f64>> {
     element(Mass { mass })
 }
 
-pub(crate) use mstmm::ListStep::{Connection, Root, Tip};
+pub(crate) use mstmm::list::ListStep::{Connection, Root, Tip};
 
 fn support(name: &str) -> Support {
     match name {

@@ -6,7 +6,7 @@ use super::tally::Tally;
 use crate::oracles::dynamic_stiffness::Stiffness;
 use crate::support::random_tree::Random;
 use crate::support::tree::Tree;
-use mstmm::Support;
+use mstmm::element::Support;
 
 /// Masses in those of the beam.
 pub(crate) const RATIOS: [f64; 11] = [1.0, 3.0, 10.0, 30.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8];

@@ -6,7 +6,7 @@ use super::tally::Tally;
 use crate::oracles::dynamic_stiffness::Stiffness;
 use crate::support::random_tree::Random;
 use crate::support::tree::Tree;
-use mstmm::Support;
+use mstmm::element::Support;
 
 /// A random model in three orders of the paths into its joint, and the same with one lever.
 fn levers(seed: u64) -> ([Tree; 3], Tree) {

@@ -6,8 +6,11 @@ use crate::oracles::dynamic_stiffness::Stiffness;
 use crate::support::list_of_tree::any_steps;
 use crate::support::random_tree::Random;
 use crate::support::tree::Tree;
+use mstmm::Complex;
+use mstmm::element::Support;
+use mstmm::list::{AnyElement, StepList};
+use mstmm::search::SearchError;
 use mstmm::search::{Eigenvalue, Eigenvalues, Region};
-use mstmm::{AnyElement, Complex, SearchError, StepList, Support};
 
 /// A chain of pairs of a spring with a dashpot and a mass, from the ground.
 fn chain(links: &[[f64; 3]]) -> Tree {
@@ -46,7 +49,7 @@ fn meet(a: &Eigenvalue, b: &Eigenvalue) -> bool {
 fn check(links: &[[f64; 3]], tally: &mut Tally) {
     let tree = chain(links);
     let model = Stiffness::of(&tree);
-    let steps = any_steps(&tree);
+    let steps = any_steps::<f64>(&tree);
     let list = StepList::new(&steps).unwrap();
     tally.models += 1;
     let far = far(links);
@@ -116,7 +119,7 @@ pub(crate) fn oscillators(stride: usize) -> Tally {
     for index in (0..15_600_u32).step_by(stride) {
         let (w, z) = (32.0 + 3.2 * f64::from(index % 100) / 100.0, f64::from(index / 100) / 156.0);
         let tree = chain(&[[w * w, 2.0 * z * w, 1.0]]);
-        let steps = any_steps(&tree);
+        let steps = any_steps::<f64>(&tree);
         tally.models += 1;
         match StepList::new(&steps).unwrap().first_eigenvalues::<1>() {
             Err(error) => {

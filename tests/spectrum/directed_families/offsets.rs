@@ -5,7 +5,7 @@ use super::searches::intervals_and_discs;
 use super::tally::Tally;
 use crate::support::random_tree::Random;
 use crate::support::tree::Tree;
-use mstmm::Support;
+use mstmm::element::Support;
 
 /// Lengths of the levers, decades \[m\].
 pub(crate) const DECADES: core::ops::RangeInclusive<i32> = 2..=10;

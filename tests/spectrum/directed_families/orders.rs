@@ -7,8 +7,9 @@ use crate::oracles::dynamic_stiffness::Stiffness;
 use crate::support::list_of_tree::undamped_steps;
 use crate::support::random_tree::Random;
 use crate::support::tree::Tree;
+use mstmm::element::Support;
+use mstmm::list::StepList;
 use mstmm::search::{NaturalFrequencies, NaturalFrequency};
-use mstmm::{StepList, Support};
 
 /// A path into the joint.
 fn path(random: &mut Random) -> Tree {

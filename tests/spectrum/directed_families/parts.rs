@@ -2,8 +2,9 @@
 
 use crate::support::random_tree::Random;
 use crate::support::tree::{Part, Tree};
+use mstmm::element::Support;
 use mstmm::elements::{Beam, Body, Damper, ElasticHinge, Mass, Spring, SpringDamper};
-use mstmm::{ListStep, Support};
+use mstmm::list::ListStep;
 
 /// A random number between two, with three decimals: one that is no sum of few powers of two.
 pub(crate) fn decimal(random: &mut Random, from: f64, to: f64) -> f64 {

@@ -5,11 +5,11 @@ use super::tally::Tally;
 use crate::oracles::dynamic_stiffness::Stiffness;
 use crate::support::random_tree::{Random, random_tree};
 use crate::support::tree::{Part, Tree};
-use mstmm::ListStep;
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
+use mstmm::list::ListStep;
 
 /// Part of the bodies that are points on arms.
 const POINTS: f64 = 0.3;

@@ -3,8 +3,9 @@
 use super::parts::{beam, damper, joint, root, tip};
 use super::tally::Tally;
 use crate::support::list_of_tree::any_steps;
+use mstmm::element::Support;
+use mstmm::list::StepList;
 use mstmm::search::{Eigenvalues, Region};
-use mstmm::{StepList, Support};
 
 /// Evaluations of a long region beside those of a short one: a few cuts of each decade.
 const MORE: usize = 20;

@@ -6,8 +6,9 @@ use crate::oracles::dynamic_stiffness::Stiffness;
 use crate::support::list_of_tree::{any_steps, undamped_steps};
 use crate::support::random_tree::Random;
 use crate::support::tree::{Part, Tree};
+use mstmm::list::{ListStep, StepList};
+use mstmm::search::SearchError;
 use mstmm::search::{Eigenvalues, NaturalFrequencies};
-use mstmm::{ListStep, SearchError, StepList};
 
 /// A frequency above all of a model without beams, even those of an inertia that rounding alone has left.
 const HIGHEST: f64 = 1e30;

@@ -2,7 +2,7 @@
 
 use crate::oracles::dynamic_stiffness::Verdict;
 use core::fmt::Debug;
-use mstmm::SearchError;
+use mstmm::search::SearchError;
 use std::collections::BTreeMap;
 
 /// Sums over the models of a family.

@@ -1,7 +1,8 @@
 //! Writes trees as models of `system!`.
 
 use crate::support::tree::{Part, Tree};
-use mstmm::{ListStep, Support};
+use mstmm::element::Support;
+use mstmm::list::ListStep;
 use std::fmt::Write;
 
 /// Keyword of an element and its parameters as the source of a model.

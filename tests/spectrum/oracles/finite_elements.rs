@@ -2,7 +2,8 @@
 
 use super::legendre_beam::LegendreBeam;
 use crate::support::tree::{Part, Tree, next_space};
-use mstmm::{ListStep, Space, Support};
+use mstmm::element::{Space, Support};
+use mstmm::list::ListStep;
 
 /// Whether a support holds the deflection, and whether it holds the rotation.
 fn holds(support: Support) -> (bool, bool) {

@@ -1,17 +1,14 @@
 //! States between the ends of a beam, and integrals over products of them.
 
-use super::BuiltBeam;
-use crate::at::At;
-use crate::beam_functions::krylov;
-use crate::motion::Ends;
-use crate::motion::exponentials::exponential;
-use crate::scalar::{Oscillation, Real, Scalar};
-use crate::state::State;
+use crate::elements::beam::BuiltBeam;
+use crate::elements::shared::krylov::krylov;
+use crate::model::{Ends, State};
+use crate::number::{FrequencyPowers, Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
 use num_traits::Zero;
 
-/// Nodes and weights of Gauss and Legendre on `[-1, 1]`, exact up to degree 13: for a product of two deflections that turn by
-/// less than 1 over the interval, exact to rounding.
+/// Nodes and weights of Gauss and Legendre on `[-1, 1]`, exact up to degree 13. They are exact to rounding for a product of two
+/// deflections whose phase changes by less than 1 over the interval.
 const GAUSS: [(f64, f64); 7] = [
     (-0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
     (-0.741_531_185_599_394_4, 0.279_705_391_489_276_7),
@@ -25,13 +22,13 @@ const GAUSS: [(f64, f64); 7] = [
 impl<T: Real> BuiltBeam<T> {
     /// The wave number times the length, `z = βl`.
     pub(super) fn z<S: Oscillation<T>>(&self, x: S) -> S {
-        At::new(x, true).powers[0] * self.wave
+        FrequencyPowers::new(x, true).powers[0] * self.wave
     }
 
     /// The state at a distance from the input end, given those at both ends.
     ///
-    /// A short beam's follows from that at its input end. In a long one the four waves `e^{sx}`, `s⁴ = β⁴`, are taken from the
-    /// end from which they decay, so that no digits are lost at any frequency.
+    /// In a short beam it follows from the state at the input end. In a long one each of the four waves `e^{sx}`, `s⁴ = β⁴`, is taken
+    /// from the end from which it decays, so that no digits are lost at any frequency.
     pub(crate) fn state_at<S: Oscillation<T>>(&self, ends: &Ends<S>, distance: T) -> State<S> {
         let z = self.z(ends.x);
         if z.size() > 1.0 {
@@ -40,7 +37,7 @@ impl<T: Real> BuiltBeam<T> {
         self.state_of_series(ends, distance)
     }
 
-    /// The transfer matrix of a part of the beam, written so that a part of no length is one.
+    /// The state by the transfer matrix of a part of the beam, in a form that holds for a part of length zero.
     fn state_of_series<S: Oscillation<T>>(&self, ends: &Ends<S>, distance: T) -> State<S> {
         let flexibility = T::one() / self.parameters.bending_stiffness;
         let square = distance * distance;

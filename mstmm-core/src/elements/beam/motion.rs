@@ -1,53 +1,57 @@
-//! The motion of a beam: covectors through it, its energies, and how they change with its parameters.
+//! The motion of a beam: its back transfer, its energies and their derivatives with respect to its parameters.
 
-use super::{Beam, BuiltBeam};
-use crate::at::At;
-use crate::beam_functions::krylov;
-use crate::bending_links::BendingLinks;
-use crate::bending_steps::Units;
-use crate::motion::line_motions::half;
-use crate::motion::{Covector, Ends, Inside, Motion};
-use crate::scalar::{Oscillation, Real, WaveFunctions};
-use crate::state::State;
-use crate::subspace::Subspace;
+use crate::element::{BackTransfer, Energies, Inside};
+use crate::elements::beam::{Beam, BuiltBeam};
+use crate::elements::shared::back_transfer::BendingBackTransfer;
+use crate::elements::shared::compound::Units;
+use crate::elements::shared::krylov::krylov;
+use crate::elements::shared::line_forms::half;
+use crate::model::{Ends, State};
+use crate::number::{FrequencyPowers, Oscillation, Real, WaveFunctions};
+use crate::subspace::{Covector, Subspace};
 
 /// Relative distance of two values of `z⁴` from which on the integral of a product is a difference at the ends.
 const APART: f64 = 1e-3;
-/// Value of `z⁴` above which states at the ends tell the forms of a beam: they cancel to this part.
+/// Value of `z⁴` above which the forms of a beam are differences between states at the ends: they cancel to this part.
 const LONG: f64 = 1e-2;
 
-impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
-    type Links = BendingLinks<S>;
-    type Gradient = Beam<S>;
+impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Beam<T> {
+    type BackCoefficients = BendingBackTransfer<S>;
     const SYMMETRIC: bool = true;
 
     fn reversed(built: &BuiltBeam<T>) -> BuiltBeam<T> {
         *built
     }
 
-    fn links(built: &BuiltBeam<T>, at: &At<S>) -> BendingLinks<S> {
+    fn back_coefficients(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
         let z = at.powers[0] * built.wave;
         if z.size() <= 1.0 {
             return built.short_links(at);
         }
-        let WaveFunctions { sin, cos, sh, ch, exponent } = z.wave_functions();
+        let WaveFunctions { sin, cos, sh, ch, exponents: [j, k], .. } = z.wave_functions();
+        let [sin, cos] = [sin, cos].map(|circular| circular.times_power_of_two(-k));
+        let [sh, ch] = [sh, ch].map(|hyperbolic| hyperbolic.times_power_of_two(-j));
         let krylov = [ch + cos, sh + sin, ch - cos, sh - sin];
         let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = built.units(at);
-        BendingLinks {
+        BendingBackTransfer {
             krylov,
             raised: [krylov[1], krylov[2], krylov[3]],
             factors: [second * first_inverse, first, second],
             inverses: [first * second_inverse, first_inverse, second_inverse],
             // above stands twice of each
-            exponent: exponent - 1,
+            exponent: j.saturating_add(k) - 1,
         }
     }
 
-    fn pull_back(links: &BendingLinks<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
-        links.pull_back(covector)
+    fn back_transfer(links: &BendingBackTransfer<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+        links.back_transfer(covector)
     }
+}
 
-    fn units(built: &BuiltBeam<T>, at: &At<S>) -> [f64; 2] {
+impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
+    type Gradient = Beam<S>;
+
+    fn units(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
         if S::size(at.powers[0] * built.wave) <= 1.0 {
             return [2, 0].map(|k| built.length_units.factors[k].size());
         }
@@ -72,7 +76,7 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
         built.state_at(ends, T::from_f64(distance))
     }
 
-    /// Of the length it is the same at every point of the beam, `λ² m Y²/2 - M²/(2 EI) + Θ Q`.
+    /// The derivative with respect to the length is constant along the beam, `λ² m Y²/2 - M²/(2 EI) + Θ Q`.
     fn gradient(built: &BuiltBeam<T>, ends: &Ends<S>) -> Beam<S> {
         let [mass, stiffness] = built.forms(ends, ends).map(half);
         let Beam { bending_stiffness, mass_per_length, .. } = built.parameters;
@@ -85,13 +89,13 @@ impl<T: Real, S: Oscillation<T>> Motion<S> for Beam<T> {
 }
 
 impl<T: Real> BuiltBeam<T> {
-    /// The links for `|z| <= 1`, entire in `z⁴`.
-    fn short_links<S: Oscillation<T>>(&self, at: &At<S>) -> BendingLinks<S> {
+    /// The coefficients for `|z| <= 1`, entire in `z⁴`.
+    fn short_links<S: Oscillation<T>>(&self, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
         let x = -at.lambda_squared * self.wave_fourth;
         let functions = krylov(x);
         let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = self.short_units();
         let length = S::from_parameter(self.parameters.length);
-        BendingLinks {
+        BendingBackTransfer {
             krylov: functions,
             raised: [functions[1] * x, functions[2] * x, functions[3] * x],
             factors: [S::one() / length, first, second],
@@ -102,8 +106,8 @@ impl<T: Real> BuiltBeam<T> {
 
     /// Mass and stiffness form of two motions: `[∫ m Y₁ Y₂ dx, ∫ M₁ M₂/EI dx]`.
     ///
-    /// In a long beam the latter is `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`. So is the former by the same token, for frequencies
-    /// apart; that of one motion follows from its flow. What is short or close is integrated.
+    /// In a long beam the stiffness form is `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`. The mass form is a difference of the ends, too, if
+    /// the frequencies are apart; that of one motion with itself follows from its flow. In other cases both are integrated.
     fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
         let (a, b) = (first.x.lambda_squared(), second.x.lambda_squared());
         let size = S::size(a).max(S::size(b));
@@ -123,7 +127,7 @@ impl<T: Real> BuiltBeam<T> {
         [mass, work - a * mass]
     }
 
-    /// `λ² m Y²/2 - M²/(2 EI) + Θ Q`: from the end where its parts are smaller, for they cancel where waves decay.
+    /// `λ² m Y²/2 - M²/(2 EI) + Θ Q` at the end where its terms are smaller, since they cancel where waves decay.
     fn flow<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
         let (ei, m) = (self.parameters.bending_stiffness, self.parameters.mass_per_length);
         let [at_input, at_output] = [ends.input, ends.output].map(|state| {

@@ -1,13 +1,13 @@
 //! Limit cases of the beam.
 
 use super::*;
-use crate::tolerance::assert_close;
+use crate::number::assert_close;
 
 #[test]
 fn what_leaves_the_range_with_its_products_is_refused_by_name() {
     let beam = Beam { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 };
     let error = Beam { bending_stiffness: 1e-160, ..beam }.build().unwrap_err();
-    assert_eq!((error.parameter, error.requirement), ("bending_stiffness", Requirement::Moderate));
+    assert_eq!((error.parameter, error.requirement), ("bending_stiffness", Requirement::Rescale));
     assert_eq!(Beam { length: 1e-100, ..beam }.build().unwrap_err().parameter, "length");
     assert!(Beam { length: 1e-9, bending_stiffness: 1e-25, mass_per_length: 1e-15 }.build().is_ok());
 }

@@ -1,9 +1,7 @@
 //! Levers of rigid bodies: exact differences of lengths, and planes seen from the far end.
 
-use crate::count::Tally;
-use crate::doubt::{ROUNDINGS, Remainder, may_be_lost};
-use crate::scalar::{Branches, Frequency, Oscillation, Real, Scalar};
-use crate::subspace::Plane;
+use crate::number::{Branches, Frequency, Oscillation, ROUNDINGS, Real, Scalar, may_be_lost};
+use crate::subspace::{Plane, Remainder, RootCounter};
 
 /// The two levers of a body, to its output end and to its mass centre.
 #[derive(Clone, Copy, Debug)]
@@ -20,13 +18,14 @@ impl<T: Real> Levers<T> {
         Levers { output, centre, reach: if one > other { one } else { other } }
     }
 
-    /// `p_YM` and `w` of a plane at the far end of either lever; beside each `p_YM` stands something else of a size in its unit.
+    /// `p_YM` and `w` of a plane at the far end of either lever. `beside` has the size, in the unit of `p_YM`, of the number to which
+    /// each `p_YM` is added.
     #[inline(always)]
-    pub(super) fn far_ends<S: Frequency<T>, C: Tally<S>>(
+    pub(super) fn far_ends<S: Frequency<T>, C: RootCounter<S>>(
         self,
         p: &Plane<S>,
         beside: impl Fn() -> [f64; 2],
-        tally: &mut C,
+        counter: &mut C,
     ) -> [[S; 2]; 2] {
         let levers = [self.output, self.centre];
         let ends = levers.map(|lever| lever.far_end(p));
@@ -37,18 +36,23 @@ impl<T: Real> Levers<T> {
         let terms = terms_of_y_m(p, reach);
         let is_kept = !(may_be_lost(terms, ends[0][0]) | may_be_lost(terms, ends[1][0]));
         if S::BRANCHES != Branches::All {
-            return ends.map(|end| end.map(|minor| minor.provided(is_kept)));
+            return ends.map(|end| end.map(|minor| minor.valid_if(is_kept)));
         }
-        if is_kept { ends } else { self.settled(p, beside(), tally) }
+        if is_kept { ends } else { self.settled(p, beside(), counter) }
     }
 
     #[cold]
-    fn settled<S: Frequency<T>, C: Tally<S>>(self, p: &Plane<S>, beside: [f64; 2], tally: &mut C) -> [[S; 2]; 2] {
-        [self.output.settled(p, beside[0], tally), self.centre.settled(p, beside[1], tally)]
+    fn settled<S: Frequency<T>, C: RootCounter<S>>(
+        self,
+        p: &Plane<S>,
+        beside: [f64; 2],
+        counter: &mut C,
+    ) -> [[S; 2]; 2] {
+        [self.output.settled(p, beside[0], counter), self.centre.settled(p, beside[1], counter)]
     }
 }
 
-/// A length, and what its rounding left out.
+/// A length and its rounding error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lever<T> {
     pub(super) length: T,
@@ -64,17 +68,17 @@ impl<T: Real> Lever<T> {
     /// The lever from one point to another, given their coordinates.
     pub(super) fn between(from: T, to: T) -> Self {
         let length = to - from;
-        if !T::HAS_JUDGE {
+        if !T::HAS_EXTENDED {
             return Lever::new(length);
         }
-        let exact = |parameter: T| <T::Judge as Frequency<T>>::from_parameter(parameter);
-        Lever { length, rest: T::from_judge(exact(to) - exact(from) - exact(length)) }
+        let exact = |parameter: T| <T::Extended as Frequency<T>>::from_parameter(parameter);
+        Lever { length, rest: T::from_extended(exact(to) - exact(from) - exact(length)) }
     }
 
-    /// The product with the lever; a judge takes it with what rounding left out.
+    /// The product with the lever; in extended precision with its rounding error, too.
     #[inline(always)]
     pub(super) fn times<S: Frequency<T>>(self, value: S) -> S {
-        if S::JUDGES {
+        if S::IS_EXTENDED {
             return value * (S::from_parameter(self.length) + S::from_parameter(self.rest));
         }
         value * self.length
@@ -87,10 +91,9 @@ impl<T: Real> Lever<T> {
         [p.y_m + self.times(p.w + p.w + moved), p.w + moved]
     }
 
-    /// `p_YM` and `w` at the far end where `p_YM` may cancel, with something else of a size beside it: as it does by chance, or where
-    /// levers lead back to the place from which they came and leave rounding. A judge takes what is left from the other minors,
-    /// `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
-    fn settled<S: Frequency<T>, C: Tally<S>>(self, p: &Plane<S>, beside: f64, tally: &mut C) -> [S; 2] {
+    /// `p_YM` and `w` at the far end where `p_YM` may cancel: by chance, or since levers lead back to the place from which they came
+    /// and leave rounding. In extended precision `p_YM` then follows from the other minors, `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
+    fn settled<S: Frequency<T>, C: RootCounter<S>>(self, p: &Plane<S>, beside: f64, counter: &mut C) -> [S; 2] {
         let [y_m, w] = self.far_end(p);
         let (arm, theta_q) = (self.length.size(), p.theta_q.size());
         let product = p.y_theta * p.m_q;
@@ -100,16 +103,16 @@ impl<T: Real> Lever<T> {
             let of_squares = units * S::EPSILON * (w.size() * w.size() + product.size());
             (of_w * (2.0 * w.size() + of_w) + of_squares) / theta_q
         };
-        let is_by_others = S::JUDGES && by_others(1.0) < plain(1.0);
+        let is_by_others = S::IS_EXTENDED && by_others(1.0) < plain(1.0);
         let (y_m, [rounding, bound]) = if is_by_others {
             ((w * w + product) / p.theta_q, [1.0, ROUNDINGS].map(by_others))
         } else {
             (y_m, [1.0, ROUNDINGS].map(plain))
         };
-        // beside `w²/p_ΘQ`, which is a length squared in the same unit, a chance zero of p_YM does not count
+        // a chance zero of p_YM does not count beside `w²/p_ΘQ`, a length squared in the same unit
         let size = y_m.size().max(beside).max(w.size() * w.size() / theta_q);
-        let is_nothing = Remainder { size, whole: size, rounding, bound }.tell(tally);
-        if is_nothing && S::JUDGES { [S::zero(); 2] } else { [y_m, w] }
+        let is_nothing = Remainder { size, whole: size, rounding, bound }.tell(counter);
+        if is_nothing && S::IS_EXTENDED { [S::zero(); 2] } else { [y_m, w] }
     }
 }
 

@@ -1,13 +1,12 @@
 //! The count of every element, against Sylvester's inertia.
 
-use super::subspaces::{
+use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
+use crate::elements::laws::subspaces::{
     check, coordinates, for_each_undamped_stepping_element, random_states, space, subspace, supports,
 };
-use super::{C, Rows, Sample, built, rows};
-use crate::at::At;
-use crate::count::{Count, Untallied};
-use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
-use crate::subspace::Subspace;
+use crate::elements::laws::{C, Rows, Sample, built, rows};
+use crate::number::FrequencyPowers;
+use crate::subspace::{Connecting, NoCount, Subspace, WittrickWilliams};
 use core::ops::Index;
 use std::vec::Vec;
 
@@ -55,11 +54,11 @@ impl Stiffness {
 
     /// Stiffness of the input end of an element whose output end is held: with `U = [[A, B], [C, D]]` for displacements
     /// and forces, `force = -B⁻¹ A displacement`. `None` where no force moves the ends apart.
-    fn of_input_end(space: crate::state::Space, u: &Rows) -> Option<Stiffness> {
+    fn of_input_end(space: mstmm_plan::Space, u: &Rows) -> Option<Stiffness> {
         let entry = |i: usize, j: usize| u[i][j].re;
         if u.len() == 2 {
             // the element pushes back with -q, in rotation paths with μ
-            let sign = if space.is(crate::state::Space::Rotation) { -1.0 } else { 1.0 };
+            let sign = if space.is(mstmm_plan::Space::Rotation) { -1.0 } else { 1.0 };
             return (entry(0, 1) != 0.0).then(|| Stiffness::Line(-entry(0, 0) / entry(0, 1) * sign));
         }
         let determinant = entry(0, 2) * entry(1, 3) - entry(0, 3) * entry(1, 2);
@@ -87,8 +86,8 @@ where
         let near_own: Vec<f64> = numbers.iter().map(|x| x * 2.0).collect();
         let states = random_states(space, &near_own, 0.0);
         let input: Vec<f64> = coordinates(space, &states).iter().map(|z| z.re).collect();
-        let mut count = Count::default();
-        let coefficients = E::coefficients(&built(element), &At::new(omega, E::WAVES));
+        let mut count = WittrickWilliams::<false>::default();
+        let coefficients = E::coefficients(&built(element), &FrequencyPowers::new(omega, E::WAVES));
         E::step(&coefficients, subspace(space, &input), &mut count);
         let own = Stiffness::of_input_end(space, &rows(&element, C::new(0.0, omega)));
         let expected = own.map_or((0, 1.0), |own| Stiffness::of_path(&input).plus(own).inertia());
@@ -105,18 +104,19 @@ where
     E: Sample + PlaneStep<f64>,
 {
     check(-4.0..2.5, |element: E, lambda, numbers| {
-        let coefficients = E::coefficients(&built(element), &At::new(lambda.norm(), E::WAVES));
+        let coefficients = E::coefficients(&built(element), &FrequencyPowers::new(lambda.norm(), E::WAVES));
         let space = space::<E>();
         let random: Vec<f64> = coordinates(space, &random_states(space, numbers, 0.0)).iter().map(|z| z.re).collect();
         let mut inputs: Vec<_> = supports(space).into_iter().map(|support| Subspace::Tip(support, space)).collect();
         inputs.push(subspace(space, &random));
         for input in inputs {
             for support in supports(space) {
-                let (mut short, mut long) = (Count::default(), Count::default());
+                let (mut short, mut long) =
+                    (WittrickWilliams::<false>::default(), WittrickWilliams::<false>::default());
                 let root = E::root(&coefficients, input, support, &mut short);
                 let behind = E::step(&coefficients, input, &mut long);
                 assert_eq!((root, short), (behind.at_root(support, &mut long), long));
-                assert_eq!(root, E::root(&coefficients, input, support, &mut Untallied));
+                assert_eq!(root, E::root(&coefficients, input, support, &mut NoCount));
             }
         }
     });
@@ -130,12 +130,12 @@ where
 {
     check(-3.0..3.0, |element: E, lambda, numbers| {
         let Some(half) = element.halves() else { return };
-        let at = At::new(lambda.norm(), E::WAVES);
+        let at = FrequencyPowers::new(lambda.norm(), E::WAVES);
         let [whole, half] = [element, half].map(|element| E::coefficients(&built(element), &at));
         let space = space::<E>();
         let input: Vec<f64> = coordinates(space, &random_states(space, numbers, 0.0)).iter().map(|z| z.re).collect();
         for support in supports(space) {
-            let (mut once, mut twice) = (Count::default(), Count::default());
+            let (mut once, mut twice) = (WittrickWilliams::<false>::default(), WittrickWilliams::<false>::default());
             E::step(&whole, subspace(space, &input), &mut once).at_root(support, &mut once);
             let middle = E::step(&half, subspace(space, &input), &mut twice);
             E::step(&half, middle, &mut twice).at_root(support, &mut twice);

@@ -1,24 +1,23 @@
 //! The motion of every element, against its transfer matrix.
 
-use super::subspaces::{
+use crate::element::{BackTransfer, Energies, MatrixOf, TransferMatrix};
+use crate::elements::laws::subspaces::{
     check, coordinates, for_each_stepping_element, random_states, space, states_of_tip, step, subspace, supports,
 };
-use super::{C, Rows, Sample, assert_same, built, product, rows};
-use crate::at::At;
-use crate::element::{MatrixOf, TransferMatrix};
-use crate::motion::{Covector, Ends, Motion};
-use crate::state::{Coordinate, Space, State};
-use crate::subspace::Subspace;
-use crate::tolerance::assert_close;
+use crate::elements::laws::{C, Rows, Sample, assert_same, built, product, rows};
+use crate::model::{Ends, State};
+use crate::number::{FrequencyPowers, assert_close};
+use crate::subspace::{Covector, Subspace};
 use core::ops::Index;
+use mstmm_plan::{Coordinate, Space};
 use std::vec::Vec;
 
 /// Decades of |λ| in which a beam of the samples has z from 0.03 to 6: there its transfer matrix still has most digits.
 const ORDINARY: core::ops::Range<f64> = -3.0..1.2;
 
-/// What the laws need of an element.
-trait Moving: Sample + TransferMatrix<C> + Motion<C> {}
-impl<E: Sample + TransferMatrix<C> + Motion<C>> Moving for E {}
+/// An element of which the laws hold.
+trait Moving: Sample + TransferMatrix<C> + BackTransfer<C> + Energies<C> {}
+impl<E: Sample + TransferMatrix<C> + BackTransfer<C> + Energies<C>> Moving for E {}
 
 /// The state behind an element.
 fn behind<E>(element: &E, lambda: C, input: State<C>) -> State<C>
@@ -77,20 +76,20 @@ where
             let states: Rows = states_of_tip(space, support);
             subspace(space, &coordinates(space, &states))
         });
-        let at = At::new(lambda, E::WAVES);
+        let at = FrequencyPowers::new(lambda, E::WAVES);
         for input in tips.chain(points).chain([random]) {
             let entries = [4, 5, 6, 7].map(|k| C::new(numbers[k], numbers[k - 3]));
             let covector = if space.size() == 2 { Covector::Line(entries[0], 3) } else { Covector::Plane(entries, 3) };
             let output = step(&element, lambda, input);
             if matches!(output, Subspace::Tip(..)) {
-                continue; // what holds a line holds it behind an inertia, too
+                continue; // a support that holds a line holds it behind an inertia, too
             }
-            let back = E::pull_back(&E::links(&built(element), &at), &input, covector);
+            let back = E::back_transfer(&E::back_coefficients(&built(element), &at), &input, covector);
             let (before, after) = (back.pick(&input).shifted(0), covector.pick(&output).shifted(0));
             let expected = behind(&element, lambda, before);
             let largest = rows(&element, lambda).iter().flatten().map(|z| z.norm()).fold(1.0, f64::max);
             let scale = largest * (before.size() + after.size());
-            // four sums of four products, in the step, in the way back and in the matrix
+            // four sums of four products, in the step, in the back transfer and in the matrix
             assert_close(after.plus(expected, -C::ONE).size(), 0.0, scale, 3.0 * 16.0 * 8.0);
         }
     });
@@ -137,10 +136,10 @@ where
     });
 }
 
-/// Roundings of a form: some forty sums of products, and what a beam of `z⁴ = 1e-2` cancels.
+/// Roundings of a form: some forty sums of products, and the cancellation in a beam of `z⁴ = 1e-2`.
 const FORM: f64 = 40.0 * 100.0;
 
-/// Two motions at different frequencies do not share stiffness: what is left of their works are mass and damping,
+/// The stiffness forms of two motions at different frequencies cancel: the rest of their works are mass and damping,
 /// `[Q₁ Y₂ - M₁ Θ₂ + Θ₁ M₂ - Y₁ Q₂] = (λ₂² - λ₁²) mass + (λ₂ - λ₁) damping`.
 fn two_motions_share_mass_and_damping<E>()
 where

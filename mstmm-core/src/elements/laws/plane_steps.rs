@@ -1,18 +1,15 @@
 //! The step of every element, against its transfer matrix.
 
-use super::subspaces::{
+use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
+use crate::elements::laws::subspaces::{
     MINORS, check, coordinates, for_each_stepping_element, for_each_undamped_stepping_element, plain, random_states,
     read, space, states_of_tip, step, subspace, supports,
 };
-use super::{C, Rows, Sample, built, rows};
-use crate::at::At;
-use crate::count::Untallied;
-use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
-use crate::scalar::Scalar;
-use crate::state::Space;
-use crate::subspace::{Plane, Subspace};
-use crate::tolerance::assert_close;
+use crate::elements::laws::{C, Rows, Sample, built, rows};
+use crate::number::{FrequencyPowers, Scalar, assert_close};
+use crate::subspace::{Connecting, NoCount, Plane, Subspace};
 use core::ops::Index;
+use mstmm_plan::Space;
 use std::vec::Vec;
 
 /// Decades of |λ| in which a beam of the samples has z from 0.005 (its series) to 15 (its closed form); beyond, the minors
@@ -43,8 +40,8 @@ fn scales(bounds: &Rows) -> Vec<f64> {
     }
 }
 
-/// What a step multiplies in besides the transfer matrix: the denominator of a dashpot, else a constant of the element,
-/// here seen at rest on one line or plane.
+/// The factor of a step besides the transfer matrix: the denominator of a dashpot, else a constant of the element, taken here at
+/// rest from one line or plane.
 fn factor<E>(element: &E, lambda: C) -> C
 where
     E: Sample + TransferMatrix<C> + PlaneStep<C>,
@@ -79,7 +76,7 @@ where
     });
 }
 
-/// A step from a tip is the step from the line or plane of that tip, but for the sign, which a subspace is free to have.
+/// A step from a tip is the step from the line or plane of that tip up to the sign, which is free in a subspace.
 /// Each coordinate is one term, so that each agrees to a few roundings of itself.
 fn a_step_from_a_tip_is_that_from_its_subspace<E>()
 where
@@ -134,13 +131,13 @@ where
     });
 }
 
-/// The last step before the root gives the same bits as a step and a look at its outcome.
+/// The last step before the root gives the bits of a step and `at_root`.
 fn a_step_into_the_root_is_a_step_and_the_root<E>()
 where
     E: Sample + PlaneStep<C>,
 {
     check(ORDINARY, |element: E, lambda, numbers| {
-        let coefficients = E::coefficients(&built(element), &At::new(lambda, E::WAVES));
+        let coefficients = E::coefficients(&built(element), &FrequencyPowers::new(lambda, E::WAVES));
         let space = space::<E>();
         let random = subspace(space, &coordinates(space, &random_states(space, numbers, 1.0)));
         let mut inputs: Vec<_> = supports(space).into_iter().map(|support| Subspace::Tip(support, space)).collect();
@@ -150,8 +147,8 @@ where
         }
         for input in inputs {
             for support in supports(space) {
-                let root = E::root(&coefficients, input, support, &mut Untallied);
-                assert_eq!(root, E::step(&coefficients, input, &mut Untallied).at_root(support, &mut Untallied));
+                let root = E::root(&coefficients, input, support, &mut NoCount);
+                assert_eq!(root, E::step(&coefficients, input, &mut NoCount).at_root(support, &mut NoCount));
             }
         }
     });

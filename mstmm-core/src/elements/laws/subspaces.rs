@@ -1,20 +1,19 @@
 //! Random subspaces for the laws of the plane method, spanned by states, and their coordinates.
 
-use super::{C, Rows, Sample, built};
-use crate::at::At;
-use crate::count::Untallied;
 use crate::element::{Element, PlaneStep};
-use crate::scalar::Scalar;
-use crate::state::{Space, StateSpace, Support};
-use crate::subspace::{Line, Plane, Subspace};
+use crate::elements::laws::{C, Rows, Sample, built};
+use crate::model::StateSpace;
+use crate::number::{FrequencyPowers, Scalar};
+use crate::subspace::{Line, NoCount, Plane, Subspace};
 use core::f64::consts::TAU;
+use mstmm_plan::{Space, Support};
 use proptest::test_runner::TestRunner;
 use std::vec;
 use std::vec::Vec;
 
 /// Runs laws over all elements of the plane method, and laws of undamped elements over those among them.
 macro_rules! laws_of_steps {
-    (undamped { $($element:ident),* } damped { $($damped:ident),* }) => {
+    (undamped { $($element:ident { $($_field:ident),* })* } damped { $($damped:ident { $($_damped_field:ident),* })* }) => {
         macro_rules! for_each_stepping_element {
             ($law:ident) => {
                 $($law::<$crate::elements::$element<f64>>();)*
@@ -67,13 +66,12 @@ pub(super) fn random_states(space: Space, numbers: &[f64], imaginary: f64) -> Ro
 /// States that span the subspace of a support: the unit vectors of its unknowns.
 pub(super) fn states_of_tip(space: Space, support: Support) -> Rows {
     let unit = |unknown| space.coordinates().iter().map(|&c| C::from(if c == unknown { 1.0 } else { 0.0 })).collect();
-    support.unknowns(space).unwrap().iter().map(|&unknown| unit(unknown)).collect()
+    support.unknowns(space).map(unit).collect()
 }
 
 /// Supports of a space.
 pub(super) fn supports(space: Space) -> Vec<Support> {
-    let all = [Support::Fixed, Support::Pinned, Support::Free, Support::Guided];
-    all.into_iter().filter(|support| support.unknowns(space).is_some()).collect()
+    Support::ALL.into_iter().filter(|support| support.exists_in(space)).collect()
 }
 
 /// Coordinates of the subspace that states span, by their definition: `(y, q)`, in rotation paths `(θ, -μ)`, or the
@@ -128,8 +126,8 @@ pub(super) fn space<E: Element>() -> Space {
 /// The step of an element at a frequency.
 pub(super) fn step<E, S>(element: &E, x: S, input: Subspace<S>) -> Subspace<S>
 where
-    S: crate::scalar::Frequency<f64>,
+    S: crate::number::frequency::Frequency<f64>,
     E: Sample + PlaneStep<S>,
 {
-    E::step(&E::coefficients(&built(*element), &At::new(x, E::WAVES)), input, &mut Untallied)
+    E::step(&E::coefficients(&built(*element), &FrequencyPowers::new(x, E::WAVES)), input, &mut NoCount)
 }

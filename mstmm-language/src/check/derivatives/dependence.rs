@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-/// How a value depends on the fields that have derivatives, which says what it is made of in the rewritten formula.
+/// The dependence of a value on the fields that have derivatives; it gives the type of the value in the rewritten formula.
 #[derive(Clone)]
 pub(super) enum Dependence {
-    /// On none: it is what the user wrote.
+    /// The value depends on no field, and stays as the user wrote it.
     None,
     /// It is a number with derivatives, and depends on the fields of these indices.
     Number(BTreeSet<usize>),
@@ -48,7 +48,7 @@ impl Dependence {
         }
     }
 
-    /// How what is made of several values depends on fields.
+    /// The dependence of a value that is made of several values.
     pub(super) fn all<'a>(values: impl IntoIterator<Item = &'a Dependence>) -> Self {
         let fields: BTreeSet<usize> = values.into_iter().flat_map(Dependence::fields).collect();
         if fields.is_empty() { Dependence::None } else { Dependence::Number(fields) }

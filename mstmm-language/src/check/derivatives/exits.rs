@@ -1,4 +1,4 @@
-//! Ways out of a formula other than by its value.
+//! Exits from a formula other than by its value.
 
 use crate::ast::Model;
 use crate::diagnostics::Errors;
@@ -34,7 +34,7 @@ impl<'e> Visit<'e> for Exits<'_> {
         self.refuse(expression.return_token);
     }
 
-    // these have ways out of their own
+    // a `return` inside of these leaves them alone
     fn visit_expr_closure(&mut self, _closure: &'e ExprClosure) {}
     fn visit_expr_async(&mut self, _block: &'e ExprAsync) {}
     fn visit_item(&mut self, _item: &'e Item) {}

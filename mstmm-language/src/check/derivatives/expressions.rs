@@ -12,7 +12,7 @@ use syn::{
 const ADVICE: &str = "write the formula without it";
 
 impl Formulas<'_> {
-    /// Rewrites an expression; how its value depends on the fields.
+    /// Rewrites an expression; returns the dependence of its value on the fields.
     pub(super) fn expression(&mut self, expression: &mut Expr) -> Dependence {
         match expression {
             Expr::Path(path) => self.scope.of_path(path),

@@ -3,7 +3,7 @@
 use super::Counted;
 use super::tape::{self, Operation, Origin};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
-use mstmm::Scalar;
+use mstmm::number::Scalar;
 use num_traits::{Num, One, Zero};
 
 const ZERO: Origin = Origin::Constant(0.0);

@@ -2,7 +2,7 @@
 
 use super::Counted;
 use super::tape::{self, Operation, Origin};
-use mstmm::{Real, Scalar, WaveProducts};
+use mstmm::number::{Real, Scalar, WaveFunctions};
 
 impl Counted {
     /// A function of one number.
@@ -17,6 +17,7 @@ impl Counted {
 }
 
 impl Scalar for Counted {
+    type Plain = Self;
     const EPSILON: f64 = <f64 as Scalar>::EPSILON;
     const WAVE_LIMIT: f64 = f64::WAVE_LIMIT;
     const SERIES_TERMS: usize = f64::SERIES_TERMS;
@@ -47,12 +48,29 @@ impl Scalar for Counted {
         (exponential.unary(Operation::Free, sinh), exponential.unary(Operation::Free, cosh))
     }
 
-    fn wave_products(self) -> WaveProducts<Self> {
-        WaveProducts::of_real(self)
+    fn wave_functions(self) -> WaveFunctions<Self> {
+        WaveFunctions::of_real(self)
     }
 
-    fn moderate_wave_products(self) -> WaveProducts<Self> {
-        WaveProducts::of_moderate(self)
+    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
+        WaveFunctions::of_moderate(self)
+    }
+
+    fn functions<const N: usize, R>(
+        self,
+        values: impl FnOnce(Self) -> ([Self; N], R),
+        _slopes: impl FnOnce([Self; N]) -> [Self; N],
+    ) -> ([Self; N], R) {
+        values(self)
+    }
+
+    fn constant(value: Self) -> Self {
+        value
+    }
+
+    fn is_negative(self) -> bool {
+        tape::look_at(self.origin);
+        self.value < 0.0
     }
 
     fn size(self) -> f64 {
@@ -70,7 +88,7 @@ impl Scalar for Counted {
 }
 
 impl Real for Counted {
-    type Judge = Self;
+    type Extended = Self;
 
     fn to_f64(self) -> f64 {
         tape::look_at(self.origin);

@@ -5,7 +5,9 @@ mod functions;
 mod operations;
 mod tape;
 
-use mstmm::{Characteristic, Complex, Scalar};
+use mstmm::Complex;
+use mstmm::number::Scalar;
+use mstmm::search::Characteristic;
 pub(crate) use operations::{ADD, COS, DIV, EXP, MUL, Operations, SIN, SQRT};
 use tape::Origin;
 
@@ -16,7 +18,7 @@ use tape::Origin;
 /// `x/1`, `x - 0`. It may not fold `x·0` and `x + 0`, for the sake of NaN and -0, so these count.
 ///
 /// - A multiplication by 0.5 or 2 is a multiplication, `x + x` an addition, a subtraction an addition.
-/// - Negation, absolute value, comparisons and [`times_power_of_two`](mstmm::Scalar::times_power_of_two) count nothing. A
+/// - Negation, absolute value, comparisons and [`times_power_of_two`](mstmm::number::Scalar::times_power_of_two) count nothing. A
 ///   look at the size of numbers is a comparison: what is done with sizes, which are `f64`, is not seen, what they are
 ///   sizes of is needed.
 /// - Sine, cosine and exponential count as one each, however they are computed; of one argument sine and cosine come

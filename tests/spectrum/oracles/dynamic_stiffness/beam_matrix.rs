@@ -1,7 +1,8 @@
 //! The dynamic stiffness of a beam between the displacements `[Y, Θ]` of its two ends (Kolousek's functions).
 
+use mstmm::Complex;
 use mstmm::elements::Beam;
-use mstmm::{Complex, DoubleDouble, Real, Scalar};
+use mstmm::number::{DoubleDouble, Real, Scalar};
 
 /// Below this size of `z`, the functions are summed up: their differences cancel. The static stiffness is kept apart, that of
 /// the bending, which leaves no rigid motion to rounding.

@@ -2,7 +2,8 @@
 
 use super::pivots::{ROUNDINGS, units};
 use super::{Assembled, UNIT};
-use mstmm::{Complex, DoubleDouble, Scalar};
+use mstmm::Complex;
+use mstmm::number::{DoubleDouble, Scalar};
 
 type C = Complex<DoubleDouble>;
 

@@ -6,8 +6,10 @@
 use super::weights::Weight;
 use super::{BeamEnds, Form, Inertia, Link};
 use crate::support::tree::{Part, Tree, next_space};
+use mstmm::element::{Space, Support};
 use mstmm::elements::{Beam, Body};
-use mstmm::{DoubleDouble, ListStep, Space, Support};
+use mstmm::list::ListStep;
+use mstmm::number::DoubleDouble;
 
 /// Whether a support holds the deflection, and whether it holds the rotation.
 fn holds(support: Support) -> (bool, bool) {

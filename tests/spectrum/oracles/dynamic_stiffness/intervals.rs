@@ -1,7 +1,7 @@
 //! Whether certified intervals hold their natural frequencies: by the counts at both of their ends.
 
 use super::{Stiffness, Verdict};
-use mstmm::DoubleDouble;
+use mstmm::number::DoubleDouble;
 use mstmm::search::NaturalFrequency;
 
 /// A step outwards, much less than anything that an `f64` resolves: a frequency on an end of its interval is in it.

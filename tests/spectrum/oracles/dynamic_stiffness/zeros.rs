@@ -3,8 +3,9 @@
 use super::beam_matrix::BeamMatrix;
 use super::determinant::{Determinant, determinant};
 use super::{Reduced, Stiffness, Verdict};
+use mstmm::Complex;
+use mstmm::number::{DoubleDouble, Real};
 use mstmm::search::Eigenvalue;
-use mstmm::{Complex, DoubleDouble, Real};
 
 type C = Complex<DoubleDouble>;
 

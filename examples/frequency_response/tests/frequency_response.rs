@@ -1,0 +1,58 @@
+//! The response against that of a bare beam.
+
+#[path = "../../../tests/support/example.rs"]
+pub mod example;
+#[expect(dead_code, reason = "the example's main and its plot")]
+#[path = "../frequency_response.rs"]
+pub mod frequency_response;
+#[path = "support/simple_beam.rs"]
+mod simple_beam;
+
+use example::{FOLDER, assert_close, printed, rows_of};
+use mstmm::prelude::*;
+use nalgebra::{Matrix3, Vector3};
+use simple_beam::{At, receptance};
+use std::path::Path;
+
+/// Oracle: a bare beam, on which the springs and the oscillator act as forces.
+#[test]
+fn the_frequency_response_is_that_of_a_bare_beam_with_springs() {
+    let model = frequency_response::steel_bar();
+    let system = model.build().unwrap();
+    let unit = (model.ei / model.m).sqrt();
+    let response = |omega: f64| {
+        let omega = omega / unit;
+        let places = [At::Deflection(0.2), At::Deflection(0.6), At::Rotation(0.75)];
+        let (link, inertia) = (Complex::new(4.0, omega), Complex::from(-0.12 * omega * omega));
+        let stiffness = [Complex::from(5.0), link * inertia / (link + inertia), Complex::from(10.0)];
+        let matrix = Matrix3::from_fn(|row, column| {
+            let own = f64::from(u8::from(row == column));
+            receptance(places[column], places[row], omega) * stiffness[column] + own
+        });
+        let direct = Vector3::from(places.map(|place| Complex::from(receptance(places[0], place, omega))));
+        matrix.lu().solve(&direct).unwrap()[0] / model.ei
+    };
+    let samples = frequency_response::receptance(&system).unwrap();
+    for (omega, value) in &samples {
+        let expected = response(*omega);
+        assert!((value - expected).norm() < 1e-9 * expected.norm(), "{omega}: {value} {expected}");
+    }
+    let text = printed("frequency_response");
+    let rest = text.split(' ').find_map(|word| word.parse::<f64>().ok()).unwrap();
+    assert_close(rest, response(0.0).re, 1e-6);
+    let resonances = rows_of(&text, "resonance");
+    assert_eq!(resonances.len(), 4);
+    for row in resonances {
+        let value = response(row[0]);
+        assert_close(row[3], value.norm(), 1e-3);
+        assert!((row[4] - value.arg().to_degrees()).abs() < 0.02, "{row:?} {value}");
+        // beyond heavy damping the curve peaks at the resonance, and samples are close there
+        if row[2] < 0.1 {
+            let near = samples.iter().filter(|sample| (sample.0 - row[0]).abs() < row[2] * row[0]);
+            let peak = near.map(|sample| sample.1.norm()).fold(0.0, f64::max);
+            assert!(peak >= value.norm() * 0.999 && peak < value.norm() * 1.02, "{row:?} {peak:e}");
+        }
+    }
+    let drawn = std::fs::read_to_string(Path::new(FOLDER).join("target/frequency_response.svg")).unwrap();
+    assert!(drawn.starts_with("<svg") && drawn.trim_end().ends_with("</svg>"));
+}

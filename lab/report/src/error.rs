@@ -1,0 +1,39 @@
+//! What can go wrong while the report is made.
+
+use plotters::drawing::DrawingAreaErrorKind;
+use std::io;
+
+/// Why there is no report.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// A picture cannot be drawn.
+    #[error("a picture cannot be drawn: {0}")]
+    Drawing(#[from] DrawingAreaErrorKind<io::Error>),
+    /// A height field has no contours.
+    #[error("contours: {0}")]
+    Contours(#[from] contour::Error),
+    /// A model of the report is refused.
+    #[error(transparent)]
+    Parameter(#[from] mstmm::element::ParameterError),
+    /// An element of a list is refused.
+    #[error("an element of a list: {0:?}")]
+    Element(mstmm::element::InvalidParameter),
+    /// A list of steps is refused.
+    #[error(transparent)]
+    List(#[from] mstmm::list::ListError),
+    /// A search fails.
+    #[error(transparent)]
+    Search(#[from] mstmm::search::SearchError),
+    /// A mode has no shape.
+    #[error(transparent)]
+    Energies(#[from] mstmm::motion::MotionError),
+    /// The paper's data cannot be read or its examples not be solved.
+    #[error("the paper's examples: {0}")]
+    Paper(Box<dyn std::error::Error>),
+    /// A method without a place in the legend.
+    #[error("the report has no style for the method `{0}`")]
+    UnknownMethod(String),
+    /// A text without the comments between which its table belongs.
+    #[error("`{0}` is not in the text")]
+    NoMarker(&'static str),
+}

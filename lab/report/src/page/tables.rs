@@ -1,0 +1,72 @@
+//! The tables of the paper, printed and computed.
+
+use super::text::{error, symbol};
+use crate::data::tables::Table;
+use maud::{Markup, html};
+use paper::{Column, Solution, Solved, Value};
+
+/// Significant digits of computed and exact values.
+const DIGITS: usize = 10;
+
+/// A table for each example.
+pub(crate) fn section(tables: &[Table]) -> Markup {
+    html! {
+        p {
+            "Beside the printed values stand those that the paper's own searches for minima of |Δ| find here, " code { "fmin1d" }
+            " and " code { "fmin2d" } " with the paper's settings, and those of the certified search. Errors are relative to the \
+            exact values, which come from another method in 60 digits."
+        }
+        @for table in tables { (example(table)) }
+    }
+}
+
+fn example(Table { example, solved }: &Table) -> Markup {
+    html! {
+        h3 { (example.id) " " (example.title) }
+        p class="quiet" {
+            "Table " (example.table) ", a matrix of " (solved.size) " × " (solved.size) ". "
+            @for solution in &solved.solutions {
+                (solution.method) ": " (solution.evaluations) " evaluations. "
+            }
+        }
+        div class="scroll" {
+            table {
+                thead {
+                    tr {
+                        th { "quantity" } th { "mode" } th { "printed" }
+                        @for solution in &solved.solutions { th { "computed" br; (solution.method) } }
+                        th { "exact" }
+                        @for solution in &solved.solutions { th { "error of" br; (solution.method) } }
+                    }
+                }
+                tbody {
+                    @for column in &example.columns {
+                        @for mode in 0..column.printed.len() { (row(column, mode, &values(column, mode, solved))) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A value by each method; none where the method found too few roots.
+fn values(column: &Column, mode: usize, solved: &Solved) -> Vec<Option<Value>> {
+    let of = |solution: &Solution| Some(column.quantity.of(*solution.roots.get(mode)?, solved.unit));
+    solved.solutions.iter().map(of).collect()
+}
+
+fn row(column: &Column, mode: usize, values: &[Option<Value>]) -> Markup {
+    let exact = column.exact[mode];
+    html! {
+        tr {
+            td { @if mode == 0 { (symbol(column.symbol())) } } td { (mode + 1) } td { (column.printed[mode]) }
+            @for value in values {
+                td { @match value { Some(value) => (format!("{value:.DIGITS$}")), None => "not found" } }
+            }
+            td { (format!("{exact:.DIGITS$}")) }
+            @for value in values {
+                td { @match value { Some(value) => (error(value.relative_error(exact))), None => "–" } }
+            }
+        }
+    }
+}

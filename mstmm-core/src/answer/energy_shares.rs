@@ -1,0 +1,46 @@
+//! Energies of a mode, element by element.
+
+use crate::answer::energies::{Form, FormOf};
+use crate::answer::mode_shape::ModeShape;
+use crate::model::{Ends, Label, State};
+use crate::number::{Oscillation, Scalar};
+use crate::pass::tree::Tree;
+use num_traits::Zero;
+
+/// Shares of an element in the energies of a mode, from 0 to 1. The shares of all elements in an energy add up to 1, or to 0 if
+/// the mode has none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyShares<T> {
+    /// Share in the strain energy.
+    pub strain: T,
+    /// Share in the kinetic energy.
+    pub kinetic: T,
+    /// Share in the energy that dampers dissipate.
+    pub dissipated: T,
+}
+
+impl<Y, S> ModeShape<'_, Y, S>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    /// The shares of an element in the energies of this mode, averaged over a cycle.
+    pub fn energy_shares<E>(&self, label: Label<Y::Model, E>) -> EnergyShares<Y::Parameter> {
+        let share = |form: Form| {
+            let of = |step: usize| self.energy(form, step);
+            let whole =
+                (0..self.system.scheme().len()).map(of).fold(Y::Parameter::from_f64(0.0), |sum, part| sum + part);
+            if whole.is_zero() { whole } else { of(label.step) / whole }
+        };
+        EnergyShares { strain: share(Form::Stiffness), kinetic: share(Form::Mass), dissipated: share(Form::Damping) }
+    }
+
+    /// A form of the motion of an element and its conjugate: real, and positive.
+    fn energy(&self, form: Form, step: usize) -> Y::Parameter {
+        let first = self.ends(step);
+        let conjugate = |state: State<S>| state.map(S::conjugate);
+        let second = Ends { x: first.x.conjugate(), input: conjugate(first.input), output: conjugate(first.output) };
+        let value = self.system.visit(None, step, FormOf { form, first, second });
+        value.map_or(Y::Parameter::from_f64(0.0), |value| value.to_complex().re)
+    }
+}

@@ -1,0 +1,98 @@
+//! Responses to force histories, sample by sample.
+
+use crate::answer::modal_response::{ModalResponse, Term};
+use crate::model::MotionError;
+use crate::number::{List, Real, exponential, phi_1, phi_2};
+use num_complex::Complex;
+use num_traits::Zero;
+
+/// The response to a force history, sample by sample, as a digital filter gives it.
+///
+/// Between samples the force runs linearly. For such a force every step is exact, however long compared with the periods of the
+/// modes; there is no limit of stability. Modes that are not in the list follow the force at once.
+#[derive(Clone, Copy, Debug)]
+pub struct ForceHistory<T, const N: usize> {
+    modes: List<Mode<T>, N>,
+    rigid: Rigid<T>,
+    residual: T,
+    /// The last sample of the force; none before the first.
+    force: Option<T>,
+}
+
+/// A term of the response: `q̇ = λ q + residue · F`.
+#[derive(Clone, Copy, Debug, Default)]
+struct Mode<T> {
+    value: Complex<T>,
+    /// `e^{λ dt}`
+    growth: Complex<T>,
+    /// The contributions to the end of a step of a unit force at its begin and of a unit force at its end.
+    weights: [Complex<T>; 2],
+}
+
+/// The motion of all rigid bodies together.
+#[derive(Clone, Copy, Debug)]
+struct Rigid<T> {
+    position: T,
+    velocity: T,
+    /// `dt`, and the velocity that a force of 1 gives in it.
+    dt: T,
+    gain: T,
+}
+
+impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
+    /// The response to a force history in steps of `dt` \[s\], from rest.
+    ///
+    /// # Errors
+    /// [`MotionError::TimeStep`] for a step that is not positive or not finite.
+    pub fn history(&self, dt: T) -> Result<ForceHistory<T, N>, MotionError> {
+        ForceHistory::new(self, dt)
+    }
+}
+
+impl<T: Real, const N: usize> ForceHistory<T, N> {
+    fn new<M>(response: &ModalResponse<T, N, M>, dt: T) -> Result<Self, MotionError> {
+        if !(dt > T::zero() && dt.size().is_finite()) {
+            return Err(MotionError::TimeStep { step: dt.to_f64() });
+        }
+        let mut modes = List::new();
+        for term in &response.terms {
+            modes.push(Mode::new(term, dt)).map_err(|_| MotionError::Capacity { capacity: N })?;
+        }
+        let rigid = Rigid { position: T::zero(), velocity: T::zero(), dt, gain: response.rigid * dt };
+        Ok(ForceHistory { modes, rigid, residual: response.residual, force: None })
+    }
+
+    /// Takes the next sample of the force [N or N m] and gives the entry at its time; the first is that of t = 0, where the
+    /// system is at rest.
+    pub fn next(&mut self, force: T) -> T {
+        if let Some(before) = self.force.replace(force) {
+            self.rigid.step(before, force);
+            for mode in self.modes.as_mut_slice() {
+                mode.step(before, force);
+            }
+        }
+        self.modes.iter().fold(self.rigid.position + self.residual * force, |sum, mode| sum + mode.value.re)
+    }
+}
+
+impl<T: Real> Mode<T> {
+    fn new(term: &Term<T>, dt: T) -> Self {
+        let z = term.lambda * dt;
+        let (whole, end) = (phi_1(z), phi_2(z));
+        let weights = [whole - end, end].map(|weight| term.residue * weight * dt);
+        Mode { value: Complex::zero(), growth: exponential(z), weights }
+    }
+
+    fn step(&mut self, before: T, after: T) {
+        self.value = self.value * self.growth + self.weights[0] * before + self.weights[1] * after;
+    }
+}
+
+impl<T: Real> Rigid<T> {
+    /// Closed form for a force that runs linearly.
+    fn step(&mut self, before: T, after: T) {
+        let (half, third) = (T::from_f64(0.5), T::one() / T::from_f64(3.0));
+        self.position += self.dt * (self.velocity + self.gain * (before + after * half) * third);
+        self.velocity += self.gain * (before + after) * half;
+    }
+}

@@ -1,0 +1,174 @@
+//! Responses to harmonic loads.
+
+use crate::answer::at_rest::{AtRest, Part};
+use crate::model::{Entry, Load, MotionError};
+use crate::number::{InColumns, Oscillation, Scalar};
+use crate::pass::block::both_ways::BlockPasses;
+use crate::pass::block::{WIDTH, WORTHWHILE};
+use crate::pass::both_ways::Passes;
+use crate::pass::route::{Place, Route};
+use crate::pass::tree::{Planned, Tree};
+use mstmm_plan::Coordinate;
+use num_traits::One;
+
+/// Largest number of steps evaluated in blocks, since the subspaces behind all steps are on the stack.
+const LARGEST_IN_BLOCKS: usize = 64;
+
+/// Size of Δ at rest, in roundings of Δ at low frequencies, up to which it counts as zero.
+const NOTHING: f64 = 4096.0;
+
+/// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
+#[derive(Debug)]
+pub struct FrequencyResponse<'a, Y: Planned + ?Sized> {
+    route: Route<'a, Y>,
+}
+
+impl<Y: Planned + ?Sized> Clone for FrequencyResponse<'_, Y> {
+    fn clone(&self) -> Self {
+        FrequencyResponse { route: self.route.clone() }
+    }
+}
+
+impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
+    pub(crate) fn new(system: &'a Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
+        let (load, entry) = (Place::of_load(system, load)?, Place::of_entry(system, entry)?);
+        Ok(FrequencyResponse { route: Route::new(system, load, entry) })
+    }
+
+    /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.
+    ///
+    /// At 0 it is the static limit, wherever it is finite; this takes twice the time, to see that Δ is not rounding alone. Where a
+    /// part of the system is not held and the load does not move it, the limit is extrapolated from some tens to hundreds of responses
+    /// at low frequencies, to 12 digits of the largest of these. A part that the load moves by rounding alone is at rest.
+    ///
+    /// # Errors
+    /// [`MotionError::Resonance`] where it is infinite, [`MotionError::Unsettled`] for an uncertain static limit,
+    /// [`MotionError::NotFinite`] where numbers overflow.
+    pub fn at<S>(&self, x: S) -> Result<S, MotionError>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter>,
+    {
+        if x.is_zero() { self.static_limit() } else { self.evaluated(x) }
+    }
+
+    /// The response at a frequency other than zero.
+    fn evaluated<S>(&self, x: S) -> Result<S, MotionError>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter>,
+    {
+        self.route.value(&self.route.passes(x), x)
+    }
+
+    /// The response and a size compared with which its rounding is small: the geometric mean of the responses at the load and at the
+    /// entry to loads of their own.
+    pub(crate) fn sized<S>(&self, x: S) -> Result<Part<S>, MotionError>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter>,
+    {
+        let passes = Passes::whole(self.route.system, x);
+        let value = self.route.value(&passes, x)?;
+        let own = |step: usize, coordinate: Coordinate| {
+            let meeting = passes.meeting(step);
+            meeting.square(coordinate).over(meeting.delta()).value().size()
+        };
+        let load = own(self.route.load.step, self.route.load.coordinate.dual());
+        let entry = own(self.route.entry.step, self.route.entry.coordinate);
+        Ok(Part { value, size: value.size().max(load.sqrt() * entry.sqrt()) })
+    }
+
+    /// The static limit.
+    #[cold]
+    fn static_limit<S>(&self) -> Result<S, MotionError>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter>,
+    {
+        if let Some(held) = self.held_at_rest()? {
+            return Ok(held);
+        }
+        let rest = AtRest::of::<Y::Parameter>(self.route.system.estimates().lowest_exponent(), 0.0, |x| self.sized(x));
+        let moves_off = Err(MotionError::Resonance { frequency: 0.0 });
+        match rest {
+            Ok(AtRest { double, simple, finite, .. }) if double.is_zero() && simple.is_zero() => Ok(finite),
+            Ok(_) | Err(MotionError::Resonance { .. }) => moves_off,
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The static limit of a system that is held; `None` where Δ at rest is zero, or as small as rounding compared with Δ at low
+    /// frequencies.
+    pub(crate) fn held_at_rest<S>(&self) -> Result<Option<S>, MotionError>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter>,
+    {
+        let step = self.route.load.step;
+        let low = <Y::Parameter as One>::one().times_power_of_two(self.route.system.estimates().lowest_exponent());
+        let rest = self.route.passes(S::zero());
+        let (own, beside) = (rest.meeting(step).delta(), self.route.passes(S::of_omega(low)).meeting(step).delta());
+        if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= NOTHING * S::EPSILON {
+            return Ok(None);
+        }
+        self.route.value(&rest, S::zero()).map(Some)
+    }
+
+    /// Writes the responses at the frequencies of `grid` to `values`, each with the bits that [`at`](FrequencyResponse::at) gives it.
+    ///
+    /// Systems of up to 64 steps take the grid in blocks of frequencies, which costs a fraction of the time. Their memory is on the
+    /// stack, some 3 kB per step for real frequencies, twice as much for complex ones: for ten steps a thread of 256 kB is enough, of
+    /// 512 kB in debug builds.
+    ///
+    /// # Errors
+    /// As [`at`](FrequencyResponse::at), for the first frequency where it fails; [`MotionError::Capacity`] where `values` is
+    /// shorter than `grid`.
+    pub fn on<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter> + InColumns,
+    {
+        if values.len() < grid.len() {
+            return Err(MotionError::Capacity { capacity: values.len() });
+        }
+        if grid.len() >= WORTHWHILE && Y::per_step(()).as_ref().len() <= LARGEST_IN_BLOCKS {
+            return self.in_blocks(grid, values);
+        }
+        self.one_by_one(grid, values)
+    }
+
+    fn one_by_one<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter>,
+    {
+        for (value, &x) in values.iter_mut().zip(grid) {
+            *value = self.at(x)?;
+        }
+        Ok(())
+    }
+
+    // not inlined: it takes much of the stack
+    #[inline(never)]
+    fn in_blocks<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter> + InColumns,
+    {
+        let mut passes = BlockPasses::new(self.route.system);
+        for (grid, values) in grid.chunks(WIDTH).zip(values.chunks_mut(WIDTH)) {
+            let is_known = grid.len() >= WORTHWHILE
+                && self.route.in_block(&mut passes, grid, |lane, value| {
+                    let x = grid[lane];
+                    // where sums cancel nothing is made of them in a block
+                    values[lane] = if x.is_zero() { self.static_limit() } else { value.or_else(|_| self.at(x)) }?;
+                    Ok(())
+                })?;
+            if !is_known {
+                self.one_by_one(grid, values)?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,271 @@
+//! Responses in time by superposition of modes.
+
+use crate::answer::at_rest::{AtRest, Part};
+use crate::answer::frequency_response::FrequencyResponse;
+use crate::answer::mode_shape::{ModeShape, simple};
+use crate::answer::repeated_root::all_shapes;
+use crate::answer::root::{Root, simple_root};
+use crate::model::{Entry, Load, MotionError};
+use crate::number::{ComplexEigenvalue, Frequency, List, Oscillation, Real, RealFrequency, Scalar, exponential, phi_1};
+use crate::pass::characteristic::System;
+use crate::pass::route::Place;
+use crate::pass::tree::{ExtendedTree, Planned, Tree};
+use core::marker::PhantomData;
+use mstmm_plan::Coordinate;
+use num_complex::Complex;
+use num_traits::Zero;
+
+/// Number of shapes of a multiple root for which there is room at any capacity of the response.
+const USUAL_MULTIPLICITY: u64 = 4;
+/// Difference between the static response and that of the modes, in roundings of both, up to which it counts as zero.
+const ROUNDING: f64 = 64.0;
+
+/// The response of an entry of a state in time, as a sum over modes: to an impulse, to a step, and to a force history.
+///
+/// With the eigenvalues λ of the modes and their shapes φ at the load and at the entry, the response to an impulse of 1 is
+/// `Σ φ φ/(2λ) e^{λt}` over the eigenvalues and their conjugates, `φ φ sin(ωt)/ω` for an undamped mode and `φ φ t` for one of a
+/// rigid body.
+///
+/// Modes that are not in the list are assumed to follow the load at once. Their part of the static response, the residual
+/// compliance `H(0) - Σ`, is a part of the responses to steps and to histories, and of the static value. So massless points give
+/// way at once, and deflections, forces and moments near the load become right, however few modes there are. Slow modes and points
+/// far from the load follow later in truth, so that the list has to hold all modes that are slow compared with the load. The
+/// response to an impulse has no residual term, since such modes would be over at once.
+///
+/// Rigid bodies, and parts that only dampers hold, move by the poles `r₂/λ² + r₁/λ` of the response at λ = 0, if the list has that
+/// root. If it has not, they do not move off, and the residual compliance is that of the response without these poles.
+///
+/// A response does not borrow the system: it is a plain value. `M` is the meaning of its frequencies: [`RealFrequency`] for an
+/// undamped system, [`ComplexEigenvalue`] for a damped one.
+#[derive(Clone, Copy, Debug)]
+pub struct ModalResponse<T, const N: usize, M> {
+    pub(crate) terms: List<Term<T>, N>,
+    /// `Σ φ φ` over the modes of rigid bodies: one over the mass that the load feels.
+    pub(crate) rigid: T,
+    /// The residual compliance.
+    pub(crate) residual: T,
+    meaning: PhantomData<fn() -> M>,
+}
+
+/// The part of a mode in the response to an impulse: the real part of `residue · e^{λt}`, for an eigenvalue and its conjugate.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Term<T> {
+    pub(crate) lambda: Complex<T>,
+    pub(crate) residue: Complex<T>,
+}
+
+impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
+    /// Superposes the shapes of all roots.
+    pub(crate) fn new<'r, Y, R>(
+        system: &Y,
+        roots: impl IntoIterator<Item = &'r R>,
+        load: Load<Y::Model>,
+        entry: Entry<Y::Model>,
+    ) -> Result<Self, MotionError>
+    where
+        R: Root<T> + 'r,
+        Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
+    {
+        let places = Places::new(system, load, entry)?;
+        let (rigid, residual) = (T::zero(), T::zero());
+        let mut response = ModalResponse { terms: List::new(), rigid, residual, meaning: PhantomData };
+        let mut at_rest = None;
+        for root in roots {
+            let omega = root.frequency().omega().to_complex();
+            // an upper eigenvalue stands for its conjugate, too
+            if omega.re < T::zero() {
+                continue;
+            }
+            if omega.is_zero() {
+                at_rest = Some(root);
+                continue;
+            }
+            match root.multiplicity() {
+                0 | 1 => response.add(&simple(system, simple_root(root)?)?, &places)?,
+                2..=USUAL_MULTIPLICITY => {
+                    response.add_all::<{ USUAL_MULTIPLICITY as usize }, Y, R>(system, root, &places)?
+                }
+                _ => response.add_all::<N, Y, R>(system, root, &places)?,
+            }
+        }
+        response.complete(system, &FrequencyResponse::new(system, load, entry)?, at_rest)?;
+        Ok(response)
+    }
+
+    /// Adds the contributions of a multiple root. Not inlined, so that the memory of its shapes is freed.
+    #[inline(never)]
+    fn add_all<const CAP: usize, Y, R>(&mut self, system: &Y, root: &R, places: &Places) -> Result<(), MotionError>
+    where
+        R: Root<T>,
+        Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
+    {
+        let shapes = all_shapes::<CAP, _, _, _>(system, root)?;
+        shapes.iter().try_for_each(|shape| self.add(shape, places))
+    }
+
+    /// Adds the contribution of a shape, of a root other than zero.
+    fn add<Y, S>(&mut self, shape: &ModeShape<'_, Y, S>, places: &Places) -> Result<(), MotionError>
+    where
+        Y: Tree<S, Parameter = T> + ?Sized,
+        S: Oscillation<T>,
+    {
+        let product = places.product(shape).to_complex();
+        let omega = shape.x.omega().to_complex();
+        let lambda = Complex::new(-omega.im, omega.re);
+        let residue = if lambda.im.is_zero() { product / (lambda + lambda) } else { product / lambda };
+        self.push(Term { lambda, residue })
+    }
+
+    fn push(&mut self, term: Term<T>) -> Result<(), MotionError> {
+        self.terms.push(term).map_err(|_| MotionError::Capacity { capacity: N })
+    }
+
+    /// Adds the residual compliance from the response at rest, and the motion of the root at zero if the list has it.
+    #[inline(never)]
+    fn complete<Y, R>(
+        &mut self,
+        system: &Y,
+        response: &FrequencyResponse<'_, Y>,
+        at_rest: Option<&R>,
+    ) -> Result<(), MotionError>
+    where
+        R: Root<T>,
+        Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
+    {
+        let held = self.held();
+        let scale = self.terms.iter().fold(0.0, |sum, term| sum + term.at_rest().size());
+        match (response.held_at_rest::<R::Frequency>()?, at_rest) {
+            (Some(whole), None) => {
+                let whole = whole.to_complex().re;
+                self.residual = beyond_rounding(whole - held, scale + whole.size());
+                return Ok(());
+            }
+            // something holds the system: it may not have that root
+            (Some(_), Some(root)) => {
+                all_shapes::<{ USUAL_MULTIPLICITY as usize }, _, _, _>(system, root)?;
+            }
+            (None, _) => {}
+        }
+        let left = |x: R::Frequency| {
+            let whole = response.sized(x)?;
+            let omega = x.omega().to_complex();
+            let (sum, size) = self.at(Complex::new(-omega.im, omega.re));
+            Ok(Part { value: whole.value - R::Frequency::from_complex(sum), size: whole.size + size })
+        };
+        let rest = AtRest::of::<T>(system.estimates().lowest_exponent(), scale, left)?;
+        let AtRest { double, simple, finite, uncertainty, .. } = rest;
+        if uncertainty > 0.0 {
+            return Err(MotionError::Unsettled { change: uncertainty });
+        }
+        self.residual = beyond_rounding(finite.to_complex().re, scale);
+        if at_rest.is_some() {
+            self.rigid = double.to_complex().re;
+            if !simple.is_zero() {
+                self.push(Term { lambda: Complex::zero(), residue: simple.to_complex() })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The static response of the listed modes, without those at zero.
+    fn held(&self) -> T {
+        self.terms.iter().fold(T::zero(), |sum, term| sum + term.at_rest())
+    }
+
+    /// The response of the listed modes at λ, and the sum of the sizes of their terms.
+    fn at(&self, lambda: Complex<T>) -> (Complex<T>, f64) {
+        let half = T::from_f64(0.5);
+        self.terms.iter().fold((Complex::zero(), 0.0), |(sum, size), term| {
+            let own = (term.residue / (lambda - term.lambda)) * half;
+            let mirrored = (term.residue.conj() / (lambda - term.lambda.conj())) * half;
+            (sum + own + mirrored, size + own.size() + mirrored.size())
+        })
+    }
+
+    /// The entry at a time \[s\] after an impulse of 1 N s, or of 1 N m s; 0 before it, NaN for a time that is NaN. The residual
+    /// compliance has no part in it.
+    pub fn to_impulse(&self, time: T) -> T {
+        if time < T::zero() {
+            return T::zero();
+        }
+        let one = |term: &Term<T>| (term.residue * exponential(term.lambda * time)).re;
+        self.terms.iter().fold(self.rigid * time, |sum, term| sum + one(term))
+    }
+
+    /// The entry at a time \[s\] after the begin of a constant load of 1 N, or of 1 N m; 0 before it, NaN for a time that is
+    /// NaN. At 0 it is the residual compliance.
+    pub fn to_step(&self, time: T) -> T {
+        if time < T::zero() {
+            return T::zero();
+        }
+        let half = T::from_f64(0.5);
+        let one = |term: &Term<T>| (term.residue * phi_1(term.lambda * time)).re * time;
+        let away = self.rigid * time * time * half;
+        self.terms.iter().fold(self.residual + away, |sum, term| sum + one(term))
+    }
+
+    /// The static response: the entry under a constant load of 1 at rest, whatever modes are in the list.
+    ///
+    /// # Errors
+    /// [`MotionError::Resonance`] where a rigid body of the list moves off, or drifts against a damper.
+    pub fn static_value(&self) -> Result<T, MotionError> {
+        if !self.rigid.is_zero() || self.terms.iter().any(|term| term.lambda.is_zero()) {
+            return Err(MotionError::Resonance { frequency: 0.0 });
+        }
+        Ok(self.held() + self.residual)
+    }
+}
+
+impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
+    /// The response with a damping ratio ζ in each mode: `e^{-ζωt} sin(ω_d t)/ω_d` in place of `sin(ωt)/ω`, with
+    /// `ω_d = ω sqrt(1 - ζ²)`. Rigid bodies move as before, and modes that are not in the list still follow at once.
+    ///
+    /// # Errors
+    /// [`MotionError::DampingRatio`] for a ratio that is negative, or 1 and more, where nothing vibrates.
+    pub fn with_damping_ratio(&self, ratio: T) -> Result<ModalResponse<T, N, ComplexEigenvalue>, MotionError> {
+        if !(ratio >= T::zero() && ratio < T::one()) {
+            return Err(MotionError::DampingRatio { ratio: ratio.to_f64() });
+        }
+        let slowed = ((T::one() - ratio) * (T::one() + ratio)).sqrt();
+        let mut terms = self.terms;
+        for term in terms.as_mut_slice() {
+            let omega = term.lambda.im;
+            term.lambda = Complex::new(-(ratio * omega), slowed * omega);
+            term.residue /= slowed;
+        }
+        Ok(ModalResponse { terms, rigid: self.rigid, residual: self.residual, meaning: PhantomData })
+    }
+}
+
+impl<T: Real> Term<T> {
+    /// The static response of the mode.
+    fn at_rest(&self) -> T {
+        -(self.residue / self.lambda).re
+    }
+}
+
+/// A difference, or zero where it may be rounding alone, compared with the scale of its terms.
+fn beyond_rounding<T: Real>(number: T, scale: f64) -> T {
+    if number.size() <= ROUNDING * T::EPSILON * scale { T::zero() } else { number }
+}
+
+/// The places of the load and of the entry.
+struct Places {
+    load: Place,
+    entry: Place,
+}
+
+impl Places {
+    fn new<Y: Planned + ?Sized>(system: &Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
+        let mut load = Place::of_load(system, load)?;
+        // a force does work along the deflection, a moment along the rotation
+        load.coordinate = if load.coordinate == Coordinate::M { Coordinate::Theta } else { Coordinate::Y };
+        Ok(Places { load, entry: Place::of_entry(system, entry)? })
+    }
+
+    /// `φ φ` of a shape.
+    fn product<Y: Tree<S> + ?Sized, S: Scalar>(&self, shape: &ModeShape<'_, Y, S>) -> S {
+        let at = |place: Place| shape.at(place.step, place.beyond).entry(place.coordinate);
+        at(self.load) * at(self.entry)
+    }
+}

@@ -1,0 +1,204 @@
+//! Mode shapes: the motion of a system at a root.
+
+use crate::answer::dominant_entry::Candidate;
+use crate::answer::energies::Form;
+use crate::answer::states::SystemStates;
+use crate::model::MotionError;
+use crate::number::{Magnitude, Oscillation, Scalar, Scaled};
+use crate::pass::both_ways::Passes;
+use crate::pass::characteristic::System;
+use crate::pass::tree::{ExtendedTree, Tree};
+use core::fmt;
+use core::ops::Deref;
+
+/// Relative step of the secant method, large beside the rounding of a root and small beside the distance of other roots.
+const NEAR: f64 = 1e-13;
+
+/// The motion of a system at a root, normalised to unit modal mass; dereferences to its states.
+///
+/// It is real for a natural frequency, complex for an eigenvalue. With deflections in m the modal mass is 1 kg m²;
+/// [`with_unit_deflection`](ModeShape::with_unit_deflection) makes the largest deflection 1 m.
+#[derive(Debug)]
+pub struct ModeShape<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+    field: SystemStates<'a, Y, S>,
+}
+
+impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for ModeShape<'_, Y, S> {
+    fn clone(&self) -> Self {
+        ModeShape { field: self.field.clone() }
+    }
+}
+
+impl<'a, Y: Tree<S> + ?Sized, S: Scalar> Deref for ModeShape<'a, Y, S> {
+    type Target = SystemStates<'a, Y, S>;
+
+    fn deref(&self) -> &SystemStates<'a, Y, S> {
+        &self.field
+    }
+}
+
+/// The shapes of one root.
+pub struct ShapeList<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> {
+    pub(crate) shapes: [Option<ModeShape<'a, Y, S>>; CAP],
+}
+
+impl<Y, S, const CAP: usize> fmt::Debug for ShapeList<'_, Y, S, CAP>
+where
+    Y: Tree<S> + fmt::Debug + ?Sized,
+    S: Scalar,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
+    }
+}
+
+impl<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> ShapeList<'a, Y, S, CAP> {
+    /// The shapes, one after the other.
+    pub fn iter(&self) -> impl Iterator<Item = &ModeShape<'a, Y, S>> {
+        self.shapes.iter().flatten()
+    }
+}
+
+/// The shape of a simple root.
+///
+/// Where its states do not fit together it is computed again in extended precision.
+pub(crate) fn simple<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
+where
+    Y: ExtendedTree<S> + ?Sized,
+    S: Oscillation<<Y as System>::Parameter>,
+{
+    let plain = plainly(system, x);
+    // where other roots are close, the root needs more digits, too: they are sought at the point where the shape shows best
+    let point = match &plain {
+        Ok(shape) if shape.is_doubtful() => shape.source,
+        Err(MotionError::NotARoot { .. }) => system.scheme().len() - 2,
+        _ => return plain,
+    };
+    if !S::HAS_EXTENDED {
+        return plain?.accepted();
+    }
+    let nearer = nearer_root(system, x.to_extended(), point);
+    ModeShape::of_extended(&plainly(system, nearer)?).accepted()
+}
+
+/// The root after a step of the secant method with Δ at a point, from a value rounded to fewer digits.
+fn nearer_root<S, Y>(system: &Y, x: S, point: usize) -> S
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    let delta = |x: S| {
+        let mut passes = Passes::from_tips(system, x, |_| true);
+        passes.down_to(point);
+        passes.meeting(point).delta()
+    };
+    let (away, own) = (x + x * S::from_f64(NEAR), delta(x));
+    let ratio = delta(away).over(own).value();
+    let step = x * S::from_f64(NEAR) / (ratio - S::one());
+    // where Δ is zero, or as small as it can be, there is nothing to gain
+    if step.size() <= NEAR * x.size() { x - step } else { x }
+}
+
+/// The shape of a simple root, in the precision of `S` alone.
+fn plainly<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    let frequency = x.modulus();
+    let passes = Passes::whole(system, x);
+    let mut best: Option<(Candidate, Magnitude)> = None;
+    passes.for_each_candidate(|candidate| {
+        let energy = passes.energy(&candidate);
+        if best.is_none_or(|(_, most)| energy > most) {
+            best = Some((candidate, energy));
+        }
+    });
+    let Some((best, _)) = best else { return Err(MotionError::NotFinite { frequency }) };
+    let square = passes.meeting(best.step).square(best.coordinate);
+    // the difference of the states on both sides of the point, compared with usual states there
+    let jump = passes.meeting(best.step).delta().over(square);
+    let mismatch = jump.magnitude().value() / best.unit;
+    if mismatch.is_nan() {
+        return Err(MotionError::NotFinite { frequency });
+    }
+    // a root known to rounding, in a shape whose energy is spread over a thousand waves, gives less than half of the digits
+    if mismatch > <Y::Parameter as Scalar>::EPSILON.sqrt() {
+        return Err(MotionError::NotARoot { frequency, mismatch });
+    }
+    let jump = passes.meeting(best.step).jump(best.coordinate.dual());
+    let recovered = passes.recover(best.step, jump.upstream, jump.downstream);
+    let largest = recovered.states.as_ref().iter().filter_map(|state| state.magnitude()).max();
+    let field = SystemStates::of(system, x, &recovered, -largest.unwrap_or(0));
+    ModeShape::normalised(field).ok_or(MotionError::NotFinite { frequency })
+}
+
+impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
+    /// The square of an entry as an energy, times Δ and a constant.
+    pub(crate) fn energy(&self, candidate: &Candidate) -> Magnitude {
+        let square = self.meeting(candidate.step).square(candidate.coordinate);
+        Scaled::new(square.mantissa().size() * candidate.unit, square.exponent()).into()
+    }
+}
+
+impl<'a, Y, S> ModeShape<'a, Y, S>
+where
+    Y: Tree<S> + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    /// A shape of given states.
+    pub(crate) fn of(field: SystemStates<'a, Y, S>) -> Self {
+        ModeShape { field }
+    }
+
+    /// The shape of unit modal mass; `None` if the modal mass of the states is zero or not finite.
+    pub(crate) fn normalised(field: SystemStates<'a, Y, S>) -> Option<Self> {
+        let mut shape = ModeShape { field };
+        let mass = shape.modal_mass();
+        if !(mass.size() > 0.0 && mass.size().is_finite()) {
+            return None;
+        }
+        let factor = S::one() / mass.sqrt();
+        shape.scale(factor);
+        Some(shape)
+    }
+
+    pub(crate) fn scale(&mut self, factor: S) {
+        self.field.map(|state| state.map(|entry| entry * factor));
+    }
+
+    /// The shape plus another times a factor.
+    pub(crate) fn add(&mut self, other: &Self, factor: S) {
+        self.field.add(&other.field, factor);
+    }
+
+    /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`: 1, unless the shape was scaled.
+    pub fn modal_mass(&self) -> S {
+        self.product(self)
+    }
+
+    /// The modal stiffness `φᵀ K φ`; at a natural frequency ω² times the modal mass.
+    pub fn modal_stiffness(&self) -> S {
+        self.field.form(Form::Stiffness, &self.field)
+    }
+
+    /// `φ₁ᵀ M φ₂ + φ₁ᵀ C φ₂/(λ₁ + λ₂)`: zero for shapes of different roots.
+    ///
+    /// Integrals along beams are exact; rigid bodies, masses and dampers take part.
+    pub fn product(&self, other: &Self) -> S {
+        let mass = self.field.form(Form::Mass, &other.field);
+        let sum = self.field.x.lambda() + other.field.x.lambda();
+        if sum.is_zero() { mass } else { mass + self.field.form(Form::Damping, &other.field) / sum }
+    }
+
+    /// The shape divided by its largest deflection in size; `None` if nothing deflects.
+    #[must_use]
+    pub fn with_unit_deflection(mut self) -> Option<Self> {
+        let largest = self.field.largest_deflection();
+        if largest.is_zero() {
+            return None;
+        }
+        self.scale(S::one() / largest);
+        Some(self)
+    }
+}

@@ -1,0 +1,133 @@
+//! Questions about motions: the trait that users call.
+
+use crate::answer::frequency_response::FrequencyResponse;
+use crate::answer::modal_response::ModalResponse;
+use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
+use crate::answer::repeated_root::all_shapes;
+use crate::answer::root::{Root, simple_root};
+use crate::answer::sensitivity::{Sensitivities, sensitivities};
+use crate::model::{Chain, Entry, Load, MotionError};
+use crate::number::{Frequency, Oscillation};
+use crate::pass::characteristic::System;
+use crate::pass::tree::{ExtendedTree, Planned};
+
+/// The meaning of the frequencies of roots: [`RealFrequency`](crate::number::frequency::RealFrequency) or
+/// [`ComplexEigenvalue`](crate::number::frequency::ComplexEigenvalue).
+type MeaningOf<Y, R> =
+    <<R as Root<<Y as System>::Parameter>>::Frequency as Frequency<<Y as System>::Parameter>>::Meaning;
+
+/// Shapes, sensitivities and responses of a built system.
+///
+/// A thread of 192 kB is enough, of 768 kB in debug builds; for a response at one frequency 128 and 384.
+pub trait ModalAnalysis: System {
+    /// The shape of a simple root, exact at any mode number: states at all ends of elements and at any point of a beam.
+    ///
+    /// Planes are carried from the tips to the root and from the root to the tips. They meet in the shape, which is taken at the
+    /// dominant entry. From there states are recovered against the directions of the planes, so that growing waves hide no digits.
+    ///
+    /// # Errors
+    /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](ModalAnalysis::mode_shapes);
+    /// [`MotionError::NotARoot`] for a frequency that is no root of this system; [`MotionError::Unresolved`] where other roots
+    /// are so close that the states do not fit together.
+    fn mode_shape<S>(
+        &self,
+        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
+    ) -> Result<ModeShape<'_, Self, S>, MotionError>
+    where
+        S: Oscillation<<Self as System>::Parameter>,
+        Self: ExtendedTree<S>,
+    {
+        simple(self, simple_root(root)?)
+    }
+
+    /// All shapes of a root, orthogonal with respect to the mass (undamped) or to `(λ₁ + λ₂) M + C` (damped).
+    ///
+    /// The shapes of a multiple root span the residue of the response at its pole, which is a sum over frequencies around it.
+    ///
+    /// # Errors
+    /// As [`mode_shape`](ModalAnalysis::mode_shape); [`MotionError::Capacity`] for more than `CAP` shapes, and
+    /// [`MotionError::Defective`] for a multiple eigenvalue with too few of them.
+    fn mode_shapes<const CAP: usize, S>(
+        &self,
+        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
+    ) -> Result<ShapeList<'_, Self, S, CAP>, MotionError>
+    where
+        S: Oscillation<<Self as System>::Parameter>,
+        Self: ExtendedTree<S>,
+    {
+        all_shapes(self, root)
+    }
+
+    /// The derivatives of a simple root with respect to all fields of the model: dω/dp [rad/s per unit of the field], or dλ/dp [1/s
+    /// per unit of the field] for an eigenvalue, exact, all in one call.
+    ///
+    /// They take one pass from the tips, one from the root, and the derivatives of the dynamic work of each element at its states.
+    ///
+    /// # Errors
+    /// [`MotionError::Multiple`] for a multiple root, whose parts move apart; [`MotionError::ZeroFrequency`] for ω = 0, since
+    /// parameters move ω², whose root has no derivative there; [`MotionError::NotARoot`] for a frequency that is no root of this
+    /// system.
+    fn sensitivity<S>(
+        &self,
+        root: &impl Root<<Self as System>::Parameter, Frequency = S>,
+    ) -> Result<Sensitivities<Self, S>, MotionError>
+    where
+        S: Oscillation<<Self as System>::Parameter>,
+        Self: ExtendedTree<S> + Chain<S>,
+    {
+        sensitivities(self, simple_root(root)?)
+    }
+
+    /// The response of an entry of a state to a harmonic load of 1, as a function of the frequency.
+    ///
+    /// Its unit is that of the entry per N, or per N m. It is exact at every frequency, damped or not, and in the static limit: to
+    /// rounding of the largest states, divided by the distance to the next root where that is close. At the load itself the entry is
+    /// taken on the side that its point names. Nothing is evaluated yet.
+    ///
+    /// A connection whose output has fewer states also takes loads and entries of its inputs.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchEntry`] for a load or an entry that no state at its point carries, such as a moment in a
+    /// translation path.
+    fn frequency_response(
+        &self,
+        load: Load<<Self as Planned>::Model>,
+        entry: Entry<<Self as Planned>::Model>,
+    ) -> Result<FrequencyResponse<'_, Self>, MotionError>
+    where
+        Self: Planned,
+    {
+        FrequencyResponse::new(self, load, entry)
+    }
+
+    /// The response of an entry of a state in time to an impulse, a step or a force history, by superposition of the modes of
+    /// some roots: up to `N` of them, besides those of rigid bodies.
+    ///
+    /// The roots are natural frequencies, or the eigenvalues of the closed upper half plane, each once. Eigenvalues of the lower half
+    /// plane are skipped: each is the conjugate of one above.
+    ///
+    /// Besides the shapes it takes one response at rest, for the residual compliance. Where a part of the system is not held, this
+    /// is extrapolated, with the poles at zero, from some hundreds of responses at low frequencies.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchEntry`] for a load or an entry that no state at its point carries;
+    /// [`MotionError::Capacity`] for more than `N` modes, or more than both 4 and `N` of one root;
+    /// [`MotionError::Unsettled`] where roots close to zero hide the residual compliance; else as
+    /// [`mode_shape`](ModalAnalysis::mode_shape) and [`mode_shapes`](ModalAnalysis::mode_shapes).
+    ///
+    /// [`ModalResponse`] has an example.
+    fn modal_response<'r, const N: usize, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R>,
+        load: Load<<Self as Planned>::Model>,
+        entry: Entry<<Self as Planned>::Model>,
+    ) -> Result<ModalResponse<Self::Parameter, N, MeaningOf<Self, R>>, MotionError>
+    where
+        R: Root<<Self as System>::Parameter> + 'r,
+        Self: ExtendedTree<R::Frequency> + Sized,
+    {
+        ModalResponse::new(self, roots, load, entry)
+    }
+}
+
+impl<Y: System + ?Sized> ModalAnalysis for Y {}

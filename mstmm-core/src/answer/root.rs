@@ -1,0 +1,67 @@
+//! The roots that questions about motions take: natural frequencies and eigenvalues.
+
+use crate::model::MotionError;
+use crate::number::{Oscillation, Real};
+use crate::search::damped::found::Eigenvalue;
+use crate::search::undamped::found::NaturalFrequency;
+use num_complex::Complex;
+
+/// A root of Δ: a natural frequency or an eigenvalue.
+pub trait Root<T: Real> {
+    /// The frequency at which the system is evaluated there: a real ω, or a complex λ.
+    type Frequency: Oscillation<T>;
+
+    /// The root itself.
+    fn frequency(&self) -> Self::Frequency;
+
+    /// Number of coinciding roots.
+    fn multiplicity(&self) -> u64;
+
+    /// The frequency ω [rad/s] of its resonance, and half the width of the resonance at half the power. The width is zero for an
+    /// undamped root, or one that is undamped to rounding.
+    fn peak(&self) -> (T, T);
+}
+
+impl<T: Real> Root<T> for NaturalFrequency<T> {
+    type Frequency = T;
+
+    fn frequency(&self) -> T {
+        self.omega
+    }
+
+    fn peak(&self) -> (T, T) {
+        (self.omega, T::zero())
+    }
+
+    fn multiplicity(&self) -> u64 {
+        self.multiplicity
+    }
+}
+
+impl<T: Real> Root<T> for Eigenvalue<T> {
+    type Frequency = Complex<T>;
+
+    fn frequency(&self) -> Complex<T> {
+        self.lambda
+    }
+
+    fn peak(&self) -> (T, T) {
+        // a decay slower than the uncertainty of the root counts as none
+        let width = self.lambda.re.abs();
+        let is_known = width > self.error;
+        (self.lambda.im.abs(), if is_known { width } else { T::zero() })
+    }
+
+    fn multiplicity(&self) -> u64 {
+        self.multiplicity
+    }
+}
+
+/// The frequency of a simple root.
+pub(crate) fn simple_root<T: Real, R: Root<T>>(root: &R) -> Result<R::Frequency, MotionError> {
+    let (frequency, multiplicity) = (root.frequency(), root.multiplicity());
+    if multiplicity > 1 {
+        return Err(MotionError::Multiple { root: frequency.modulus(), multiplicity });
+    }
+    Ok(frequency)
+}

@@ -1,0 +1,70 @@
+//! Sensitivities: how a root moves with each field of the model.
+
+use crate::answer::mode_shape::simple;
+use crate::element::ListElement;
+use crate::model::{Chain, Fields, MotionError, NamedFields};
+use crate::number::{Oscillation, Scalar};
+use crate::pass::characteristic::System;
+use crate::pass::planned_list::{ListParameter, PlannedList};
+use crate::pass::tree::ExtendedTree;
+use core::fmt;
+
+/// The derivatives of a root with respect to the fields of the model, dω/dp or dλ/dp, with their names.
+///
+/// Their unit is rad/s, or 1/s, per unit of the field. A field p that grows by 1 % moves the root by `0.01 p` times its derivative,
+/// to first order; a frequency in Hz by that over 2π.
+pub struct Sensitivities<Y: Fields + ?Sized, S: Scalar> {
+    pub(crate) values: Y::PerField<S>,
+}
+
+impl<Y: Fields + ?Sized, S: Scalar> Clone for Sensitivities<Y, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<Y: Fields + ?Sized, S: Scalar> Copy for Sensitivities<Y, S> {}
+
+impl<Y: NamedFields + ?Sized, S: Scalar> fmt::Debug for Sensitivities<Y, S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_map().entries(self.iter()).finish()
+    }
+}
+
+impl<Y: NamedFields + ?Sized, S: Scalar> Sensitivities<Y, S> {
+    /// Names and derivatives, in the order of the struct; fields that are marked `#[no_sensitivity]` are not among them.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, S)> {
+        Y::NAMES.iter().copied().zip(self.values.as_ref().iter().copied())
+    }
+
+    /// The derivative with respect to a field; `None` if no field with a derivative has this name.
+    pub fn get(&self, field: &str) -> Option<S> {
+        self.iter().find(|(name, _)| *name == field).map(|(_, value)| value)
+    }
+}
+
+impl<E: ListElement, S: Scalar, const STEPS: usize> Sensitivities<PlannedList<'_, E, STEPS>, S> {
+    /// The derivative with respect to a parameter of a list, which is zero for one of another list that has no such step.
+    pub fn of(&self, parameter: ListParameter) -> S {
+        self.values.as_ref().get(parameter.index).copied().unwrap_or_default()
+    }
+}
+
+/// `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`, where `∂L/∂λ = (dλ²/dλ)/2` for a shape of unit modal mass.
+pub(crate) fn sensitivities<Y, S>(system: &Y, x: S) -> Result<Sensitivities<Y, S>, MotionError>
+where
+    Y: ExtendedTree<S> + Chain<S> + ?Sized,
+    S: Oscillation<<Y as System>::Parameter>,
+{
+    if x.is_zero() {
+        return Err(MotionError::ZeroFrequency);
+    }
+    let shape = simple(system, x)?;
+    let mut values = system.chain(|step| shape.ends(step));
+    let two = S::one() + S::one();
+    let factor = -two / x.slope_of_lambda_squared();
+    for value in values.as_mut() {
+        *value *= factor;
+    }
+    Ok(Sensitivities { values })
+}

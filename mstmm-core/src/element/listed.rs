@@ -1,0 +1,39 @@
+//! Elements of any type in one, as lists of steps hold them.
+
+use crate::element::visit::{Visit, VisitStep};
+use crate::model::{Ends, FrequencyEstimates};
+use crate::number::{Real, Scalar};
+use mstmm_plan::Space;
+
+/// Parameters that an element of a list may have: the derivatives of a root stand in so many places per step.
+pub const MOST_PARAMETERS: usize = 8;
+
+/// An element of a list, of any type.
+pub trait ListElement {
+    /// Scalar of the parameters.
+    type Parameter: Real;
+
+    /// Space of the states at both ends.
+    fn space(&self) -> Space;
+
+    /// Names of the parameters, in the order of the fields.
+    fn parameters(&self) -> &'static [&'static str];
+
+    /// Adds the element to the estimates of the searches.
+    fn estimate(&self, estimates: &mut FrequencyEstimates);
+}
+
+/// A [`ListElement`] through which subspaces go at frequencies of type `S`.
+pub trait ListStepping<S: Scalar>: ListElement {
+    /// Shows the element to a visitor of a pass.
+    fn visit_step<V: VisitStep<S>>(&self, visitor: V) -> V::Output;
+}
+
+/// A [`ListElement`] that says all about its motion.
+pub trait ListMoving<S: Scalar>: ListStepping<S> {
+    /// Shows the element to a visitor of an answer.
+    fn visit<V: Visit<S>>(&self, visitor: V) -> V::Output;
+
+    /// `∂L/∂p` for each parameter, zero beyond the last.
+    fn gradient(&self, ends: &Ends<S>) -> [S; MOST_PARAMETERS];
+}

@@ -1,0 +1,15 @@
+//! The traits of elements: transfer matrix, step of the plane method, back transfer and energies.
+
+pub(crate) mod back_transfer;
+pub(crate) mod energies;
+pub(crate) mod listed;
+pub(crate) mod moving;
+pub(crate) mod traits;
+pub(crate) mod visit;
+
+pub(crate) use back_transfer::BackTransfer;
+pub(crate) use energies::{Energies, Inside};
+pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
+pub(crate) use moving::{CoefficientsOf, Moving, Stepping};
+pub(crate) use traits::{Element, MatrixOf, PlaneStep, TransferMatrix, space_of};
+pub(crate) use visit::{Visit, VisitStep};

@@ -1,0 +1,125 @@
+//! An element, its transfer matrix and its step of the plane method.
+
+use crate::model::{FrequencyEstimates, InvalidParameter, ParameterError, StateSpace};
+use crate::number::{Branches, FrequencyPowers, Scalar, Scaled};
+use crate::subspace::{Connecting, RootCounter, Subspace};
+use core::fmt;
+use mstmm_plan::{Space, Support};
+
+/// The square matrix over the states of an element `E`.
+pub type MatrixOf<E, S> = <<E as Element>::State as StateSpace>::Matrix<S>;
+
+/// An element with one input end and one output end.
+///
+/// The type is the struct of its parameters, generic over their scalar `T`, with public fields of type `T`. A model takes
+/// user-defined elements by their path, `my_crate::Cable 4 { .. }`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an element: it does not implement `Element`",
+    label = "not an element",
+    note = "an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element` and `mstmm::element::TransferMatrix<S>` \
+            for every `T: mstmm::Real`"
+)]
+pub trait Element: Sized {
+    /// Space of the states at both ends.
+    type State: StateSpace;
+
+    /// The element with its quantities that do not depend on the frequency; `Self` where these are the parameters alone.
+    ///
+    /// Derive `Clone` and `Debug` for it: the built system holds it, and can be cloned and printed.
+    type Built: Clone + fmt::Debug;
+
+    /// Checks every parameter against its range and computes what does not depend on the frequency.
+    ///
+    /// # Errors
+    /// [`InvalidParameter`] names the first parameter out of its range, with its value.
+    fn build(self) -> Result<Self::Built, InvalidParameter>;
+
+    /// Adds the element's stiffnesses and masses to the estimates from which searches take their first steps.
+    #[inline]
+    fn estimate(_built: &Self::Built, _bounds: &mut FrequencyEstimates) {}
+}
+
+/// The transfer equation `z_O = U(x) z_I` of an element at a frequency `x` (see [`Frequency`](crate::number::frequency::Frequency)).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no transfer matrix at a frequency of type `{S}`",
+    label = "no `TransferMatrix<{S}>` for this element",
+    note = "an element of your own implements `mstmm::element::TransferMatrix<S>` for every `S: mstmm::Frequency<T>`"
+)]
+pub trait TransferMatrix<S: Scalar>: Element {
+    /// The transfer matrix `U`.
+    fn transfer_matrix(built: &Self::Built, x: S) -> MatrixOf<Self, S>;
+
+    /// The factor that removes the poles of `U`, `K + Cλ` for a dashpot; `None` where `U` is an entire function.
+    #[inline]
+    fn denominator(_built: &Self::Built, _x: S) -> Option<S> {
+        None
+    }
+}
+
+/// The step of an element in the plane method, from the subspace at its input end to the one at its output end.
+///
+/// Every step is a polynomial in the element's entire functions: no division, no pole.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` takes no part in the plane method",
+    label = "no `PlaneStep` for this element",
+    note = "planar elements have `overall_matrix` and `overall_determinant` only; an element of your own implements \
+            `mstmm::element::PlaneStep<S>`"
+)]
+pub trait PlaneStep<S: Scalar>: Element {
+    /// Whether the element needs the square root of the frequency, as waves do.
+    const WAVES: bool = false;
+
+    /// Whether blocks of frequencies may go through the element with branch-free numbers, which are NaN where a branch would be
+    /// needed. The element must compute by operators alone, which propagate NaN, turn each kind of subspace into one kind, and have
+    /// a `root` equal to [`at_root`](Subspace::at_root) after `step`. Other elements are evaluated at one frequency after the other.
+    const BRANCH_FREE: bool = false;
+
+    /// The formulas that suit the element at a frequency.
+    #[doc(hidden)]
+    #[inline]
+    fn branches(_built: &Self::Built, _at: &FrequencyPowers<S>) -> Branches {
+        if Self::BRANCH_FREE { Branches::Waves } else { Branches::All }
+    }
+
+    /// The coefficients of a step at a frequency; computed once for equal elements.
+    type Coefficients;
+
+    /// The coefficients at a frequency.
+    fn coefficients(built: &Self::Built, at: &FrequencyPowers<S>) -> Self::Coefficients;
+
+    /// Takes the subspace of the input end to the output end, and reports to the counter.
+    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S>;
+
+    /// The last step before the root, which gives Δ.
+    #[inline]
+    fn root<C: RootCounter<S>>(
+        coefficients: &Self::Coefficients,
+        input: Subspace<S>,
+        support: Support,
+        counter: &mut C,
+    ) -> Scaled<S> {
+        Self::step(coefficients, input, counter).at_root(support, counter)
+    }
+}
+
+/// The space of the states of an element.
+#[doc(hidden)]
+pub const fn space_of<E: Element>() -> Space {
+    E::State::SPACE
+}
+
+/// Builds an element under its name in the model.
+#[doc(hidden)]
+pub fn build<E: Element>(element: E, name: &'static str) -> Result<E::Built, ParameterError> {
+    element.build().map_err(|error| error.of(name))
+}
+
+/// A determinant times the denominator of an element, if the element has one.
+#[doc(hidden)]
+#[inline]
+pub fn without_pole<E: TransferMatrix<S>, S: Scalar>(determinant: Scaled<S>, built: &E::Built, x: S) -> Scaled<S> {
+    match E::denominator(built, x) {
+        None => determinant,
+        Some(denominator) => determinant.times(denominator),
+    }
+}

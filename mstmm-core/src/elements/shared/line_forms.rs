@@ -1,0 +1,26 @@
+//! The forms of springs, dampers and masses.
+
+use crate::model::Ends;
+use crate::number::Scalar;
+use mstmm_plan::Coordinate;
+
+/// The form `ΔY₁ ΔY₂`, or `ΔΘ₁ ΔΘ₂`, of a stiffness or a damping of 1.
+pub(crate) fn elongations<S: Scalar>(coordinate: Coordinate, first: &Ends<S>, second: &Ends<S>) -> S {
+    let elongation = |ends: &Ends<S>| ends.output.entry(coordinate) - ends.input.entry(coordinate);
+    elongation(first) * elongation(second)
+}
+
+/// The form `Y₁ Y₂`, or `Θ₁ Θ₂`, of an inertia of 1.
+pub(crate) fn displacements<S: Scalar>(coordinate: Coordinate, first: &Ends<S>, second: &Ends<S>) -> S {
+    first.input.entry(coordinate) * second.input.entry(coordinate)
+}
+
+/// Usual sizes `[Q/Y, M/Θ]` of an element that knows one of them.
+pub(crate) fn unit_of(coordinate: Coordinate, size: f64) -> [f64; 2] {
+    if coordinate == Coordinate::Y { [size, 0.0] } else { [0.0, size] }
+}
+
+/// Half of a form of a motion with itself.
+pub(crate) fn half<S: Scalar>(form: S) -> S {
+    form * S::from_f64(0.5)
+}

@@ -1,0 +1,80 @@
+//! Massless springs and dampers in parallel, and their dynamic stiffness.
+
+use crate::number::{Frequency, Real, Scalar, binary_exponent};
+
+/// A spring and a damper in parallel, or one of them.
+pub(crate) struct Massless<T> {
+    /// Stiffness K.
+    pub(crate) stiffness: Option<T>,
+    /// Damping C.
+    pub(crate) damping: Option<T>,
+}
+
+impl<T: Real> Massless<T> {
+    /// The dynamic stiffness `κ = K + Cλ`.
+    #[inline(always)]
+    pub(crate) fn dynamic_stiffness<S: Frequency<T>>(&self, x: S) -> S {
+        match (self.stiffness, self.damping) {
+            (Some(stiffness), Some(damping)) => S::from_parameter(stiffness) + x * damping,
+            (Some(stiffness), None) => S::from_parameter(stiffness),
+            (None, Some(damping)) => x * damping,
+            (None, None) => S::zero(),
+        }
+    }
+
+    /// `1/κ`.
+    #[inline(always)]
+    pub(crate) fn compliance<S: Frequency<T>>(&self, x: S) -> S {
+        match (self.stiffness, self.damping) {
+            (Some(stiffness), None) => S::from_parameter(T::one() / stiffness),
+            _ => off_pole(self.dynamic_stiffness(x)).1,
+        }
+    }
+
+    /// κ, whose zero is a pole of the transfer matrix; a spring alone has none.
+    #[inline(always)]
+    pub(crate) fn denominator<S: Frequency<T>>(&self, x: S) -> Option<S> {
+        self.damping.is_some().then(|| off_pole(self.dynamic_stiffness(x)).0)
+    }
+
+    /// The sum of the sizes of K and Cλ: for an overdamped motion κ itself cancels.
+    pub(crate) fn size(&self, lambda: f64) -> f64 {
+        self.stiffness.map_or(0.0, T::to_f64) + self.damping.map_or(0.0, |damping| damping.to_f64() * lambda)
+    }
+}
+
+/// A dynamic stiffness κ and its reciprocal, for κ of any size. Where the reciprocal is not finite, at the pole of the
+/// transfer matrix or for a damper without damping, κ is `2^-100`, which is zero in effect once the determinant is multiplied by
+/// the denominator.
+fn off_pole<S: Scalar>(kappa: S) -> (S, S) {
+    // a complex division alone squares the modulus, which vanishes at half the range
+    let shift = -binary_exponent(kappa.size());
+    let reciprocal = (S::one() / kappa.times_power_of_two(shift)).times_power_of_two(shift);
+    if reciprocal.size().is_finite() || !kappa.size().is_finite() {
+        return (kappa, reciprocal);
+    }
+    let power = |exponent| S::one().times_power_of_two(exponent);
+    (power(-100), power(100))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::assert_close;
+    use num_complex::Complex;
+
+    #[test]
+    fn a_stiffness_of_any_size_has_a_finite_reciprocal() {
+        for size in [1e-307, 1e-170, 1e-100, 1.0, 1e100, 1e200] {
+            let kappa = Complex::new(size, size);
+            let (same, reciprocal) = off_pole(kappa);
+            assert_eq!(same, kappa);
+            assert_close((reciprocal * size - Complex::new(0.5, -0.5)).norm(), 0.0, 1.0, 4.0);
+        }
+        for size in [0.0, 5e-324, 1e-320] {
+            let (kappa, reciprocal) = off_pole(Complex::new(size, -size));
+            assert_eq!(kappa * reciprocal, Complex::ONE);
+        }
+        assert!(off_pole(Complex::new(f64::NAN, 0.0)).0.is_nan());
+    }
+}

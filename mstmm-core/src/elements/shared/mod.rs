@@ -1,0 +1,8 @@
+//! Formulas that several elements share.
+
+pub(crate) mod back_transfer;
+pub(crate) mod compound;
+pub(crate) mod krylov;
+pub(crate) mod line_forms;
+pub(crate) mod line_step;
+pub(crate) mod massless;

@@ -1,0 +1,181 @@
+//! Rough bounds of a system's frequencies, from which searches take their first steps.
+
+use crate::number::elementary;
+
+/// Extreme stiffnesses and inertias of a system, translation and rotation apart.
+///
+/// They certify nothing: they only give the frequencies at which counting starts.
+#[derive(Clone, Copy, Debug)]
+pub struct FrequencyEstimates {
+    stiffness: [Range; 2],
+    inertia: [Range; 2],
+    damping: [Range; 2],
+    waves: Range,
+    wave_count: u32,
+    /// Sum of `z/sqrt(ω)` of all continuous elements.
+    wave_sum: f64,
+    /// Sum of all lengths: no lever is longer.
+    reach: f64,
+    /// Levers of rigid bodies.
+    levers: Range,
+}
+
+/// Smallest and largest positive value so far.
+#[derive(Clone, Copy, Debug)]
+struct Range {
+    least: f64,
+    greatest: f64,
+}
+
+impl Range {
+    const EMPTY: Range = Range { least: f64::INFINITY, greatest: 0.0 };
+
+    // not inlined: it is called at many places, and speed does not matter
+    #[inline(never)]
+    fn include(&mut self, value: f64) {
+        if value > 0.0 && value.is_finite() {
+            self.least = self.least.min(value);
+            self.greatest = self.greatest.max(value);
+        }
+    }
+}
+
+impl Default for FrequencyEstimates {
+    fn default() -> Self {
+        FrequencyEstimates {
+            stiffness: [Range::EMPTY; 2],
+            inertia: [Range::EMPTY; 2],
+            damping: [Range::EMPTY; 2],
+            waves: Range::EMPTY,
+            wave_count: 0,
+            wave_sum: 0.0,
+            reach: 0.0,
+            levers: Range::EMPTY,
+        }
+    }
+}
+
+impl FrequencyEstimates {
+    /// A translational stiffness [N/m].
+    pub fn translational_stiffness(&mut self, value: f64) {
+        self.stiffness[0].include(value);
+    }
+
+    /// A torsional stiffness [N m/rad].
+    pub fn torsional_stiffness(&mut self, value: f64) {
+        self.stiffness[1].include(value);
+    }
+
+    /// A mass \[kg\].
+    pub fn mass(&mut self, value: f64) {
+        self.inertia[0].include(value);
+    }
+
+    /// A moment of inertia [kg m²].
+    pub fn moment_of_inertia(&mut self, value: f64) {
+        self.inertia[1].include(value);
+    }
+
+    /// A translational damping [N s/m].
+    pub fn translational_damping(&mut self, value: f64) {
+        self.damping[0].include(value);
+    }
+
+    /// A torsional damping [N m s/rad].
+    pub fn torsional_damping(&mut self, value: f64) {
+        self.damping[1].include(value);
+    }
+
+    /// A continuous element with frequencies of its own from this order [rad/s] on; it has infinitely many.
+    pub fn waves(&mut self, omega: f64) {
+        self.waves.include(omega);
+        self.wave_count = self.wave_count.saturating_add(1);
+        self.wave_sum += elementary!(f64::sqrt, libm::sqrt, omega.recip());
+    }
+
+    /// A length along a path \[m\]: masses may turn about the far end of a lever that long.
+    pub fn length(&mut self, value: f64) {
+        self.reach += value.abs();
+    }
+
+    /// A lever of a rigid body \[m\]: on a short one even a stiff spring turns the body slowly.
+    pub fn lever(&mut self, value: f64) {
+        self.length(value);
+        self.levers.include(value.abs());
+    }
+
+    /// Number of continuous elements.
+    pub(crate) fn wave_count(&self) -> u32 {
+        self.wave_count
+    }
+
+    /// Sum of `z/sqrt(ω)` of all continuous elements.
+    pub(crate) fn wave_sum(&self) -> f64 {
+        self.wave_sum
+    }
+
+    /// Whether some element has infinitely many frequencies.
+    pub(crate) fn is_continuous(&self) -> bool {
+        self.waves.greatest > 0.0
+    }
+
+    /// Squares of a low and a high estimate of the system's frequencies.
+    fn estimates(&self) -> Range {
+        let mut squares = Range::EMPTY;
+        for (stiffness, inertia) in self.stiffness.iter().zip(&self.inertia) {
+            if inertia.greatest > 0.0 && stiffness.greatest > 0.0 {
+                squares.include(stiffness.least / inertia.greatest);
+                squares.include(stiffness.greatest / inertia.least);
+            }
+        }
+        for (damping, (stiffness, inertia)) in self.damping.iter().zip(self.stiffness.iter().zip(&self.inertia)) {
+            if damping.greatest > 0.0 && inertia.greatest > 0.0 {
+                let (slow, fast) = (damping.least / inertia.greatest, damping.greatest / inertia.least);
+                squares.include(slow * slow);
+                squares.include(fast * fast);
+            }
+            if damping.greatest > 0.0 && stiffness.greatest > 0.0 {
+                let (slow, fast) = (stiffness.least / damping.greatest, stiffness.greatest / damping.least);
+                squares.include(slow * slow);
+                squares.include(fast * fast);
+            }
+        }
+        let lever = self.inertia[0].greatest * self.reach * self.reach;
+        if lever > 0.0 && self.stiffness[1].greatest > 0.0 {
+            squares.include(self.stiffness[1].least / lever);
+        }
+        if self.is_continuous() {
+            squares.include(self.waves.least * self.waves.least);
+            squares.include(self.waves.greatest * self.waves.greatest);
+        }
+        if squares.greatest == 0.0 { Range { least: 1.0, greatest: 1.0 } } else { squares }
+    }
+
+    /// Logarithm to base 2 of a low estimate of the frequencies.
+    pub(crate) fn lowest_exponent(&self) -> i32 {
+        exponent(self.estimates().least) / 2 - 1
+    }
+
+    /// Logarithm to base 2 of a frequency that no other falls short of by much: that of the softest spring on the shortest lever.
+    pub(crate) fn least_exponent(&self) -> i32 {
+        let (stiffness, inertia) = (self.stiffness[0].least, self.inertia[1].greatest);
+        let by_lever = stiffness / inertia * self.levers.least * self.levers.least;
+        let is_one = by_lever > 0.0 && by_lever.is_finite();
+        if is_one { self.lowest_exponent().min(exponent(by_lever) / 2 - 1) } else { self.lowest_exponent() }
+    }
+
+    /// Logarithm to base 2 of a frequency that counts as zero beside any other.
+    pub(crate) fn negligible_exponent(&self) -> i32 {
+        self.least_exponent() - 20
+    }
+
+    /// Logarithm to base 2 of a high estimate of the frequencies of discrete elements.
+    pub(crate) fn highest_exponent(&self) -> i32 {
+        exponent(self.estimates().greatest) / 2 + 1
+    }
+}
+
+/// Binary exponent of a positive number.
+fn exponent(value: f64) -> i32 {
+    crate::number::exponent::binary_exponent(value)
+}

@@ -1,0 +1,112 @@
+//! Labels of a model as values: a label of another model does not compile.
+
+use core::fmt;
+use core::marker::PhantomData;
+use mstmm_plan::Coordinate;
+
+/// The label of an element of type `E` in a model `M`, such as `TipBody::beam_1`.
+pub struct Label<M, E> {
+    pub(crate) step: usize,
+    input: usize,
+    of: PhantomData<fn() -> (M, E)>,
+}
+
+/// A point of a model `M`: an end of an element, or a connection.
+pub struct Point<M> {
+    /// The step of the plan behind which it is.
+    pub(crate) step: usize,
+    /// Whether what acts at the point is between its step and this side of it.
+    pub(crate) beyond: bool,
+    of: PhantomData<fn() -> M>,
+}
+
+/// A harmonic force or moment of 1 at a point.
+pub struct Load<M> {
+    pub(crate) point: Point<M>,
+    pub(crate) coordinate: Coordinate,
+}
+
+/// An entry of the state at a point.
+pub struct Entry<M> {
+    pub(crate) point: Point<M>,
+    pub(crate) coordinate: Coordinate,
+}
+
+impl<M, E> Label<M, E> {
+    /// For emitted code.
+    #[doc(hidden)]
+    pub const fn new(step: usize, input: usize) -> Self {
+        Label { step, input, of: PhantomData }
+    }
+
+    /// The input end of the element, where the arrow arrives.
+    pub const fn input(self) -> Point<M> {
+        Point { step: self.input, beyond: true, of: PhantomData }
+    }
+
+    /// The output end of the element.
+    pub const fn output(self) -> Point<M> {
+        Point { step: self.step, beyond: false, of: PhantomData }
+    }
+}
+
+impl<M> Point<M> {
+    /// For emitted code: the point of a connection, with the state that goes on.
+    #[doc(hidden)]
+    pub const fn connection(step: usize) -> Self {
+        Point { step, beyond: true, of: PhantomData }
+    }
+
+    /// A force of 1 N in the direction of Y at this point.
+    pub const fn force(self) -> Load<M> {
+        Load { point: self, coordinate: Coordinate::Q }
+    }
+
+    /// A moment of 1 N m in the direction of Θ at this point.
+    pub const fn torque(self) -> Load<M> {
+        Load { point: self, coordinate: Coordinate::M }
+    }
+
+    /// The deflection Y \[m\].
+    pub const fn deflection(self) -> Entry<M> {
+        Entry { point: self, coordinate: Coordinate::Y }
+    }
+
+    /// The rotation Θ \[rad\].
+    pub const fn rotation(self) -> Entry<M> {
+        Entry { point: self, coordinate: Coordinate::Theta }
+    }
+
+    /// The bending moment M [N m].
+    pub const fn moment(self) -> Entry<M> {
+        Entry { point: self, coordinate: Coordinate::M }
+    }
+
+    /// The shear force Q \[N\].
+    pub const fn shear(self) -> Entry<M> {
+        Entry { point: self, coordinate: Coordinate::Q }
+    }
+}
+
+/// Copies and prints a value whatever the model is.
+macro_rules! plain {
+    ($name:ident<M $(, $other:ident)?>, $($field:ident),*) => {
+        impl<M $(, $other)?> Clone for $name<M $(, $other)?> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<M $(, $other)?> Copy for $name<M $(, $other)?> {}
+
+        impl<M $(, $other)?> fmt::Debug for $name<M $(, $other)?> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.debug_struct(stringify!($name))$(.field(stringify!($field), &self.$field))*.finish()
+            }
+        }
+    };
+}
+plain!(Label<M, E>, step, input);
+plain!(Point<M>, step, beyond);
+plain!(Load<M>, point, coordinate);
+plain!(Entry<M>, point, coordinate);

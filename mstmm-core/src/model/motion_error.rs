@@ -1,0 +1,190 @@
+//! Errors of questions about motions.
+
+use core::fmt;
+use mstmm_plan::Coordinate;
+
+/// The reason why a motion cannot be given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// The root has several shapes.
+    Multiple {
+        /// Size of the root, |ω| or |λ|.
+        root: f64,
+        /// Its multiplicity.
+        multiplicity: u64,
+    },
+    /// The system has no motion of its own at this frequency.
+    NotARoot {
+        /// Size of the frequency, |ω| or |λ|.
+        frequency: f64,
+        /// Relative difference of the states at one point.
+        mismatch: f64,
+    },
+    /// The states of a shape do not fit together: other roots are so close that rounding moves forces from path to path.
+    Unresolved {
+        /// Size of the root, |ω| or |λ|.
+        root: f64,
+        /// Difference of states at a connection, relative to the largest in the system.
+        misfit: f64,
+    },
+    /// A multiple eigenvalue with fewer shapes than its multiplicity, as at critical damping.
+    Defective {
+        /// Size of the eigenvalue |λ|.
+        root: f64,
+        /// Its multiplicity.
+        multiplicity: u64,
+        /// Number of its shapes.
+        shapes: u64,
+    },
+    /// At frequency zero the derivative of ω is not defined: ω² moves, and ω is its root.
+    ZeroFrequency,
+    /// The system resonates at this frequency: the response to a force is infinite. It is not determined at a multiple root that the
+    /// force does not excite, and at any frequency of a model without a spectrum.
+    Resonance {
+        /// Size of the frequency, |ω| or |λ|.
+        frequency: f64,
+    },
+    /// The limit of a response at rest, without its poles, is uncertain: other roots are too close to zero.
+    Unsettled {
+        /// Relative difference of limits from two ranges of frequencies.
+        change: f64,
+    },
+    /// A frequency at which numbers overflow, or which is not a number.
+    NotFinite {
+        /// Size of the frequency, |ω| or |λ|.
+        frequency: f64,
+    },
+    /// The states at this point have no such entry: no path there carries it.
+    NoSuchEntry {
+        /// The entry.
+        coordinate: Coordinate,
+    },
+    /// A range of frequencies that is empty, reversed or not finite.
+    Range {
+        /// Start of the range [rad/s].
+        start: f64,
+        /// End of the range [rad/s].
+        end: f64,
+    },
+    /// A tolerance that is not positive or not finite.
+    Tolerance {
+        /// The tolerance that was given.
+        tolerance: f64,
+    },
+    /// An element without an interior: it has states at its ends only.
+    NoInside,
+    /// A place outside of an element.
+    Outside {
+        /// Distance from the input end \[m\].
+        distance: f64,
+        /// Length of the element \[m\].
+        length: f64,
+    },
+    /// A step of time that is not positive or not finite.
+    TimeStep {
+        /// The step \[s\].
+        step: f64,
+    },
+    /// A damping ratio with which modes do not vibrate: not between 0 and 1.
+    DampingRatio {
+        /// The ratio.
+        ratio: f64,
+    },
+    /// There are more results than the capacity; none is returned.
+    Capacity {
+        /// The capacity.
+        capacity: usize,
+    },
+}
+
+impl fmt::Display for MotionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            MotionError::Multiple { root, multiplicity } => {
+                write!(
+                    f,
+                    "the root of size {root} has multiplicity {multiplicity}: its shapes are given by `mode_shapes`, "
+                )?;
+                write!(f, "and it has no derivative, since its parts move apart")
+            }
+            MotionError::NotARoot { frequency, mismatch } => {
+                write!(
+                    f,
+                    "a frequency of size {frequency} is no root of this system, with these parameters: states differ by {mismatch:.1e}"
+                )
+            }
+            MotionError::Unresolved { root, misfit } => {
+                write!(
+                    f,
+                    "the shape of the root of size {root} cannot be told from others near it: states differ by {misfit:.1e}"
+                )
+            }
+            MotionError::Defective { root, multiplicity, shapes } => {
+                write!(f, "the eigenvalue {root} of multiplicity {multiplicity} has {shapes} shapes only")
+            }
+            MotionError::ZeroFrequency => {
+                write!(f, "a zero frequency has no derivative: it is the root of ω², and parameters move that")
+            }
+            MotionError::Resonance { frequency: 0.0 } => {
+                write!(f, "nothing holds the system at rest: under the load it moves off as a rigid body")
+            }
+            MotionError::Resonance { frequency } => {
+                write!(
+                    f,
+                    "the system resonates at the frequency {frequency}: its response is infinite or not determined"
+                )
+            }
+            MotionError::Unsettled { change } => {
+                write!(
+                    f,
+                    "the response at rest cannot be told from that of roots close to zero: its limit is uncertain by {change:.1e} of it"
+                )
+            }
+            MotionError::NotFinite { frequency } => {
+                write!(f, "at the frequency {frequency} the motion is not finite")
+            }
+            _ => self.fmt_question(f),
+        }
+    }
+}
+
+impl MotionError {
+    /// What is wrong with a question, whatever the system.
+    fn fmt_question(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            MotionError::NoSuchEntry { coordinate } => {
+                let (name, path) = match coordinate {
+                    Coordinate::Y => ("deflection Y", "bending or translation"),
+                    Coordinate::Q => ("shear force Q", "bending or translation"),
+                    Coordinate::Theta => ("rotation Θ", "bending or rotation"),
+                    Coordinate::M => ("moment M", "bending or rotation"),
+                    Coordinate::X | Coordinate::Qx => ("longitudinal entry", "planar"),
+                };
+                write!(f, "no state at this point has a {name}: no {path} path leads there")
+            }
+            MotionError::Range { start, end } => {
+                write!(f, "the range from {start} to {end} rad/s must run upwards and be finite")
+            }
+            MotionError::Tolerance { tolerance } => {
+                write!(f, "the tolerance {tolerance} must be positive and finite")
+            }
+            MotionError::NoInside => {
+                write!(f, "this element has no inside: ask for the states at its `input()` and `output()`")
+            }
+            MotionError::Outside { distance, length } => {
+                write!(f, "{distance} m from the input end is outside of the element, whose length is {length} m")
+            }
+            MotionError::TimeStep { step } => write!(f, "a step of {step} s is none: it has to be positive and finite"),
+            MotionError::DampingRatio { ratio } => {
+                write!(f, "with a damping ratio of {ratio} no mode vibrates: it has to be at least 0 and below 1")
+            }
+            MotionError::Capacity { capacity } => {
+                write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl core::error::Error for MotionError {}

@@ -1,0 +1,49 @@
+//! Double-double numbers as frequencies of systems with `f64` parameters: their extended precision.
+
+use crate::number::double_double::DoubleDouble;
+use crate::number::frequency::Oscillation;
+use crate::number::frequency::Real;
+use crate::number::scalar::Scalar;
+use num_complex::Complex;
+
+impl Oscillation<f64> for DoubleDouble {
+    type Extended = Self;
+    const HAS_EXTENDED: bool = false;
+
+    fn to_extended(self) -> Self {
+        self
+    }
+
+    fn from_extended(value: Self) -> Self {
+        value
+    }
+
+    /// The number rounded to `f64`: the interior of a beam is not computed in extended precision.
+    fn to_complex(self) -> Complex<f64> {
+        Complex::new(self.to_f64(), 0.0)
+    }
+
+    fn from_complex(value: Complex<f64>) -> Self {
+        DoubleDouble::from_f64(value.re)
+    }
+
+    fn conjugate(self) -> Self {
+        self
+    }
+
+    fn of_omega(omega: f64) -> Self {
+        DoubleDouble::from_f64(omega)
+    }
+
+    fn slope_of_lambda_squared(self) -> Self {
+        Oscillation::<DoubleDouble>::slope_of_lambda_squared(self)
+    }
+
+    fn lambda(self) -> Self {
+        Oscillation::<DoubleDouble>::lambda(self)
+    }
+
+    fn around(self, distance: f64) -> [(Self, Self); 8] {
+        Oscillation::<DoubleDouble>::around(self, DoubleDouble::from_f64(distance))
+    }
+}

@@ -1,0 +1,345 @@
+//! Dual numbers: a value and its derivative with respect to the frequency.
+
+use crate::number::columns::InColumns;
+use crate::number::frequency::{ComplexEigenvalue, Frequency, Real, RealFrequency};
+use crate::number::scalar::Scalar;
+use crate::number::wave_functions::WaveFunctions;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
+use num_complex::Complex;
+use num_traits::{Num, One, Zero};
+
+/// `value + derivative ε` with `ε² = 0`. Order and equality look at the value alone.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Dual<S> {
+    /// The value.
+    pub value: S,
+    /// Its derivative.
+    pub derivative: S,
+}
+
+impl<S: Scalar> Dual<S> {
+    /// The variable itself: derivative 1.
+    pub fn variable(value: S) -> Self {
+        Dual { value, derivative: S::one() }
+    }
+
+    /// A constant: derivative 0.
+    pub fn constant(value: S) -> Self {
+        Dual { value, derivative: S::zero() }
+    }
+
+    /// Both parts through one linear map.
+    #[inline]
+    fn map(self, f: impl Fn(S) -> S) -> Self {
+        Dual { value: f(self.value), derivative: f(self.derivative) }
+    }
+
+    /// The wave functions of `self`, from those of its value.
+    #[inline(always)]
+    fn of_waves(self, waves: WaveFunctions<S>) -> WaveFunctions<Self> {
+        let WaveFunctions { sin, cos, sh, ch, one, exponents } = waves;
+        WaveFunctions {
+            sin: self.chain(sin, cos),
+            cos: self.chain(cos, -sin),
+            sh: self.chain(sh, ch),
+            ch: self.chain(ch, sh),
+            one: Dual::constant(one),
+            exponents,
+        }
+    }
+
+    /// A function by its value and slope at `self.value`.
+    #[inline]
+    fn chain(self, value: S, slope: S) -> Self {
+        Dual { value, derivative: slope * self.derivative }
+    }
+}
+
+impl<S: Scalar> PartialEq for Dual<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl<S: Scalar> Add for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Dual { value: self.value + other.value, derivative: self.derivative + other.derivative }
+    }
+}
+
+impl<S: Scalar> Sub for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Dual { value: self.value - other.value, derivative: self.derivative - other.derivative }
+    }
+}
+
+impl<S: Scalar> Mul for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Dual {
+            value: self.value * other.value,
+            derivative: self.derivative * other.value + self.value * other.derivative,
+        }
+    }
+}
+
+impl<S: Scalar> Div for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        Dual { value, derivative: (self.derivative - value * other.derivative) / other.value }
+    }
+}
+
+impl<S: Scalar> Neg for Dual<S> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        self.map(|part| -part)
+    }
+}
+
+impl<T: Real> Mul<T> for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: T) -> Self {
+        self.map(|part| part * factor)
+    }
+}
+
+impl<T: Real> Mul<T> for Dual<Complex<T>> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: T) -> Self {
+        self.map(|part| part * factor)
+    }
+}
+
+/// Implements the assigning form of an operator.
+macro_rules! assign {
+    ($($trait:ident, $method:ident, $operator:tt;)*) => {$(
+        impl<S: Scalar> $trait for Dual<S> {
+            #[inline]
+            fn $method(&mut self, other: Self) {
+                *self = *self $operator other;
+            }
+        }
+    )*};
+}
+assign! { AddAssign, add_assign, +; SubAssign, sub_assign, -; MulAssign, mul_assign, *; DivAssign, div_assign, /; }
+
+impl<S: Scalar> Zero for Dual<S> {
+    fn zero() -> Self {
+        Dual::constant(S::zero())
+    }
+    fn is_zero(&self) -> bool {
+        self.value.is_zero()
+    }
+}
+
+impl<S: Scalar> One for Dual<S> {
+    fn one() -> Self {
+        Dual::constant(S::one())
+    }
+}
+
+impl<S: Scalar> Scalar for Dual<S> {
+    type Plain = S;
+    const EPSILON: f64 = S::EPSILON;
+    const WAVE_LIMIT: f64 = S::WAVE_LIMIT;
+    const SERIES_TERMS: usize = S::SERIES_TERMS;
+    const LONGEST_IN_LINE: usize = S::LONGEST_IN_LINE;
+
+    #[inline]
+    fn from_f64(value: f64) -> Self {
+        Dual::constant(S::from_f64(value))
+    }
+
+    #[inline(always)]
+    fn reciprocal_factorial(n: usize) -> Self {
+        Dual::constant(S::reciprocal_factorial(n))
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        self.chain(root, S::from_f64(0.5) / root)
+    }
+
+    #[inline(always)]
+    fn is_plain(self) -> bool {
+        self.value.is_plain()
+    }
+
+    #[inline(always)]
+    fn moderate_sqrt(self) -> Self {
+        let root = self.value.moderate_sqrt();
+        self.chain(root, S::from_f64(0.5) / root)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.value.sin_cos();
+        (self.chain(sin, cos), self.chain(cos, -sin))
+    }
+
+    fn sinh_cosh(self) -> (Self, Self) {
+        let (sinh, cosh) = self.value.sinh_cosh();
+        (self.chain(sinh, cosh), self.chain(cosh, sinh))
+    }
+
+    #[inline]
+    fn wave_functions(self) -> WaveFunctions<Self> {
+        self.of_waves(self.value.wave_functions())
+    }
+
+    #[inline(always)]
+    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
+        self.of_waves(self.value.moderate_wave_functions())
+    }
+
+    #[inline(always)]
+    fn functions<const N: usize, R>(
+        self,
+        values: impl FnOnce(S) -> ([S; N], R),
+        slopes: impl FnOnce([S; N]) -> [S; N],
+    ) -> ([Self; N], R) {
+        let (values, rest) = values(self.value);
+        let slopes = slopes(values);
+        (core::array::from_fn(|k| self.chain(values[k], slopes[k])), rest)
+    }
+
+    #[inline(always)]
+    fn constant(value: S) -> Self {
+        Dual::constant(value)
+    }
+
+    #[inline(always)]
+    fn is_negative(self) -> bool {
+        self.value.is_negative()
+    }
+
+    #[inline]
+    fn size(self) -> f64 {
+        self.value.size()
+    }
+
+    #[inline(always)]
+    fn or_nan(self, condition: bool) -> Self {
+        Dual { value: self.value.or_nan(condition), derivative: self.derivative.or_nan(condition) }
+    }
+
+    #[inline]
+    fn times_power_of_two(self, exponent: i32) -> Self {
+        self.map(|part| part.times_power_of_two(exponent))
+    }
+
+    #[inline]
+    fn times_normal_power_of_two(self, exponent: i32) -> Self {
+        self.map(|part| part.times_normal_power_of_two(exponent))
+    }
+}
+
+impl<S: InColumns> InColumns for Dual<S> {
+    type Columns<const N: usize> = [S::Columns<N>; 2];
+
+    fn columns<const N: usize>(self) -> [S::Columns<N>; 2] {
+        [self.value.columns(), self.derivative.columns()]
+    }
+
+    #[inline(always)]
+    fn get<const N: usize>([value, derivative]: &[S::Columns<N>; 2], place: usize) -> Self {
+        Dual { value: S::get(value, place), derivative: S::get(derivative, place) }
+    }
+
+    #[inline(always)]
+    fn put<const N: usize>(self, [value, derivative]: &mut [S::Columns<N>; 2], place: usize) {
+        self.value.put(value, place);
+        self.derivative.put(derivative, place);
+    }
+}
+
+impl<T: Real> Frequency<T> for Dual<T> {
+    type Meaning = RealFrequency;
+
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        -(self * self)
+    }
+
+    #[inline]
+    fn omega(self) -> Self {
+        self.abs()
+    }
+
+    #[inline]
+    fn from_parameter(parameter: T) -> Self {
+        Dual::constant(parameter)
+    }
+}
+
+impl<T: Real> Frequency<T> for Dual<Complex<T>> {
+    type Meaning = ComplexEigenvalue;
+
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        self * self
+    }
+
+    #[inline]
+    fn omega(self) -> Self {
+        self.map(Frequency::<T>::omega)
+    }
+
+    #[inline]
+    fn from_parameter(parameter: T) -> Self {
+        Dual::constant(Frequency::from_parameter(parameter))
+    }
+}
+
+impl<T: Real> PartialOrd for Dual<T> {
+    fn partial_cmp(&self, other: &Self) -> Option<core::cmp::Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
+}
+
+impl<T: Real> Rem for Dual<T> {
+    type Output = Self;
+    fn rem(self, other: Self) -> Self {
+        Dual { value: self.value % other.value, derivative: self.derivative }
+    }
+}
+
+impl<T: Real> RemAssign for Dual<T> {
+    fn rem_assign(&mut self, other: Self) {
+        *self = *self % other;
+    }
+}
+
+impl<T: Real> Num for Dual<T> {
+    type FromStrRadixErr = T::FromStrRadixErr;
+    fn from_str_radix(digits: &str, radix: u32) -> Result<Self, Self::FromStrRadixErr> {
+        T::from_str_radix(digits, radix).map(Dual::constant)
+    }
+}
+
+impl<T: Real> Real for Dual<T> {
+    type Extended = Self;
+
+    fn to_f64(self) -> f64 {
+        self.value.to_f64()
+    }
+
+    fn exp(self) -> Self {
+        let exp = self.value.exp();
+        self.chain(exp, exp)
+    }
+
+    fn abs(self) -> Self {
+        if self.value < T::zero() { -self } else { self }
+    }
+}

@@ -1,0 +1,263 @@
+//! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
+
+use crate::number::columns::InColumns;
+use crate::number::double_double::DoubleDouble;
+use crate::number::frequency::{Frequency, Real, RealFrequency};
+use crate::number::kernel;
+use crate::number::scalar::Scalar;
+use crate::number::wave_functions::WaveFunctions;
+
+impl<T: Real> Frequency<T> for T {
+    type Meaning = RealFrequency;
+
+    #[inline]
+    fn lambda_squared(self) -> Self {
+        -(self * self)
+    }
+
+    #[inline]
+    fn omega(self) -> Self {
+        self.abs()
+    }
+
+    #[inline]
+    fn from_parameter(parameter: T) -> Self {
+        parameter
+    }
+}
+
+/// `1/n!`, each the quotient of an exact factorial or nearly so: 18! is the last that an `f64` holds, the relative error
+/// of the others is below 10 eps, and they only enter terms below 1e-16.
+const RECIPROCAL_FACTORIALS: [f64; 28] = {
+    let mut table = [1.0; 28];
+    let mut factorial = 1.0;
+    let mut n = 1;
+    while n < 28 {
+        factorial *= n as f64;
+        table[n] = 1.0 / factorial;
+        n += 1;
+    }
+    table
+};
+
+/// `2^exponent` for a normal exponent, from its bits.
+#[inline(always)]
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + i64::from(exponent)) as u64) << 52)
+}
+
+/// `value · 2^exponent`.
+#[inline(always)]
+fn scale(value: f64, exponent: i32) -> f64 {
+    if (-1022..=1023).contains(&exponent) { value * power_of_two(exponent) } else { scale_far(value, exponent) }
+}
+
+/// `value · 2^exponent` in steps that stay in range as long as the result does.
+#[cold]
+fn scale_far(mut value: f64, mut exponent: i32) -> f64 {
+    while exponent > 1023 && value.is_finite() && value != 0.0 {
+        value *= power_of_two(1023);
+        exponent -= 1023;
+    }
+    while exponent < -969 && value != 0.0 {
+        value *= power_of_two(-969);
+        exponent += 969;
+    }
+    value * power_of_two(exponent.clamp(-1022, 1023))
+}
+
+/// Calls a function of the standard library or, without it, of `libm`. Without either `lib.rs` refuses the crate, and the function
+/// is left out, so that the compiler reports nothing else.
+macro_rules! elementary {
+    ($std:expr, $libm:expr, $($argument:expr),+) => {{
+        #[cfg(feature = "std")]
+        let value = $std($($argument),+);
+        #[cfg(all(feature = "libm", not(feature = "std")))]
+        let value = $libm($($argument),+);
+        #[cfg(not(any(feature = "libm", feature = "std")))]
+        let (value, ..) = ($($argument),+,);
+        value
+    }};
+}
+pub(crate) use elementary;
+
+/// Argument of a complex number.
+pub(crate) fn argument(re: f64, im: f64) -> f64 {
+    elementary!(f64::atan2, libm::atan2, im, re)
+}
+
+/// Implements the real scalars for a primitive type, given its functions in `libm`.
+macro_rules! real {
+    ($type:ty, $judge:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, $($kernel:item)*)?) => {
+        impl Scalar for $type {
+            type Plain = Self;
+            const EPSILON: f64 = <$type>::EPSILON as f64;
+            const WAVE_LIMIT: f64 = $limit;
+            const SERIES_TERMS: usize = $terms;
+
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                value as $type
+            }
+
+            #[inline(always)]
+            fn reciprocal_factorial(n: usize) -> Self {
+                RECIPROCAL_FACTORIALS[n] as $type
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                elementary!(<$type>::sqrt, $sqrt, self)
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                (elementary!(<$type>::sin, $sin, self), elementary!(<$type>::cos, $cos, self))
+            }
+
+            #[inline]
+            fn sinh_cosh(self) -> (Self, Self) {
+                (elementary!(<$type>::sinh, $sinh, self), elementary!(<$type>::cosh, $cosh, self))
+            }
+
+            // a call: in line its many constants and registers cost short models more than the call does
+            #[inline(never)]
+            fn wave_functions(self) -> WaveFunctions<Self> {
+                WaveFunctions::of_real(self)
+            }
+
+            #[inline(always)]
+            fn moderate_wave_functions(self) -> WaveFunctions<Self> {
+                WaveFunctions::of_moderate(self)
+            }
+
+            #[inline(always)]
+            fn functions<const N: usize, R>(
+                self,
+                values: impl FnOnce(Self) -> ([Self; N], R),
+                _slopes: impl FnOnce([Self; N]) -> [Self; N],
+            ) -> ([Self; N], R) {
+                values(self)
+            }
+
+            #[inline(always)]
+            fn constant(value: Self) -> Self {
+                value
+            }
+
+            #[inline(always)]
+            fn is_negative(self) -> bool {
+                self < 0.0
+            }
+
+            #[inline]
+            fn size(self) -> f64 {
+                f64::from(<$type>::abs(self))
+            }
+
+            #[inline(always)]
+            fn or_nan(self, condition: bool) -> Self {
+                self * if condition { 1.0 } else { <$type>::NAN }
+            }
+
+            #[inline(always)]
+            fn times_power_of_two(self, exponent: i32) -> Self {
+                scale(f64::from(self), exponent) as $type
+            }
+
+            #[inline]
+            fn times_normal_power_of_two(self, exponent: i32) -> Self {
+                (f64::from(self) * power_of_two(exponent)) as $type
+            }
+        }
+
+        impl InColumns for $type {
+            type Columns<const N: usize> = [Self; N];
+
+            fn columns<const N: usize>(self) -> [Self; N] {
+                [self; N]
+            }
+
+            #[inline(always)]
+            fn get<const N: usize>(columns: &[Self; N], place: usize) -> Self {
+                columns[place]
+            }
+
+            #[inline(always)]
+            fn put<const N: usize>(self, columns: &mut [Self; N], place: usize) {
+                columns[place] = self;
+            }
+        }
+
+        impl Real for $type {
+            type Extended = $judge;
+
+            $($($kernel)*)?
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+
+            #[inline]
+            fn exp(self) -> Self {
+                elementary!(<$type>::exp, $exp, self)
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                <$type>::abs(self)
+            }
+        }
+    };
+}
+
+/// The extended precision of `f64`; without the feature `judge` there is none, and programs are small.
+#[cfg(feature = "judge")]
+type ExtendedOfDouble = DoubleDouble;
+#[cfg(not(feature = "judge"))]
+type ExtendedOfDouble = f64;
+
+real! {
+    f64, ExtendedOfDouble, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
+    const HAS_EXTENDED: bool = cfg!(feature = "judge");
+
+    fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
+        let product = DoubleDouble::from_product(a, b) * DoubleDouble::from_f64(c);
+        let exact = (DoubleDouble::from_f64(self) - product).to_f64();
+        // parts of a product leave the range earlier than the product
+        if exact.is_finite() { exact } else { self - a * b * c }
+    }
+
+    #[inline(always)]
+    fn circular_and_hyperbolic(self) -> [Self; 4] {
+        kernel::circular_and_hyperbolic(self)
+    }
+    #[inline]
+    fn circular(self) -> [Self; 2] {
+        if self.abs() < kernel::LARGEST_ANGLE {
+            return kernel::circular(self);
+        }
+        let (sin, cos) = Scalar::sin_cos(self);
+        [sin, cos]
+    }
+}
+real! { f32, f32, 4, 20.0, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_of_two_are_exact_up_to_the_ends_of_the_range() {
+        assert_eq!(1.5_f64.times_power_of_two(10), 1536.0);
+        assert_eq!(
+            f64::MIN_POSITIVE.times_power_of_two(2045),
+            f64::MIN_POSITIVE * 2f64.powi(1000) * 2f64.powi(1000) * 2f64.powi(45)
+        );
+        assert_eq!(1.0_f64.times_power_of_two(-1074), f64::from_bits(1));
+        assert_eq!(2f64.powi(1000).times_power_of_two(-2000), 2f64.powi(-1000));
+        assert_eq!(1.0_f64.times_power_of_two(5000), f64::INFINITY);
+        assert_eq!(0.0_f64.times_power_of_two(5000), 0.0);
+    }
+}

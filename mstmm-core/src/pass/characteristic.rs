@@ -1,0 +1,55 @@
+//! The interface of built systems to the searches: Δ by the plane method, with a counter.
+
+use crate::model::FrequencyEstimates;
+use crate::number::{Real, Scalar, Scaled};
+use crate::subspace::{NoCount, RootCounter, WittrickWilliams};
+
+/// A built system with parameters of type `Self::Parameter`.
+pub trait System {
+    /// Scalar of the parameters.
+    type Parameter: Real;
+
+    /// Estimates from which the searches take their first steps.
+    #[doc(hidden)]
+    fn estimates(&self) -> FrequencyEstimates;
+}
+
+/// A system that the plane method can evaluate at a frequency `x`: ω for a real scalar (undamped systems only), λ for a
+/// complex one.
+pub trait Characteristic<S: Scalar>: System {
+    /// Δ by the plane method, in one pass with a counter.
+    #[doc(hidden)]
+    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S>;
+
+    /// Δ by the plane method: exact at every frequency, without poles, with mantissa and exponent.
+    ///
+    /// It equals `overall_determinant` times a constant that does not depend on the frequency. It is zero at the eigenvalues and
+    /// nowhere else. No matrix is formed.
+    #[inline]
+    fn characteristic(&self, x: S) -> Scaled<S> {
+        self.pass(x, &mut NoCount)
+    }
+}
+
+/// The count of natural frequencies below ω, and Δ(ω), in one pass; with `WATCHES` it notices sums that cancel.
+#[inline]
+pub(crate) fn count_and_value<const WATCHES: bool, Y, S>(
+    system: &Y,
+    x: S,
+) -> (WittrickWilliams<false, WATCHES>, Scaled<S>)
+where
+    S: Real,
+    Y: Characteristic<S> + ?Sized,
+{
+    counted_pass(system, x, WittrickWilliams::default())
+}
+
+/// The counter after a pass, and Δ.
+#[inline]
+pub(crate) fn counted_pass<C: RootCounter<S>, Y, S: Scalar>(system: &Y, x: S, mut counter: C) -> (C, Scaled<S>)
+where
+    Y: Characteristic<S> + ?Sized,
+{
+    let value = system.pass(x, &mut counter);
+    (counter, value)
+}

@@ -1,0 +1,227 @@
+//! A list of steps with its plan: all that answers about motions ask for.
+
+use crate::element::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep};
+use crate::model::{Chain, Ends, Fields, FrequencyEstimates, Label, Point};
+use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
+use crate::pass::characteristic::{Characteristic, System};
+use crate::pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
+use crate::pass::tree::{Planned, Steps, Tree};
+use crate::subspace::RootCounter;
+use core::fmt::Debug;
+use mstmm_plan::{Place, Scheme, Step, Support};
+
+/// Memory for the plan of a list of up to `STEPS` steps, some hundred bytes per step.
+#[derive(Clone, Debug)]
+pub struct Room<'a, const STEPS: usize> {
+    /// The inputs of all connections, one connection after the other.
+    inputs: [usize; STEPS],
+    steps: [Step<'a>; STEPS],
+    places: [Place; STEPS],
+    sorted: [usize; STEPS],
+}
+
+impl<const STEPS: usize> Room<'_, STEPS> {
+    /// Memory in which nothing is planned.
+    #[allow(clippy::new_without_default, reason = "an array of any length has no default")]
+    pub const fn new() -> Self {
+        Room {
+            inputs: [0; STEPS],
+            steps: [Step::Tip(Support::Free); STEPS],
+            places: [Place::NOWHERE; STEPS],
+            sorted: [0; STEPS],
+        }
+    }
+}
+
+/// The labels of lists.
+#[derive(Clone, Copy, Debug)]
+pub enum InList {}
+
+/// A parameter of an element of a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ListParameter {
+    /// Its place among those of all elements.
+    pub(crate) index: usize,
+}
+
+/// A [`StepList`] with its plan, which answers all that a model answers: searches, shapes, responses, sensitivities.
+///
+/// What it is asked about motions keeps a value for each of `STEPS` steps on the stack: about 0.4 kB per step for a shape or for a
+/// response at one frequency.
+#[derive(Clone, Copy, Debug)]
+pub struct PlannedList<'a, E, const STEPS: usize> {
+    list: StepList<'a, E>,
+    scheme: Scheme<'a>,
+}
+
+impl<'a, E: ListElement> StepList<'a, E> {
+    /// Plans the list in memory of the caller's.
+    ///
+    /// # Errors
+    /// [`ListError`] for a list of more than `STEPS` steps.
+    pub fn planned<const STEPS: usize>(
+        self,
+        room: &'a mut Room<'a, STEPS>,
+    ) -> Result<PlannedList<'a, E, STEPS>, ListError> {
+        let Room { inputs, steps, places, sorted } = room;
+        let count = self.steps.len();
+        let (Some(steps), Some(places), Some(sorted)) =
+            (steps.get_mut(..count), places.get_mut(..count), sorted.get_mut(..count))
+        else {
+            return Err(ListError { step: STEPS, problem: "there is no room for the steps from here on" });
+        };
+        note_inputs(self.steps, inputs);
+        let mut inputs: &'a [usize] = inputs;
+        for (index, (step, planned)) in self.steps.iter().zip(&mut *steps).enumerate() {
+            // a path goes on from the step before
+            let input = index.saturating_sub(1);
+            *planned = match step {
+                ListStep::Tip(support) => Step::Tip(*support),
+                ListStep::Element(element) => Step::Element(input, element.space()),
+                ListStep::Root(support) => Step::Root(input, *support),
+                ListStep::Connection(paths) => {
+                    let (own, others) = inputs.split_at(*paths);
+                    inputs = others;
+                    Step::Connection(own)
+                }
+            };
+        }
+        Ok(PlannedList { list: self, scheme: Scheme::resolve(steps, places, sorted) })
+    }
+}
+
+/// Notes the steps that connections join, one connection after the other.
+fn note_inputs<E>(steps: &[ListStep<E>], inputs: &mut [usize]) {
+    let mut open = [0; OPEN_PATHS];
+    let (mut count, mut end) = (0, 0);
+    for (index, step) in steps.iter().enumerate() {
+        match step {
+            ListStep::Tip(_) => count += 1,
+            ListStep::Element(_) | ListStep::Root(_) => {}
+            ListStep::Connection(paths) => {
+                count -= paths;
+                inputs[end..end + paths].copy_from_slice(&open[count..count + paths]);
+                end += paths;
+                count += 1;
+            }
+        }
+        open[count - 1] = index;
+    }
+}
+
+impl<E: ListElement, const STEPS: usize> PlannedList<'_, E, STEPS> {
+    fn element(&self, step: usize) -> Option<&E> {
+        match self.list.steps.get(step) {
+            Some(ListStep::Element(element)) => Some(element),
+            _ => None,
+        }
+    }
+
+    /// The label of the element that is a step; `None` if the step is none.
+    pub fn label(&self, step: usize) -> Option<Label<InList, E>> {
+        self.element(step).map(|_| Label::new(step, step - 1))
+    }
+
+    /// The point of the connection that is a step; `None` if the step is none.
+    pub fn connection(&self, step: usize) -> Option<Point<InList>> {
+        matches!(self.list.steps.get(step), Some(ListStep::Connection(_))).then(|| Point::connection(step))
+    }
+
+    /// A parameter of the element that is a step, by the name of its field; `None` if there is none of that name.
+    pub fn parameter(&self, step: usize, name: &str) -> Option<ListParameter> {
+        let place = self.element(step)?.parameters().iter().position(|parameter| *parameter == name)?;
+        Some(ListParameter { index: step * MOST_PARAMETERS + place })
+    }
+}
+
+impl<E: ListElement, const STEPS: usize> System for PlannedList<'_, E, STEPS> {
+    type Parameter = E::Parameter;
+
+    fn estimates(&self) -> FrequencyEstimates {
+        self.list.estimates()
+    }
+}
+
+impl<E, S, const STEPS: usize> Characteristic<S> for PlannedList<'_, E, STEPS>
+where
+    E: ListStepping<S>,
+    S: Frequency<E::Parameter>,
+{
+    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
+        self.list.pass(x, counter)
+    }
+}
+
+impl<E: ListElement, const STEPS: usize> Planned for PlannedList<'_, E, STEPS> {
+    type Model = InList;
+    type PerStep<V: Copy + Debug> = [V; STEPS];
+
+    fn per_step<V: Copy + Debug>(value: V) -> [V; STEPS] {
+        [value; STEPS]
+    }
+
+    fn scheme(&self) -> Scheme<'_> {
+        self.scheme
+    }
+}
+
+impl<E: ListStepping<S>, S: Scalar, const STEPS: usize> Steps<S> for PlannedList<'_, E, STEPS> {
+    fn visit_step<V: VisitStep<S>>(&self, step: usize, visitor: V) -> Option<V::Output> {
+        Some(self.element(step)?.visit_step(visitor))
+    }
+}
+
+impl<E, S, const STEPS: usize> Tree<S> for PlannedList<'_, E, STEPS>
+where
+    E: ListMoving<S>,
+    S: Frequency<E::Parameter>,
+{
+    type Evaluated = ();
+
+    fn at(x: S) -> FrequencyPowers<S> {
+        FrequencyPowers::new(x, true)
+    }
+
+    /// Nothing: each element is evaluated where it is visited.
+    fn evaluate(&self, _at: &FrequencyPowers<S>) {}
+
+    fn visit<V: Visit<S>>(&self, _evaluated: Option<&()>, step: usize, visitor: V) -> Option<V::Output> {
+        Some(self.element(step)?.visit(visitor))
+    }
+}
+
+/// A value for each parameter of each step.
+#[derive(Clone, Copy, Debug)]
+pub struct PerParameter<V, const STEPS: usize>([[V; MOST_PARAMETERS]; STEPS]);
+
+impl<V, const STEPS: usize> AsRef<[V]> for PerParameter<V, STEPS> {
+    fn as_ref(&self) -> &[V] {
+        self.0.as_flattened()
+    }
+}
+
+impl<V, const STEPS: usize> AsMut<[V]> for PerParameter<V, STEPS> {
+    fn as_mut(&mut self) -> &mut [V] {
+        self.0.as_flattened_mut()
+    }
+}
+
+impl<E: ListElement, const STEPS: usize> Fields for PlannedList<'_, E, STEPS> {
+    type PerField<V: Copy + Debug> = PerParameter<V, STEPS>;
+
+    fn per_field<V: Copy + Debug>(value: V) -> PerParameter<V, STEPS> {
+        PerParameter([[value; MOST_PARAMETERS]; STEPS])
+    }
+}
+
+impl<E: ListMoving<S>, S: Scalar, const STEPS: usize> Chain<S> for PlannedList<'_, E, STEPS> {
+    fn chain(&self, ends: impl Fn(usize) -> Ends<S>) -> PerParameter<S, STEPS> {
+        let mut gradients = Self::per_field(S::zero());
+        for (step, gradient) in gradients.0.iter_mut().enumerate() {
+            if let Some(element) = self.element(step) {
+                *gradient = element.gradient(&ends(step));
+            }
+        }
+        gradients
+    }
+}

@@ -1,0 +1,234 @@
+//! The plane method on a run-time list of steps: the same arithmetic as the macro's code, for chains of any length.
+
+use crate::element::{ListElement, ListStepping, PlaneStep, Stepping, VisitStep};
+use crate::model::FrequencyEstimates;
+use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
+use crate::pass::characteristic::{Characteristic, System};
+use crate::subspace::{Connecting, RootCounter, Subspace, connection};
+use core::fmt;
+use mstmm_plan::{Space, Support};
+
+/// Paths that may be open at once while a list is evaluated: branches within branches.
+pub const OPEN_PATHS: usize = 64;
+
+/// A step of a list: tips before the elements that they lead to, inputs of a connection before it, the root last.
+#[derive(Clone, Copy, Debug)]
+pub enum ListStep<E> {
+    /// A path starts from a support.
+    Tip(Support),
+    /// The last open path goes through an element.
+    Element(E),
+    /// The last so many open paths are joined.
+    Connection(usize),
+    /// The one open path ends in the root.
+    Root(Support),
+}
+
+/// A list that cannot be evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ListError {
+    /// Index of the step.
+    pub step: usize,
+    /// What is wrong with it.
+    pub problem: &'static str,
+}
+
+impl fmt::Display for ListError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "step {}: {}", self.step, self.problem)
+    }
+}
+
+impl core::error::Error for ListError {}
+
+/// A tree of elements as a list of steps in the caller's memory.
+///
+/// ```
+/// use mstmm_core::elements::{Mass, Spring};
+/// use mstmm_core::search::NaturalFrequencies;
+/// use mstmm_core::{AnyUndamped, ListStep, StepList, Support};
+///
+/// let steps = [
+///     ListStep::Tip(Support::Fixed),
+///     ListStep::Element(AnyUndamped::try_from(Spring { stiffness: 8.0_f64 })?),
+///     ListStep::Element(Mass { mass: 2.0 }.try_into()?),
+///     ListStep::Root(Support::Free),
+/// ];
+/// let list = StepList::new(&steps).unwrap();
+/// let found = list.first_frequencies::<1>().unwrap();
+/// assert!((found[0].omega - 2.0).abs() < 1e-15);
+/// # Ok::<(), mstmm_core::InvalidParameter>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct StepList<'a, E> {
+    pub(crate) steps: &'a [ListStep<E>],
+}
+
+impl<'a, E: ListElement> StepList<'a, E> {
+    /// A list that can be evaluated.
+    ///
+    /// # Errors
+    /// [`ListError`] for a step without the open paths that it takes, states that do not fit, or a list that does not end
+    /// in one root.
+    pub fn new(steps: &'a [ListStep<E>]) -> Result<Self, ListError> {
+        let mut open = [Open { space: None, support: None }; OPEN_PATHS];
+        let mut count = 0;
+        for (step, entry) in steps.iter().enumerate() {
+            let fail = |problem| Err(ListError { step, problem });
+            match entry {
+                ListStep::Tip(_) if count == OPEN_PATHS => return fail("too many open paths"),
+                ListStep::Tip(support) => {
+                    let space = next_space(steps, step);
+                    if space.is_some_and(|space| !is_support_of(*support, space)) {
+                        return fail("its path has no such support");
+                    }
+                    open[count] = Open { space, support: Some(*support) };
+                    count += 1;
+                }
+                ListStep::Element(_) if count == 0 => return fail("no path is open"),
+                ListStep::Element(element) => match open[count - 1].space {
+                    Some(space) if !space.is(element.space()) => return fail("the path has another state"),
+                    _ => open[count - 1] = Open { space: Some(element.space()), support: None },
+                },
+                ListStep::Connection(inputs) if *inputs == 0 || *inputs > count => return fail("too few open paths"),
+                ListStep::Connection(inputs) => {
+                    let joined = joined(&open[count - inputs..count], next_space(steps, step));
+                    count -= inputs - 1;
+                    match joined {
+                        Ok(space) => open[count - 1] = Open { space: Some(space), support: None },
+                        Err(problem) => return fail(problem),
+                    }
+                }
+                ListStep::Root(_) if count != 1 || step + 1 != steps.len() => {
+                    return fail("the root ends the only open path and the list");
+                }
+                ListStep::Root(support) => match open[0] {
+                    Open { space: Some(space), support: None } if is_support_of(*support, space) => {}
+                    _ => return fail("its path has no such support, or no element"),
+                },
+            }
+        }
+        if !matches!(steps.last(), Some(ListStep::Root(_))) {
+            return Err(ListError { step: steps.len(), problem: "the list does not end in a root" });
+        }
+        Ok(StepList { steps })
+    }
+}
+
+/// An open path while a list is checked.
+#[derive(Clone, Copy)]
+struct Open {
+    /// Its space; none behind a support that holds a connection and adopts the space of that.
+    space: Option<Space>,
+    /// The support behind which nothing has come yet.
+    support: Option<Support>,
+}
+
+fn is_support_of(support: Support, space: Space) -> bool {
+    !space.is(Space::Planar) && support.exists_in(space)
+}
+
+/// The space in which a connection leads on.
+fn joined(inputs: &[Open], next: Option<Space>) -> Result<Space, &'static str> {
+    let paths = inputs.iter().filter(|path| path.support.is_none()).filter_map(|path| path.space);
+    let own = match paths.reduce(|a, b| a.join(b).unwrap_or(Space::Planar)) {
+        Some(space) => space,
+        None => next.ok_or("supports alone")?,
+    };
+    // the widest state here is what supports hold
+    let widest = next.map_or(Some(own), |next| own.join(next));
+    let Some(widest @ (Space::Translation | Space::Rotation | Space::Bending)) = widest else {
+        return Err("its paths cannot meet, or not lead on to that state");
+    };
+    let holds = |path: &Open| path.support.is_none_or(|support| is_support_of(support, widest));
+    if inputs.iter().all(holds) { Ok(next.unwrap_or(own)) } else { Err("a support that its state does not have") }
+}
+
+/// Space of the element that follows a step, if one does.
+fn next_space<E: ListElement>(steps: &[ListStep<E>], step: usize) -> Option<Space> {
+    match steps.get(step + 1) {
+        Some(ListStep::Element(element)) => Some(element.space()),
+        _ => None,
+    }
+}
+
+impl<E: ListElement> System for StepList<'_, E> {
+    type Parameter = E::Parameter;
+
+    fn estimates(&self) -> FrequencyEstimates {
+        let mut estimates = FrequencyEstimates::default();
+        for step in self.steps {
+            if let ListStep::Element(element) = step {
+                element.estimate(&mut estimates);
+            }
+        }
+        estimates
+    }
+}
+
+impl<E, S> Characteristic<S> for StepList<'_, E>
+where
+    E: ListStepping<S>,
+    S: Frequency<E::Parameter>,
+{
+    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
+        let at = FrequencyPowers::new(x, true);
+        let mut open = [Subspace::Tip(Support::Free, Space::Bending); OPEN_PATHS];
+        let mut count = 0;
+        for (index, step) in self.steps.iter().enumerate() {
+            match step {
+                ListStep::Tip(support) => {
+                    let space = next_space(self.steps, index).unwrap_or(Space::Bending);
+                    open[count] = Subspace::Tip(*support, space);
+                    count += 1;
+                }
+                ListStep::Element(element) => {
+                    let input = open[count - 1];
+                    if let Some(ListStep::Root(support)) = self.steps.get(index + 1) {
+                        return element.visit_step(IntoRoot { at: &at, input, support: *support, counter });
+                    }
+                    open[count - 1] = element.visit_step(Through { at: &at, input, counter });
+                }
+                ListStep::Connection(inputs) => {
+                    let joined =
+                        connection(open[count - inputs..count].iter().copied(), next_space(self.steps, index), counter);
+                    count -= inputs - 1;
+                    open[count - 1] = joined;
+                }
+                ListStep::Root(support) => return open[0].at_root(*support, counter),
+            }
+        }
+        Scaled::new(S::zero(), 0) // `new` has refused lists without a root
+    }
+}
+
+/// Takes a subspace through an element.
+struct Through<'a, S, C> {
+    at: &'a FrequencyPowers<S>,
+    input: Subspace<S>,
+    counter: &'a mut C,
+}
+
+impl<S: Scalar, C: RootCounter<S>> VisitStep<S> for Through<'_, S, C> {
+    type Output = Subspace<S>;
+
+    fn element<E: Stepping<S>>(self, built: &E::Built) -> Subspace<S> {
+        <E as PlaneStep<S>>::step(&E::coefficients(built, self.at), self.input, self.counter)
+    }
+}
+
+/// Takes a subspace through the last element into the root.
+struct IntoRoot<'a, S, C> {
+    at: &'a FrequencyPowers<S>,
+    input: Subspace<S>,
+    support: Support,
+    counter: &'a mut C,
+}
+
+impl<S: Scalar, C: RootCounter<S>> VisitStep<S> for IntoRoot<'_, S, C> {
+    type Output = Scaled<S>;
+
+    fn element<E: Stepping<S>>(self, built: &E::Built) -> Scaled<S> {
+        <E as PlaneStep<S>>::root(&E::coefficients(built, self.at), self.input, self.support, self.counter)
+    }
+}

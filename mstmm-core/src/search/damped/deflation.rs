@@ -1,0 +1,88 @@
+//! Deflation: known eigenvalues are divided out of Δ. The rest is smooth where all roots nearby are known.
+
+use crate::number::{List, Real, Scalar, Scaled, argument, modulus};
+use crate::search::damped::found::Eigenvalue;
+use crate::search::damped::point::Point;
+use num_complex::Complex;
+
+/// Room for the eigenvalues of a search while it runs.
+pub(super) const ROOM: usize = 256;
+
+/// Certified eigenvalues in the closed upper half plane; each stands for its mirror image, too.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct KnownRoots<T: Real> {
+    roots: List<Eigenvalue<T>, ROOM>,
+}
+
+impl<T: Real> KnownRoots<T> {
+    /// The empty list.
+    pub(super) fn new() -> Self {
+        KnownRoots { roots: List::new() }
+    }
+
+    /// The roots in the order in which they were found.
+    pub(super) fn roots(&self) -> &[Eigenvalue<T>] {
+        &self.roots
+    }
+
+    /// Whether there is no room for another.
+    pub(super) fn is_full(&self) -> bool {
+        self.roots.len() == ROOM
+    }
+
+    /// Adds an eigenvalue, or gives it back if there is no room.
+    pub(super) fn push(&mut self, root: Eigenvalue<T>) -> Result<(), Eigenvalue<T>> {
+        self.roots.push(root)
+    }
+
+    /// Whether the circle of an eigenvalue meets that of a known one.
+    pub(super) fn holds(&self, root: &Eigenvalue<T>) -> bool {
+        meets_any(root, &self.roots)
+    }
+}
+
+/// Whether the circle of a root meets the circle of another.
+pub(super) fn meets_any<T: Real>(root: &Eigenvalue<T>, others: &[Eigenvalue<T>]) -> bool {
+    others.iter().any(|other| modulus(other.lambda - root.lambda) <= other.error + root.error)
+}
+
+/// A root and its mirror image; a real one has none. Not inlined, since each place would take some hundred bytes of firmware.
+#[inline(never)]
+pub(super) fn with_image<T: Real>(root: &Eigenvalue<T>) -> impl Iterator<Item = Eigenvalue<T>> {
+    let image = (!root.lambda.im.is_zero()).then_some(Eigenvalue { lambda: root.lambda.conj(), ..*root });
+    [Some(*root), image].into_iter().flatten()
+}
+
+/// Δ and its logarithmic derivative with roots and their mirror images divided out.
+pub(super) fn divided<T: Real>(point: &Point<T>, roots: &[Eigenvalue<T>]) -> Point<T> {
+    let mut divisor = Scaled::new(Complex::from(T::one()), 0);
+    let mut rate = point.rate;
+    for root in roots {
+        let from = point.lambda - root.lambda;
+        let (mut factor, mut slope) = (from, Complex::from(T::one()));
+        if !root.lambda.im.is_zero() {
+            let from_image = point.lambda - root.lambda.conj();
+            (factor, slope) = (from * from_image, from + from_image);
+        }
+        rate -= slope / factor * T::from_f64(root.multiplicity as f64);
+        // distances are far from the ends of the range: it is enough to normalise the product
+        (0..root.multiplicity).for_each(|_| divisor = Scaled::new(divisor.mantissa() * factor, divisor.exponent()));
+    }
+    let is_root = point.is_root || !rate.size().is_finite();
+    Point { lambda: point.lambda, value: point.value.over(divisor), rate, is_root }
+}
+
+/// Growth along a polygon of the argument of the factors that are divided out for a root. Each side sees a root under less
+/// than half a turn.
+pub(super) fn turning<T: Real>(root: &Eigenvalue<T>, polygon: impl Iterator<Item = Complex<T>> + Clone) -> f64 {
+    let ends = polygon.clone().skip(1);
+    let sides = polygon.zip(ends);
+    let turns = |side: (Complex<T>, Complex<T>), root: Complex<T>| {
+        // lest the product of small or large distances leave the range of the type
+        let unit = |from: Complex<T>| from * T::from_f64(from.size().recip());
+        let turn = unit(side.1 - root) * unit(side.0 - root).conj();
+        argument(turn.re.to_f64(), turn.im.to_f64())
+    };
+    let angle = |root: Eigenvalue<T>| sides.clone().map(|side| turns(side, root.lambda)).sum::<f64>();
+    with_image(root).map(angle).sum::<f64>() * root.multiplicity as f64
+}

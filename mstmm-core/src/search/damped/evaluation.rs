@@ -1,0 +1,119 @@
+//! Evaluation of Δ on the complex plane: its number is limited, and sums that cancel are noticed.
+
+use crate::model::SearchError;
+use crate::number::{
+    Dual, Frequency, Real, Scalar, Scaled, UNPROVEN_WIDTH, is_extended, is_last, modulus, refuses_doubt,
+};
+use crate::pass::characteristic::{Characteristic, System, counted_pass};
+use crate::search::damped::point::Point;
+use crate::search::identity::check_identity;
+use crate::subspace::Watch;
+use num_complex::Complex;
+
+/// Evaluations that a search may take before it has found anything. In extended precision each takes some fifty times as long.
+const EVALUATIONS: usize = 100_000;
+const EXTENDED_EVALUATIONS: usize = 30_000;
+
+/// Further evaluations for each root found: narrow regions between close roots take some hundred.
+const EVALUATIONS_PER_ROOT: usize = 2_000;
+
+/// Evaluates a system on the complex plane in arithmetic of type `T`, and counts the evaluations.
+pub(super) struct Evaluation<'a, Y: System + ?Sized> {
+    system: &'a Y,
+    /// Logarithm to base 2 of a low estimate of the frequencies.
+    lowest_exponent: i32,
+    pub(super) evaluations: usize,
+    /// Whether sums cancelled.
+    pub(super) is_doubtful: bool,
+}
+
+impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
+    pub(super) fn new(system: &'a Y, lowest_exponent: i32) -> Self {
+        Evaluation { system, lowest_exponent, evaluations: 0, is_doubtful: false }
+    }
+
+    /// Δ and its logarithmic derivative. On the real axis Δ is real, whatever the rounding.
+    pub(super) fn at<T>(&mut self, lambda: Complex<T>) -> Result<Point<T>, SearchError>
+    where
+        T: Real,
+        Y: Characteristic<Dual<Complex<T>>>,
+    {
+        self.evaluations += 2;
+        let (watch, dual) = counted_pass(self.system, Dual::variable(lambda), Watch::default());
+        let Dual { value, derivative } = dual.mantissa();
+        let rate = derivative / value;
+        let is_root = !rate.size().is_finite();
+        if !value.size().is_finite() || !derivative.size().is_finite() {
+            return Err(SearchError::NotANumber { x: lambda.re.to_f64(), y: lambda.im.to_f64() });
+        }
+        self.is_doubtful |= watch.cancelled.any();
+        if watch.cancelled.partly && is_last::<T, Y::Parameter>() {
+            return Err(SearchError::Unresolved { near: modulus(lambda).to_f64() });
+        }
+        if value.size() == 0.0 {
+            self.look_for_zeros(lambda)?;
+        }
+        let value = if lambda.im.is_zero() { Complex::new(value.re, T::zero()) } else { value };
+        Ok(Point { lambda, value: Scaled::new(value, dual.exponent()), rate, is_root })
+    }
+
+    /// The radius of a circle that seems to hold a root. The search is doubtful if extended precision finds the root outside; where
+    /// there is none, the circle is widened.
+    #[cold]
+    pub(super) fn proven_radius<T>(&mut self, lambda: Complex<T>, radius: T) -> T
+    where
+        T: Real,
+        Y: Characteristic<Dual<Complex<T::Extended>>>,
+    {
+        if refuses_doubt::<T>() {
+            return radius * T::from_f64(UNPROVEN_WIDTH);
+        }
+        if T::HAS_EXTENDED {
+            self.evaluations += 2;
+            let is_inside = extended_step(self.system, lambda) <= radius.to_f64();
+            self.is_doubtful |= !is_inside;
+        }
+        radius
+    }
+
+    /// Refuses a system whose Δ vanishes at one point and at others far from it.
+    #[cold]
+    fn look_for_zeros<T>(&mut self, lambda: Complex<T>) -> Result<(), SearchError>
+    where
+        T: Real,
+        Y: Characteristic<Dual<Complex<T>>>,
+    {
+        check_identity(modulus(lambda) + T::one().times_power_of_two(self.lowest_exponent), |far| {
+            self.evaluations += 2;
+            let elsewhere = Complex::new(-far, far);
+            // with a watch like all passes, so that they are one piece of code
+            let (_, value) = counted_pass(self.system, Dual::variable(elsewhere), Watch::default());
+            let size = value.mantissa().value.size();
+            // a NaN does not show that Δ differs from zero
+            size.is_nan() || size == 0.0
+        })
+    }
+
+    /// Gives up a search that takes too long for the number of roots that it found.
+    pub(super) fn check_effort<T: Real>(&self, found: usize) -> Result<(), SearchError> {
+        let most = if is_extended::<T, Y::Parameter>() { EXTENDED_EVALUATIONS } else { EVALUATIONS };
+        if self.evaluations <= most + EVALUATIONS_PER_ROOT * found {
+            return Ok(());
+        }
+        Err(SearchError::Effort { evaluations: self.evaluations, found })
+    }
+}
+
+/// The length of Newton's step in extended precision; not inlined, since it is seldom needed.
+#[cold]
+#[inline(never)]
+fn extended_step<T, Y>(system: &Y, lambda: Complex<T>) -> f64
+where
+    T: Real,
+    Y: Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
+{
+    let exactly = |part: T| <T::Extended as Frequency<T>>::from_parameter(part);
+    let lambda = Complex::new(exactly(lambda.re), exactly(lambda.im));
+    let Dual { value, derivative } = counted_pass(system, Dual::variable(lambda), Watch::default()).1.mantissa();
+    modulus(value / derivative).to_f64()
+}

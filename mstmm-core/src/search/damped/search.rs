@@ -1,0 +1,313 @@
+//! Eigenvalues in regions: counted by the argument principle, found by Newton's method; a rectangle in which not all of
+//! them are found is cut in two.
+
+use crate::model::SearchError;
+use crate::number::{Dual, List, Real, larger, modulus};
+use crate::pass::characteristic::{Characteristic, System};
+use crate::search::damped::circles::belongs;
+use crate::search::damped::contour::{Polygon, Traversal};
+use crate::search::damped::deflation::{ROOM, divided, with_image};
+use crate::search::damped::found::{Eigenvalue, EigenvalueList, Region};
+use crate::search::damped::growth::Growth;
+use crate::search::damped::point::Point;
+use crate::search::damped::rectangle::Rectangle;
+use crate::search::damped::session::EigenvalueSearch;
+use num_complex::Complex;
+
+/// Room for rectangles that wait: each is at most cut about 64 times.
+const WAITING: usize = 128;
+
+/// Lengths of steps: the shortest as a part of the shorter side, below which the contour passes so close to a root that it is
+/// moved, and the longest first and second ones as parts of the longer side.
+const STEPS: [f64; 3] = [1e-7, 1e-6, 0.05];
+
+/// Slenderness below which the first steps are parts of the shorter side.
+const SLENDER: f64 = 1e-2;
+
+/// Shares by which a contour that meets a root is moved outwards, one after the other.
+const MOVES: [f64; 5] = [0.0, 1e-5, 2.7e-4, 3.1e-3, 1.3e-2];
+
+/// Shares at which a rectangle is cut, one after the other if the cut meets a root.
+const CUTS: [f64; 5] = [0.5, 0.47, 0.54, 0.42, 0.59];
+
+/// Points of a contour from which Newton's method starts.
+const STARTS: usize = 24;
+
+/// A rectangle, the number of its roots, and points from which some of them seem near.
+#[derive(Clone, Copy, Debug, Default)]
+struct Counted<T: Real> {
+    rectangle: Rectangle<T>,
+    roots: u64,
+    starts: Starts<T>,
+}
+
+/// Points of a contour where Δ'/Δ is larger than at both neighbours.
+#[derive(Clone, Copy, Debug)]
+struct Starts<T: Real> {
+    points: List<Complex<T>, STARTS>,
+    last: [Option<(Complex<T>, T)>; 2],
+}
+
+impl<T: Real> Default for Starts<T> {
+    fn default() -> Self {
+        Starts { points: List::new(), last: [None; 2] }
+    }
+}
+
+impl<T: Real> Starts<T> {
+    fn visit(&mut self, point: &Point<T>) {
+        let rate = modulus(point.rate);
+        if let [Some((_, before)), Some((middle, peak))] = self.last
+            && peak >= before
+            && peak > rate
+            && self.points.push(middle).is_err()
+        {
+            // further starts are left to smaller rectangles
+        }
+        self.last = [self.last[1], Some((point.lambda, rate))];
+    }
+}
+
+impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+where
+    T: Real,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
+{
+    /// Number of eigenvalues in a closed region.
+    pub(super) fn count(&mut self, region: &Region<T>) -> Result<u64, SearchError> {
+        let rectangle = enclosing(region)?;
+        let exact = rectangle.low == *region.im.start() && rectangle.high == *region.im.end();
+        if exact && let Some(roots) = self.counted_in_pieces(&rectangle)? {
+            return Ok(roots);
+        }
+        self.find_in(rectangle)?;
+        self.check_circles(Some(region))?;
+        let found = self.known.roots().iter().flat_map(with_image);
+        Ok(found.filter(|root| belongs(root, region)).map(|root| root.multiplicity).sum())
+    }
+
+    /// The number of roots in a rectangle, piece by piece; `None` if a contour meets one.
+    fn counted_in_pieces(&mut self, rectangle: &Rectangle<T>) -> Result<Option<u64>, SearchError> {
+        let mut roots = 0;
+        for piece in rectangle.pieces() {
+            if piece.left < piece.right {
+                let Some(counted) = self.counted(piece)? else { return Ok(None) };
+                roots += counted.roots;
+            }
+        }
+        Ok(Some(roots))
+    }
+
+    /// All eigenvalues in a closed region.
+    pub(super) fn in_region<const CAP: usize>(
+        &mut self,
+        region: &Region<T>,
+    ) -> Result<EigenvalueList<T, CAP>, SearchError> {
+        let rectangle = enclosing(region)?;
+        self.find_in(rectangle)?;
+        self.check_circles(Some(region))?;
+        let mut eigenvalues = List::new();
+        for root in self.known.roots().iter().flat_map(with_image) {
+            if belongs(&root, region) {
+                eigenvalues.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
+            }
+        }
+        eigenvalues.sort_by(|a: &Eigenvalue<T>, b| {
+            (a.lambda.im < b.lambda.im) || (a.lambda.im == b.lambda.im && a.lambda.re < b.lambda.re)
+        });
+        Ok(EigenvalueList { eigenvalues, evaluations: self.evaluation.evaluations })
+    }
+
+    /// The eigenvalues of least modulus in the closed upper half plane.
+    pub(super) fn first<const N: usize>(&mut self) -> Result<EigenvalueList<T, N>, SearchError> {
+        if N > ROOM {
+            return Err(SearchError::Capacity { capacity: ROOM });
+        }
+        let wanted = N as u64;
+        let mut exponent = self.estimates.lowest_exponent() + 3;
+        let (mut radius, mut most) = (T::one().times_power_of_two(exponent), 0);
+        loop {
+            let next = T::one().times_power_of_two(exponent);
+            // `None` where the contour meets a root: then there is one more to find
+            let count = self.counted(square(next))?.map_or(most + 1, |counted| counted.roots);
+            if count > most {
+                (radius, most) = (next, count);
+            }
+            let is_last = !self.estimates.is_continuous() && exponent > self.estimates.highest_exponent() + 30;
+            // a square holds roots beyond its radius in its corners: those the next one has within
+            let is_new = radius == next || radius + radius == next;
+            // each but the real ones has a mirror image
+            if is_last || (is_new && most >= 2 * wanted) {
+                let eigenvalues = self.within(if is_last { radius + radius } else { next })?;
+                let found = eigenvalues.iter().map(|root: &Eigenvalue<T>| root.multiplicity).sum();
+                if found >= wanted {
+                    return Ok(EigenvalueList { eigenvalues, evaluations: self.evaluation.evaluations });
+                }
+                if is_last {
+                    return Err(SearchError::TooFewRoots { found });
+                }
+            }
+            exponent += 1;
+        }
+    }
+
+    /// The fewest eigenvalues of least modulus, up to a radius, whose multiplicities add up to `N`; all of them if there are fewer.
+    fn within<const N: usize>(&mut self, radius: T) -> Result<List<Eigenvalue<T>, N>, SearchError> {
+        let square = square(radius);
+        self.find_in(square)?;
+        self.check_circles(None)?;
+        let mut found = List::<Eigenvalue<T>, ROOM>::new();
+        for &root in self.known.roots() {
+            if root.frequency() <= radius && square.contains(root.lambda, root.error) {
+                found.push(root).map_err(|_| SearchError::Capacity { capacity: ROOM })?;
+            }
+        }
+        found.sort_by(|a: &Eigenvalue<T>, b| a.frequency() < b.frequency());
+        let (mut eigenvalues, mut settled) = (List::new(), 0);
+        for root in &found {
+            if settled < N as u64 {
+                settled += root.multiplicity;
+                eigenvalues.push(*root).map_err(|_| SearchError::Capacity { capacity: N })?;
+            }
+        }
+        Ok(eigenvalues)
+    }
+
+    /// Finds all eigenvalues in a rectangle or close to its contour.
+    fn find_in(&mut self, rectangle: Rectangle<T>) -> Result<(), SearchError> {
+        for piece in rectangle.pieces() {
+            if piece.left < piece.right {
+                self.find_in_piece(piece)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn find_in_piece(&mut self, rectangle: Rectangle<T>) -> Result<(), SearchError> {
+        for share in MOVES {
+            if let Some(counted) = self.counted(rectangle.grown(share))? {
+                return if self.find_all(&counted)? { Ok(()) } else { self.find_in_parts(&counted) };
+            }
+        }
+        Err(unresolved(rectangle))
+    }
+
+    /// Finds the roots of a rectangle by cutting it until each part shows its roots.
+    #[inline(never)]
+    fn find_in_parts(&mut self, whole: &Counted<T>) -> Result<(), SearchError> {
+        let mut waiting = List::<Counted<T>, WAITING>::new();
+        for part in self.cut(whole)? {
+            wait(&mut waiting, part)?;
+        }
+        while let Some(next) = waiting.pop() {
+            if !self.find_all(&next)? {
+                for part in self.cut(&next)? {
+                    wait(&mut waiting, part)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A rectangle with the number of its roots; `None` if its contour meets one.
+    fn counted(&mut self, rectangle: Rectangle<T>) -> Result<Option<Counted<T>>, SearchError> {
+        let slenderness = rectangle.slenderness();
+        let first = if slenderness < SLENDER { slenderness } else { 1.0 };
+        let steps = [STEPS[0] * slenderness, STEPS[1] * first, STEPS[2] * first];
+        let growth = Growth::far_from_axis(&rectangle, T::from_f64(self.estimates.wave_sum()));
+        let passed = rectangle.far_side().is_none().then_some(&rectangle);
+        let way = Polygon { corners: &rectangle.contour(), steps, rectangle: passed, growth };
+        for _ in 0..2 {
+            let mut starts = Starts::default();
+            let walk = self.traverse(&way, |point| starts.visit(point))?;
+            let Traversal::Argument(argument) = walk else { return Ok(None) };
+            let roots = rectangle.roots(argument).ok_or(unresolved(rectangle))?;
+            // a traversal that counts fewer roots than are known is repeated, now with all of them divided out
+            if self.known_in(&rectangle) <= roots {
+                return Ok(Some(Counted { rectangle, roots, starts }));
+            }
+        }
+        Err(unresolved(rectangle))
+    }
+
+    /// Number of known roots in a rectangle.
+    fn known_in(&self, rectangle: &Rectangle<T>) -> u64 {
+        let found = self.known.roots().iter().flat_map(with_image);
+        found.filter(|root| rectangle.contains(root.lambda, T::zero())).map(|root| root.multiplicity).sum()
+    }
+
+    /// Two parts whose counts add up.
+    fn cut(&mut self, whole: &Counted<T>) -> Result<[Counted<T>; 2], SearchError> {
+        for share in CUTS {
+            let [first, second] = whole.rectangle.parts(share);
+            let Some(first) = self.counted(first)? else { continue };
+            let Some(second) = self.counted(second)? else { continue };
+            let mirrored = if whole.rectangle.is_symmetric() && !first.rectangle.is_symmetric() { 2 } else { 1 };
+            if mirrored * first.roots + second.roots != whole.roots {
+                return Err(unresolved(whole.rectangle));
+            }
+            return Ok([first, second]);
+        }
+        Err(unresolved(whole.rectangle))
+    }
+
+    /// Finds the roots of a rectangle from points of its contour and inside; false if some are missing.
+    fn find_all(&mut self, counted: &Counted<T>) -> Result<bool, SearchError> {
+        let Counted { rectangle, roots, starts } = counted;
+        let missing = |search: &Self| roots.checked_sub(search.known_in(rectangle)).ok_or(unresolved(*rectangle));
+        for &start in starts.points.iter().chain(&rectangle.inner_points()) {
+            let multiplicity = missing(self)?;
+            if multiplicity == 0 {
+                return Ok(true);
+            }
+            if self.is_tiny(rectangle) {
+                let (lambda, error) = (rectangle.centre(), rectangle.size());
+                let root = Eigenvalue { lambda, error, multiplicity };
+                return self.known.push(root).map(|()| true).map_err(|_| SearchError::Capacity { capacity: ROOM });
+            }
+            if self.known.is_full() {
+                return Err(SearchError::Capacity { capacity: ROOM });
+            }
+            let point = self.evaluation.at(start)?;
+            self.find(&divided(&point, self.known.roots()), rectangle)?;
+        }
+        Ok(missing(self)? == 0)
+    }
+
+    /// Whether a rectangle is as small as a certified circle, so that its roots cannot be told apart.
+    fn is_tiny(&self, rectangle: &Rectangle<T>) -> bool {
+        let scale = self.scale(rectangle.centre());
+        rectangle.size() <= scale * T::from_f64(64.0 * self.precision)
+    }
+}
+
+/// A rectangle symmetric to the real axis that holds all eigenvalues up to a modulus. It reaches little to the right, since
+/// motions of passive systems do not grow.
+fn square<T: Real>(radius: T) -> Rectangle<T> {
+    Rectangle { left: -radius, right: radius * T::from_f64(0.0625), low: -radius, high: radius }
+}
+
+/// The rectangle to be searched for a region; symmetric to the real axis where the region meets it.
+fn enclosing<T: Real>(region: &Region<T>) -> Result<Rectangle<T>, SearchError> {
+    for range in [&region.re, &region.im] {
+        let (start, end) = (*range.start(), *range.end());
+        let valid = start < end && (end - start).size().is_finite();
+        if !valid {
+            return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
+        }
+    }
+    let (left, right, low, high) = (*region.re.start(), *region.re.end(), *region.im.start(), *region.im.end());
+    if low > T::zero() || high < T::zero() {
+        return Ok(Rectangle { left, right, low, high });
+    }
+    let high = larger(-low, high);
+    Ok(Rectangle { left, right, low: -high, high })
+}
+
+fn wait<T: Real>(waiting: &mut List<Counted<T>, WAITING>, part: Counted<T>) -> Result<(), SearchError> {
+    waiting.push(part).map_err(|lost| unresolved(lost.rectangle))
+}
+
+fn unresolved<T: Real>(rectangle: Rectangle<T>) -> SearchError {
+    SearchError::Unresolved { near: modulus(rectangle.centre()).to_f64() }
+}

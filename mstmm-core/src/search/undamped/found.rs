@@ -1,0 +1,66 @@
+//! Natural frequencies that were found.
+
+use crate::number::{List, Real};
+use core::fmt;
+use core::ops::Deref;
+
+/// A natural frequency, certified by the count just below and just above it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct NaturalFrequency<T = f64> {
+    /// Angular frequency ω [rad/s].
+    pub omega: T,
+    /// Lower end of the certified interval [rad/s]: no more than the frequencies listed before lie below.
+    pub lower: T,
+    /// Upper end of the certified interval [rad/s].
+    pub upper: T,
+    /// Number of frequencies in the interval: more than one where several coincide, or where the arithmetic cannot tell
+    /// them apart.
+    pub multiplicity: u64,
+}
+
+impl<T: Real> NaturalFrequency<T> {
+    /// Frequency in Hz, ω/2π.
+    pub fn hertz(&self) -> T {
+        self.omega * T::from_f64(core::f64::consts::TAU.recip())
+    }
+}
+
+/// Frequencies in ascending order and the number of evaluations they took; dereferences to a slice.
+///
+/// An evaluation is one pass, of Δ with or without its count; a pass that also gives the derivative counts as two.
+#[derive(Clone, Copy, Debug)]
+pub struct FrequencyList<T, const CAP: usize> {
+    pub(super) frequencies: List<NaturalFrequency<T>, CAP>,
+    pub(super) evaluations: usize,
+}
+
+impl<T, const CAP: usize> FrequencyList<T, CAP> {
+    /// Number of evaluations.
+    pub fn evaluations(&self) -> usize {
+        self.evaluations
+    }
+}
+
+impl<T, const CAP: usize> Deref for FrequencyList<T, CAP> {
+    type Target = [NaturalFrequency<T>];
+
+    fn deref(&self) -> &[NaturalFrequency<T>] {
+        &self.frequencies
+    }
+}
+
+impl<'a, T, const CAP: usize> IntoIterator for &'a FrequencyList<T, CAP> {
+    type Item = &'a NaturalFrequency<T>;
+    type IntoIter = core::slice::Iter<'a, NaturalFrequency<T>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl<T: Real + fmt::Display> fmt::Display for NaturalFrequency<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} rad/s", self.omega)?;
+        if self.multiplicity > 1 { write!(f, " ({} times)", self.multiplicity) } else { Ok(()) }
+    }
+}

@@ -1,0 +1,179 @@
+//! Isolation of roots by counts: brackets that hold a known number of roots, split until each is settled.
+
+use crate::model::SearchError;
+use crate::number::{Dual, List, Real, TOUCHING};
+use crate::pass::characteristic::{Characteristic, System};
+use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
+use crate::search::undamped::sampling::{Isolation, Sample, ZERO_EXPONENT, middle};
+
+/// Upper ends of brackets that wait: each split adds one, and a bracket is halved at most about 64 times.
+const WAITING: usize = 128;
+
+/// Number of splits in a row that separate nothing after which roots count as a cluster, which halving would reach too slowly.
+const CLUSTER: u32 = 2;
+
+impl<'a, T, Y> Isolation<'a, Y, T>
+where
+    T: Real,
+    Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
+{
+    /// All frequencies of a range.
+    pub(super) fn in_range<const CAP: usize>(
+        &mut self,
+        start: T,
+        end: T,
+    ) -> Result<FrequencyList<T, CAP>, SearchError> {
+        let valid = start >= T::zero() && start < end && end.size().is_finite();
+        if !valid {
+            return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
+        }
+        let mut found = List::new();
+        let zero = self.just_above_zero;
+        let margin = self.half_width + self.half_width;
+        let first = if start > zero { start - start * margin } else { zero };
+        let mut lower = self.sample(first)?;
+        if start.is_zero() {
+            Self::push(&mut found, Self::rigid_body_modes(&lower))?;
+        }
+        let mut waiting = List::<Sample<T>, WAITING>::new();
+        if end > lower.omega {
+            Self::wait(&mut waiting, self.sample(end + end * margin)?)?;
+        }
+        while let Some(root) = self.next(&mut lower, &mut waiting)? {
+            self.doubt(&root, found.last());
+            if root.upper >= start && root.lower <= end {
+                Self::push(&mut found, Some(root))?;
+            }
+        }
+        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
+    }
+
+    /// The lowest frequencies.
+    pub(super) fn first<const N: usize>(&mut self) -> Result<FrequencyList<T, N>, SearchError> {
+        let wanted = N as u64;
+        let estimates = self.estimates;
+        let mut found = List::new();
+        let mut lower = self.sample(self.just_above_zero)?;
+        Self::push(&mut found, Self::rigid_body_modes(&lower))?;
+        let mut settled = lower.below;
+        // upper ends in ascending order first, to be turned round
+        let mut waiting = List::<Sample<T>, WAITING>::new();
+        let mut exponent = estimates.lowest_exponent() + 1;
+        let mut highest = lower;
+        while highest.below < wanted {
+            if !estimates.is_continuous() && exponent > estimates.highest_exponent() + ZERO_EXPONENT {
+                return Err(SearchError::TooFewRoots { found: highest.below });
+            }
+            highest = self.sample(T::one().times_power_of_two(exponent))?;
+            Self::wait(&mut waiting, highest)?;
+            exponent += 2;
+        }
+        waiting.reverse();
+        while settled < wanted {
+            let Some(root) = self.next(&mut lower, &mut waiting)? else { break };
+            self.doubt(&root, found.last());
+            settled += root.multiplicity;
+            Self::push(&mut found, Some(root))?;
+        }
+        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
+    }
+
+    /// Marks roots that rounding may have moved as doubtful: several in one interval, two that nearly touch, one that is nearly
+    /// zero.
+    fn doubt(&mut self, root: &NaturalFrequency<T>, last: Option<&NaturalFrequency<T>>) {
+        let touching = last.is_some_and(|last| root.lower - last.upper <= root.omega * T::from_f64(TOUCHING));
+        self.is_doubtful |= root.multiplicity > 1 || touching || root.omega < self.nearly_zero;
+    }
+
+    /// The entry of frequencies that are zero, if there are any.
+    fn rigid_body_modes(just_above_zero: &Sample<T>) -> Option<NaturalFrequency<T>> {
+        let (zero, upper) = (T::zero(), just_above_zero.omega);
+        let multiplicity = just_above_zero.below;
+        (multiplicity > 0).then_some(NaturalFrequency { omega: zero, lower: zero, upper, multiplicity })
+    }
+
+    fn push<const CAP: usize>(
+        found: &mut List<NaturalFrequency<T>, CAP>,
+        root: Option<NaturalFrequency<T>>,
+    ) -> Result<(), SearchError> {
+        let Some(root) = root else { return Ok(()) };
+        // intervals that overlap hold their roots together
+        if let Some(last) = found.as_mut_slice().last_mut()
+            && last.upper > root.lower
+            && !last.omega.is_zero()
+        {
+            last.omega = (last.lower + root.upper) * T::from_f64(0.5);
+            (last.upper, last.multiplicity) = (root.upper, last.multiplicity + root.multiplicity);
+            return Ok(());
+        }
+        found.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })
+    }
+
+    fn wait(waiting: &mut List<Sample<T>, WAITING>, sample: Sample<T>) -> Result<(), SearchError> {
+        waiting.push(sample).map_err(|lost| SearchError::Unresolved { near: lost.omega.to_f64() })
+    }
+
+    /// The lowest root above `lower`, or several that cannot be told apart; `lower` moves beyond it.
+    ///
+    /// The bracket is from `lower` to the last of the upper ends that wait, which is the lowest of them.
+    fn next(
+        &mut self,
+        lower: &mut Sample<T>,
+        waiting: &mut List<Sample<T>, WAITING>,
+    ) -> Result<Option<NaturalFrequency<T>>, SearchError> {
+        while let Some(&upper) = waiting.last() {
+            let roots = upper.below.saturating_sub(lower.below);
+            let settled = match roots {
+                0 => None,
+                1 => Some(self.polish(*lower, upper)?),
+                _ if self.is_narrow(lower, &upper) => Some(self.settle(*lower, upper)?),
+                _ => {
+                    let middle = self.split(lower, &upper, roots)?;
+                    Self::wait(waiting, middle)?;
+                    continue;
+                }
+            };
+            waiting.pop();
+            *lower = upper;
+            if settled.is_some() {
+                return Ok(settled);
+            }
+        }
+        Ok(None)
+    }
+
+    /// A sample inside a bracket of several roots, with a count between those of its ends.
+    fn split(&mut self, lower: &Sample<T>, upper: &Sample<T>, roots: u64) -> Result<Sample<T>, SearchError> {
+        let middle = middle(lower.omega, upper.omega);
+        let close = (upper.omega - lower.omega) * T::from_f64(16.0) < upper.omega;
+        let is_cluster = close && self.idle_splits >= CLUSTER;
+        let mut sample =
+            if is_cluster { self.split_cluster(lower, upper, middle, roots)? } else { self.sample(middle)? };
+        let below = sample.below.clamp(lower.below, upper.below);
+        self.is_doubtful |= below != sample.below;
+        sample.below = below;
+        self.idle_splits = if below == lower.below || below == upper.below { self.idle_splits + 1 } else { 0 };
+        Ok(sample)
+    }
+
+    /// A sample beside a cluster of roots, found by Newton's method for a root of that multiplicity.
+    fn split_cluster(
+        &mut self,
+        lower: &Sample<T>,
+        upper: &Sample<T>,
+        middle: T,
+        roots: u64,
+    ) -> Result<Sample<T>, SearchError> {
+        let slope = self.slope(middle)?;
+        let step = slope.value / slope.derivative * T::from_f64(roots as f64);
+        let width = upper.omega - lower.omega;
+        // beside the estimate, on the side that cuts most off the bracket
+        let beside = step.abs() * T::from_f64(0.125) + middle * self.half_width;
+        let target = middle - step + if step > T::zero() { beside } else { -beside };
+        let useful = target > lower.omega && target < upper.omega && step.abs() < width * T::from_f64(0.25);
+        if !useful || target == middle {
+            return Ok(slope.into());
+        }
+        self.sample(target)
+    }
+}

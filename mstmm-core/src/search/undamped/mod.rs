@@ -1,0 +1,7 @@
+//! Natural frequencies of undamped systems: certified by counts.
+
+pub(crate) mod found;
+pub(crate) mod isolation;
+pub(crate) mod natural;
+pub(crate) mod polish;
+pub(crate) mod sampling;

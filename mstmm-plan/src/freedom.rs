@@ -1,0 +1,79 @@
+//! Sets of freedoms: the displacements that a point has, a state tells, or a support holds.
+
+/// A set of displacements of a point.
+///
+/// ```
+/// use mstmm_plan::Freedoms;
+/// let pin = Freedoms::X.union(Freedoms::Y);
+/// assert!(pin.contains(Freedoms::Y) && !pin.contains(Freedoms::RZ));
+/// assert_eq!(pin.without(Freedoms::X), Freedoms::Y);
+/// assert_eq!(pin.count(), 2);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Freedoms(u8);
+
+impl Freedoms {
+    /// No freedom.
+    pub const NONE: Freedoms = Freedoms(0);
+    /// Displacement along x.
+    pub const X: Freedoms = Freedoms(1);
+    /// Displacement along y.
+    pub const Y: Freedoms = Freedoms(1 << 1);
+    /// Rotation about z.
+    pub const RZ: Freedoms = Freedoms(1 << 2);
+    /// All freedoms.
+    pub const ALL: Freedoms = Freedoms(0b111);
+
+    /// The freedoms of either set.
+    #[inline]
+    pub const fn union(self, other: Freedoms) -> Freedoms {
+        Freedoms(self.0 | other.0)
+    }
+
+    /// The freedoms of both sets.
+    #[inline]
+    pub const fn intersection(self, other: Freedoms) -> Freedoms {
+        Freedoms(self.0 & other.0)
+    }
+
+    /// The freedoms of this set that another has not.
+    #[inline]
+    pub const fn without(self, other: Freedoms) -> Freedoms {
+        Freedoms(self.0 & !other.0)
+    }
+
+    /// Whether all freedoms of another set are in this one.
+    #[inline]
+    pub const fn contains(self, other: Freedoms) -> bool {
+        other.without(self).is_empty()
+    }
+
+    /// Whether the set is empty.
+    #[inline]
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Whether two sets are the same; `==` is not available in constants.
+    #[inline]
+    pub const fn is(self, other: Freedoms) -> bool {
+        self.0 == other.0
+    }
+
+    /// Number of freedoms.
+    #[inline]
+    pub const fn count(self) -> usize {
+        self.0.count_ones() as usize
+    }
+
+    /// Place of the set among all sets.
+    #[inline]
+    pub(crate) const fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    /// The set at a place among all sets.
+    pub(crate) const fn at(index: usize) -> Freedoms {
+        Freedoms(index as u8)
+    }
+}

@@ -1,0 +1,27 @@
+//! What a model is before any number: freedoms, supports, the steps of an evaluation, their order, and where each stands in the
+//! overall equation. All is `const`: the macro asks it while it expands a model, the emitted code in constants, the core at run
+//! time.
+//!
+//! This crate is an implementation detail of `mstmm`, which re-exports what users need.
+#![no_std]
+#![forbid(unsafe_code)]
+
+mod coordinate;
+mod freedom;
+mod layout;
+mod order;
+mod resolve;
+mod rules;
+mod scheme;
+mod space;
+mod step;
+mod support;
+
+pub use coordinate::Coordinate;
+pub use freedom::Freedoms;
+pub use layout::Layout;
+pub use order::inputs_first;
+pub use scheme::{Place, Scheme};
+pub use space::{Space, WIDEST};
+pub use step::Step;
+pub use support::Support;

@@ -1,0 +1,108 @@
+//! Motions: mode shapes, responses, sensitivities.
+//!
+//! Questions are methods of [`ModalAnalysis`]; points of a model are its labels, such as `Footbridge::conn_2`.
+
+pub use mstmm_core::{
+    Coordinate, EnergyShares, Entry, ExtendedTree, ForceHistory, Label, Load, ModalAnalysis, MotionError, Planned,
+    Point, Root, Sample, ShapeList, State, SystemStates, Tree,
+};
+
+/// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.
+///
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
+///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
+/// }
+///
+/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
+/// let roots = beam.first_frequencies::<3>()?;
+/// let third = beam.mode_shape(&roots[2])?;
+/// assert_eq!(third.nodes(Cantilever::beam_1), 2);
+/// assert_eq!(third.state(Cantilever::beam_1.input()).y, 0.0);
+/// let middle = third.along(Cantilever::beam_1, 0.5)?;
+/// assert!(middle.y.abs() < third.state(Cantilever::beam_1.output()).y.abs());
+///
+/// // of modal mass 1, orthogonal to other modes
+/// assert!((third.modal_mass() - 1.0).abs() < 1e-14);
+/// assert!(third.product(&beam.mode_shape(&roots[0])?).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::ModeShape;
+
+/// The response to a harmonic load, at rest too.
+///
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
+///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
+/// }
+///
+/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
+/// let (clamp, tip) = (Cantilever::beam_1.input(), Cantilever::beam_1.output());
+/// let deflection = beam.frequency_response(tip.force(), tip.deflection())?;
+///
+/// // l³/(3 EI) at rest, at ω = 5 rad/s nearer to the first resonance at 7.03 more
+/// assert!((deflection.at(0.0)? - 1.0 / 6.0).abs() < 1e-15);
+/// assert!(deflection.at(5.0)? > 1.9 / 6.0);
+///
+/// let moment = beam.frequency_response(tip.force(), clamp.moment())?;
+/// let mut values = [0.0; 3];
+/// moment.on(&[0.0, 1.0, 2.0], &mut values)?;
+/// assert!((values[0] - 1.0).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::FrequencyResponse;
+
+/// What each field of the model moves a root by.
+///
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
+///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
+/// }
+///
+/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
+/// let root = beam.first_frequencies::<1>()?[0];
+/// let sensitivity = beam.sensitivity(&root)?;
+/// for (field, slope) in sensitivity.iter() {
+///     println!("dω/d({field}) = {slope}");
+/// }
+/// // ω is proportional to l⁻²
+/// assert!((sensitivity.get("length").unwrap_or(0.0) + 2.0 * root.omega).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::Sensitivities;
+
+/// The response in time to an impulse, a step or a force history.
+///
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
+///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
+/// }
+///
+/// let beam = Cantilever { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 }.build()?;
+/// let tip = Cantilever::beam_1.output();
+/// let roots = beam.first_frequencies::<6>()?;
+/// let response = beam.modal_response::<6, _>(&roots, tip.force(), tip.deflection())?;
+///
+/// // all but 3e-4 of l³/(3 EI), the deflection under a resting load; a sudden one reaches up to twice as far
+/// assert!((response.static_value()? * 6.0 - 1.0).abs() < 3e-4);
+/// assert!(response.to_step(0.45) > 1.9 / 6.0);
+///
+/// // half a sine, as samples of a measurement would come, with 1 % of the critical damping in every mode
+/// let mut history = response.with_damping_ratio(0.01)?.history(1e-3)?;
+/// let deflections: Vec<f64> = (0..=200).map(|n| history.next((f64::from(n) * 1e-3 * 5.0).sin())).collect();
+/// assert_eq!(deflections[0], 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::ModalResponse;
