@@ -20,3 +20,9 @@ mod tests;
 mod topology;
 
 pub use expand::expand;
+pub use mstmm_plan::Space;
+
+/// The elements of the language, for tests and fuzzers: keyword, space of the states, names of the parameters.
+pub fn elements() -> impl Iterator<Item = (&'static str, Space, &'static [&'static str])> {
+    keywords::ELEMENTS.iter().map(|element| (element.name, element.space, element.parameters))
+}

@@ -1,11 +1,14 @@
 //! The macro survives any tokens: errors come out, or code that parses, and the same ones each time.
 #![expect(clippy::unwrap_used, reason = "what is written here lexes")]
 
+#[path = "support/cases.rs"]
+mod cases;
 #[path = "support/properties.rs"]
 mod properties;
 #[path = "support/words.rs"]
 mod words;
 
+use cases::cases;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
 use properties::{expanded, expanded_twice};
 use proptest::collection::vec;
@@ -70,7 +73,7 @@ fn stream() -> impl Strategy<Value = TokenStream> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(cases())]
 
     #[test]
     fn random_tokens_are_survived(beginning in select(&BEGINNINGS[..]), rest in stream()) {

@@ -1,5 +1,7 @@
 //! Valid models are accepted; whatever a slip makes of one is refused with errors or gives code.
 
+#[path = "support/cases.rs"]
+mod cases;
 #[path = "support/choices.rs"]
 mod choices;
 #[path = "support/mutations.rs"]
@@ -13,6 +15,7 @@ mod words;
 #[path = "support/written_models.rs"]
 mod written_models;
 
+use cases::cases;
 use choices::Choices;
 use mutations::{flat, mutated};
 use proc_macro2::TokenStream;
@@ -38,7 +41,7 @@ fn written_models_are_accepted() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(cases())]
 
     #[test]
     fn valid_models_are_accepted(bytes in vec(any::<u8>(), 0..120)) {
@@ -57,7 +60,7 @@ proptest! {
 fn mutations_of_written_models_are_survived() {
     let (models, words) = (written_models(), words());
     let flat: Vec<_> = models.iter().cloned().map(flat).collect();
-    proptest!(ProptestConfig::with_cases(400), |(which in 0..models.len(), slips in vec(any::<u8>(), 3..40))| {
+    proptest!(cases(), |(which in 0..models.len(), slips in vec(any::<u8>(), 3..40))| {
         expanded(mutated(models[which].clone(), &flat, &words, &mut Choices(&slips)));
     });
 }

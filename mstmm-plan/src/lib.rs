@@ -12,14 +12,16 @@ mod layout;
 mod order;
 mod resolve;
 mod rules;
+mod scheme;
 mod space;
 mod step;
 mod support;
 
 pub use coordinate::Coordinate;
 pub use freedom::Freedoms;
-pub use layout::{Layout, Place, Scheme};
+pub use layout::Layout;
 pub use order::inputs_first;
+pub use scheme::{Place, Scheme};
 pub use space::{Space, WIDEST};
 pub use step::Step;
 pub use support::Support;

@@ -1,8 +1,29 @@
 //! Resolves a plan: who takes whom as input, spaces, the order of inputs, numbers of columns and rows, and where these begin.
 
-use crate::layout::{Place, Scheme};
+use crate::scheme::{Place, Scheme};
 use crate::space::Space;
 use crate::step::Step;
+
+impl<'a> Scheme<'a> {
+    /// Resolves a plan, in lists as long as it.
+    ///
+    /// Inputs of a connection are taken by widest state first, then in source order; columns by tips, depth first
+    /// from the root, the root's own last; below the rows of the main transfer equation the geometrical equations,
+    /// those of upstream connections first.
+    ///
+    /// ```
+    /// use mstmm_plan::{Place, Scheme, Space, Step, Support};
+    /// let steps = [Step::Tip(Support::Fixed), Step::Element(0, Space::Bending), Step::Root(1, Support::Free)];
+    /// let (mut places, mut inputs) = ([Place::NOWHERE; 3], [0; 3]);
+    /// let scheme = Scheme::resolve(&steps, &mut places, &mut inputs);
+    /// assert_eq!(scheme.size(), 4);
+    /// assert_eq!(scheme.space(2), Space::Bending);
+    /// ```
+    pub const fn resolve(steps: &'a [Step<'a>], places: &'a mut [Place], inputs: &'a mut [usize]) -> Self {
+        resolve(steps, places, inputs);
+        Scheme { steps, places, inputs }
+    }
+}
 
 /// Finds the places of steps and the inputs of each, widest state first.
 pub(crate) const fn resolve(steps: &[Step<'_>], places: &mut [Place], inputs: &mut [usize]) {

@@ -1,7 +1,7 @@
 //! Rules that need the states. The macro emits each check as a constant at the user's token: a failing one is a compile
 //! error there, and the compiler shows the caller instead of what is written here.
 
-use crate::layout::Scheme;
+use crate::scheme::Scheme;
 use crate::space::Space;
 use crate::step::Step;
 

@@ -1,6 +1,6 @@
 //! Random trees from a seed: every kind of element, support, branch, narrowing and widening.
 
-use crate::tree::{Part, Tree};
+use super::tree::{Part, Tree};
 use mstmm::element::{Space, Support};
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
@@ -77,6 +77,24 @@ pub(crate) fn random_tree(seed: u64, beams: usize, damped: bool) -> Tree {
     }
     let root = generator.support(kind);
     tree.push(ListStep::Root(root));
+    tree
+}
+
+/// A random tree, damped if its seed is even, whose bodies reach in both directions and whose parameters have 24 bits.
+pub(crate) fn varied_tree(seed: u64) -> Tree {
+    let mut tree = random_tree(seed, 3, seed.is_multiple_of(2));
+    let mut random = Random(seed);
+    for step in &mut tree {
+        let ListStep::Element(part) = step else { continue };
+        if let Part::Body(body) = part {
+            for place in [&mut body.output_x, &mut body.centre_x] {
+                *place *= if random.unit() < 0.5 { -1.0 } else { 1.0 };
+            }
+        }
+        for parameter in part.parameters() {
+            *parameter = f64::from(*parameter as f32);
+        }
+    }
     tree
 }
 

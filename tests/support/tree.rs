@@ -1,32 +1,105 @@
 //! Trees as data: the same description leads to a list of steps of the library and to an independent model.
 
-use mstmm::element::Space;
+use mstmm::Complex;
+use mstmm::element::{SMatrix, Space, TransferMatrix};
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
-use mstmm::list::ListStep;
+use mstmm::list::{AnyElement, AnyUndamped, ListStep};
+use mstmm::number::{DoubleDouble, Real};
 
 /// A tree: tips before what they lead to, inputs of a connection before it, the root last.
 ///
 /// The `Debug` text of a tree is, but for paths, the source that builds it.
 pub(crate) type Tree = Vec<ListStep<Part>>;
 
-/// An element with its parameters.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Part {
-    Beam(Beam<f64>),
-    Body(Body<f64>),
-    ElasticHinge(ElasticHinge<f64>),
-    PointMass(PointMass<f64>),
-    Spring(Spring<f64>),
-    TorsionSpring(TorsionSpring<f64>),
-    Mass(Mass<f64>),
-    Inertia(Inertia<f64>),
-    Damper(Damper<f64>),
-    TorsionDamper(TorsionDamper<f64>),
-    SpringDamper(SpringDamper<f64>),
-    TorsionSpringDamper(TorsionSpringDamper<f64>),
+/// A complex number of twice the digits.
+pub(crate) type Wide = Complex<DoubleDouble>;
+
+/// Declares the elements with their parameters, in the order of their numbers.
+macro_rules! parts {
+    (
+        undamped { $($kind:ident { $($field:ident),* })* }
+        damped { $($damped:ident { $($damped_field:ident),* })* }
+    ) => {
+        /// An element with its parameters.
+        #[derive(Clone, Copy, Debug)]
+        pub(crate) enum Part {
+            $($kind($kind<f64>),)*
+            $($damped($damped<f64>),)*
+        }
+
+        impl Part {
+            /// The parameters, by number.
+            pub(crate) fn parameters(&mut self) -> Vec<&mut f64> {
+                match self {
+                    $(Part::$kind($kind { $($field),* }) => vec![$($field),*],)*
+                    $(Part::$damped($damped { $($damped_field),* }) => vec![$($damped_field),*],)*
+                }
+            }
+
+            /// The names of the parameters, by number.
+            pub(crate) fn names(&self) -> &'static [&'static str] {
+                match self {
+                    $(Part::$kind(_) => &[$(stringify!($field)),*],)*
+                    $(Part::$damped(_) => &[$(stringify!($damped_field)),*],)*
+                }
+            }
+
+            /// The element as one of a list.
+            pub(crate) fn any<T: Real>(self) -> AnyElement<T> {
+                match self {
+                    $(Part::$kind($kind { $($field),* }) => $kind { $($field: T::from_f64($field)),* }.try_into(),)*
+                    $(Part::$damped($damped { $($damped_field),* }) => {
+                        $damped { $($damped_field: T::from_f64($damped_field)),* }.try_into()
+                    })*
+                }
+                .unwrap()
+            }
+
+            /// The element as one of a list without dashpots.
+            pub(crate) fn undamped<T: Real>(self) -> AnyUndamped<T> {
+                match self {
+                    $(Part::$kind($kind { $($field),* }) => $kind { $($field: T::from_f64($field)),* }.try_into(),)*
+                    dashpot => panic!("{dashpot:?} in an undamped tree"),
+                }
+                .unwrap()
+            }
+
+            /// The transfer matrix in twice the digits, by rows.
+            pub(crate) fn transfer_matrix(self, lambda: Wide) -> Vec<Vec<Wide>> {
+                match self.any::<DoubleDouble>() {
+                    $(AnyElement::$kind(built) => rows(<$kind<DoubleDouble> as TransferMatrix<_>>::transfer_matrix(&built, lambda)),)*
+                    $(AnyElement::$damped(built) => rows(<$damped<DoubleDouble> as TransferMatrix<_>>::transfer_matrix(&built, lambda)),)*
+                }
+            }
+        }
+    };
+}
+
+parts! {
+    undamped {
+        Beam { length, bending_stiffness, mass_per_length }
+        Body { mass, inertia, output_x, centre_x }
+        ElasticHinge { stiffness_y, stiffness_theta }
+        PointMass { mass, inertia }
+        Spring { stiffness }
+        TorsionSpring { stiffness }
+        Mass { mass }
+        Inertia { inertia }
+    }
+    damped {
+        Damper { damping }
+        TorsionDamper { damping }
+        SpringDamper { stiffness, damping }
+        TorsionSpringDamper { stiffness, damping }
+    }
+}
+
+/// A matrix by rows.
+fn rows<const N: usize>(matrix: SMatrix<Wide, N, N>) -> Vec<Vec<Wide>> {
+    matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
 impl Part {

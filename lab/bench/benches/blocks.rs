@@ -3,8 +3,7 @@
 //!
 //! `cargo bench --bench blocks`. Times are the least of many rounds; quote the ratios.
 
-use mstmm::TreeInBlocks;
-use mstmm::motion::Point;
+use mstmm::motion::{Point, Tree};
 use mstmm::number::{Oscillation, Scaled};
 use mstmm::prelude::*;
 use mstmm::search::{InBlocks, System};
@@ -104,7 +103,7 @@ fn counts<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(
 /// The response at a point to a force there, of a system, at shares of a range of frequencies.
 fn responses<Y, S>(name: &str, system: &Y, point: Point<Y::Model>, at: impl Fn(f64) -> S) -> Result<(), Failure>
 where
-    Y: TreeInBlocks<S> + System<Parameter = f64>,
+    Y: Tree<S> + System<Parameter = f64>,
     S: Oscillation<f64> + mstmm::number::InColumns,
 {
     let frequencies: Vec<S> = (1..=FREQUENCIES).map(|k| at((k as f64 - 0.3) / FREQUENCIES as f64)).collect();

@@ -7,11 +7,8 @@
 //! poles both are smooth in λ² up to the first other root. A polynomial through samples on the imaginary axis gives their values
 //! at zero, for real frequencies as for complex ones.
 
-use crate::model::motion_error::MotionError;
-use crate::number::exponent::binary_exponent;
-use crate::number::frequency::Oscillation;
-use crate::number::frequency::Real;
-use crate::number::scalar::Scalar;
+use crate::model::MotionError;
+use crate::number::{Oscillation, Real, Scalar, binary_exponent};
 use core::marker::PhantomData;
 
 /// Number of samples of a polynomial.
@@ -279,7 +276,7 @@ fn weighted<S: Scalar>(samples: impl Iterator<Item = S>, weights: &[S; SAMPLES])
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::double_double::DoubleDouble;
+    use crate::number::DoubleDouble;
     use num_complex::Complex;
 
     fn part<S: Scalar>(value: S) -> Result<Part<S>, MotionError> {

@@ -1,9 +1,7 @@
 //! The dominant entry of a motion: entries of states at all ends of elements, compared as energies.
 
-use crate::element::moving::{CoefficientsOf, Moving};
-use crate::element::visit::Visit;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
+use crate::element::{CoefficientsOf, Moving, Visit};
+use crate::number::{FrequencyPowers, Scalar};
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::Tree;
 use mstmm_plan::{Coordinate, Space, Step};

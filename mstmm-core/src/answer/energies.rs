@@ -1,10 +1,9 @@
 //! Mass, stiffness and damping forms of elements, and their sums over a system.
 
 use crate::answer::states::SystemStates;
-use crate::element::moving::{CoefficientsOf, Moving};
-use crate::element::visit::Visit;
-use crate::model::ends::Ends;
-use crate::number::scalar::Scalar;
+use crate::element::{CoefficientsOf, Moving, Visit};
+use crate::model::Ends;
+use crate::number::Scalar;
 use crate::pass::tree::Tree;
 
 /// A form of two motions of an element.

@@ -2,11 +2,8 @@
 
 use crate::answer::energies::{Form, FormOf};
 use crate::answer::mode_shape::ModeShape;
-use crate::model::ends::Ends;
-use crate::model::label::Label;
-use crate::model::state::State;
-use crate::number::frequency::Oscillation;
-use crate::number::scalar::Scalar;
+use crate::model::{Ends, Label, State};
+use crate::number::{Oscillation, Scalar};
 use crate::pass::tree::Tree;
 use num_traits::Zero;
 

@@ -1,10 +1,8 @@
 //! Responses to force histories, sample by sample.
 
 use crate::answer::modal_response::{ModalResponse, Term};
-use crate::model::motion_error::MotionError;
-use crate::number::exponentials::{exponential, phi_1, phi_2};
-use crate::number::fixed_list::List;
-use crate::number::frequency::Real;
+use crate::model::MotionError;
+use crate::number::{List, Real, exponential, phi_1, phi_2};
 use num_complex::Complex;
 use num_traits::Zero;
 

@@ -1,11 +1,8 @@
 //! Responses to harmonic loads.
 
 use crate::answer::at_rest::{AtRest, Part};
-use crate::model::label::{Entry, Load};
-use crate::model::motion_error::MotionError;
-use crate::number::columns::InColumns;
-use crate::number::frequency::Oscillation;
-use crate::number::scalar::Scalar;
+use crate::model::{Entry, Load, MotionError};
+use crate::number::{InColumns, Oscillation, Scalar};
 use crate::pass::block::both_ways::BlockPasses;
 use crate::pass::block::{WIDTH, WORTHWHILE};
 use crate::pass::both_ways::Passes;

@@ -1,12 +1,9 @@
 //! Motions between the ends of elements: nodes and largest deflections.
 
 use crate::answer::states::SystemStates;
-use crate::element::energies::Inside;
-use crate::model::label::Label;
-use crate::model::state::State;
-use crate::number::frequency::Oscillation;
-use crate::number::frequency::Real;
-use crate::number::scalar::Scalar;
+use crate::element::Inside;
+use crate::model::{Label, State};
+use crate::number::{Oscillation, Real, Scalar};
 use crate::pass::tree::Tree;
 
 /// Samples per half wave; a deflection between two of them is monotonic or has one extremum.

@@ -1,15 +1,13 @@
 //! Δ and the count at many frequencies: the trait that users call.
 
-use crate::model::error::SearchError;
-use crate::number::columns::InColumns;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::scaled::Scaled;
+use crate::model::SearchError;
+use crate::number::{Frequency, InColumns, Real, Scaled};
 use crate::pass::block::pass::BlockPass;
 use crate::pass::block::{WIDTH, WORTHWHILE};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::tree::Steps;
 use crate::search::undamped::natural::{NaturalFrequencies, Undamped, agreed, count_margin};
-use crate::subspace::count::{NoCount, WittrickWilliams};
+use crate::subspace::{NoCount, WittrickWilliams};
 use num_traits::Zero;
 
 /// A system that can be evaluated at one frequency, and at a block of them.

@@ -6,12 +6,8 @@
 use crate::answer::dominant_entry::{UnitsOf, comparable};
 use crate::answer::mode_shape::ModeShape;
 use crate::answer::states::SystemStates;
-use crate::model::motion_error::MotionError;
-use crate::model::state::State;
-use crate::number::doubt::{MISFIT, REFUSED_MISFIT};
-use crate::number::frequency::Oscillation;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
+use crate::model::{MotionError, State};
+use crate::number::{FrequencyPowers, MISFIT, Oscillation, REFUSED_MISFIT, Scalar};
 use crate::pass::tree::Tree;
 use mstmm_plan::{Coordinate, Step};
 

@@ -3,10 +3,8 @@
 use crate::answer::dominant_entry::Candidate;
 use crate::answer::energies::Form;
 use crate::answer::states::SystemStates;
-use crate::model::motion_error::MotionError;
-use crate::number::frequency::Oscillation;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::{Magnitude, Scaled};
+use crate::model::MotionError;
+use crate::number::{Magnitude, Oscillation, Scalar, Scaled};
 use crate::pass::both_ways::Passes;
 use crate::pass::characteristic::System;
 use crate::pass::tree::{ExtendedTree, Tree};

@@ -6,11 +6,8 @@ use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::{Sensitivities, sensitivities};
-use crate::model::chain_rule::Chain;
-use crate::model::label::{Entry, Load};
-use crate::model::motion_error::MotionError;
-use crate::number::frequency::Frequency;
-use crate::number::frequency::Oscillation;
+use crate::model::{Chain, Entry, Load, MotionError};
+use crate::number::{Frequency, Oscillation};
 use crate::pass::characteristic::System;
 use crate::pass::tree::{ExtendedTree, Planned};
 

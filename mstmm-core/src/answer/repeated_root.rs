@@ -7,10 +7,8 @@ use crate::answer::dominant_entry::Candidate;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::root::Root;
 use crate::answer::states::SystemStates;
-use crate::model::motion_error::MotionError;
-use crate::number::frequency::Oscillation;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::model::MotionError;
+use crate::number::{Oscillation, Scalar, Scaled};
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::{ExtendedTree, Tree};
 

@@ -2,11 +2,8 @@
 
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::root::Root;
-use crate::model::motion_error::MotionError;
-use crate::number::fixed_list::List;
-use crate::number::frequency::Oscillation;
-use crate::number::frequency::Real;
-use crate::number::scalar::Scalar;
+use crate::model::MotionError;
+use crate::number::{List, Oscillation, Real, Scalar};
 use crate::pass::tree::{Planned, Tree};
 use core::ops::RangeInclusive;
 

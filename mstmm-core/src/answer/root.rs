@@ -1,8 +1,7 @@
 //! The roots that questions about motions take: natural frequencies and eigenvalues.
 
-use crate::model::motion_error::MotionError;
-use crate::number::frequency::Oscillation;
-use crate::number::frequency::Real;
+use crate::model::MotionError;
+use crate::number::{Oscillation, Real};
 use crate::search::damped::found::Eigenvalue;
 use crate::search::undamped::found::NaturalFrequency;
 use num_complex::Complex;

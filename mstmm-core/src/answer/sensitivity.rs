@@ -1,11 +1,9 @@
 //! Sensitivities: how a root moves with each field of the model.
 
 use crate::answer::mode_shape::simple;
-use crate::element::listed::ListElement;
-use crate::model::chain_rule::{Chain, Fields, NamedFields};
-use crate::model::motion_error::MotionError;
-use crate::number::frequency::Oscillation;
-use crate::number::scalar::Scalar;
+use crate::element::ListElement;
+use crate::model::{Chain, Fields, MotionError, NamedFields};
+use crate::number::{Oscillation, Scalar};
 use crate::pass::characteristic::System;
 use crate::pass::planned_list::{ListParameter, PlannedList};
 use crate::pass::tree::ExtendedTree;

@@ -1,13 +1,8 @@
 //! The states of a whole system in one motion.
 
-use crate::element::energies::Inside;
-use crate::element::moving::{CoefficientsOf, Moving};
-use crate::element::visit::Visit;
-use crate::model::ends::Ends;
-use crate::model::label::{Label, Point};
-use crate::model::motion_error::MotionError;
-use crate::model::state::State;
-use crate::number::scalar::Scalar;
+use crate::element::{CoefficientsOf, Inside, Moving, Visit};
+use crate::model::{Ends, Label, MotionError, Point, State};
+use crate::number::Scalar;
 use crate::pass::state_recovery::RecoveredStates;
 use crate::pass::tree::Tree;
 use mstmm_plan::Step;

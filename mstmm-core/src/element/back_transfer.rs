@@ -1,10 +1,8 @@
 //! The transfer of covectors back through an element.
 
 use crate::element::traits::PlaneStep;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::subspace::Subspace;
+use crate::number::{FrequencyPowers, Scalar};
+use crate::subspace::{Covector, Subspace};
 
 /// An element that transfers covectors from its output end to its input end, to recover states.
 #[diagnostic::on_unimplemented(

@@ -1,10 +1,8 @@
 //! The energies of an element, and how its parameters change them.
 
 use crate::element::traits::Element;
-use crate::model::ends::Ends;
-use crate::model::state::State;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
+use crate::model::{Ends, State};
+use crate::number::{FrequencyPowers, Scalar};
 
 /// The interior of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]

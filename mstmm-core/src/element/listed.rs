@@ -1,10 +1,8 @@
 //! Elements of any type in one, as lists of steps hold them.
 
 use crate::element::visit::{Visit, VisitStep};
-use crate::model::ends::Ends;
-use crate::model::estimates::FrequencyEstimates;
-use crate::number::frequency::Real;
-use crate::number::scalar::Scalar;
+use crate::model::{Ends, FrequencyEstimates};
+use crate::number::{Real, Scalar};
 use mstmm_plan::Space;
 
 /// Parameters that an element of a list may have: the derivatives of a root stand in so many places per step.

@@ -3,8 +3,7 @@
 use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::Energies;
 use crate::element::traits::PlaneStep;
-use crate::number::branch_free::BranchFree;
-use crate::number::scalar::Scalar;
+use crate::number::{BranchFree, Scalar};
 
 /// The coefficients of an element at a frequency.
 pub type CoefficientsOf<E, S> = <E as PlaneStep<S>>::Coefficients;

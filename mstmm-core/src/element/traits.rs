@@ -1,13 +1,8 @@
 //! An element, its transfer matrix and its step of the plane method.
 
-use crate::model::error::{InvalidParameter, ParameterError};
-use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::StateSpace;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::{Branches, Scalar};
-use crate::number::scaled::Scaled;
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::subspace::Subspace;
+use crate::model::{FrequencyEstimates, InvalidParameter, ParameterError, StateSpace};
+use crate::number::{Branches, FrequencyPowers, Scalar, Scaled};
+use crate::subspace::{Connecting, RootCounter, Subspace};
 use core::fmt;
 use mstmm_plan::{Space, Support};
 

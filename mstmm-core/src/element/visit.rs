@@ -1,7 +1,7 @@
 //! What is done with elements of whatever type.
 
 use crate::element::moving::{CoefficientsOf, Moving, Stepping};
-use crate::number::scalar::Scalar;
+use crate::number::Scalar;
 
 /// What a pass does with an element, of whatever type: at one frequency, or at the frequencies of a block.
 pub trait VisitStep<S: Scalar> {

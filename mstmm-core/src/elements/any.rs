@@ -1,17 +1,9 @@
 //! Elements of any type, for lists of steps.
 
-use crate::element::energies::Energies;
-use crate::element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
-use crate::element::traits::Element;
-use crate::element::visit::{Visit, VisitStep};
+use crate::element::{Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep};
 use crate::elements::*;
-use crate::model::ends::Ends;
-use crate::model::error::InvalidParameter;
-use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::StateSpace;
-use crate::number::branch_free::BranchFree;
-use crate::number::frequency::{ComplexFrequency, Frequency, Oscillation, Real};
-use crate::number::scalar::Scalar;
+use crate::model::{Ends, FrequencyEstimates, InvalidParameter, StateSpace};
+use crate::number::{BranchFree, ComplexFrequency, Frequency, Oscillation, Real, Scalar};
 use mstmm_plan::Space;
 
 /// Declares an enum of built elements with the traits of list elements.

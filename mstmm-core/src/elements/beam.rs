@@ -1,20 +1,11 @@
 //! Euler-Bernoulli beam.
 
-use crate::element::traits::{Element, PlaneStep, TransferMatrix};
+use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::{bending_matrix, plane_series};
-use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::Bending;
-use crate::number::exponent::binary_exponent;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Branches;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
-use crate::number::wave_functions::WaveFunctions;
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::subspace::Subspace;
+use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::number::{Branches, Frequency, FrequencyPowers, Real, Scalar, Scaled, WaveFunctions, binary_exponent};
+use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
 

@@ -1,21 +1,10 @@
 //! Rigid body in a bending path.
 
-use crate::element::back_transfer::BackTransfer;
-use crate::element::energies::Energies;
-use crate::element::traits::{Element, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::half;
-use crate::model::ends::Ends;
-use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::Bending;
-use crate::number::frequency::Oscillation;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scaled::Scaled;
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled};
+use crate::subspace::{Connecting, Covector, Plane, RootCounter, Subspace};
 use lever::{Lever, Levers};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;

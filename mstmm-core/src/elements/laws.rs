@@ -6,9 +6,9 @@ mod plane_steps;
 mod subspaces;
 
 use super::*;
-use crate::element::traits::{Element, MatrixOf, TransferMatrix};
-use crate::model::state::StateSpace;
-use crate::number::tolerance::assert_close;
+use crate::element::{Element, MatrixOf, TransferMatrix};
+use crate::model::StateSpace;
+use crate::number::assert_close;
 use core::ops::Index;
 use mstmm_plan::Coordinate;
 use num_complex::Complex;

@@ -2,21 +2,13 @@
 //!
 //! They differ in their coordinate, in the sign of its force, and in which of stiffness, damping and inertia they have.
 
-use crate::element::back_transfer::BackTransfer;
-use crate::element::energies::Energies;
-use crate::element::traits::{Element, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{displacements, elongations, half, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_inertia, through_stiffness};
 use crate::elements::shared::massless::Massless;
-use crate::model::ends::Ends;
-use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::{Rotation, StateSpace, Translation};
-use crate::number::frequency::{ComplexFrequency, Frequency, Oscillation, Real};
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::subspace::Subspace;
+use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement, Rotation, StateSpace, Translation};
+use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real};
+use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
 

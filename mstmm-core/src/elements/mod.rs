@@ -1,6 +1,6 @@
 //! The elements: one file holds everything about one element.
 
-use crate::element::traits::space_of;
+use crate::element::space_of;
 use mstmm_plan::Space;
 
 mod any;

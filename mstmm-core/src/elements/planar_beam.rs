@@ -1,10 +1,9 @@
 //! Beam in planar motion: bending and longitudinal vibration.
 
-use crate::element::traits::{Element, TransferMatrix};
+use crate::element::{Element, TransferMatrix};
 use crate::elements::shared::krylov::{bending_matrix, cosine_and_sinc};
-use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::state::Planar;
-use crate::number::frequency::{Frequency, Real};
+use crate::model::{InvalidParameter, Planar, Requirement};
+use crate::number::{Frequency, Real};
 use nalgebra::Matrix6;
 
 /// Uniform Euler-Bernoulli beam with exact longitudinal vibration; the two motions do not couple along a beam.

@@ -1,9 +1,8 @@
 //! Rigid body in planar motion.
 
-use crate::element::traits::{Element, TransferMatrix};
-use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::state::Planar;
-use crate::number::frequency::{Frequency, Real};
+use crate::element::{Element, TransferMatrix};
+use crate::model::{InvalidParameter, Planar, Requirement};
+use crate::number::{Frequency, Real};
 use nalgebra::Matrix6;
 
 /// Rigid body with one input and one output end in planar motion; small rotations.

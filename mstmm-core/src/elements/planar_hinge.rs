@@ -1,9 +1,8 @@
 //! Elastic hinge in planar motion.
 
-use crate::element::traits::{Element, TransferMatrix};
-use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::state::Planar;
-use crate::number::frequency::{Frequency, Real};
+use crate::element::{Element, TransferMatrix};
+use crate::model::{InvalidParameter, Planar, Requirement};
+use crate::number::{Frequency, Real};
 use nalgebra::Matrix6;
 
 /// Massless elastic hinge in planar motion: three springs side by side.

@@ -1,21 +1,10 @@
 //! Lumped mass inside a bending path.
 
-use crate::element::back_transfer::BackTransfer;
-use crate::element::energies::Energies;
-use crate::element::traits::{Element, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{displacements, half};
-use crate::model::ends::Ends;
-use crate::model::error::{InvalidParameter, Requirement};
-use crate::model::estimates::FrequencyEstimates;
-use crate::model::state::Bending;
-use crate::number::frequency::Oscillation;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::join::in_parallel;
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Real};
+use crate::subspace::{Covector, Plane, RootCounter, Subspace, in_parallel};
 use mstmm_plan::{Coordinate, Support};
 use nalgebra::Matrix4;
 

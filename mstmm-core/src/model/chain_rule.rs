@@ -1,8 +1,7 @@
 //! From the parameters of elements to the fields of a model: the chain rule.
 
 use crate::model::ends::Ends;
-use crate::number::partials::Partials;
-use crate::number::scalar::Scalar;
+use crate::number::{Partials, Scalar};
 use core::fmt::Debug;
 
 /// A built system, by the numbers that it has derivatives with respect to: the fields of its model but those that are marked

@@ -1,6 +1,6 @@
 //! Errors: each carries the numbers that caused it.
 
-use crate::number::frequency::Real;
+use crate::number::Real;
 use core::fmt;
 
 /// The range that a parameter must satisfy.

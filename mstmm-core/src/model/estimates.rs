@@ -1,6 +1,6 @@
 //! Rough bounds of a system's frequencies, from which searches take their first steps.
 
-use crate::number::floats::elementary;
+use crate::number::elementary;
 
 /// Extreme stiffnesses and inertias of a system, translation and rotation apart.
 ///

@@ -8,3 +8,12 @@ pub(crate) mod label;
 pub(crate) mod motion_error;
 pub(crate) mod scaled_state;
 pub(crate) mod state;
+
+pub(crate) use chain_rule::{Chain, Fields, NamedFields};
+pub(crate) use ends::Ends;
+pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchError};
+pub(crate) use estimates::FrequencyEstimates;
+pub(crate) use label::{Entry, Label, Load, Point};
+pub(crate) use motion_error::MotionError;
+pub(crate) use scaled_state::ScaledState;
+pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};

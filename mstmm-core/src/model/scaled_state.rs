@@ -1,8 +1,7 @@
 //! States with a power of two of their own.
 
 use crate::model::state::State;
-use crate::number::exponent::binary_exponent;
-use crate::number::scalar::Scalar;
+use crate::number::{Scalar, binary_exponent};
 
 /// A state with a power of two of its own.
 #[derive(Clone, Copy, Debug)]

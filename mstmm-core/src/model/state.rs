@@ -3,7 +3,7 @@
 //! The sign convention is that of Fig. 1 of the paper: an output state is used as the next input state without any
 //! change of sign.
 
-use crate::number::scalar::Scalar;
+use crate::number::Scalar;
 use mstmm_plan::WIDEST;
 use nalgebra::SMatrix;
 

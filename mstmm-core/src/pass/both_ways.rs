@@ -1,13 +1,9 @@
 //! The two subspaces behind every step of a tree: that of the boundary conditions upstream, and that of those downstream.
 
-use crate::element::moving::{CoefficientsOf, Moving};
-use crate::element::visit::Visit;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
+use crate::element::{CoefficientsOf, Moving, Visit};
+use crate::number::{FrequencyPowers, Scalar};
 use crate::pass::tree::Tree;
-use crate::subspace::count::NoCount;
-use crate::subspace::minors::join::connection;
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::{NoCount, Subspace, connection};
 use mstmm_plan::{Space, Step, Support};
 
 /// A tree at one frequency, with the subspaces behind its steps.

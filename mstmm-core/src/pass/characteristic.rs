@@ -1,10 +1,8 @@
 //! The interface of built systems to the searches: Δ by the plane method, with a counter.
 
-use crate::model::estimates::FrequencyEstimates;
-use crate::number::frequency::Real;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
-use crate::subspace::count::{NoCount, RootCounter, WittrickWilliams};
+use crate::model::FrequencyEstimates;
+use crate::number::{Real, Scalar, Scaled};
+use crate::subspace::{NoCount, RootCounter, WittrickWilliams};
 
 /// A built system with parameters of type `Self::Parameter`.
 pub trait System {

@@ -4,13 +4,9 @@
 //! a multiplication is ten instructions. So every scalar has a longest inlined pass, in steps. In a model of a few steps the
 //! compiler leaves out most of each step, and calls would be longer.
 
-use crate::element::traits::PlaneStep;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::join::{joined, joined_on};
-use crate::subspace::minors::subspace::Subspace;
+use crate::element::PlaneStep;
+use crate::number::{FrequencyPowers, Scalar, Scaled};
+use crate::subspace::{Connecting, RootCounter, Subspace};
 use mstmm_plan::Support;
 
 /// The coefficients of an element in a pass.
@@ -89,10 +85,10 @@ pub fn join<S: Scalar, C: RootCounter<S>, const FIRST_TWO: bool, const STEPS: us
     if STEPS > S::LONGEST_IN_LINE {
         return called_join(sum, path, counter);
     }
-    if FIRST_TWO { joined(sum, path, counter) } else { joined_on(sum, path, counter) }
+    if FIRST_TWO { sum.joined(path, counter) } else { sum.rescaled().joined(path, counter) }
 }
 
 #[inline(never)]
 fn called_join<S: Scalar, C: RootCounter<S>>(sum: Subspace<S>, path: Subspace<S>, counter: &mut C) -> Subspace<S> {
-    joined_on(sum, path, counter)
+    sum.rescaled().joined(path, counter)
 }

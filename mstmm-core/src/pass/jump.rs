@@ -4,14 +4,10 @@
 //! states of both is `f = z_R - z_P` with `z_P = P R* f/Δ`, where `R*` has the dual minors of R. Δ = 0 where P and R meet, at a
 //! root. There `P R* f` is the motion of the system itself for any f.
 
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::number::{Scalar, Scaled};
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::Tree;
-use crate::subspace::count::NoCount;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::{Covector, NoCount, Plane, Subspace};
 use mstmm_plan::{Coordinate, Space};
 
 /// The upstream and the downstream subspace at a point, both as subspaces of paths that arrive there.

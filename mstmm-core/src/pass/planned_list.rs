@@ -1,19 +1,12 @@
 //! A list of steps with its plan: all that answers about motions ask for.
 
-use crate::element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
-use crate::element::visit::{Visit, VisitStep};
-use crate::model::chain_rule::{Chain, Fields};
-use crate::model::ends::Ends;
-use crate::model::estimates::FrequencyEstimates;
-use crate::model::label::{Label, Point};
-use crate::number::frequency::Frequency;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::element::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep};
+use crate::model::{Chain, Ends, Fields, FrequencyEstimates, Label, Point};
+use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 use crate::pass::tree::{Planned, Steps, Tree};
-use crate::subspace::count::RootCounter;
+use crate::subspace::RootCounter;
 use core::fmt::Debug;
 use mstmm_plan::{Place, Scheme, Step, Support};
 

@@ -1,11 +1,7 @@
 //! The route of a motion from a load to an entry of a state, and what arrives there.
 
-use crate::model::label::{Entry, Load};
-use crate::model::motion_error::MotionError;
-use crate::number::columns::InColumns;
-use crate::number::frequency::Oscillation;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::model::{Entry, Load, MotionError};
+use crate::number::{InColumns, Oscillation, Scalar, Scaled};
 use crate::pass::block::WIDTH;
 use crate::pass::block::both_ways::{BlockPasses, CarriedInBlock};
 use crate::pass::both_ways::Passes;
@@ -13,8 +9,7 @@ use crate::pass::characteristic::System;
 use crate::pass::jump::{Jump, Meeting};
 use crate::pass::transfer_path::{Carried, Crossing, Follow};
 use crate::pass::tree::{Planned, Tree};
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::{Covector, Subspace};
 use mstmm_plan::{Coordinate, Scheme, Space, Step};
 
 /// The side of the load on which the entry lies.

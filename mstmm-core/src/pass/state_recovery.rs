@@ -1,11 +1,11 @@
 //! Recovery of the states of all steps from a source at one point, in the directions away from it.
 
-use crate::model::scaled_state::ScaledState;
-use crate::number::scalar::Scalar;
+use crate::model::ScaledState;
+use crate::number::Scalar;
 use crate::pass::both_ways::Passes;
 use crate::pass::transfer_path::Crossing;
 use crate::pass::tree::{Planned, Tree};
-use crate::subspace::minors::covector::Covector;
+use crate::subspace::Covector;
 use mstmm_plan::Step;
 
 /// The states behind all steps; at the source on both sides.

@@ -1,18 +1,10 @@
 //! The plane method on a run-time list of steps: the same arithmetic as the macro's code, for chains of any length.
 
-use crate::element::listed::{ListElement, ListStepping};
-use crate::element::moving::Stepping;
-use crate::element::traits::PlaneStep;
-use crate::element::visit::VisitStep;
-use crate::model::estimates::FrequencyEstimates;
-use crate::number::frequency::Frequency;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::element::{ListElement, ListStepping, PlaneStep, Stepping, VisitStep};
+use crate::model::FrequencyEstimates;
+use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::join::connection;
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::{Connecting, RootCounter, Subspace, connection};
 use core::fmt;
 use mstmm_plan::{Space, Support};
 

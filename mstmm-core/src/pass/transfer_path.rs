@@ -1,16 +1,11 @@
 //! Transfer of covectors along a path of the tree: back through elements, and through connections from one path to another.
 
-use crate::element::moving::{CoefficientsOf, Moving};
-use crate::element::visit::Visit;
-use crate::model::scaled_state::ScaledState;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
+use crate::element::{CoefficientsOf, Moving, Visit};
+use crate::model::ScaledState;
+use crate::number::{FrequencyPowers, Scalar};
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::Tree;
-use crate::subspace::count::NoCount;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::join::connection;
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::{Covector, NoCount, Subspace, connection};
 use mstmm_plan::{Scheme, Space, Step};
 
 /// Takes a covector to the input end of an element, or to its output end.

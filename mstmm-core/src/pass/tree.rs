@@ -1,9 +1,7 @@
 //! A built system as a plan whose elements can be visited one by one.
 
-use crate::element::visit::{Visit, VisitStep};
-use crate::number::frequency::{ExtendedOf, Oscillation};
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
+use crate::element::{Visit, VisitStep};
+use crate::number::{ExtendedOf, FrequencyPowers, Oscillation, Scalar};
 use crate::pass::characteristic::System;
 use core::fmt::Debug;
 use mstmm_plan::Scheme;

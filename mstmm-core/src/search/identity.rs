@@ -1,7 +1,7 @@
 //! Determinants that vanish identically.
 
-use crate::model::error::SearchError;
-use crate::number::frequency::Real;
+use crate::model::SearchError;
+use crate::number::Real;
 
 /// Number of frequencies far from each other at which Δ must vanish to vanish identically: a degree of freedom is held twice, or a
 /// massless one is not held.

@@ -4,9 +4,7 @@
 //! rules. Each rule adds the negative eigenvalues of the stiffness that a step eliminates. A support is the limit of a
 //! stiff spring, hence the rules for exact zeros.
 
-use crate::number::doubt::is_ill_conditioned;
-use crate::number::frequency::Real;
-use crate::number::scalar::Scalar;
+use crate::number::{Real, Scalar, is_ill_conditioned};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use mstmm_plan::{Space, Support};

@@ -1,7 +1,6 @@
 //! Sums that cancel, and the rounding in them.
 
-use crate::number::doubt::largest_loss;
-use crate::number::scalar::Scalar;
+use crate::number::{Scalar, largest_loss};
 use crate::subspace::count::RootCounter;
 
 /// A sum that cancels, with its rounding.

@@ -70,14 +70,14 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) ->
     let held = tips.iter().map(|&tip| {
         let Step::Tip(keyword) = &plan.steps[tip] else { return TokenStream::new() };
         let support = names.support(keyword);
-        quote_spanned!(names.here=> let #own = #private::held(#own, #support);)
+        quote_spanned!(names.here=> let #own = #private::Connecting::held(#own, #support);)
     });
     let mut joined = TokenStream::new();
     for (rank, &path) in paths.iter().enumerate() {
         let subspace = subspace(path, names);
         // a sum that enters another one
         let path = match &plan.steps[path] {
-            Step::Connection { .. } => quote_spanned!(names.here=> #private::rescaled(#subspace)),
+            Step::Connection { .. } => quote_spanned!(names.here=> #private::Connecting::rescaled(#subspace)),
             _ => subspace.into_token_stream(),
         };
         let (frequency, counter, first_two) = (&names.frequency, &names.counter, rank == 1);
@@ -95,13 +95,13 @@ fn connection(index: usize, inputs: &[usize], plan: &Plan<'_>, names: &Names) ->
         };
     } else {
         joined.extend(quote_spanned! {names.here=>
-            let #own = #private::widened(#own, const { LAYOUT.output(#index) });
+            let #own = #private::Connecting::widened(#own, const { LAYOUT.output(#index) });
         });
     }
     quote_spanned! {names.here=>
         #joined
         #(#held)*
-        let #own = #private::narrowed(#own, const { LAYOUT.output(#index) }, counter);
+        let #own = #private::Connecting::narrowed(#own, const { LAYOUT.output(#index) }, counter);
     }
 }
 
@@ -119,8 +119,8 @@ fn root(support: &Ident, input: usize, plan: &Plan<'_>, names: &Names) -> TokenS
             }
         }
         _ => {
-            let input = subspace(input, names);
-            quote_spanned!(names.here=> #input.at_root(#support, counter))
+            let (private, input) = (&names.private, subspace(input, names));
+            quote_spanned!(names.here=> #private::Connecting::at_root(#input, #support, counter))
         }
     }
 }

@@ -38,6 +38,12 @@ fn assert_refused(model: &str) {
     assert_eq!(shown.trim_end(), model.trim_matches('\n').trim_end(), "\nshown:\n{shown}");
 }
 
+/// What is wrong with a model, in one text.
+fn messages(model: &str) -> String {
+    let errors = expand_checked(input(model)).err().into_iter().flatten();
+    errors.map(|error| error.to_string()).collect()
+}
+
 /// The model is accepted; its code.
 #[track_caller]
 fn expanded(model: &str) -> String {

@@ -105,18 +105,14 @@ fn unknown_elements_and_supports_are_shown_together() {
     assert_refused(
         "
         struct M { k: f64 }
-        fixd -> baem 1 { length: k } -> conn 2 -> quux 3 { stiffness: k } -> wall;
+        fixd -> baem 1 { length: k } -> conn 2 -> sprin 3 { stiffness: k } -> wall;
         ^^^^ `fixd` is not a support: did you mean `fixed`?
                 ^^^^ `baem` is not an element: did you mean `beam`?
-                                                  ^^^^ `quux` is not an element: the elements are `spring`,
-                                                  | `torsion_spring`, `damper`, `torsion_damper`,
-                                                  | `spring_damper`, `torsion_spring_damper`, `mass`,
-                                                  | `inertia`, `point_mass`, `elastic_hinge`, `body`, `beam`,
-                                                  | `planar_body`, `planar_beam` and `planar_hinge`, or a type
-                                                  | of your own by a path with `::`
-                                                                             ^^^^ `wall` is not a support: the
-                                                                             | supports are `fixed`, `pinned`,
-                                                                             | `free`, `guided` and `roller`
+                                                  ^^^^^ `sprin` is not an element: did you mean `spring`?
+                                                                              ^^^^ `wall` is not a support:
+                                                                              | the supports are `fixed`,
+                                                                              | `pinned`, `free`, `guided` and
+                                                                              | `roller`
         conn 2 <- torsionspring four { stiffness: k } <- fixed;
                   ^^^^^^^^^^^^^ `torsionspring` is not an element: did you mean `torsion_spring`?
         ",
@@ -275,4 +271,14 @@ fn one_slip_is_one_message() {
                  ^^^^^ `Cable` is not an element: a type of your own is written with its path, `self::Cable`
         ",
     );
+}
+
+/// A word like no other is answered by all of them.
+#[test]
+fn an_unknown_word_is_shown_all_elements() {
+    let message = super::messages("struct M { k: f64 } fixed -> quux 3 { stiffness: k } -> free;");
+    for (keyword, ..) in crate::elements() {
+        assert!(message.contains(&format!("`{keyword}`")), "{keyword} is not in: {message}");
+    }
+    assert!(message.contains("or a type of your own by a path with `::`"), "{message}");
 }

@@ -2,59 +2,35 @@
 //! the user's own.
 
 use crate::choices::Choices;
-
-/// The states that a path may have.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Space {
-    Bending,
-    Translation,
-    Rotation,
-    Planar,
-}
+use mstmm_language::Space;
+use std::collections::BTreeSet;
 
 /// Keyword and parameters of the elements of a space.
-fn elements(space: Space) -> &'static [(&'static str, &'static [&'static str])] {
-    match space {
-        Space::Bending => &[
-            ("beam", &["length", "bending_stiffness", "mass_per_length"]),
-            ("body", &["mass", "inertia", "output_x", "centre_x"]),
-            ("elastic_hinge", &["stiffness_y", "stiffness_theta"]),
-            ("point_mass", &["mass", "inertia"]),
-            ("crate::parts::Rope", &["tension", "mass_per_length"]),
-        ],
-        Space::Translation => &[
-            ("spring", &["stiffness"]),
-            ("damper", &["damping"]),
-            ("spring_damper", &["stiffness", "damping"]),
-            ("mass", &["mass"]),
-        ],
-        Space::Rotation => &[
-            ("torsion_spring", &["stiffness"]),
-            ("torsion_damper", &["damping"]),
-            ("torsion_spring_damper", &["stiffness", "damping"]),
-            ("inertia", &["inertia"]),
-        ],
-        Space::Planar => &[
-            ("planar_beam", &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"]),
-            ("planar_body", &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
-            ("planar_hinge", &["stiffness_x", "stiffness_y", "stiffness_theta"]),
-        ],
-    }
+fn elements(space: Space) -> Vec<(&'static str, &'static [&'static str])> {
+    let own = ("crate::parts::Rope", Space::Bending, &["tension", "mass_per_length"][..]);
+    let all = mstmm_language::elements().chain([own]);
+    all.filter(|(_, of, _)| *of == space).map(|(keyword, _, parameters)| (keyword, parameters)).collect()
 }
 
 fn supports(space: Space) -> &'static [&'static str] {
     match space {
         Space::Bending => &["fixed", "pinned", "free", "guided"],
-        Space::Translation | Space::Rotation => &["fixed", "free"],
         Space::Planar => &["fixed", "pinned", "free", "guided", "roller"],
+        _ => &["fixed", "free"],
     }
 }
 
 /// Every parameter is a field, so that each can be written in short.
-const FIELDS: &str = "length: f64, pub bending_stiffness: f64, axial_stiffness: f64, mass_per_length: f64, mass: f64, \
-     /// Moment of inertia\n inertia: f64, output_x: f64, output_y: f64, centre_x: f64, centre_y: f64, \
-     stiffness: f64, stiffness_x: f64, stiffness_y: f64, stiffness_theta: f64, damping: f64, r#type: f64, tension: f64, \
-     #[no_sensitivity] width: f64";
+fn fields() -> String {
+    let parameters = mstmm_language::elements().flat_map(|(_, _, parameters)| parameters).copied();
+    let names: BTreeSet<&str> = parameters.chain(["r#type", "tension"]).collect();
+    let field = |name: &str| match name {
+        "bending_stiffness" => format!("pub {name}: f64, "),
+        "inertia" => format!("/// Moment of inertia\n {name}: f64, "),
+        _ => format!("{name}: f64, "),
+    };
+    names.into_iter().map(field).collect::<String>() + "#[no_sensitivity] width: f64"
+}
 
 const HEADERS: [&str; 4] = [
     "struct Model",
@@ -88,7 +64,7 @@ pub(crate) fn valid_model(choices: &mut Choices<'_>) -> String {
     let turn = choices.below(paths.len());
     paths.rotate_left(turn);
     text += choices.pick(&HEADERS);
-    text += &format!(" {{ {FIELDS} }}\nlet half = 0.5 * length;\n");
+    text += &format!(" {{ {} }}\nlet half = 0.5 * length;\n", fields());
     text += &paths.join(";\n");
     text += choices.pick(&[";", ""]);
     text
@@ -160,7 +136,8 @@ impl Writer<'_, '_> {
     }
 
     fn element(&mut self, space: Space) -> String {
-        let (keyword, parameters) = elements(space)[self.choices.below(elements(space).len())];
+        let elements = elements(space);
+        let (keyword, parameters) = elements[self.choices.below(elements.len())];
         let label = self.label(keyword);
         let parameters: Vec<String> = parameters.iter().map(|name| self.parameter(name)).collect();
         format!("{label} {{ {} }}", parameters.join(", "))

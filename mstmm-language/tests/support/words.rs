@@ -1,15 +1,18 @@
-//! The words of the fuzzer's dictionary as tokens: the language's own and whatever else may stand in a model.
+//! Words as tokens: those of the fuzzer's dictionary, elements and their parameters.
 #![expect(clippy::panic, reason = "a wrong dictionary is shown")]
 
 use proc_macro2::{TokenStream, TokenTree};
 
-/// The tokens of each line of the dictionary.
+/// The tokens of each word.
 ///
 /// # Panics
 /// If a line is not written as libFuzzer wants it or does not lex.
 pub(crate) fn words() -> Vec<Vec<TokenTree>> {
     let lines = include_str!("../../../lab/fuzz/words.dict").lines();
-    lines.filter(|line| !line.is_empty() && !line.starts_with('#')).map(word).collect()
+    let words = lines.filter(|line| !line.is_empty() && !line.starts_with('#')).map(word);
+    let of_elements = mstmm_language::elements()
+        .flat_map(|(keyword, _, parameters)| [keyword].into_iter().chain(parameters.iter().copied()));
+    words.chain(of_elements.map(|name| word(&format!("\"{name}\"")))).collect()
 }
 
 fn word(line: &str) -> Vec<TokenTree> {

@@ -1,6 +1,7 @@
 //! Sizes and order of columns and rows, on the scenes of the paper and at their limits.
 
 use super::*;
+use crate::space::Space;
 use crate::support::Support;
 
 /// Section 4.4 of the paper, with the spring-mass written before the beam it hangs on.

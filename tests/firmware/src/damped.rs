@@ -1,8 +1,9 @@
 //! A controller of a beam with a damped oscillator.
 
+use vibrations::element::ParameterError;
 use vibrations::prelude::*;
 use vibrations::search::EigenvalueList;
-use vibrations::{ParameterError, SearchError};
+use vibrations::search::SearchError;
 
 system! {
     /// Simply supported beam with a grounded spring, a damped oscillator and a grounded torsion spring (Abbas et al.

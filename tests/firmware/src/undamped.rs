@@ -1,8 +1,9 @@
 //! A controller of an undamped arm.
 
+use vibrations::element::ParameterError;
 use vibrations::prelude::*;
 use vibrations::search::FrequencyList;
-use vibrations::{ParameterError, SearchError};
+use vibrations::search::SearchError;
 
 system! {
     /// Cantilever with an eccentric tip body (Abbas et al. 2017, section 4.1), lengths in units of l, masses of m l,

@@ -3,8 +3,8 @@ use mstmm::prelude::*;
 system! {
     struct Model { k: f64, m: f64 }
 
-    fixed -> rope 1 { stiffness: k } -> mass 2 { mass: m } -> free;
-//           ^^^^ or a type of your own by a path with `::`
+    fixed -> sprin 1 { stiffness: k } -> mass 2 { mass: m } -> free;
+//           ^^^^^ did you mean `spring`?
 }
 
 fn main() {}

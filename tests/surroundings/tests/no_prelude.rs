@@ -2,7 +2,7 @@
 #![no_implicit_prelude]
 
 use ::core::assert_eq;
-use ::vibrations::Characteristic as _;
+use ::vibrations::search::Characteristic as _;
 
 mod model {
     ::vibrations::system! {

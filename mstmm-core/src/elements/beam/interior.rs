@@ -2,13 +2,8 @@
 
 use crate::elements::beam::BuiltBeam;
 use crate::elements::shared::krylov::krylov;
-use crate::model::ends::Ends;
-use crate::model::state::State;
-use crate::number::exponentials::exponential;
-use crate::number::frequency::Oscillation;
-use crate::number::frequency::Real;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
+use crate::model::{Ends, State};
+use crate::number::{FrequencyPowers, Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
 use num_traits::Zero;
 

@@ -1,20 +1,14 @@
 //! The motion of a beam: its back transfer, its energies and their derivatives with respect to its parameters.
 
-use crate::element::back_transfer::BackTransfer;
-use crate::element::energies::{Energies, Inside};
+use crate::element::{BackTransfer, Energies, Inside};
 use crate::elements::beam::{Beam, BuiltBeam};
 use crate::elements::shared::back_transfer::BendingBackTransfer;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::krylov::krylov;
 use crate::elements::shared::line_forms::half;
-use crate::model::ends::Ends;
-use crate::model::state::State;
-use crate::number::frequency::Oscillation;
-use crate::number::frequency::Real;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::wave_functions::WaveFunctions;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::subspace::Subspace;
+use crate::model::{Ends, State};
+use crate::number::{FrequencyPowers, Oscillation, Real, WaveFunctions};
+use crate::subspace::{Covector, Subspace};
 
 /// Relative distance of two values of `z⁴` from which on the integral of a product is a difference at the ends.
 const APART: f64 = 1e-3;

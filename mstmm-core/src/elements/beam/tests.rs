@@ -1,7 +1,7 @@
 //! Limit cases of the beam.
 
 use super::*;
-use crate::number::tolerance::assert_close;
+use crate::number::assert_close;
 
 #[test]
 fn what_leaves_the_range_with_its_products_is_refused_by_name() {

@@ -1,12 +1,7 @@
 //! Levers of rigid bodies: exact differences of lengths, and planes seen from the far end.
 
-use crate::number::doubt::{ROUNDINGS, may_be_lost};
-use crate::number::frequency::Oscillation;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::scalar::{Branches, Scalar};
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::remainder::Remainder;
+use crate::number::{Branches, Frequency, Oscillation, ROUNDINGS, Real, Scalar, may_be_lost};
+use crate::subspace::{Plane, Remainder, RootCounter};
 
 /// The two levers of a body, to its output end and to its mass centre.
 #[derive(Clone, Copy, Debug)]

@@ -1,13 +1,12 @@
 //! The count of every element, against Sylvester's inertia.
 
-use crate::element::traits::{MatrixOf, PlaneStep, TransferMatrix};
+use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
 use crate::elements::laws::subspaces::{
     check, coordinates, for_each_undamped_stepping_element, random_states, space, subspace, supports,
 };
 use crate::elements::laws::{C, Rows, Sample, built, rows};
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::subspace::count::{NoCount, WittrickWilliams};
-use crate::subspace::minors::subspace::Subspace;
+use crate::number::FrequencyPowers;
+use crate::subspace::{Connecting, NoCount, Subspace, WittrickWilliams};
 use core::ops::Index;
 use std::vec::Vec;
 

@@ -1,18 +1,13 @@
 //! The motion of every element, against its transfer matrix.
 
-use crate::element::back_transfer::BackTransfer;
-use crate::element::energies::Energies;
-use crate::element::traits::{MatrixOf, TransferMatrix};
+use crate::element::{BackTransfer, Energies, MatrixOf, TransferMatrix};
 use crate::elements::laws::subspaces::{
     check, coordinates, for_each_stepping_element, random_states, space, states_of_tip, step, subspace, supports,
 };
 use crate::elements::laws::{C, Rows, Sample, assert_same, built, product, rows};
-use crate::model::ends::Ends;
-use crate::model::state::State;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::tolerance::assert_close;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::subspace::Subspace;
+use crate::model::{Ends, State};
+use crate::number::{FrequencyPowers, assert_close};
+use crate::subspace::{Covector, Subspace};
 use core::ops::Index;
 use mstmm_plan::{Coordinate, Space};
 use std::vec::Vec;

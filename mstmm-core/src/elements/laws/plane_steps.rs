@@ -1,17 +1,13 @@
 //! The step of every element, against its transfer matrix.
 
-use crate::element::traits::{MatrixOf, PlaneStep, TransferMatrix};
+use crate::element::{MatrixOf, PlaneStep, TransferMatrix};
 use crate::elements::laws::subspaces::{
     MINORS, check, coordinates, for_each_stepping_element, for_each_undamped_stepping_element, plain, random_states,
     read, space, states_of_tip, step, subspace, supports,
 };
 use crate::elements::laws::{C, Rows, Sample, built, rows};
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
-use crate::number::tolerance::assert_close;
-use crate::subspace::count::NoCount;
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::number::{FrequencyPowers, Scalar, assert_close};
+use crate::subspace::{Connecting, NoCount, Plane, Subspace};
 use core::ops::Index;
 use mstmm_plan::Space;
 use std::vec::Vec;

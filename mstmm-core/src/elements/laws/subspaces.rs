@@ -1,14 +1,10 @@
 //! Random subspaces for the laws of the plane method, spanned by states, and their coordinates.
 
-use crate::element::traits::{Element, PlaneStep};
+use crate::element::{Element, PlaneStep};
 use crate::elements::laws::{C, Rows, Sample, built};
-use crate::model::state::StateSpace;
-use crate::number::frequency_powers::FrequencyPowers;
-use crate::number::scalar::Scalar;
-use crate::subspace::count::NoCount;
-use crate::subspace::minors::line::Line;
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::model::StateSpace;
+use crate::number::{FrequencyPowers, Scalar};
+use crate::subspace::{Line, NoCount, Plane, Subspace};
 use core::f64::consts::TAU;
 use mstmm_plan::{Space, Support};
 use proptest::test_runner::TestRunner;

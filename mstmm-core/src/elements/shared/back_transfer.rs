@@ -1,7 +1,7 @@
 //! The back transfer of covectors through a beam-like element, given the functions of its transfer matrix.
 
-use crate::number::scalar::Scalar;
-use crate::subspace::minors::covector::Covector;
+use crate::number::Scalar;
+use crate::subspace::Covector;
 
 /// The transfer matrix in units in which it has neither l, EI nor β, and those units.
 ///

@@ -1,10 +1,7 @@
 //! The steps of beam-like elements on planes, given the second compound of their transfer matrix.
 
-use crate::number::scalar::{Branches, Scalar};
-use crate::number::scaled::Scaled;
-use crate::subspace::count::{Held, RootCounter};
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::number::{Branches, Scalar, Scaled};
+use crate::subspace::{Connecting, Held, Plane, RootCounter, Subspace};
 use mstmm_plan::Support;
 
 /// Units of minors and their inverses: `EI b, EI b², EI b³, EI² b⁴` for p_YM, w, p_ΘQ, p_MQ beside p_YΘ, of a plane whose states

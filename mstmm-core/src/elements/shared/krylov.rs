@@ -1,7 +1,6 @@
 //! The entire functions of the exact beam, for bending and for longitudinal vibration.
 
-use crate::number::frequency::{Frequency, Real};
-use crate::number::scalar::Scalar;
+use crate::number::{Frequency, Real, Scalar};
 use nalgebra::Matrix4;
 
 /// Krylov functions `[S, T/z, U/z², V/z³]` of `x = z⁴`, with `S = (ch z + cos z)/2`, `T = (sh z + sin z)/2`,
@@ -87,7 +86,7 @@ fn series<S: Scalar>(x: S, first: usize, stride: usize) -> S {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::tolerance::assert_close;
+    use crate::number::assert_close;
     use num_complex::Complex;
 
     /// Both branches at points where the closed form still has most of its digits.

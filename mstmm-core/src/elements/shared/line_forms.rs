@@ -1,7 +1,7 @@
 //! The forms of springs, dampers and masses.
 
-use crate::model::ends::Ends;
-use crate::number::scalar::Scalar;
+use crate::model::Ends;
+use crate::number::Scalar;
 use mstmm_plan::Coordinate;
 
 /// The form `ΔY₁ ΔY₂`, or `ΔΘ₁ ΔΘ₂`, of a stiffness or a damping of 1.

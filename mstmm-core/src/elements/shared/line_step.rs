@@ -1,10 +1,7 @@
 //! The steps of massless and inertial elements on lines. With `q = -μ` they hold in rotation paths, too.
 
-use crate::number::scalar::Scalar;
-use crate::subspace::count::RootCounter;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::line::Line;
-use crate::subspace::minors::subspace::Subspace;
+use crate::number::Scalar;
+use crate::subspace::{Covector, Line, RootCounter, Subspace};
 use mstmm_plan::Support;
 
 /// Takes a line through a massless element of dynamic stiffness κ: `(κ y - q, κ q)`. An element on a fixed tip becomes grounded.

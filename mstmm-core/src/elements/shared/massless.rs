@@ -1,8 +1,6 @@
 //! Massless springs and dampers in parallel, and their dynamic stiffness.
 
-use crate::number::exponent::binary_exponent;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::scalar::Scalar;
+use crate::number::{Frequency, Real, Scalar, binary_exponent};
 
 /// A spring and a damper in parallel, or one of them.
 pub(crate) struct Massless<T> {
@@ -62,7 +60,7 @@ fn off_pole<S: Scalar>(kappa: S) -> (S, S) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::tolerance::assert_close;
+    use crate::number::assert_close;
     use num_complex::Complex;
 
     #[test]

@@ -1,11 +1,8 @@
 //! The two subspaces behind every step of a tree at the frequencies of a block: that of the boundary conditions upstream, and that
 //! of those downstream.
 
-use crate::element::moving::{CoefficientsOf, Moving};
-use crate::element::visit::Visit;
-use crate::number::branch_free::BranchFree;
-use crate::number::columns::InColumns;
-use crate::number::frequency::Frequency;
+use crate::element::{CoefficientsOf, Moving, Visit};
+use crate::number::{BranchFree, Frequency, InColumns};
 use crate::pass::block::WIDTH;
 use crate::pass::block::connection::connection;
 use crate::pass::block::counters::Counters;
@@ -16,9 +13,7 @@ use crate::pass::block::loops::act;
 use crate::pass::jump::Meeting;
 use crate::pass::transfer_path::{Crossing, Follow};
 use crate::pass::tree::Tree;
-use crate::subspace::count::NoCount;
-use crate::subspace::minors::covector::Covector;
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::{Covector, NoCount, Subspace};
 use mstmm_plan::{Space, Step};
 
 /// A tree at the frequencies of a block, with the subspaces behind its steps.

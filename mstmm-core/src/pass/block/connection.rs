@@ -1,6 +1,6 @@
 //! Connections of a block: the sum of several paths in each lane.
 
-use crate::number::columns::InColumns;
+use crate::number::InColumns;
 use crate::pass::block::WIDTH;
 use crate::pass::block::counters::Counters;
 use crate::pass::block::kinds::Kind;
@@ -9,11 +9,11 @@ use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::{
     GROUNDED, GROUNDED_TURN, LINE, LaneOp, PLANE, SPRING, SPRINGS, TURN, TURN_SPRING, act,
 };
-use crate::subspace::count::{NoCount, RootCounter};
+use crate::subspace::{NoCount, RootCounter};
 use mstmm_plan::{Space, Support};
 
 /// The connection of the inputs in some places, supports among them, to an output in the space `output`, as
-/// [`connection`](crate::subspace::minors::join::connection) gives it in each lane. Returns the place of the sum: one of the two
+/// [`connection`](crate::subspace::connecting::connection) gives it in each lane. Returns the place of the sum: one of the two
 /// free places, or the place of an only path that does not change.
 pub(crate) fn connection<S: InColumns, C: RootCounter<S> + Copy>(
     lanes: &mut [Lanes<S>],

@@ -1,11 +1,8 @@
 //! Counters of a block, and their adapter for branch-free numbers.
 
-use crate::number::branch_free::BranchFree;
-use crate::number::scalar::Scalar;
+use crate::number::{BranchFree, Scalar};
 use crate::pass::block::WIDTH;
-use crate::subspace::count::{Held, RootCounter};
-use crate::subspace::minors::line::Line;
-use crate::subspace::minors::plane::Plane;
+use crate::subspace::{Held, Line, Plane, RootCounter};
 use mstmm_plan::{Space, Support};
 
 /// Two counters in each lane: one as of the last step, and a pending one for the current step. A lane that has to be evaluated alone

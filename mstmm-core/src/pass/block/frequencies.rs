@@ -1,9 +1,6 @@
 //! The frequencies of all lanes with their powers, a column for each number.
 
-use crate::number::branch_free::BranchFree;
-use crate::number::columns::InColumns;
-use crate::number::frequency::Frequency;
-use crate::number::frequency_powers::FrequencyPowers;
+use crate::number::{BranchFree, Frequency, FrequencyPowers, InColumns};
 use crate::pass::block::WIDTH;
 use crate::pass::block::loops::{Task, widest};
 use core::marker::PhantomData;

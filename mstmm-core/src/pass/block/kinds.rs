@@ -1,9 +1,7 @@
 //! Kinds of subspaces, known to the compiler in branch-free loops over lanes.
 
-use crate::number::scalar::Scalar;
-use crate::subspace::minors::line::Line;
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::number::Scalar;
+use crate::subspace::{Line, Plane, Subspace};
 use mstmm_plan::{Space, Support};
 
 /// The kind of the subspaces in all lanes.

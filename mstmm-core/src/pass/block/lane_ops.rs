@@ -1,18 +1,13 @@
 //! Operations on the subspace of a lane, each written once for branch-free numbers and for a lane that is evaluated alone.
 
-use crate::element::traits::{Element, PlaneStep};
-use crate::model::state::StateSpace;
-use crate::number::branch_free::BranchFree;
-use crate::number::columns::InColumns;
-use crate::number::scalar::{Branches, Scalar};
+use crate::element::{Element, PlaneStep};
+use crate::model::StateSpace;
+use crate::number::{BranchFree, Branches, InColumns, Scalar};
 use crate::pass::block::counters::Unwrapped;
 use crate::pass::block::frequencies::Frequencies;
 use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::{BENDING, BranchFreeOp, KINDS, LINE, LaneOp, PLANE, ROTATION, TRANSLATION, TURN};
-use crate::subspace::count::{NoCount, RootCounter, Watch};
-use crate::subspace::minors::join::{held, joined, narrowed, rescaled, widened};
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::{Connecting, NoCount, Plane, RootCounter, Subspace, Watch};
 use mstmm_plan::{Space, Support};
 
 /// The step of an element.
@@ -100,7 +95,7 @@ impl<S: InColumns, const OTHER: usize, const SERIES: bool> BranchFreeOp<S, NoCou
         input: Subspace<BranchFree<S, SERIES>>,
         _: &mut NoCount,
     ) -> Subspace<BranchFree<S, SERIES>> {
-        joined(rescaled(input), rescaled(self.0.known(KINDS[OTHER], lane, BranchFree)), &mut NoCount)
+        input.rescaled().joined(self.0.known(KINDS[OTHER], lane, BranchFree).rescaled(), &mut NoCount)
     }
 }
 
@@ -108,7 +103,7 @@ impl<S: InColumns, const OTHER: usize, const SERIES: bool> BranchFreeOp<S, NoCou
 /// frequency is then evaluated outside of the block.
 pub(crate) fn joined_fallback<S: Scalar>(input: Subspace<S>, other: Subspace<S>) -> Subspace<S> {
     let mut watch = Watch::default();
-    let sum = joined(rescaled(input), rescaled(other), &mut watch);
+    let sum = input.rescaled().joined(other.rescaled(), &mut watch);
     if watch.cancelled.any() { Subspace::Plane(Plane::unscaled([S::zero().or_nan(false); 5], 0)) } else { sum }
 }
 
@@ -147,17 +142,17 @@ macro_rules! act_by {
 
 act_by!(
     /// The join to the free state of an output that is wider than the paths.
-    Widen(Option<Space>), 0, |output, input, _counter| widened(input, output)
+    Widen(Option<Space>), 0, |output, input, _counter| input.widened(output)
 );
 act_by!(
     /// The restriction to an output that is narrower than the paths.
     Narrow(Option<Space>), 0b11 << PLANE,
-    |output, input, counter| narrowed(input, output, counter)
+    |output, input, counter| input.narrowed(output, counter)
 );
 
 act_by!(
     /// The only path of a connection, as an ordinary subspace in the range of joins.
-    Rescale(()), 0b11 << PLANE | 1 << LINE | 1 << TURN, |_own, input, _counter| rescaled(input)
+    Rescale(()), 0b11 << PLANE | 1 << LINE | 1 << TURN, |_own, input, _counter| input.rescaled()
 );
 
 /// Supports as constants of [`Hold`] and of the root: their places in [`Support::ALL`].
@@ -175,7 +170,7 @@ impl<S: InColumns, const SUPPORT: usize> LaneOp<S, NoCount> for Hold<SUPPORT> {
 
     #[inline(always)]
     fn fallback(&self, _: usize, input: Subspace<S>, _: &mut NoCount) -> Subspace<S> {
-        held(input, Support::ALL[SUPPORT])
+        input.held(Support::ALL[SUPPORT])
     }
 }
 
@@ -187,6 +182,6 @@ impl<S: InColumns, const SUPPORT: usize, const SERIES: bool> BranchFreeOp<S, NoC
         input: Subspace<BranchFree<S, SERIES>>,
         _: &mut NoCount,
     ) -> Subspace<BranchFree<S, SERIES>> {
-        held(input, Support::ALL[SUPPORT])
+        input.held(Support::ALL[SUPPORT])
     }
 }

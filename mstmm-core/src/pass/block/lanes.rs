@@ -1,11 +1,9 @@
 //! The subspaces of all lanes, a column for each number.
 
-use crate::number::columns::InColumns;
-use crate::number::scalar::{Scalar, is_moderate};
+use crate::number::{InColumns, Scalar, is_moderate};
 use crate::pass::block::WIDTH;
 use crate::pass::block::kinds::{Kind, numbers};
-use crate::subspace::minors::plane::Plane;
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::{Plane, Subspace};
 use mstmm_plan::{Space, Support};
 
 /// A subspace in each lane, all of one kind.

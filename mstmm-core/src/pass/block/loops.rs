@@ -1,13 +1,11 @@
 //! Loops over the lanes: branch-free first, then alone for each lane in which branch-free formulas do not hold.
 
-use crate::number::branch_free::BranchFree;
-use crate::number::columns::InColumns;
-use crate::number::scalar::Branches;
+use crate::number::{BranchFree, Branches, InColumns};
 use crate::pass::block::WIDTH;
 use crate::pass::block::counters::Counters;
 use crate::pass::block::kinds::{Kind, numbers};
 use crate::pass::block::lanes::{Lanes, is_fit};
-use crate::subspace::minors::subspace::Subspace;
+use crate::subspace::Subspace;
 use mstmm_plan::{Space, Support};
 
 /// An operation on the subspace of each lane.

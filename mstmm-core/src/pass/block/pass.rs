@@ -1,10 +1,7 @@
 //! The plane method over a block: the subspaces of open paths stand in columns.
 
-use crate::element::moving::Stepping;
-use crate::element::visit::VisitStep;
-use crate::number::branch_free::BranchFree;
-use crate::number::columns::InColumns;
-use crate::number::frequency::Frequency;
+use crate::element::{Stepping, VisitStep};
+use crate::number::{BranchFree, Frequency, InColumns};
 use crate::pass::block::connection::connection;
 use crate::pass::block::counters::Counters;
 use crate::pass::block::frequencies::Frequencies;
@@ -13,7 +10,7 @@ use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::act;
 use crate::pass::block::root::{Values, at_root};
 use crate::pass::tree::Steps;
-use crate::subspace::count::RootCounter;
+use crate::subspace::RootCounter;
 use mstmm_plan::{Space, Step, Support};
 
 /// Largest number of paths that are open at once: branches within branches.

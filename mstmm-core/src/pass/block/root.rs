@@ -1,15 +1,13 @@
 //! Δ in each lane, where the last subspaces meet the root.
 
-use crate::number::branch_free::BranchFree;
-use crate::number::columns::InColumns;
-use crate::number::scaled::Scaled;
+use crate::number::{BranchFree, InColumns, Scaled};
 use crate::pass::block::WIDTH;
 use crate::pass::block::counters::{Counters, Unwrapped};
 use crate::pass::block::kinds::Kind;
 use crate::pass::block::lane_ops::{FIXED, FREE, GUIDED, PINNED};
 use crate::pass::block::lanes::Lanes;
 use crate::pass::block::loops::{KINDS, LINE, PLANE, TURN, Task, widest};
-use crate::subspace::count::RootCounter;
+use crate::subspace::{Connecting, RootCounter};
 use mstmm_plan::{Space, Support};
 
 /// A number with an exponent of its own in each lane.

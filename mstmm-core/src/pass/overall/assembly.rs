@@ -1,8 +1,8 @@
 //! Assembly of the overall transfer equation: matrix products per transfer path, geometrical equations at each connection.
 
-use crate::element::traits::{Element, MatrixOf};
-use crate::model::state::StateSpace;
-use crate::number::scalar::Scalar;
+use crate::element::{Element, MatrixOf};
+use crate::model::StateSpace;
+use crate::number::Scalar;
 use mstmm_plan::{Scheme, Step, WIDEST};
 use nalgebra::SMatrix;
 

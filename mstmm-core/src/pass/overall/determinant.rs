@@ -1,8 +1,6 @@
 //! Determinants of small matrices over any scalar.
 
-use crate::number::exponent::binary_exponent;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::number::{Scalar, Scaled, binary_exponent};
 use nalgebra::SMatrix;
 
 /// Determinant by Gaussian elimination with row pivoting, with mantissa and exponent apart.
@@ -52,9 +50,9 @@ fn largest_below<S: Scalar, const N: usize>(matrix: &SMatrix<S, N, N>, column: u
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::traits::{Element, TransferMatrix};
+    use crate::element::{Element, TransferMatrix};
     use crate::elements::Beam;
-    use crate::number::tolerance::assert_close;
+    use crate::number::assert_close;
     use core::f64::consts::PI;
     use nalgebra::{Matrix3, SMatrix};
     use num_complex::Complex;

@@ -1,7 +1,6 @@
 //! Evaluation of the overall transfer equation of a built system.
 
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::number::{Scalar, Scaled};
 
 /// A built system, evaluated at a frequency `x`: ω for a real scalar (undamped systems only), λ for a complex one.
 pub trait Evaluate<S: Scalar> {

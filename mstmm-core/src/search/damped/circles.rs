@@ -1,10 +1,7 @@
 //! The circles of the eigenvalues that a search found: which are doubtful, and which cannot be told apart.
 
-use crate::model::error::SearchError;
-use crate::number::doubt::{CONDITION, USUAL_ERROR, is_extended, is_last};
-use crate::number::dual::Dual;
-use crate::number::frequency::Real;
-use crate::number::frequency::modulus;
+use crate::model::SearchError;
+use crate::number::{CONDITION, Dual, Real, USUAL_ERROR, is_extended, is_last, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::deflation::{meets_any, with_image};
 use crate::search::damped::found::{Eigenvalue, Region};

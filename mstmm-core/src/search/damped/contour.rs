@@ -1,11 +1,7 @@
 //! The argument principle: how many eigenvalues a contour encloses.
 
-use crate::model::error::SearchError;
-use crate::number::dual::Dual;
-use crate::number::floats::argument;
-use crate::number::frequency::Real;
-use crate::number::frequency::modulus;
-use crate::number::frequency::{larger, smaller};
+use crate::model::SearchError;
+use crate::number::{Dual, Real, argument, larger, modulus, smaller};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::deflation::{divided, turning};
 use crate::search::damped::found::Eigenvalue;
@@ -248,7 +244,7 @@ fn change_of_argument<T: Real>(here: &Point<T>, there: &Point<T>) -> Option<f64>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::scaled::Scaled;
+    use crate::number::Scaled;
 
     /// Closed form: amid roots on a line `Δ'/Δ` vanishes half-way between two of them, where its change still shows how near
     /// they are.

@@ -1,11 +1,6 @@
 //! Deflation: known eigenvalues are divided out of Δ. The rest is smooth where all roots nearby are known.
 
-use crate::number::fixed_list::List;
-use crate::number::floats::argument;
-use crate::number::frequency::Real;
-use crate::number::frequency::modulus;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::number::{List, Real, Scalar, Scaled, argument, modulus};
 use crate::search::damped::found::Eigenvalue;
 use crate::search::damped::point::Point;
 use num_complex::Complex;

@@ -1,10 +1,7 @@
 //! Eigenvalues in regions of the complex plane: the trait that users call.
 
-use crate::model::error::SearchError;
-use crate::number::dual::Dual;
-use crate::number::fixed_list::List;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::scalar::Scalar;
+use crate::model::SearchError;
+use crate::number::{Dual, Frequency, List, Real, Scalar};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::found::{Eigenvalue, EigenvalueList, Region};
 use crate::search::damped::session::EigenvalueSearch;
@@ -138,7 +135,7 @@ impl<Y: System + ?Sized> Eigenvalues for Y {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::tolerance::assert_close;
+    use crate::number::assert_close;
 
     fn eigenvalue(re: f64, im: f64) -> Eigenvalue<f64> {
         Eigenvalue { lambda: Complex::new(re, im), error: 0.0, multiplicity: 1 }

@@ -1,16 +1,13 @@
 //! Evaluation of Δ on the complex plane: its number is limited, and sums that cancel are noticed.
 
-use crate::model::error::SearchError;
-use crate::number::doubt::{UNPROVEN_WIDTH, is_extended, is_last, refuses_doubt};
-use crate::number::dual::Dual;
-use crate::number::frequency::modulus;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::model::SearchError;
+use crate::number::{
+    Dual, Frequency, Real, Scalar, Scaled, UNPROVEN_WIDTH, is_extended, is_last, modulus, refuses_doubt,
+};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::search::damped::point::Point;
 use crate::search::identity::check_identity;
-use crate::subspace::count::Watch;
+use crate::subspace::Watch;
 use num_complex::Complex;
 
 /// Evaluations that a search may take before it has found anything. In extended precision each takes some fifty times as long.

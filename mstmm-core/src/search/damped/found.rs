@@ -1,8 +1,6 @@
 //! Regions of the complex plane, and eigenvalues that were found in them.
 
-use crate::number::fixed_list::List;
-use crate::number::frequency::Real;
-use crate::number::frequency::modulus;
+use crate::number::{List, Real, modulus};
 use core::ops::{Deref, RangeInclusive};
 use num_complex::Complex;
 

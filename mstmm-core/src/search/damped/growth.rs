@@ -1,8 +1,6 @@
 //! The growth of Δ far from its roots. Without it steps along a contour may grow with the distance.
 
-use crate::number::frequency::Real;
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::number::{Real, Scalar, Scaled};
 use crate::search::damped::point::Point;
 use crate::search::damped::rectangle::{Rectangle, Side};
 use num_complex::Complex;
@@ -70,8 +68,7 @@ impl<T: Real> Growth<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::floats::argument;
-    use crate::number::tolerance::assert_close;
+    use crate::number::{argument, assert_close};
 
     /// Closed form: `ch z cos z` far on the left and on the right, where dividing the growth out leaves a quarter.
     #[test]

@@ -1,12 +1,7 @@
 //! Newton's method for one eigenvalue, with known ones divided out, and the circle that certifies it.
 
-use crate::model::error::SearchError;
-use crate::number::doubt::NOISE;
-use crate::number::dual::Dual;
-use crate::number::frequency::Real;
-use crate::number::frequency::larger;
-use crate::number::frequency::modulus;
-use crate::number::scalar::Scalar;
+use crate::model::SearchError;
+use crate::number::{Dual, NOISE, Real, Scalar, larger, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::contour::{Polygon, Traversal};
 use crate::search::damped::deflation::divided;

@@ -1,7 +1,6 @@
 //! Points of the complex plane at which Δ is known.
 
-use crate::number::frequency::Real;
-use crate::number::scaled::Scaled;
+use crate::number::{Real, Scaled};
 use num_complex::Complex;
 
 /// A point with Δ, or with the rest of Δ when roots and growth are divided out.

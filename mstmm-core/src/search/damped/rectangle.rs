@@ -1,7 +1,6 @@
 //! Rectangles of the complex plane, plain or symmetric to the real axis, and their contours.
 
-use crate::number::frequency::Real;
-use crate::number::frequency::{larger, smaller};
+use crate::number::{Real, larger, smaller};
 use num_complex::Complex;
 
 /// A rectangle of the complex plane. With `low = -high` it is symmetric: since Δ(conj λ) = conj Δ(λ), half its contour counts

@@ -1,12 +1,8 @@
 //! Eigenvalues in regions: counted by the argument principle, found by Newton's method; a rectangle in which not all of
 //! them are found is cut in two.
 
-use crate::model::error::SearchError;
-use crate::number::dual::Dual;
-use crate::number::fixed_list::List;
-use crate::number::frequency::Real;
-use crate::number::frequency::larger;
-use crate::number::frequency::modulus;
+use crate::model::SearchError;
+use crate::number::{Dual, List, Real, larger, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::circles::belongs;
 use crate::search::damped::contour::{Polygon, Traversal};

@@ -1,10 +1,7 @@
 //! The state of a search for eigenvalues.
 
-use crate::model::estimates::FrequencyEstimates;
-use crate::number::dual::Dual;
-use crate::number::frequency::modulus;
-use crate::number::frequency::{Real, larger};
-use crate::number::scalar::Scalar;
+use crate::model::FrequencyEstimates;
+use crate::number::{Dual, Real, Scalar, larger, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::deflation::KnownRoots;
 use crate::search::damped::evaluation::Evaluation;

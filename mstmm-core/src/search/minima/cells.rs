@@ -1,7 +1,7 @@
 //! Two by two cells of a grid: a point and its eight neighbours.
 
-use crate::model::error::SearchError;
-use crate::number::scaled::Magnitude;
+use crate::model::SearchError;
+use crate::number::Magnitude;
 use crate::search::minima::grid::{Grid, HALVINGS_TO_SHOW_A_ROOT};
 use core::cmp::Ordering;
 

@@ -1,8 +1,7 @@
 //! Recursive scanning for the minima of |Δ| on an interval.
 
-use crate::model::error::SearchError;
-use crate::number::fixed_list::List;
-use crate::number::scaled::Magnitude;
+use crate::model::SearchError;
+use crate::number::{List, Magnitude};
 use crate::search::minima::grid::{Grid, HALVINGS_TO_SHOW_A_ROOT, MAX_POINTS, Minima};
 use core::ops::RangeInclusive;
 

@@ -1,8 +1,7 @@
 //! Recursive scanning for the minima of |Δ| on a rectangle.
 
-use crate::model::error::SearchError;
-use crate::number::fixed_list::List;
-use crate::number::scaled::Magnitude;
+use crate::model::SearchError;
+use crate::number::{List, Magnitude};
 use crate::search::minima::cells::Cells;
 use crate::search::minima::grid::{Grid, MAX_POINTS, Minima};
 use core::ops::RangeInclusive;

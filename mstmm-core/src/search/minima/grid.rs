@@ -1,7 +1,7 @@
 //! Grids over intervals, and the lists of minima that searches on them return.
 
-use crate::model::error::SearchError;
-use crate::number::fixed_list::List;
+use crate::model::SearchError;
+use crate::number::List;
 use core::ops::{Deref, RangeInclusive};
 
 /// The minima that a search found, and the number of evaluations it took; dereferences to a slice of minima.

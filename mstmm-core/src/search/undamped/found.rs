@@ -1,7 +1,6 @@
 //! Natural frequencies that were found.
 
-use crate::number::fixed_list::List;
-use crate::number::frequency::Real;
+use crate::number::{List, Real};
 use core::fmt;
 use core::ops::Deref;
 

@@ -1,10 +1,7 @@
 //! Isolation of roots by counts: brackets that hold a known number of roots, split until each is settled.
 
-use crate::model::error::SearchError;
-use crate::number::doubt::TOUCHING;
-use crate::number::dual::Dual;
-use crate::number::fixed_list::List;
-use crate::number::frequency::Real;
+use crate::model::SearchError;
+use crate::number::{Dual, List, Real, TOUCHING};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::{Isolation, Sample, ZERO_EXPONENT, middle};

@@ -1,16 +1,11 @@
 //! Natural frequencies of undamped systems: the trait that users call.
 
-use crate::model::error::SearchError;
-use crate::number::doubt::refuses_doubt;
-use crate::number::dual::Dual;
-use crate::number::fixed_list::List;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::model::SearchError;
+use crate::number::{Dual, Frequency, List, Real, Scalar, Scaled, refuses_doubt};
 use crate::pass::characteristic::{Characteristic, System, count_and_value};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;
-use crate::subspace::count::WittrickWilliams;
+use crate::subspace::WittrickWilliams;
 use core::ops::RangeInclusive;
 use num_traits::Zero;
 

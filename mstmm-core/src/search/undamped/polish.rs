@@ -1,10 +1,7 @@
 //! The last digits of a single root, by inverse interpolation with derivatives inside a bracket of counts.
 
-use crate::model::error::SearchError;
-use crate::number::doubt::STRAIGHT;
-use crate::number::dual::Dual;
-use crate::number::frequency::Real;
-use crate::number::scaled::Scaled;
+use crate::model::SearchError;
+use crate::number::{Dual, Real, STRAIGHT, Scaled};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::found::NaturalFrequency;
 use crate::search::undamped::sampling::{Isolation, Sample, Slope, middle};

@@ -1,16 +1,13 @@
 //! Samples of a search: counts, Δ and its slope at frequencies, and whether they are doubtful.
 
-use crate::model::error::SearchError;
-use crate::model::estimates::FrequencyEstimates;
-use crate::number::doubt::{NEARLY_ZERO_EXPONENT, UNPROVEN_WIDTH, is_last, refuses_doubt};
-use crate::number::dual::Dual;
-use crate::number::frequency::{Frequency, Real};
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
+use crate::model::{FrequencyEstimates, SearchError};
+use crate::number::{
+    Dual, Frequency, NEARLY_ZERO_EXPONENT, Real, Scalar, Scaled, UNPROVEN_WIDTH, is_last, refuses_doubt,
+};
 use crate::pass::characteristic::{Characteristic, System, count_and_value, counted_pass};
 use crate::search::identity::check_identity;
 use crate::search::undamped::found::NaturalFrequency;
-use crate::subspace::count::{Cancelled, WittrickWilliams};
+use crate::subspace::{Cancelled, WittrickWilliams};
 
 /// Half the relative width of a certified interval, in units of eps: room for the roundings of z = βl (about four,
 /// doubled in ω) and of the planes.

@@ -1,9 +1,7 @@
 //! Covectors: they pick a state out of a subspace, and are transferred against the direction of the pass.
 
-use crate::model::scaled_state::ScaledState;
-use crate::model::state::State;
-use crate::number::exponent::binary_exponent;
-use crate::number::scalar::Scalar;
+use crate::model::{ScaledState, State};
+use crate::number::{Scalar, binary_exponent};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;

@@ -1,13 +1,12 @@
 //! Connections: joining subspaces, holding a point by a support, widening and narrowing.
 
-use crate::number::doubt::ROUNDINGS;
-use crate::number::scalar::{Branches, Scalar};
+use crate::number::{Branches, ROUNDINGS, Scalar};
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
 use crate::subspace::remainder::Remainder;
-use mstmm_plan::{Space, Support};
+use mstmm_plan::Space;
 
 impl<S: Scalar> Plane<S> {
     /// Joins a grounded stiffness of a translation or rotation path.
@@ -173,108 +172,6 @@ pub(crate) fn joined<S: Scalar, C: RootCounter<S>>(a: Subspace<S>, b: Subspace<S
         }
         _ => OfLine(a.line().with_line(b.line()), a.space()),
     }
-}
-
-/// The subspace with its entries shifted into the middle of the range. Joins multiply entries without a shift, so that between
-/// two joins, also at successive connections, the entries have to be shifted.
-#[doc(hidden)]
-#[inline(always)]
-pub fn rescaled<S: Scalar>(subspace: Subspace<S>) -> Subspace<S> {
-    match subspace {
-        Subspace::Plane(plane) | Subspace::OnPin(plane) => Subspace::Plane(plane.in_range()),
-        Subspace::Line(line, space) => Subspace::Line(Line::new(line.y, line.q, line.exponent), space),
-        Subspace::Tip(..) | Subspace::Grounded(..) | Subspace::Springs { .. } => subspace,
-    }
-}
-
-/// The join of a further path to a sum.
-#[inline(always)]
-pub(crate) fn joined_on<S: Scalar, C: RootCounter<S>>(
-    sum: Subspace<S>,
-    path: Subspace<S>,
-    counter: &mut C,
-) -> Subspace<S> {
-    joined(rescaled(sum), path, counter)
-}
-
-/// Joins a line to the free bending state of a connection whose output is wider, before supports hold the point.
-#[inline(always)]
-pub fn widened<S: Scalar>(subspace: Subspace<S>, output: Option<Space>) -> Subspace<S> {
-    if output.is_none_or(|output| output.is(subspace.space())) {
-        return subspace;
-    }
-    match subspace {
-        Subspace::Grounded(k, Space::Translation) => Subspace::Springs { y: Some(k), theta: None },
-        Subspace::Grounded(k, _) => Subspace::Springs { y: None, theta: Some(k) },
-        Subspace::Springs { .. } => subspace,
-        _ => Subspace::Plane(subspace.plane()),
-    }
-}
-
-/// Holds a point by a support.
-#[inline(always)]
-pub fn held<S: Scalar>(subspace: Subspace<S>, support: Support) -> Subspace<S> {
-    match subspace {
-        _ if support.holds().intersection(subspace.space()).is_empty() => subspace,
-        Subspace::Tip(Support::Free, space) => Subspace::Tip(support, space),
-        Subspace::Plane(_) | Subspace::Springs { .. } if support == Support::Pinned => {
-            Subspace::OnPin(subspace.plane().held(support))
-        }
-        Subspace::Tip(_, Space::Bending) | Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => {
-            Subspace::Plane(subspace.plane().held(support))
-        }
-        _ => {
-            let line = subspace.line();
-            Subspace::Line(Line { y: S::zero(), q: line.y, exponent: line.exponent }, subspace.space())
-        }
-    }
-}
-
-/// Restricts a subspace to a narrower output: the moment of a bending path that goes on as a translation, or the shear force of
-/// one that goes on as a rotation, is zero.
-#[inline(always)]
-pub fn narrowed<S: Scalar, C: RootCounter<S>>(
-    subspace: Subspace<S>,
-    output: Option<Space>,
-    counter: &mut C,
-) -> Subspace<S> {
-    match (subspace, output) {
-        (
-            Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. },
-            Some(space @ (Space::Translation | Space::Rotation)),
-        ) => {
-            let plane = subspace.plane();
-            counter.narrowing(&plane, space);
-            let y = plane.minor(Space::Bending.without(space));
-            Subspace::Line(Line { y, q: -plane.m_q, exponent: plane.exponent }, space)
-        }
-        _ => subspace,
-    }
-}
-
-/// The connection of several inputs, supports among them, to an output in the space `output`; `None` at the root.
-///
-/// Paths are joined first; if the output is wider, they are joined to its free state. Then supports hold the point; if
-/// the output is narrower, forces that it does not carry are zero.
-pub(crate) fn connection<S: Scalar, C: RootCounter<S>>(
-    inputs: impl Iterator<Item = Subspace<S>> + Clone,
-    output: Option<Space>,
-    counter: &mut C,
-) -> Subspace<S> {
-    let is_tip = |input: &Subspace<S>| matches!(input, Subspace::Tip(..));
-    let mut paths = inputs.clone().filter(|input| !is_tip(input)).map(rescaled);
-    let first = paths.next();
-    let pair = first.map(|first| paths.next().map_or(first, |second| joined(first, second, counter)));
-    let sum = pair.map(|pair| paths.fold(pair, |sum, path| joined_on(sum, path, counter)));
-    // supports alone hold the output
-    let alone = Subspace::Tip(Support::Free, output.unwrap_or(Space::Bending));
-    let mut sum = sum.map_or(alone, |sum| widened(sum, output));
-    for input in inputs {
-        if let Subspace::Tip(support, _) = input {
-            sum = held(sum, support);
-        }
-    }
-    narrowed(sum, output, counter)
 }
 
 #[cfg(test)]

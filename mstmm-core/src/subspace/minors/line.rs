@@ -1,6 +1,6 @@
 //! Lines of two-entry states, each given by one of its vectors.
 
-use crate::number::scalar::Scalar;
+use crate::number::Scalar;
 
 /// A line of a translation or rotation path, with a power of two of its own.
 ///

@@ -1,6 +1,6 @@
 //! Planes of the bending state, each given by its 2×2 minors (Plücker coordinates).
 
-use crate::number::scalar::Scalar;
+use crate::number::Scalar;
 use mstmm_plan::{Freedoms, Space, Support};
 
 /// A plane of the bending state, with a power of two of its own.

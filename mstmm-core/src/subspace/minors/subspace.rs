@@ -4,9 +4,7 @@
 //! dimension; at the root, Δ = 0 where it meets the root's boundary condition. A line of a two-entry state is given by
 //! one of its vectors, a plane of the bending state by its 2×2 minors (Plücker coordinates).
 
-use crate::number::scalar::Scalar;
-use crate::number::scaled::Scaled;
-use crate::subspace::count::RootCounter;
+use crate::number::Scalar;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use mstmm_plan::{Space, Support};
@@ -73,29 +71,4 @@ impl<S: Scalar> Subspace<S> {
             Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } => Space::Bending,
         }
     }
-
-    /// Δ: vanishes where the subspace meets the boundary condition of the root.
-    #[inline(always)]
-    pub fn at_root<C: RootCounter<S>>(self, support: Support, counter: &mut C) -> Scaled<S> {
-        if let Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } = self {
-            let plane = self.plane();
-            counter.plane_root(&plane, support);
-            let minors = || [plane.y_theta, plane.y_m, plane.theta_q, plane.m_q];
-            return Scaled::new(counted::<S, C, 4>(plane.minor_at(support), minors), i64::from(plane.exponent));
-        }
-        let line = self.line();
-        counter.line_root(&line, support);
-        let value = if support.holds().contains(self.space()) { line.y } else { line.q };
-        Scaled::new(counted::<S, C, 2>(value, || [line.y, line.q]), i64::from(line.exponent))
-    }
-}
-
-/// Δ of a pass that counts, NaN if one of the entries is not finite, since the count needs all of them.
-#[inline(always)]
-fn counted<S: Scalar, C: RootCounter<S>, const N: usize>(delta: S, entries: impl Fn() -> [S; N]) -> S {
-    if !C::COUNTS {
-        return delta;
-    }
-    // zero times what is not finite is not a number
-    entries().iter().fold(delta, |delta, &entry| delta + entry * S::zero())
 }

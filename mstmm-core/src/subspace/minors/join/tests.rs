@@ -1,11 +1,10 @@
 //! Connections against the addition of stiffnesses: of a plane `[[p_ΘQ, -w], [-w, p_YM]]/p_YΘ`, of a line `-q/y`.
 
 use super::*;
-use crate::number::double_double::DoubleDouble;
-use crate::number::frequency::Real;
-use crate::number::scaled::Scaled;
-use crate::number::tolerance::assert_close;
+use crate::number::{DoubleDouble, Real, Scaled, assert_close};
+use crate::subspace::connecting::{Connecting, connection};
 use crate::subspace::count::{NoCount, WittrickWilliams};
+use mstmm_plan::Support;
 use proptest::option;
 use proptest::prelude::*;
 use std::vec::Vec;

@@ -1,0 +1,577 @@
+/// A mass between a spring and a damper.
+#[derive(Debug)]
+pub struct DampedMass {
+    /// Stiffness [N/m].
+    pub stiffness: f64,
+    /// Damping [N s/m].
+    pub damping: f64,
+    /// Mass [kg].
+    pub mass: f64,
+}
+/// The built system of [`DampedMass`]: evaluate it at a frequency, or search its frequencies.
+///
+/// # Equation
+///
+/// `s0` is the state behind step 0 below, `U` the transfer matrix of an element. Where paths meet, the first gives the
+/// displacements, and each its forces: `F` takes the forces of a state alone. `P` takes of a state what goes on to fewer.
+///
+/// ```text
+/// U_all z_all = 0, 3 x 3: 2 rows of the main transfer equation, geometrical equations: 1
+/// z_all = [Q(s0), Q(s2), Y(s6)]
+/// s6 = U(mass 4) U(spring 1) s0
+///     + U(mass 4) F U(damper 3) s2
+/// Y(s3) = Y(s1)
+/// ```
+///
+/// # Steps
+///
+/// ```text
+/// s0   = fixed                           translation
+/// s1   = spring 1 (s0)                   translation
+/// s2   = fixed                           translation
+/// s3   = damper 3 (s2)                   translation
+/// s4   = conn 2 (s1, s3)                 translation
+/// s5   = mass 4 (s4)                     translation
+/// s6   = free, the root (s5)             translation
+/// ```
+///
+/// # Paths
+///
+/// ```text
+/// fixed -> spring 1 -> conn 2 -> mass 4 -> free, the root
+/// fixed -> damper 3 -> conn 2
+/// ```
+#[derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct DampedMassSystem<T: mstmm::__private::Real = f64> {
+    /// `spring 1`
+    element_1: <mstmm::__private::elements::Spring<
+        T,
+    > as mstmm::__private::Element>::Built,
+    /// `damper 3`
+    element_3: <mstmm::__private::elements::Damper<
+        T,
+    > as mstmm::__private::Element>::Built,
+    /// `mass 4`
+    element_4: <mstmm::__private::elements::Mass<T> as mstmm::__private::Element>::Built,
+    /// The field `stiffness`
+    field_stiffness: ::core::primitive::f64,
+    /// The field `damping`
+    field_damping: ::core::primitive::f64,
+    /// The field `mass`
+    field_mass: ::core::primitive::f64,
+    parameter: ::core::marker::PhantomData<T>,
+}
+impl DampedMass {
+    /// Validates all parameters and builds the system.
+    ///
+    /// # Errors
+    /// The error names the first element with a parameter out of its range, the parameter and its value.
+    pub fn build(
+        &self,
+    ) -> ::core::result::Result<DampedMassSystem, mstmm::__private::ParameterError> {
+        self.build_as()
+    }
+    /// Builds the system over another scalar, such as `f32` or the double-double `DoubleDouble`.
+    ///
+    /// # Errors
+    /// As `build`.
+    pub fn build_as<T: mstmm::__private::Real>(
+        &self,
+    ) -> ::core::result::Result<DampedMassSystem<T>, mstmm::__private::ParameterError> {
+        let stiffness = self.stiffness;
+        let damping = self.damping;
+        let mass = self.mass;
+        ::core::result::Result::Ok(DampedMassSystem {
+            element_1: mstmm::__private::build::<
+                mstmm::__private::elements::Spring<T>,
+            >(
+                mstmm::__private::elements::Spring {
+                    stiffness: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = stiffness;
+                        number
+                    }),
+                },
+                "spring 1",
+            )?,
+            element_3: mstmm::__private::build::<
+                mstmm::__private::elements::Damper<T>,
+            >(
+                mstmm::__private::elements::Damper {
+                    damping: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = damping;
+                        number
+                    }),
+                },
+                "damper 3",
+            )?,
+            element_4: mstmm::__private::build::<
+                mstmm::__private::elements::Mass<T>,
+            >(
+                mstmm::__private::elements::Mass {
+                    mass: mstmm::__private::Scalar::from_f64({
+                        let number: ::core::primitive::f64 = mass;
+                        number
+                    }),
+                },
+                "mass 4",
+            )?,
+            field_stiffness: self.stiffness,
+            field_damping: self.damping,
+            field_mass: self.mass,
+            parameter: ::core::marker::PhantomData,
+        })
+    }
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::System for DampedMassSystem<T> {
+    type Parameter = T;
+    fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
+        let mut estimates = ::core::default::Default::default();
+        <mstmm::__private::elements::Spring<
+            T,
+        > as mstmm::__private::Element>::estimate(&self.element_1, &mut estimates);
+        <mstmm::__private::elements::Damper<
+            T,
+        > as mstmm::__private::Element>::estimate(&self.element_3, &mut estimates);
+        <mstmm::__private::elements::Mass<
+            T,
+        > as mstmm::__private::Element>::estimate(&self.element_4, &mut estimates);
+        estimates
+    }
+}
+/// The labels of the sketch: elements and connections, as results about motions take them.
+#[allow(dead_code, non_upper_case_globals)]
+impl DampedMass {
+    /// `spring 1`
+    pub const spring_1: mstmm::__private::Label<
+        DampedMass,
+        mstmm::__private::elements::Spring<f64>,
+    > = mstmm::__private::Label::new(1usize, 0usize);
+    /// `damper 3`
+    pub const damper_3: mstmm::__private::Label<
+        DampedMass,
+        mstmm::__private::elements::Damper<f64>,
+    > = mstmm::__private::Label::new(3usize, 2usize);
+    /// `conn 2`
+    pub const conn_2: mstmm::__private::Point<DampedMass> = mstmm::__private::Point::connection(
+        4usize,
+    );
+    /// `mass 4`
+    pub const mass_4: mstmm::__private::Label<
+        DampedMass,
+        mstmm::__private::elements::Mass<f64>,
+    > = mstmm::__private::Label::new(5usize, 4usize);
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::NamedFields for DampedMassSystem<T> {
+    const NAMES: &'static [&'static ::core::primitive::str] = &[
+        "stiffness",
+        "damping",
+        "mass",
+    ];
+}
+#[automatically_derived]
+impl<T: mstmm::__private::Real> mstmm::__private::Fields for DampedMassSystem<T> {
+    type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(
+        &[(), (), ()],
+    )];
+    fn per_field<V: ::core::marker::Copy + ::core::fmt::Debug>(
+        value: V,
+    ) -> Self::PerField<V> {
+        [value; _]
+    }
+}
+#[automatically_derived]
+impl<T, S> mstmm::__private::Chain<S> for DampedMassSystem<T>
+where
+    T: mstmm::__private::Real,
+    S: mstmm::__private::Frequency<T>,
+    mstmm::__private::elements::Damper<
+        T,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Damper<S>>,
+    mstmm::__private::elements::Mass<
+        T,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Mass<S>>,
+    mstmm::__private::elements::Spring<
+        T,
+    >: mstmm::__private::Energies<S, Gradient = mstmm::__private::elements::Spring<S>>,
+{
+    fn chain(
+        &self,
+        ends: impl ::core::ops::Fn(::core::primitive::usize) -> mstmm::__private::Ends<S>,
+    ) -> Self::PerField<S> {
+        let zeros = <Self as mstmm::__private::Fields>::per_field(
+            mstmm::__private::Scalar::from_f64(0.0),
+        );
+        let mut chain = mstmm::__private::ChainRule::new(zeros);
+        let stiffness = chain.variable(self.field_stiffness);
+        let damping = chain.variable(self.field_damping);
+        let mass = chain.variable(self.field_mass);
+        let values = (stiffness,);
+        for step in [1usize] {
+            let gradient = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_1, &ends(step));
+            chain.add(gradient.stiffness, values.0);
+        }
+        let values = (damping,);
+        for step in [3usize] {
+            let gradient = <mstmm::__private::elements::Damper<
+                T,
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_3, &ends(step));
+            chain.add(gradient.damping, values.0);
+        }
+        let values = (mass,);
+        for step in [5usize] {
+            let gradient = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::Energies<S>>::gradient(&self.element_4, &ends(step));
+            chain.add(gradient.mass, values.0);
+        }
+        chain.finish()
+    }
+}
+const _: () = {
+    const LAYOUT: mstmm::__private::Scheme<'static> = const {
+        &mstmm::__private::Layout::new([
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                0usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Spring<f64>>(),
+            ),
+            mstmm::__private::Step::Tip(mstmm::__private::Support::Fixed),
+            mstmm::__private::Step::Element(
+                2usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Damper<f64>>(),
+            ),
+            mstmm::__private::Step::Connection(&[1usize, 3usize]),
+            mstmm::__private::Step::Element(
+                4usize,
+                mstmm::__private::space_of::<mstmm::__private::elements::Mass<f64>>(),
+            ),
+            mstmm::__private::Step::Root(5usize, mstmm::__private::Support::Free),
+        ])
+    }
+        .scheme();
+    const _: () = LAYOUT.check_support(0usize);
+    const _: () = LAYOUT.check_arrow(1usize);
+    const _: () = LAYOUT.check_support(2usize);
+    const _: () = LAYOUT.check_arrow(3usize);
+    const _: () = LAYOUT.check_connection(4usize);
+    const _: () = LAYOUT.check_arrow(5usize);
+    const _: () = LAYOUT.check_support(6usize);
+    impl DampedMassSystem {
+        /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
+        pub const N: usize = 3;
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Evaluate<S> for DampedMassSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
+    {
+        type Matrix = mstmm::__private::SMatrix<S, 3, 3>;
+        fn overall_matrix(&self, x: S) -> Self::Matrix {
+            let u_1 = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_1, x);
+            let u_3 = <mstmm::__private::elements::Damper<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_3, x);
+            let u_4 = <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::TransferMatrix<
+                S,
+            >>::transfer_matrix(&self.element_4, x);
+            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            equation.tip(0usize);
+            equation.element::<mstmm::__private::elements::Spring<T>>(1usize, &u_1);
+            equation.tip(2usize);
+            equation.element::<mstmm::__private::elements::Damper<T>>(3usize, &u_3);
+            equation.connection(4usize);
+            equation.element::<mstmm::__private::elements::Mass<T>>(5usize, &u_4);
+            equation.finish()
+        }
+        fn overall_determinant(&self, x: S) -> mstmm::__private::Scaled<S> {
+            let determinant = mstmm::__private::determinant(
+                mstmm::__private::Evaluate::overall_matrix(self, x),
+            );
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Spring<T>,
+                S,
+            >(determinant, &self.element_1, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Damper<T>,
+                S,
+            >(determinant, &self.element_3, x);
+            let determinant = mstmm::__private::without_pole::<
+                mstmm::__private::elements::Mass<T>,
+                S,
+            >(determinant, &self.element_4, x);
+            determinant
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Characteristic<S> for DampedMassSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
+    {
+        #[inline]
+        fn pass<C: mstmm::__private::RootCounter<S>>(
+            &self,
+            x: S,
+            counter: &mut C,
+        ) -> mstmm::__private::Scaled<S> {
+            const STEPS: usize = 7usize;
+            let at = mstmm::__private::FrequencyPowers::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Damper<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            );
+            let k_1 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Spring<T>,
+                S,
+                STEPS,
+            >(&self.element_1, &at);
+            let k_3 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Damper<T>,
+                S,
+                STEPS,
+            >(&self.element_3, &at);
+            let k_4 = mstmm::__private::coefficients::<
+                mstmm::__private::elements::Mass<T>,
+                S,
+                STEPS,
+            >(&self.element_4, &at);
+            let s0 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Fixed,
+                const { LAYOUT.space(0usize) },
+            );
+            let s1 = mstmm::__private::step::<
+                mstmm::__private::elements::Spring<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_1, s0, counter);
+            let s2 = mstmm::__private::Subspace::Tip(
+                mstmm::__private::Support::Fixed,
+                const { LAYOUT.space(2usize) },
+            );
+            let s3 = mstmm::__private::step::<
+                mstmm::__private::elements::Damper<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_3, s2, counter);
+            let s4 = s1;
+            let s4 = mstmm::__private::join::<S, C, true, STEPS>(s4, s3, counter);
+            let s4 = mstmm::__private::Connecting::widened(
+                s4,
+                const { LAYOUT.output(4usize) },
+            );
+            let s4 = mstmm::__private::Connecting::narrowed(
+                s4,
+                const { LAYOUT.output(4usize) },
+                counter,
+            );
+            mstmm::__private::root::<
+                mstmm::__private::elements::Mass<T>,
+                S,
+                C,
+                STEPS,
+            >(&k_4, s4, mstmm::__private::Support::Free, counter)
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::Planned for DampedMassSystem<T> {
+        type Model = DampedMass;
+        type PerStep<C: ::core::marker::Copy + ::core::fmt::Debug> = [C; 7usize];
+        fn per_step<C: ::core::marker::Copy + ::core::fmt::Debug>(
+            value: C,
+        ) -> [C; 7usize] {
+            [value; 7usize]
+        }
+        fn scheme(&self) -> mstmm::__private::Scheme<'_> {
+            LAYOUT
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Tree<S> for DampedMassSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::BackTransfer<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::BackTransfer<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::BackTransfer<S>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Energies<S>,
+        mstmm::__private::elements::Damper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Damper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+    {
+        type Evaluated = (
+            <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Damper<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+            <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::PlaneStep<S>>::Coefficients,
+        );
+        fn at(x: S) -> mstmm::__private::FrequencyPowers<S> {
+            mstmm::__private::FrequencyPowers::new(
+                x,
+                false
+                    || <mstmm::__private::elements::Damper<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES
+                    || <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::PlaneStep<S>>::WAVES,
+            )
+        }
+        fn evaluate(
+            &self,
+            at: &mstmm::__private::FrequencyPowers<S>,
+        ) -> Self::Evaluated {
+            (
+                <mstmm::__private::elements::Spring<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_1, at),
+                <mstmm::__private::elements::Damper<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_3, at),
+                <mstmm::__private::elements::Mass<
+                    T,
+                > as mstmm::__private::PlaneStep<S>>::coefficients(&self.element_4, at),
+            )
+        }
+        fn visit<C: mstmm::__private::Visit<S>>(
+            &self,
+            evaluated: ::core::option::Option<&Self::Evaluated>,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Spring<T>,
+                            >(&self.element_1, evaluated.map(|evaluated| &evaluated.0))
+                    }
+                    3usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Damper<T>,
+                            >(&self.element_3, evaluated.map(|evaluated| &evaluated.1))
+                    }
+                    5usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Mass<T>,
+                            >(&self.element_4, evaluated.map(|evaluated| &evaluated.2))
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Steps<S> for DampedMassSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
+        mstmm::__private::elements::Damper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
+        mstmm::__private::elements::Damper<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Mass<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+    {
+        fn visit_step<C: mstmm::__private::VisitStep<S>>(
+            &self,
+            step: usize,
+            visitor: C,
+        ) -> ::core::option::Option<C::Output> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Spring<T>,
+                            >(&self.element_1)
+                    }
+                    3usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Damper<T>,
+                            >(&self.element_3)
+                    }
+                    5usize => {
+                        visitor
+                            .element::<
+                                mstmm::__private::elements::Mass<T>,
+                            >(&self.element_4)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+    }
+};

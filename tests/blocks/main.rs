@@ -1,0 +1,7 @@
+//! Many frequencies at once give what each gives alone, bit for bit.
+
+mod responses;
+#[path = "../support/mod.rs"]
+pub mod support;
+pub mod uneven;
+mod values;

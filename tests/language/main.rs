@@ -1,0 +1,9 @@
+//! The language of `system!`: what may be written, what it means, what is refused, and the README's first model.
+
+mod bad_numbers;
+pub mod expansion;
+mod formulas;
+mod readme;
+mod scenes;
+#[path = "../support/mod.rs"]
+pub mod support;

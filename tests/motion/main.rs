@@ -1,0 +1,24 @@
+//! Mode shapes, responses to loads and sensitivities.
+
+pub mod curves_end;
+#[path = "../support/damped_models.rs"]
+#[allow(unused_macros, unused_imports, reason = "the shapes go through the models by name")]
+mod damped_models;
+mod energy_shares;
+pub mod examples;
+pub mod frequency_response;
+mod lumped_chains;
+pub mod modal_response;
+mod mode_shapes;
+mod near_resonance;
+mod response_oracle;
+mod sensitivities;
+mod sensitivity_oracle;
+pub mod sensitivity_units;
+mod state_equations;
+pub mod static_limits;
+#[path = "../support/mod.rs"]
+pub mod support;
+#[path = "../support/undamped_models.rs"]
+#[allow(unused_macros, unused_imports, reason = "the same")]
+mod undamped_models;

@@ -1,0 +1,20 @@
+//! Counts, natural frequencies and eigenvalues: certified ones, those of trees that searches find hard, those of random trees.
+
+mod certified;
+mod counts;
+#[path = "../support/damped_models.rs"]
+mod damped_models;
+mod defects;
+mod directed_families;
+mod dynamic_stiffness;
+mod macro_equals_list;
+mod oracles;
+mod planar_chain;
+mod random_trees;
+mod scaled_trees;
+mod strips;
+#[path = "../support/mod.rs"]
+pub mod support;
+mod tree_corners;
+#[path = "../support/undamped_models.rs"]
+mod undamped_models;

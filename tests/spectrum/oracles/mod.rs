@@ -1,0 +1,7 @@
+//! Models of trees that share no formula with the library.
+
+pub(crate) mod dynamic_stiffness;
+pub(crate) mod finite_elements;
+pub(crate) mod legendre_beam;
+pub(crate) mod quadratic;
+pub(crate) mod sylvester;
