@@ -58,12 +58,11 @@ where
 
     /// The states at both ends of the element of a step.
     pub(crate) fn ends(&self, step: usize) -> Ends<S> {
-        let input = match self.system.scheme().steps[step] {
-            Step::Element(input, _) if input == self.source => self.beyond,
-            Step::Element(input, _) => self.states.as_ref()[input],
+        let input = match self.system.scheme().steps.get(step) {
+            Some(&Step::Element(input, _)) => self.at(input, true),
             _ => State::default(),
         };
-        Ends { x: self.x, input, output: self.states.as_ref()[step] }
+        Ends { x: self.x, input, output: self.at(step, false) }
     }
 
     /// The interior of the element of a step, if it has one.
@@ -78,7 +77,10 @@ where
 
     /// The state at the point behind a step, on its upstream side or `beyond` it.
     pub(crate) fn at(&self, step: usize, beyond: bool) -> State<S> {
-        if beyond && step == self.source { self.beyond } else { self.states.as_ref()[step] }
+        if beyond && step == self.source {
+            return self.beyond;
+        }
+        self.states.as_ref().get(step).copied().unwrap_or_default()
     }
 
     /// The state at an end of an element, or at the output of a connection. Entries that a path does not carry are zero.

@@ -49,6 +49,10 @@ impl Place {
             let space = scheme.behind(step);
             space.contains(coordinate.freedom()) && !space.is(Space::Planar)
         };
+        // the label of a longer list
+        if step >= scheme.len() {
+            return Err(MotionError::NoSuchEntry { coordinate });
+        }
         if has(step) {
             return Ok(Place { step, beyond, coordinate });
         }
