@@ -1,9 +1,6 @@
 //! Mode shapes, responses to loads and sensitivities.
 
 pub mod curves_end;
-#[path = "../support/damped_models.rs"]
-#[allow(unused_macros, unused_imports, reason = "the shapes go through the models by name")]
-mod damped_models;
 mod energy_shares;
 pub mod examples;
 pub mod frequency_response;
@@ -19,6 +16,3 @@ mod state_equations;
 pub mod static_limits;
 #[path = "../support/mod.rs"]
 pub mod support;
-#[path = "../support/undamped_models.rs"]
-#[allow(unused_macros, unused_imports, reason = "the same")]
-mod undamped_models;

@@ -17,5 +17,6 @@ mod recorded;
 mod residuals;
 mod single_beams;
 mod sketch;
+mod trees;
 mod varied;
 mod waves;

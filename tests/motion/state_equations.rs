@@ -52,7 +52,7 @@ fn held(support: Support, space: Space) -> Vec<Coordinate> {
 }
 
 /// The inputs of the steps of a tree: a connection takes the last open paths.
-fn steps_of(tree: &Tree) -> Vec<Step<'static>> {
+pub(crate) fn steps_of(tree: &Tree) -> Vec<Step<'static>> {
     let mut open: Vec<usize> = Vec::new();
     let mut steps = Vec::new();
     for (index, step) in tree.iter().enumerate() {

@@ -112,6 +112,27 @@ impl Part {
         }
     }
 
+    /// Names and values of the parameters.
+    pub(crate) fn named(mut self) -> Vec<(&'static str, f64)> {
+        let values = self.parameters().into_iter().map(|value| *value).collect::<Vec<_>>();
+        self.names().iter().copied().zip(values).collect()
+    }
+
+    /// The keyword of the language.
+    pub(crate) fn keyword(&self) -> String {
+        let text = format!("{self:?}");
+        // `PointMass(PointMass { mass: 1.0, .. })`
+        let (name, _) = text.split_once('(').unwrap_or((&text, ""));
+        let mut keyword = String::new();
+        for letter in name.chars() {
+            if letter.is_uppercase() && !keyword.is_empty() {
+                keyword.push('_');
+            }
+            keyword.push(letter.to_ascii_lowercase());
+        }
+        keyword
+    }
+
     /// Stiffness and damping of a link between two displacements of one kind.
     pub(crate) fn link(&self) -> Option<[f64; 2]> {
         match *self {

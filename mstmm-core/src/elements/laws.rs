@@ -25,6 +25,11 @@ pub(super) trait Sample: Element + Copy + core::fmt::Debug {
         None
     }
 
+    /// The largest phase of its waves at `|λ| = s²`, whose rounding the law of halves allows: s where it grows with `sqrt(|λ|)`.
+    fn phase(&self, s: f64) -> f64 {
+        s
+    }
+
     /// The element without its springs to the ground.
     fn untied(self) -> Self {
         self

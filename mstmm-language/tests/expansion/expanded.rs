@@ -290,8 +290,10 @@ const _: () = {
             > as mstmm::__private::TransferMatrix<
                 S,
             >>::transfer_matrix(&self.element_4, x);
-            let mut equation = mstmm::__private::Assembly::new(LAYOUT);
+            let mut equation = mstmm::__private::Assembly::new(&LAYOUT);
+            equation.tip(0usize);
             equation.element::<mstmm::__private::elements::Spring<T>>(1usize, &u_1);
+            equation.tip(2usize);
             equation.element::<mstmm::__private::elements::Damper<T>>(3usize, &u_3);
             equation.connection(4usize);
             equation.element::<mstmm::__private::elements::Mass<T>>(5usize, &u_4);

@@ -26,7 +26,7 @@ where
     let mut worst = Worst::default();
     for root in roots.iter().filter(|root| root.multiplicity() == 1) {
         let shape = system.mode_shape(root).unwrap();
-        let residual = worst_residual(&sketch, &record(&shape, root));
+        let residual = worst_residual(&sketch, &record(system, &shape, root));
         assert!(residual.size <= LIMIT, "{root:?}: {residual:?}");
         if residual.size > worst.size {
             worst = residual;
@@ -73,7 +73,7 @@ where
     let usual = sizes().filter(|size| !is_zero(*size)).fold(f64::INFINITY, f64::min).powi(2);
     for root in roots.iter().filter(|root| root.multiplicity() == 1) {
         let shape = system.mode_shape(root).unwrap();
-        let recorded = record(&shape, root);
+        let recorded = record(system, &shape, root);
         let forms = forms(&sketch, &recorded, &recorded);
         let imbalance = forms.imbalance(&recorded, if is_zero(root.frequency().size()) { usual } else { 0.0 });
         assert!(imbalance <= 2.0 * RAYLEIGH, "{root:?}: {imbalance:e}");

@@ -21,14 +21,14 @@ where
     assert_eq!(shapes.len() as u64, root.multiplicity);
     let mut worst = [0.0_f64; 3];
     for (i, first) in shapes.iter().enumerate() {
-        let recorded = record(*first, root);
+        let recorded = record(system, *first, root);
         let residual = worst_residual(&sketch, &recorded);
         assert!(residual.size <= LIMIT, "{root:?}, shape {i}: {residual:?}");
         worst[0] = worst[0].max(residual.size);
         for (j, second) in shapes.iter().enumerate() {
             let expected = if i == j { 1.0 } else { 0.0 };
             let product = first.product(second) - expected;
-            let by_quadrature = forms(&sketch, &recorded, &record(*second, root)).mass - expected;
+            let by_quadrature = forms(&sketch, &recorded, &record(system, *second, root)).mass - expected;
             worst = [worst[0], worst[1].max(product.abs()), worst[2].max(by_quadrature.norm())];
         }
     }
@@ -114,7 +114,7 @@ fn close_pairs() {
         let shapes = [0, 1].map(|k| system.mode_shape(&pair[k]).unwrap());
         let product = shapes[0].product(&shapes[1]);
         assert!(product.abs() <= LIMIT, "{pair:?}: {product:e}");
-        let recorded = [0, 1].map(|k| record(&shapes[k], &pair[k]));
+        let recorded = [0, 1].map(|k| record(&system, &shapes[k], &pair[k]));
         let by_quadrature = forms(&sketch, &recorded[0], &recorded[1]).mass.re;
         assert!((product - by_quadrature).abs() <= LIMIT, "{pair:?}: {by_quadrature:e}");
     }
@@ -129,7 +129,7 @@ fn close_roots_of_arms_at_one_joint() {
         let (system, sketch) = (model.build().unwrap(), model.sketch());
         for root in first::<20>(&system).iter().take(13) {
             for shape in system.mode_shapes::<4, _>(root).unwrap().iter() {
-                let residual = worst_residual(&sketch, &record(shape, root));
+                let residual = worst_residual(&sketch, &record(&system, shape, root));
                 assert!(residual.size <= LIMIT, "{l}, {gap}: {root:?}: {residual:?}");
             }
         }

@@ -34,7 +34,7 @@ fn a_clamped_middle_keeps_a_mode_in_one_arm() {
         check_energies(&model, &system, &roots);
         for root in roots.iter().filter(|root| root.multiplicity == 1) {
             let shape = system.mode_shape(root).unwrap();
-            let recorded = record(&shape, root);
+            let recorded = record(&system, &shape, root);
             let ends = |name: &str| [recorded.elements[name].input, recorded.elements[name].output];
             let z = (root.omega * (3.0f64 / 2.0).sqrt()).sqrt() * l1;
             // a clamped arm: cos z ch z = 1
@@ -120,7 +120,7 @@ fn shapes_in_other_arithmetic() {
     for ((short, root), exact) in singles.iter().zip(&first::<12>(&double)).zip(&*longs) {
         let (a, b, c) =
             (single.mode_shape(short).unwrap(), double.mode_shape(root).unwrap(), long.mode_shape(exact).unwrap());
-        let (a, b, c) = (record(&a, short), record(&b, root), record(&c, exact));
+        let (a, b, c) = (record(&single, &a, short), record(&double, &b, root), record(&long, &c, exact));
         let residual = worst_residual(&sketch, &a);
         assert!(residual.size <= 500.0 * f64::from(f32::EPSILON), "{residual:?}");
         let residual = worst_residual(&sketch, &c);

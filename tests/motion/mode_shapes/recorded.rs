@@ -23,8 +23,8 @@ pub(crate) struct Recorded<'a> {
     pub(crate) lambda_squared: C,
     /// Zero where the system is undamped.
     pub(crate) lambda: C,
-    pub(crate) elements: BTreeMap<&'static str, Ends<'a>>,
-    pub(crate) connections: BTreeMap<&'static str, State<C>>,
+    pub(crate) elements: BTreeMap<String, Ends<'a>>,
+    pub(crate) connections: BTreeMap<String, State<C>>,
 }
 
 impl Recorded<'_> {
@@ -51,7 +51,7 @@ pub(crate) fn plain<T: Real, S: Oscillation<T>>(state: State<S>) -> State<C> {
 pub(crate) trait Recordable<S: Oscillation<Self::Parameter>>:
     mstmm::motion::ExtendedTree<S> + System + Sized
 {
-    fn record<'a>(shape: &'a ModeShape<'_, Self, S>, x: S) -> Recorded<'a>;
+    fn record<'a>(&self, shape: &'a ModeShape<'_, Self, S>, x: S) -> Recorded<'a>;
 }
 
 /// A model whose sketch can be read.
@@ -61,6 +61,7 @@ pub(crate) trait Sketched {
 
 /// The shape of a root, recorded.
 pub(crate) fn record<'a, Y, S>(
+    system: &Y,
     shape: &'a ModeShape<'_, Y, S>,
     root: &impl Root<Y::Parameter, Frequency = S>,
 ) -> Recorded<'a>
@@ -68,7 +69,7 @@ where
     Y: Recordable<S>,
     S: Oscillation<Y::Parameter>,
 {
-    Y::record(shape, root.frequency())
+    system.record(shape, root.frequency())
 }
 
 /// Makes models of a source file recordable, given the names of their elements and connections.
@@ -81,23 +82,15 @@ macro_rules! recordable {
         })*
         crate::mode_shapes::recorded::recordable! { @states $($model $system [$($element)*] [$($connection)*];)* }
     };
-    (without fields in $source:expr; $($model:ident $system:ident [$($element:ident)*] [$($connection:ident)*];)*) => {
-        $(impl crate::mode_shapes::recorded::Sketched for $model {
-            fn sketch(&self) -> crate::mode_shapes::sketch::Sketch {
-                crate::mode_shapes::sketch::Sketch::of($source, stringify!($model), "")
-            }
-        })*
-        crate::mode_shapes::recorded::recordable! { @states $($model $system [$($element)*] [$($connection)*];)* }
-    };
     (@states $($model:ident $system:ident [$($element:ident)*] [$($connection:ident)*];)*) => {$(
 
         impl<T: mstmm::number::Real, S: mstmm::number::Oscillation<T>> crate::mode_shapes::recorded::Recordable<S> for $system<T>
         where
             $system<T>: mstmm::motion::ExtendedTree<S> + mstmm::motion::Planned<Model = $model> + mstmm::search::System<Parameter = T>,
         {
-            fn record<'a>(shape: &'a mstmm::motion::ModeShape<'_, Self, S>, x: S) -> crate::mode_shapes::recorded::Recorded<'a> {
+            fn record<'a>(&self, shape: &'a mstmm::motion::ModeShape<'_, Self, S>, x: S) -> crate::mode_shapes::recorded::Recorded<'a> {
                 let mut recorded = crate::mode_shapes::recorded::Recorded::at(x);
-                $(recorded.elements.insert(stringify!($element), crate::mode_shapes::recorded::Ends {
+                $(recorded.elements.insert(stringify!($element).to_owned(), crate::mode_shapes::recorded::Ends {
                     input: crate::mode_shapes::recorded::plain(shape.state($model::$element.input())),
                     output: crate::mode_shapes::recorded::plain(shape.state($model::$element.output())),
                     along: Box::new(|distance| {
@@ -105,7 +98,7 @@ macro_rules! recordable {
                     }),
                 });)*
                 $(recorded.connections.insert(
-                    stringify!($connection),
+                    stringify!($connection).to_owned(),
                     crate::mode_shapes::recorded::plain(shape.state($model::$connection)),
                 );)*
                 recorded

@@ -5,20 +5,10 @@ use mstmm::element::Support;
 use mstmm::list::ListStep;
 use std::fmt::Write;
 
-/// Keyword of an element and its parameters as the source of a model.
+/// An element as the source of a model.
 fn element(part: &Part, label: usize) -> String {
-    let text = format!("{part:?}");
-    // `Beam(Beam { length: 1.0, .. })`
-    let (name, rest) = text.split_once('(').unwrap_or((&text, ""));
-    let parameters = rest.trim_start_matches(name).trim_end_matches(')').trim();
-    let mut keyword = String::new();
-    for letter in name.chars() {
-        if letter.is_uppercase() && !keyword.is_empty() {
-            keyword.push('_');
-        }
-        keyword.push(letter.to_ascii_lowercase());
-    }
-    format!("{keyword} {label} {parameters}")
+    let parameters: Vec<String> = part.named().iter().map(|(name, value)| format!("{name}: {value:?}")).collect();
+    format!("{} {label} {{ {} }}", part.keyword(), parameters.join(", "))
 }
 
 fn support(support: Support) -> String {

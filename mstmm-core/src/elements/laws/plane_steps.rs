@@ -192,7 +192,7 @@ where
         let size = whole.iter().enumerate().map(|(k, x)| x.size() / unit(k)).fold(0.0, f64::max);
         for (k, (&a, b)) in whole.iter().zip(halves).enumerate() {
             let b = b.times_power_of_two(other_exponent - exponent);
-            assert_close((a - b).norm(), 0.0, size * unit(k), 16.0 * (5.0 + s));
+            assert_close((a - b).norm(), 0.0, size * unit(k), 16.0 * (5.0 + element.phase(s)));
         }
     });
 }
