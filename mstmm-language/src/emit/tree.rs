@@ -1,7 +1,7 @@
 //! Emits what motions need: the labels of the model as values, and the system as a tree whose elements can be visited.
 
 use super::{Names, bounds, element_field, first_of_each_type, implement};
-use crate::ast::{Element, Label, Model};
+use crate::ast::{Label, Model};
 use crate::plan::{Plan, Step};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote_spanned};
@@ -106,8 +106,7 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
             })
         }
     };
-    let ways = [bounds("BackTransfer", plan, names), bounds("Energies", plan, names), straight_bounds(plan, names)];
-    implement("Tree", ways.concat(), &body, names)
+    implement("Tree", bounds("Moving", plan, names), &body, names)
 }
 
 /// `impl Steps<S>`: a visit per element, as passes make it.
@@ -130,18 +129,5 @@ pub(super) fn steps(plan: &Plan<'_>, names: &Names) -> TokenStream {
             })
         }
     };
-    implement("Steps", [bounds("PlaneStep", plan, names), straight_bounds(plan, names)].concat(), &body, names)
-}
-
-/// The further bounds of blocks of frequencies: steps over branch-free numbers.
-fn straight_bounds(plan: &Plan<'_>, names: &Names) -> Vec<TokenStream> {
-    let bounds = |series: bool| {
-        let bound = move |element: &Element| {
-            let span = names.at_element(element);
-            let (kind, private, frequency) = (names.element(element), &names.private, &names.frequency);
-            quote_spanned!(span=> #kind: #private::PlaneStep<#private::BranchFree<#frequency, #series>>)
-        };
-        first_of_each_type(plan, names).into_iter().map(bound)
-    };
-    bounds(false).chain(bounds(true)).collect()
+    implement("Steps", bounds("Stepping", plan, names), &body, names)
 }

@@ -419,30 +419,9 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Damper<T>: mstmm::__private::BackTransfer<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::BackTransfer<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::BackTransfer<S>,
-        mstmm::__private::elements::Damper<T>: mstmm::__private::Energies<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::Energies<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::Energies<S>,
-        mstmm::__private::elements::Damper<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
-        mstmm::__private::elements::Mass<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
-        mstmm::__private::elements::Spring<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
-        mstmm::__private::elements::Damper<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
-        mstmm::__private::elements::Mass<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
-        mstmm::__private::elements::Spring<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::Moving<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Moving<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Moving<S>,
     {
         type Evaluated = (
             <mstmm::__private::elements::Spring<
@@ -522,27 +501,9 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Damper<T>: mstmm::__private::PlaneStep<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
-        mstmm::__private::elements::Damper<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
-        mstmm::__private::elements::Mass<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
-        mstmm::__private::elements::Spring<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, false>>,
-        mstmm::__private::elements::Damper<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
-        mstmm::__private::elements::Mass<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
-        mstmm::__private::elements::Spring<
-            T,
-        >: mstmm::__private::PlaneStep<mstmm::__private::BranchFree<S, true>>,
+        mstmm::__private::elements::Damper<T>: mstmm::__private::Stepping<S>,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Stepping<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Stepping<S>,
     {
         fn visit_step<C: mstmm::__private::VisitStep<S>>(
             &self,

@@ -13,5 +13,5 @@ fn main() {
     let _ = response.at(2.0);
 //                      ^^^ pass `Complex::new(re, im)` for λ [1/s]
     let _ = system.mode_shape(&NaturalFrequency::default());
-//                 ^^^^^^^^^^ search its `eigenvalues` instead
+//          ^^^^^^ search its `eigenvalues` instead
 }

@@ -54,7 +54,7 @@ fn message(block: &str) -> Option<Mark> {
 /// Every message stands where the file says, with the hint that the file says, and there are no others.
 #[test]
 fn each_message_stands_where_its_file_says() {
-    for entry in std::fs::read_dir("tests/messages/refused").unwrap() {
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/refused")).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_none_or(|extension| extension != "rs") {
             continue;
