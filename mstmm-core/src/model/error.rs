@@ -55,6 +55,15 @@ pub struct InvalidParameter {
     pub requirement: Requirement,
 }
 
+impl fmt::Display for InvalidParameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let InvalidParameter { parameter, value, requirement } = self;
+        write!(f, "{parameter} is {value}, but must be {requirement}")
+    }
+}
+
+impl core::error::Error for InvalidParameter {}
+
 impl InvalidParameter {
     /// The error with the name of the element in the model.
     pub fn of(self, element: &'static str) -> ParameterError {
@@ -111,8 +120,8 @@ pub struct ParameterError {
 
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ParameterError { element, parameter, value, requirement } = self;
-        write!(f, "{element}: {parameter} is {value}, but must be {requirement}")
+        let ParameterError { element, parameter, value, requirement } = *self;
+        write!(f, "{element}: {}", InvalidParameter { parameter, value, requirement })
     }
 }
 
