@@ -39,5 +39,10 @@ fn the_damper_is_the_best_of_a_scan() {
     let scanned = scan.map(|(k, c)| largest(tuned.stiffness * (1.0 + 0.02 * k), tuned.damping * (1.0 + 0.3 * c)));
     assert_close(best, scanned.fold(f64::INFINITY, f64::min), 1e-3);
     assert!(best < 0.7 * damper::largest_deflection(&guess).unwrap());
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn the_program_prints_its_table() {
     assert!(printed("damper").contains("tuned"));
 }

@@ -22,5 +22,10 @@ fn a_known_stiffness_is_identified() {
         let sum: f64 = slopes.zip(&measured).map(|(slope, (_, deviation))| (slope / deviation).powi(2)).sum();
         assert_close(deviation, 1.0 / sum.sqrt(), 1e-6);
     }
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn the_program_prints_the_stiffness() {
     assert!(printed("identification").contains("stiffness of the clamp: "));
 }

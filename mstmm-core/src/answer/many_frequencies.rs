@@ -34,23 +34,24 @@ where
 ///
 /// ```
 /// use mstmm_core::elements::Beam;
-/// use mstmm_core::{AnyUndamped, Characteristic, ListStep, ManyFrequencies, Scaled, StepList, Support};
+/// use mstmm_core::{AnyUndamped, Characteristic, ListStep, ManyFrequencies, Room, Scaled, StepList, Support};
 ///
 /// let beam = Beam { length: 1.0, bending_stiffness: 2.0, mass_per_length: 0.5 };
 /// let steps =
 ///     [ListStep::Tip(Support::Fixed), ListStep::Element(AnyUndamped::try_from(beam)?), ListStep::Root(Support::Free)];
-/// let cantilever = StepList::new(&steps).unwrap();
+/// let mut room = Room::<8>::new();
+/// let cantilever = StepList::new(&steps)?.planned(&mut room)?;
 ///
 /// let omegas: [f64; 100] = core::array::from_fn(|k| 5.0 * (k + 1) as f64);
 /// let mut values = [Scaled::new(0.0, 0); 100];
-/// cantilever.characteristics(&omegas, &mut values).unwrap();
+/// cantilever.characteristics(&omegas, &mut values)?;
 /// assert_eq!(values[42], cantilever.characteristic(omegas[42]));
 ///
 /// let mut counts = [Ok(0); 100];
-/// cantilever.counts_below(&omegas, &mut counts).unwrap();
+/// cantilever.counts_below(&omegas, &mut counts)?;
 /// // modes 1 to 4 are at 7.03, 44.1, 123 and 242 rad/s
 /// assert_eq!([counts[0], counts[1], counts[10], counts[50]], [Ok(0), Ok(1), Ok(2), Ok(4)]);
-/// # Ok::<(), mstmm_core::InvalidParameter>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait ManyFrequencies: System {
     /// Δ at each frequency, as [`characteristic`](Characteristic::characteristic) returns it.
