@@ -1,4 +1,5 @@
 //! The response against that of a bare beam.
+#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 #[path = "../../../tests/support/example.rs"]
 pub mod example;

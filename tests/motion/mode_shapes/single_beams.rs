@@ -18,14 +18,8 @@ macro_rules! single_beam {
 single_beam! {
     Cantilever: fixed free;
     PinnedPinned: pinned pinned;
-    ClampedClamped: fixed fixed;
     FreeFree: free free;
-    GuidedGuided: guided guided;
-    ClampedPinned: fixed pinned;
-    ClampedGuided: fixed guided;
-    PinnedGuided: pinned guided;
     FreePinned: free pinned;
-    FreeGuided: free guided;
 }
 
 system! {
