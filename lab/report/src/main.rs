@@ -1,6 +1,6 @@
 //! Error against run time, and what else there is to see, as a page.
 //!
-//! `cargo run --release --example report` writes `target/report/report.html`, or the file whose path is given, with the runs
+//! `cargo run --release --bin report` writes `target/report/report.html`, or the file whose path is given, with the runs
 //! beside it as JSON and CSV. With `--readme` it also replaces the table and the pictures of the README.
 
 use indicatif::{ProgressBar, ProgressStyle};

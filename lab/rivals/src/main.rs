@@ -1,4 +1,4 @@
-//! Runs every method on every scene and prints Markdown tables: `cargo run --release -p rivals --example runs`.
+//! Runs every method on every scene and prints Markdown tables: `cargo run --release -p rivals`.
 //!
 //! With a path behind `--` the runs are written there as well, as JSON, or as CSV if it ends so.
 
