@@ -9,17 +9,17 @@ use crate::subspace::minors::subspace::Subspace;
 use mstmm_plan::{Space, Support};
 
 impl<S: Scalar> Connecting<S> for Subspace<S> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_support(support: Support, space: Space) -> Self {
         Subspace::Tip(support, space)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn support(&self) -> Option<Support> {
         if let Subspace::Tip(support, _) = *self { Some(support) } else { None }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn rescaled(self) -> Self {
         match self {
             Subspace::Plane(plane) | Subspace::OnPin(plane) => Subspace::Plane(plane.in_range()),
@@ -28,12 +28,12 @@ impl<S: Scalar> Connecting<S> for Subspace<S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn joined<C: RootCounter<S>>(self, other: Self, counter: &mut C) -> Self {
         joined(self, other, counter)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn widened(self, output: Option<Space>) -> Self {
         if output.is_none_or(|output| output.is(self.space())) {
             return self;
@@ -46,7 +46,7 @@ impl<S: Scalar> Connecting<S> for Subspace<S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn held(self, support: Support) -> Self {
         match self {
             _ if support.holds().intersection(self.space()).is_empty() => self,
@@ -64,7 +64,7 @@ impl<S: Scalar> Connecting<S> for Subspace<S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn narrowed<C: RootCounter<S>>(self, output: Option<Space>, counter: &mut C) -> Self {
         match (self, output) {
             (
@@ -80,7 +80,7 @@ impl<S: Scalar> Connecting<S> for Subspace<S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_root<C: RootCounter<S>>(self, support: Support, counter: &mut C) -> Scaled<S> {
         if let Subspace::Plane(_) | Subspace::OnPin(_) | Subspace::Springs { .. } = self {
             let plane = self.plane();
@@ -96,7 +96,7 @@ impl<S: Scalar> Connecting<S> for Subspace<S> {
 }
 
 /// Δ of a pass that counts, NaN if one of the entries is not finite, since the count needs all of them.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn counted<S: Scalar, C: RootCounter<S>, const N: usize>(delta: S, entries: impl Fn() -> [S; N]) -> S {
     if !C::COUNTS {
         return delta;

@@ -10,7 +10,7 @@ use mstmm_plan::Space;
 
 impl<S: Scalar> Plane<S> {
     /// Joins a grounded stiffness of a translation or rotation path.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn with_stiffness(self, k: S, space: Space) -> Self {
         let Plane { y_theta, y_m, w, theta_q, m_q, exponent } = self;
         let minors = if space.is(Space::Translation) {
@@ -22,7 +22,7 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// Joins grounded stiffnesses against deflection and rotation.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with_springs(self, y: Option<S>, theta: Option<S>) -> Self {
         let (k_y, k_theta) = match (y, theta) {
             (None, None) => return self,
@@ -43,7 +43,7 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// Joins a line of a translation or rotation path.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn with_line(self, Line { y, q, exponent }: Line<S>, space: Space) -> Self {
         let Plane { y_theta, y_m, w, theta_q, m_q, .. } = self;
         let minors = if space.is(Space::Translation) {
@@ -55,7 +55,7 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// Joins another plane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn with_plane<C: RootCounter<S>>(self, r: Plane<S>, counter: &mut C) -> Self {
         let p = self;
         let minors = [
@@ -73,7 +73,7 @@ impl<S: Scalar> Plane<S> {
     /// Its mixed part is `p_YM r_ΘQ + r_YM p_ΘQ - 2 w_p w_r`. Where both planes are near a common clamped frequency or rigid-body mode
     /// these terms cancel. With `w² = p_YM p_ΘQ - p_YΘ p_MQ` of either plane it is, for `skew = p_YM w_r - r_YM w_p`,
     /// `skew²/(p_YM r_YM) + (r_YM/p_YM) p_YΘ p_MQ + (p_YM/r_YM) r_YΘ r_MQ`, in which every part is small itself.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn m_q_with<C: RootCounter<S>>(&self, r: &Plane<S>, counter: &mut C) -> S {
         let ww = self.w * r.w;
         let plain = (self.y_m * r.theta_q + r.y_m * self.theta_q) - (ww + ww);
@@ -114,7 +114,7 @@ impl<S: Scalar> Plane<S> {
 
 impl<S: Scalar> Line<S> {
     /// Joins another line of the same space.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with_line(self, other: Line<S>) -> Self {
         Line {
             y: self.y * other.y,
@@ -124,20 +124,20 @@ impl<S: Scalar> Line<S> {
     }
 
     /// Joins a grounded stiffness of the same space.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with_stiffness(self, k: S) -> Self {
         Line { q: self.q - k * self.y, ..self }
     }
 }
 
 /// The stiffness of two springs in parallel, or of one of them.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn in_parallel<S: Scalar>(a: Option<S>, b: Option<S>) -> Option<S> {
     a.zip(b).map(|(a, b)| a + b).or(a).or(b)
 }
 
 /// Joins two subspaces that are no supports.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn joined<S: Scalar, C: RootCounter<S>>(a: Subspace<S>, b: Subspace<S>, counter: &mut C) -> Subspace<S> {
     use Subspace::{Grounded, Line as OfLine, Plane as OfPlane, Springs};
     // to other paths a point on a pin is an ordinary plane

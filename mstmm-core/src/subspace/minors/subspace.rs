@@ -34,7 +34,7 @@ pub enum Subspace<S> {
 
 impl<S: Scalar> Subspace<S> {
     /// The subspace of a translation or rotation path as a line.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn line(self) -> Line<S> {
         let (one, zero) = (S::one(), S::zero());
         match self {
@@ -48,7 +48,7 @@ impl<S: Scalar> Subspace<S> {
     }
 
     /// The subspace of a bending path as a plane; a line is joined to the free plane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn plane(self) -> Plane<S> {
         match self {
             Subspace::Plane(plane) | Subspace::OnPin(plane) => plane,
@@ -64,7 +64,7 @@ impl<S: Scalar> Subspace<S> {
     }
 
     /// Space of the state in which this is a subspace.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn space(&self) -> Space {
         match self {
             Subspace::Tip(_, space) | Subspace::Grounded(_, space) | Subspace::Line(_, space) => *space,
