@@ -95,7 +95,7 @@ pub mod number {
 pub mod list {
     pub use mstmm_core::{
         AnyElement, AnyUndamped, InList, ListElement, ListError, ListMoving, ListParameter, ListStep, ListStepping,
-        OPEN_PATHS, PlannedList, Room, StepList, Support,
+        OPEN_PATHS, ParameterError, PlannedList, Room, StepList, Support,
     };
 }
 

@@ -112,8 +112,8 @@ fn twins_as_minima(gap: f64) -> Outcome {
 /// Two masses on springs of their own, which meet at a support: nothing couples them.
 fn neighbours(gap: f64) -> Outcome {
     let element = |spring: f64| -> Result<[ListStep<AnyUndamped<f64>>; 2], Failure> {
-        let spring = AnyUndamped::try_from(Spring { stiffness: spring }).map_err(|error| error.of("spring"))?;
-        let mass = AnyUndamped::try_from(Mass { mass: 1.0 }).map_err(|error| error.of("mass"))?;
+        let spring = AnyUndamped::try_from(Spring { stiffness: spring })?;
+        let mass = AnyUndamped::try_from(Mass { mass: 1.0 })?;
         Ok([ListStep::Element(spring), ListStep::Element(mass)])
     };
     // ω² = 1 and (1 + gap)²; the stiffness is rounded

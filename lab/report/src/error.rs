@@ -15,9 +15,6 @@ pub enum ReportError {
     /// A model of the report is refused.
     #[error(transparent)]
     Parameter(#[from] mstmm::element::ParameterError),
-    /// An element of a list is refused.
-    #[error("an element of a list: {0:?}")]
-    Element(mstmm::element::InvalidParameter),
     /// A list of steps is refused.
     #[error(transparent)]
     List(#[from] mstmm::list::ListError),

@@ -56,7 +56,7 @@ pub fn over_elements(sizes: &[usize]) -> Result<OverElements, ReportError> {
 /// Beams with EI = m = l = 1 in a row, pinned at every joint.
 fn chain(beams: usize) -> Result<Vec<ListStep<AnyUndamped<f64>>>, ReportError> {
     let beam = Beam { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 };
-    let span = ListStep::Element(AnyUndamped::try_from(beam).map_err(ReportError::Element)?);
+    let span = ListStep::Element(AnyUndamped::try_from(beam)?);
     let mut steps = vec![ListStep::Tip(Support::Pinned), span];
     for _ in 1..beams {
         steps.extend([ListStep::Tip(Support::Pinned), ListStep::Connection(2), span]);

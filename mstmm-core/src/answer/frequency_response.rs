@@ -15,7 +15,7 @@ use num_traits::One;
 const LARGEST_IN_BLOCKS: usize = 64;
 
 /// Size of Δ at rest, in roundings of Δ at low frequencies, up to which it counts as zero.
-const NOTHING: f64 = 4096.0;
+const VANISHING: f64 = 4096.0;
 
 /// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
@@ -109,7 +109,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         let low = <Y::Parameter as One>::one().times_power_of_two(self.route.system.estimates().lowest_exponent());
         let rest = self.route.passes(S::zero());
         let (own, beside) = (rest.meeting(step).delta(), self.route.passes(S::of_omega(low)).meeting(step).delta());
-        if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= NOTHING * S::EPSILON {
+        if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= VANISHING * S::EPSILON {
             return Ok(None);
         }
         self.route.value(&rest, S::zero()).map(Some)
@@ -117,7 +117,8 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
 
     /// Writes the responses at the frequencies of `grid` to `values`, each with the bits that [`at`](FrequencyResponse::at) gives it.
     ///
-    /// Systems of up to 64 steps take the grid in blocks of frequencies, which costs a fraction of the time. Their memory is on the
+    /// Systems of up to 64 steps, and lists in a room of up to 64, take the grid in blocks of frequencies, which costs a fraction of the
+    /// time. Their memory is on the
     /// stack, some 3 kB per step for real frequencies, twice as much for complex ones: for ten steps a thread of 256 kB is enough, of
     /// 512 kB in debug builds.
     ///

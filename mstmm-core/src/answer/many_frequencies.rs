@@ -11,6 +11,10 @@ use crate::subspace::{NoCount, WittrickWilliams};
 use num_traits::Zero;
 
 /// A system that can be evaluated at one frequency, and at a block of them.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no blocks of frequencies of type `{S}`",
+    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`"
+)]
 pub trait InBlocks<S>: Characteristic<S> + Steps<S>
 where
     S: Frequency<<Self as System>::Parameter>,

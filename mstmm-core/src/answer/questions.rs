@@ -18,7 +18,8 @@ type MeaningOf<Y, R> =
 
 /// Shapes, sensitivities and responses of a built system.
 ///
-/// A thread of 192 kB is enough, of 768 kB in debug builds; for a response at one frequency 128 and 384.
+/// A thread of 192 kB is enough, of 768 kB in debug builds; for a response at one frequency 128 and 384. What a list needs, its
+/// [`PlannedList`](crate::PlannedList) says.
 pub trait ModalAnalysis: System {
     /// The shape of a simple root, exact at any mode number: states at all ends of elements and at any point of a beam.
     ///

@@ -2,7 +2,7 @@
 
 use crate::element::{Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep};
 use crate::elements::*;
-use crate::model::{Ends, FrequencyEstimates, InvalidParameter, StateSpace};
+use crate::model::{Ends, FrequencyEstimates, ParameterError, StateSpace};
 use crate::number::{BranchFree, ComplexFrequency, Frequency, Oscillation, Real, Scalar};
 use mstmm_plan::Space;
 
@@ -20,10 +20,10 @@ macro_rules! any_element {
 
         $(
             impl<T: Real> TryFrom<$element<T>> for $name<T> {
-                type Error = InvalidParameter;
+                type Error = ParameterError;
 
-                fn try_from(element: $element<T>) -> Result<Self, InvalidParameter> {
-                    element.build().map($name::$element)
+                fn try_from(element: $element<T>) -> Result<Self, ParameterError> {
+                    element.build().map($name::$element).map_err(|error| error.of(stringify!($element)))
                 }
             }
         )*

@@ -194,9 +194,13 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Body<T> {
         Self::coefficients(built, at)
     }
 
-    fn back_transfer(links: &BodyCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(
+        coefficients: &BodyCoefficients<T, S>,
+        _input: &Subspace<S>,
+        covector: Covector<S>,
+    ) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
-        let BodyCoefficients { a, j, to_output, levers: Levers { output, centre, .. }, .. } = *links;
+        let BodyCoefficients { a, j, to_output, levers: Levers { output, centre, .. }, .. } = *coefficients;
         let force = a * q + to_output * m;
         let entries = [y - force, theta + output.times(y) + j * m - centre.times(force), m, q + output.times(m)];
         Covector::Plane(entries, exponent)

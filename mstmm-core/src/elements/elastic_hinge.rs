@@ -125,9 +125,13 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for ElasticHinge<T> {
     }
 
     /// `K_y K_θ Uᵀ η`, since the step multiplies by the stiffnesses.
-    fn back_transfer(links: &HingeCoefficients<T, S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(
+        coefficients: &HingeCoefficients<T, S>,
+        _input: &Subspace<S>,
+        covector: Covector<S>,
+    ) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
-        let HingeCoefficients { k_y, k_theta, product } = *links;
+        let HingeCoefficients { k_y, k_theta, product } = *coefficients;
         let entries = [y * product, theta * product, m * product + theta * k_y, q * product - y * k_theta];
         Covector::Plane(entries, exponent)
     }

@@ -93,9 +93,13 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for PointMass<T> {
         Self::coefficients(built, at)
     }
 
-    fn back_transfer(links: &PointMassCoefficients<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+    fn back_transfer(
+        coefficients: &PointMassCoefficients<S>,
+        _input: &Subspace<S>,
+        covector: Covector<S>,
+    ) -> Covector<S> {
         let ([y, theta, m, q], exponent) = covector.entries();
-        Covector::Plane([y - links.a * q, theta + links.j * m, m, q], exponent)
+        Covector::Plane([y - coefficients.a * q, theta + coefficients.j * m, m, q], exponent)
     }
 }
 

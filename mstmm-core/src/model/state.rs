@@ -25,22 +25,22 @@ pub struct State<S> {
 }
 
 impl<S: Scalar> State<S> {
-    /// Each entry through one function.
+    /// Maps each entry by one function.
     pub(crate) fn map<R>(self, f: impl Fn(S) -> R) -> State<R> {
         State { y: f(self.y), theta: f(self.theta), m: f(self.m), q: f(self.q) }
     }
 
-    /// Seen against the x-axis: slope and shear force change their signs.
+    /// Turns the x-axis round: slope and shear force change their signs.
     pub(crate) fn backwards(self) -> Self {
         State { theta: -self.theta, q: -self.q, ..self }
     }
 
-    /// Size of the largest entry, of whatever unit.
+    /// Returns the size of the largest entry, whatever its unit.
     pub(crate) fn size(&self) -> f64 {
         self.y.size().max(self.theta.size()).max(self.m.size()).max(self.q.size())
     }
 
-    /// The state plus another times a factor.
+    /// Adds another state times a factor.
     pub(crate) fn plus(self, other: State<S>, factor: S) -> Self {
         State {
             y: self.y + other.y * factor,
@@ -50,7 +50,7 @@ impl<S: Scalar> State<S> {
         }
     }
 
-    /// An entry; X and Qx are those of planar states, and zero here.
+    /// Returns an entry; X and Qx belong to planar states, and are zero here.
     pub(crate) fn entry(&self, coordinate: Coordinate) -> S {
         match coordinate {
             Coordinate::Y => self.y,

@@ -202,7 +202,8 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.of_waves(self.value.moderate_wave_functions())
     }
 
-    #[inline(always)]
+    // called where size counts: programs of two beams have one copy
+    #[inline]
     fn functions<const N: usize, R>(
         self,
         values: impl FnOnce(S) -> ([S; N], R),

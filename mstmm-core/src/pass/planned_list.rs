@@ -11,6 +11,9 @@ use core::fmt::Debug;
 use mstmm_plan::{Place, Scheme, Step, Support};
 
 /// Memory for the plan of a list of up to `STEPS` steps, some hundred bytes per step.
+///
+/// A room holds one plan: it is borrowed as long as its list lives, and each list takes a room of its own. What the list is asked about
+/// motions takes a stack for `STEPS` steps, used or not, so that a room should not be much larger than its list.
 #[derive(Clone, Debug)]
 pub struct Room<'a, const STEPS: usize> {
     /// The inputs of all connections, one connection after the other.
@@ -44,10 +47,12 @@ pub struct ListParameter {
     pub(crate) index: usize,
 }
 
-/// A [`StepList`] with its plan, which answers all that a model answers: searches, shapes, responses, sensitivities.
+/// A [`StepList`] with its plan, which answers what a model answers but for the overall matrix: searches, blocks, shapes, responses,
+/// sensitivities.
 ///
-/// What it is asked about motions keeps a value for each of `STEPS` steps on the stack: about 0.4 kB per step for a shape or for a
-/// response at one frequency.
+/// What it is asked about motions keeps values for each of `STEPS` steps on the stack. Release builds with real frequencies need per
+/// step 0.5 kB for a response at one frequency, 0.9 kB for a shape or a motion in time, 1.1 kB for sensitivities, and 6 kB for all
+/// shapes of a multiple root.
 #[derive(Clone, Copy, Debug)]
 pub struct PlannedList<'a, E, const STEPS: usize> {
     list: StepList<'a, E>,
@@ -55,7 +60,7 @@ pub struct PlannedList<'a, E, const STEPS: usize> {
 }
 
 impl<'a, E: ListElement> StepList<'a, E> {
-    /// Plans the list in memory of the caller's.
+    /// Plans the list in memory of the caller's, which it keeps as long as it lives.
     ///
     /// # Errors
     /// [`ListError`] for a list of more than `STEPS` steps.
@@ -68,7 +73,7 @@ impl<'a, E: ListElement> StepList<'a, E> {
         let (Some(steps), Some(places), Some(sorted)) =
             (steps.get_mut(..count), places.get_mut(..count), sorted.get_mut(..count))
         else {
-            return Err(ListError { step: STEPS, problem: "there is no room for the steps from here on" });
+            return Err(ListError { step: STEPS, problem: "the `Room` for the plan ends before this step" });
         };
         note_inputs(self.steps, inputs);
         let mut inputs: &'a [usize] = inputs;
@@ -118,6 +123,8 @@ impl<E: ListElement, const STEPS: usize> PlannedList<'_, E, STEPS> {
     }
 
     /// The label of the element that is a step; `None` if the step is none.
+    ///
+    /// Labels are indices: one of another list stands for the step of that index here, and beyond the end all is zero.
     pub fn label(&self, step: usize) -> Option<Label<InList, E>> {
         self.element(step).map(|_| Label::new(step, step - 1))
     }

@@ -49,8 +49,8 @@ impl Place {
             let space = scheme.behind(step);
             space.contains(coordinate.freedom()) && !space.is(Space::Planar)
         };
-        // the label of a longer list
-        if step >= scheme.len() {
+        // the label of another list
+        if step >= scheme.len() || matches!(scheme.steps[step], Step::Root(..)) {
             return Err(MotionError::NoSuchEntry { coordinate });
         }
         if has(step) {

@@ -1,4 +1,4 @@
-//! The plane method on a run-time list of steps: the same arithmetic as the macro's code, for chains of any length.
+//! The plane method runs over a list of steps, with the arithmetic of the macro's code, for trees whose size the program decides.
 
 use crate::element::{ListElement, ListStepping, PlaneStep, Stepping, VisitStep};
 use crate::model::FrequencyEstimates;
@@ -8,7 +8,7 @@ use crate::subspace::{Connecting, RootCounter, Subspace, connection};
 use core::fmt;
 use mstmm_plan::{Space, Support};
 
-/// Paths that may be open at once while a list is evaluated: branches within branches.
+/// Number of paths that may be open at once while a list is evaluated: branches within branches.
 pub const OPEN_PATHS: usize = 64;
 
 /// A step of a list: tips before the elements that they lead to, inputs of a connection before it, the root last.
@@ -57,7 +57,7 @@ impl core::error::Error for ListError {}
 /// let list = StepList::new(&steps).unwrap();
 /// let found = list.first_frequencies::<1>().unwrap();
 /// assert!((found[0].omega - 2.0).abs() < 1e-15);
-/// # Ok::<(), mstmm_core::InvalidParameter>(())
+/// # Ok::<(), mstmm_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct StepList<'a, E> {
@@ -76,21 +76,30 @@ impl<'a, E: ListElement> StepList<'a, E> {
         for (step, entry) in steps.iter().enumerate() {
             let fail = |problem| Err(ListError { step, problem });
             match entry {
-                ListStep::Tip(_) if count == OPEN_PATHS => return fail("too many open paths"),
+                ListStep::Tip(_) if count == OPEN_PATHS => {
+                    return fail("more than 64 paths are open: join some in a connection before");
+                }
                 ListStep::Tip(support) => {
                     let space = next_space(steps, step);
                     if space.is_some_and(|space| !is_support_of(*support, space)) {
-                        return fail("its path has no such support");
+                        return fail("the path that starts here has no such support");
                     }
                     open[count] = Open { space, support: Some(*support) };
                     count += 1;
                 }
-                ListStep::Element(_) if count == 0 => return fail("no path is open"),
+                ListStep::Element(_) if count == 0 => {
+                    return fail("no path is open that could go through this element");
+                }
                 ListStep::Element(element) => match open[count - 1].space {
-                    Some(space) if !space.is(element.space()) => return fail("the path has another state"),
+                    Some(space) if !space.is(element.space()) => {
+                        return fail(
+                            "the path has another state than this element: a connection leads from one to the other",
+                        );
+                    }
                     _ => open[count - 1] = Open { space: Some(element.space()), support: None },
                 },
-                ListStep::Connection(inputs) if *inputs == 0 || *inputs > count => return fail("too few open paths"),
+                ListStep::Connection(0) => return fail("a connection joins one path or more"),
+                ListStep::Connection(inputs) if *inputs > count => return fail("fewer paths are open than it joins"),
                 ListStep::Connection(inputs) => {
                     let joined = joined(&open[count - inputs..count], next_space(steps, step));
                     count -= inputs - 1;
@@ -99,14 +108,22 @@ impl<'a, E: ListElement> StepList<'a, E> {
                         Err(problem) => return fail(problem),
                     }
                 }
-                ListStep::Root(_) if count != 1 || step + 1 != steps.len() => {
-                    return fail("the root ends the only open path and the list");
+                ListStep::Root(_) if step + 1 != steps.len() => return fail("steps follow the root"),
+                ListStep::Root(_) if count == 0 => return fail("no path is open that could end in the root"),
+                ListStep::Root(_) if count > 1 => {
+                    return fail("several paths are open at the root: a connection joins them");
                 }
                 ListStep::Root(support) => match open[0] {
                     Open { space: Some(space), support: None } if is_support_of(*support, space) => {}
-                    _ => return fail("its path has no such support, or no element"),
+                    Open { space: Some(_), support: None } => {
+                        return fail("the path that ends here has no such support");
+                    }
+                    _ => return fail("the path that ends here has no element"),
                 },
             }
+        }
+        if steps.is_empty() {
+            return Err(ListError { step: 0, problem: "the list is empty" });
         }
         if !matches!(steps.last(), Some(ListStep::Root(_))) {
             return Err(ListError { step: steps.len(), problem: "the list does not end in a root" });
@@ -128,7 +145,7 @@ fn is_support_of(support: Support, space: Space) -> bool {
     !space.is(Space::Planar) && support.exists_in(space)
 }
 
-/// The space in which a connection leads on.
+/// Returns the space in which a connection leads on, or why its paths cannot meet.
 fn joined(inputs: &[Open], next: Option<Space>) -> Result<Space, &'static str> {
     let paths = inputs.iter().filter(|path| path.support.is_none()).filter_map(|path| path.space);
     let own = match paths.reduce(|a, b| a.join(b).unwrap_or(Space::Planar)) {
@@ -144,7 +161,7 @@ fn joined(inputs: &[Open], next: Option<Space>) -> Result<Space, &'static str> {
     if inputs.iter().all(holds) { Ok(next.unwrap_or(own)) } else { Err("a support that its state does not have") }
 }
 
-/// Space of the element that follows a step, if one does.
+/// Returns the space of the element that follows a step, if one does.
 fn next_space<E: ListElement>(steps: &[ListStep<E>], step: usize) -> Option<Space> {
     match steps.get(step + 1) {
         Some(ListStep::Element(element)) => Some(element.space()),

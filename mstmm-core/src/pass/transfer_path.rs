@@ -20,12 +20,12 @@ impl<S: Scalar> Visit<S> for PullBack<'_, S> {
     type Output = Covector<S>;
 
     fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> Covector<S> {
-        let links = if self.against && !E::SYMMETRIC {
+        let coefficients = if self.against && !E::SYMMETRIC {
             E::back_coefficients(&E::reversed(built), self.at)
         } else {
             E::back_coefficients(built, self.at)
         };
-        E::back_transfer(&links, self.input, self.covector)
+        E::back_transfer(&coefficients, self.input, self.covector)
     }
 }
 

@@ -25,7 +25,8 @@ pub trait Planned: System {
 #[diagnostic::on_unimplemented(
     message = "the steps of `{Self}` are not known at frequencies of type `{S}`",
     note = "a real ω is a frequency of undamped systems only; planar elements take no part in the plane method; an element of \
-            your own implements `mstmm::element::PlaneStep<S>` for every `S`"
+            your own implements `mstmm::element::PlaneStep<S>` for every `S`",
+    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`"
 )]
 pub trait Steps<S: Scalar>: Planned {
     /// Visits the element of a step; `None` where the step is not an element.
@@ -36,7 +37,8 @@ pub trait Steps<S: Scalar>: Planned {
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
     note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet; an element of your own \
-            implements `mstmm::element::BackTransfer<S>` and `mstmm::element::Energies<S>`, and `mstmm::element::PlaneStep<S>` for every `S`"
+            implements `mstmm::element::BackTransfer<S>` and `mstmm::element::Energies<S>`, and `mstmm::element::PlaneStep<S>` for every `S`",
+    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`"
 )]
 pub trait Tree<S: Scalar>: Planned {
     /// Coefficients of all elements at a frequency.
@@ -53,6 +55,10 @@ pub trait Tree<S: Scalar>: Planned {
 }
 
 /// A tree at frequencies of a type, and at those in its extended precision.
+#[diagnostic::on_unimplemented(
+    message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
+    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`"
+)]
 pub trait ExtendedTree<S>: Tree<S> + Tree<ExtendedOf<S, <Self as System>::Parameter>>
 where
     S: Oscillation<<Self as System>::Parameter>,

@@ -1,6 +1,6 @@
 //! The cases of validation.json as lists of steps, with the parameters on which their frequencies depend.
 
-use mstmm::element::{FrequencyEstimates, InvalidParameter, RootCounter, Support};
+use mstmm::element::{FrequencyEstimates, ParameterError, RootCounter, Support};
 use mstmm::elements::{Beam, Mass, Spring};
 use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::number::{Frequency, Scaled};
@@ -42,7 +42,7 @@ pub(crate) struct Case {
 
 pub(crate) fn element<E>(element: E) -> ListStep<AnyUndamped<f64>>
 where
-    AnyUndamped<f64>: TryFrom<E, Error = InvalidParameter>,
+    AnyUndamped<f64>: TryFrom<E, Error = ParameterError>,
 {
     ListStep::Element(element.try_into().unwrap())
 }

@@ -43,8 +43,12 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Beam<T> {
         }
     }
 
-    fn back_transfer(links: &BendingBackTransfer<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
-        links.back_transfer(covector)
+    fn back_transfer(
+        coefficients: &BendingBackTransfer<S>,
+        _input: &Subspace<S>,
+        covector: Covector<S>,
+    ) -> Covector<S> {
+        coefficients.back_transfer(covector)
     }
 }
 

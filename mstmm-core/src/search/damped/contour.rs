@@ -73,7 +73,7 @@ impl<T: Real> Polygon<'_, T> {
 
 /// A traversal in progress.
 struct Traverse<'w, T: Real> {
-    way: &'w Polygon<'w, T>,
+    polygon: &'w Polygon<'w, T>,
     /// The corner ahead.
     next: usize,
     start: Point<T>,
@@ -91,7 +91,7 @@ struct Traverse<'w, T: Real> {
 impl<T: Real> Traverse<'_, T> {
     /// The rest of the polygon.
     fn rest(&self) -> impl Iterator<Item = Complex<T>> + Clone {
-        let ahead = self.way.corners.iter().skip(self.next).copied();
+        let ahead = self.polygon.corners.iter().skip(self.next).copied();
         core::iter::once(self.here.lambda).chain(ahead)
     }
 
@@ -113,25 +113,25 @@ where
     /// Growth of the argument of Δ along a polygon. Every point of the traversal is shown to `visit`.
     pub(super) fn traverse(
         &mut self,
-        way: &Polygon<'_, T>,
+        polygon: &Polygon<'_, T>,
         mut visit: impl FnMut(&Point<T>),
     ) -> Result<Traversal, SearchError> {
-        let Some(&first) = way.corners.first() else { return Ok(Traversal::Argument(0.0)) };
-        let size = way.corners.iter().map(|&corner| modulus(corner - first)).fold(T::zero(), larger);
-        let [shortest, longest, next] = way.steps.map(|part| size * T::from_f64(part));
-        let polygon = way.corners.iter().copied();
-        let known = if way.rectangle.is_some() { self.known.roots() } else { &[] };
-        if known.iter().any(|root| way.meets(root, shortest)) {
+        let Some(&first) = polygon.corners.first() else { return Ok(Traversal::Argument(0.0)) };
+        let size = polygon.corners.iter().map(|&corner| modulus(corner - first)).fold(T::zero(), larger);
+        let [shortest, longest, next] = polygon.steps.map(|part| size * T::from_f64(part));
+        let corners = polygon.corners.iter().copied();
+        let known = if polygon.rectangle.is_some() { self.known.roots() } else { &[] };
+        if known.iter().any(|root| polygon.meets(root, shortest)) {
             return Ok(Traversal::MeetsRoot);
         }
-        let angle =
-            way.growth.turning(polygon.clone()) + known.iter().map(|root| turning(root, polygon.clone())).sum::<f64>();
+        let angle = polygon.growth.turning(corners.clone())
+            + known.iter().map(|root| turning(root, corners.clone())).sum::<f64>();
         let start = self.evaluation.at(first)?;
-        let here = self.left(&start, way);
+        let here = self.deflated(&start, polygon);
         let mut traverse =
-            Traverse { way, next: 1, start, here, shortest, longest, angle, patience: 0, is_stuck: false };
+            Traverse { polygon, next: 1, start, here, shortest, longest, angle, patience: 0, is_stuck: false };
         let mut steps = 0;
-        while let Some(&corner) = way.corners.get(traverse.next) {
+        while let Some(&corner) = polygon.corners.get(traverse.next) {
             if traverse.here.lambda == corner {
                 traverse.next += 1;
                 continue;
@@ -143,7 +143,7 @@ where
             }
             visit(&traverse.here);
             if steps == 1 {
-                let bend = bend(&self.left(&start, way), &traverse.here);
+                let bend = bend(&self.deflated(&start, polygon), &traverse.here);
                 traverse.longest = smaller(bend * T::from_f64(SECOND_STEP), next);
             }
         }
@@ -151,9 +151,9 @@ where
     }
 
     /// Δ without its growth and, along a rectangle, with the known roots divided out.
-    fn left(&self, point: &Point<T>, way: &Polygon<'_, T>) -> Point<T> {
-        let point = way.growth.taken_from(point);
-        if way.rectangle.is_some() { divided(&point, self.known.roots()) } else { point }
+    fn deflated(&self, point: &Point<T>, polygon: &Polygon<'_, T>) -> Point<T> {
+        let point = polygon.growth.taken_from(point);
+        if polygon.rectangle.is_some() { divided(&point, self.known.roots()) } else { point }
     }
 
     /// Makes a step towards a corner; false if steps become too short.
@@ -176,7 +176,7 @@ where
             }
             let seen = if there == traverse.start.lambda { traverse.start } else { self.evaluation.at(there)? };
             loop {
-                let there = self.left(&seen, traverse.way);
+                let there = self.deflated(&seen, traverse.polygon);
                 if let Some(change) = change_of_argument(&traverse.here, &there) {
                     traverse.go(there, corner, change);
                     return Ok(true);
@@ -194,7 +194,7 @@ where
 
     /// Divides out a root near a point of the polygon that keeps steps shorter than wanted; false if none is found.
     fn divide_out(&mut self, traverse: &mut Traverse<'_, T>, from: Point<T>, wanted: T) -> Result<bool, SearchError> {
-        let Some(rectangle) = traverse.way.rectangle else { return Ok(false) };
+        let Some(rectangle) = traverse.polygon.rectangle else { return Ok(false) };
         let rate = modulus(from.rate);
         let hold = rate * wanted;
         let ahead = from.lambda - Complex::from(T::one()) / from.rate;
@@ -209,7 +209,7 @@ where
         }
         traverse.patience = PATIENCE;
         let Some(root) = self.find(&from, rectangle)? else { return Ok(false) };
-        traverse.is_stuck = traverse.way.meets(&root, traverse.shortest);
+        traverse.is_stuck = traverse.polygon.meets(&root, traverse.shortest);
         traverse.angle += turning(&root, traverse.rest());
         traverse.here = divided(&traverse.here, &[root]);
         // a root that does not explain the rate does not keep steps short

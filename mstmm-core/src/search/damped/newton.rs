@@ -262,15 +262,16 @@ where
         Ok(None)
     }
 
+    /// Counts the roots in growing circles about an estimate until there are some.
     fn circle(&mut self, estimate: Complex<T>) -> Result<Option<Eigenvalue<T>>, SearchError> {
         let scale = self.scale(estimate);
         let mut radius = scale * T::from_f64(RADIUS * self.precision);
         while radius < scale * T::from_f64(LARGEST_RADIUS) {
             let lambda = settled(estimate, radius);
             let corner = |(re, im): (f64, f64)| lambda + Complex::new(T::from_f64(re), T::from_f64(im)) * radius;
-            let way =
+            let polygon =
                 Polygon { corners: &OCTAGON.map(corner), steps: STEPS_AROUND, rectangle: None, growth: Growth::none() };
-            if let Traversal::Argument(argument) = self.traverse(&way, |_| ())?
+            if let Traversal::Argument(argument) = self.traverse(&polygon, |_| ())?
                 && let Some(multiplicity @ 1..) = whole(argument / core::f64::consts::TAU)
             {
                 return Ok(Some(Eigenvalue { lambda, error: radius + radius, multiplicity }));

@@ -216,11 +216,11 @@ where
         let steps = [STEPS[0] * slenderness, STEPS[1] * first, STEPS[2] * first];
         let growth = Growth::far_from_axis(&rectangle, T::from_f64(self.estimates.wave_sum()));
         let passed = rectangle.far_side().is_none().then_some(&rectangle);
-        let way = Polygon { corners: &rectangle.contour(), steps, rectangle: passed, growth };
+        let polygon = Polygon { corners: &rectangle.contour(), steps, rectangle: passed, growth };
         for _ in 0..2 {
             let mut starts = Starts::default();
-            let walk = self.traverse(&way, |point| starts.visit(point))?;
-            let Traversal::Argument(argument) = walk else { return Ok(None) };
+            let traversal = self.traverse(&polygon, |point| starts.visit(point))?;
+            let Traversal::Argument(argument) = traversal else { return Ok(None) };
             let roots = rectangle.roots(argument).ok_or(unresolved(rectangle))?;
             // a traversal that counts fewer roots than are known is repeated, now with all of them divided out
             if self.known_in(&rectangle) <= roots {
