@@ -1,31 +1,18 @@
 //! What a list says where it is asked amiss.
-#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
-use mstmm::elements::{Mass, Spring};
-use mstmm::list::{AnyUndamped, ListStep, Room, StepList, Support};
+use crate::support::list_of_tree::undamped;
+use crate::support::tree::chain;
+use mstmm::elements::Spring;
+use mstmm::list::{AnyUndamped, ListStep, StepList, Support};
 use mstmm::motion::MotionError;
 use mstmm::prelude::*;
 
 type Steps = Vec<ListStep<AnyUndamped<f64>>>;
 
-/// So many masses in a row, each on a spring, as steps.
-fn chain(cells: usize) -> Steps {
-    let mut steps = vec![ListStep::Tip(Support::Fixed)];
-    for _ in 0..cells {
-        steps.push(ListStep::Element(Spring { stiffness: 4.0 }.try_into().unwrap()));
-        steps.push(ListStep::Element(Mass { mass: 1.0 }.try_into().unwrap()));
-    }
-    steps.push(ListStep::Root(Support::Free));
-    steps
-}
-
 /// A label of a longer list is no point of a shorter one, where its step is the root or beyond.
 #[test]
 fn a_label_of_a_longer_list_has_no_entry() {
-    let (short, long) = (chain(1), chain(3));
-    let (mut first, mut second) = (Room::<8>::new(), Room::<8>::new());
-    let short = StepList::new(&short).unwrap().planned(&mut first).unwrap();
-    let long = StepList::new(&long).unwrap().planned(&mut second).unwrap();
+    let [short, long] = [1, 3].map(|masses| undamped::<f64>(&chain(masses, 4.0, 1.0)));
     let own = short.label(2).unwrap().output();
     for step in 3..=6 {
         let other = long.label(step).unwrap().output();

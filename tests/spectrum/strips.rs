@@ -1,20 +1,14 @@
 //! Eigenvalues of undamped systems in strips along the imaginary axis: the two counts must agree.
 #![expect(clippy::unwrap_used, reason = "all elements here are valid")]
 
-use mstmm::element::Support;
-use mstmm::elements::{Mass, Spring};
+use crate::support::list_of_tree::undamped_steps;
+use crate::support::tree::chain;
 use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::prelude::*;
 
-/// A chain of unit springs and masses, held at one end: its frequencies are `2 sin((2k - 1)π/(4n + 2))`.
-fn chain(masses: usize) -> Vec<ListStep<AnyUndamped<f64>>> {
-    let mut steps = vec![ListStep::Tip(Support::Fixed)];
-    for _ in 0..masses {
-        steps.push(ListStep::Element(Spring { stiffness: 1.0 }.try_into().unwrap()));
-        steps.push(ListStep::Element(Mass { mass: 1.0 }.try_into().unwrap()));
-    }
-    steps.push(ListStep::Root(Support::Free));
-    steps
+/// A chain of unit springs and masses: its frequencies are `2 sin((2k - 1)π/(4n + 2))`.
+fn unit_chain(masses: usize) -> Vec<ListStep<AnyUndamped<f64>>> {
+    undamped_steps(&chain(masses, 1.0, 1.0))
 }
 
 /// Oracle: Wittrick and Williams' count, from other arithmetic. The contour passes so close to many roots that between two
@@ -22,7 +16,7 @@ fn chain(masses: usize) -> Vec<ListStep<AnyUndamped<f64>>> {
 /// that their first steps end anywhere.
 fn no_root_is_leapt_over_in_strips_that_grow_by(factor: f64) {
     for (masses, left, right) in [(11, 1e-5, 2e-6), (11, 1e-3, 1e-3), (24, 1e-3, 1e-5)] {
-        let steps = chain(masses);
+        let steps = unit_chain(masses);
         let list = StepList::new(&steps).unwrap();
         let mut top = 0.5;
         while top < 30.0 {
@@ -53,7 +47,7 @@ fn no_root_of_a_narrow_strip_is_leapt_over() {
 #[test]
 fn every_root_of_a_strip_is_found_in_few_evaluations() {
     let masses = 24;
-    let steps = chain(masses);
+    let steps = unit_chain(masses);
     let list = StepList::new(&steps).unwrap();
     let found = list.eigenvalues::<64>(Region { re: -1e-3..=1e-3, im: 0.0..=3.0 }).unwrap();
     assert_eq!(found.len(), masses);

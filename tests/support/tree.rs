@@ -1,7 +1,7 @@
 //! Trees as data: the same description leads to a list of steps of the library and to an independent model.
 
 use mstmm::Complex;
-use mstmm::element::{SMatrix, Space, TransferMatrix};
+use mstmm::element::{SMatrix, Space, Support, TransferMatrix};
 use mstmm::elements::{
     Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
@@ -13,6 +13,13 @@ use mstmm::number::{DoubleDouble, Real};
 ///
 /// The `Debug` text of a tree is, but for paths, the source that builds it.
 pub(crate) type Tree = Vec<ListStep<Part>>;
+
+/// A chain of equal springs and masses, each mass behind its spring, fixed at the begin and free at the end.
+pub(crate) fn chain(masses: usize, stiffness: f64, mass: f64) -> Tree {
+    let cell = [Part::Spring(Spring { stiffness }), Part::Mass(Mass { mass })].map(ListStep::Element);
+    let cells = std::iter::repeat_n(cell, masses).flatten();
+    [ListStep::Tip(Support::Fixed)].into_iter().chain(cells).chain([ListStep::Root(Support::Free)]).collect()
+}
 
 /// A complex number of twice the digits.
 pub(crate) type Wide = Complex<DoubleDouble>;

@@ -77,7 +77,7 @@ impl<'a, E: ListElement> StepList<'a, E> {
             let fail = |problem| Err(ListError { step, problem });
             match entry {
                 ListStep::Tip(_) if count == OPEN_PATHS => {
-                    return fail("more than 64 paths are open: join some in a connection before");
+                    return fail("as many paths as may be are open: a connection before joins some");
                 }
                 ListStep::Tip(support) => {
                     let space = next_space(steps, step);

@@ -12,13 +12,13 @@ use mstmm::prelude::*;
 /// Oracle: mode n of a beam on its own supports has n - 1 nodes between its ends, rigid-body modes counted.
 #[test]
 fn nodes_of_a_beam_between_two_supports() {
-    use Support::{Fixed, Free, Guided, Pinned};
+    let supports = [Support::Fixed, Support::Pinned, Support::Guided, Support::Free];
     let beam = Part::Beam(Beam { length: 1.3, bending_stiffness: 2.0, mass_per_length: 0.7 });
-    for tip in [Fixed, Pinned, Guided, Free] {
-        for root in [Fixed, Pinned, Guided, Free] {
+    for (place, &tip) in supports.iter().enumerate() {
+        for &root in &supports[place..] {
             let beam = undamped(&vec![ListStep::Tip(tip), ListStep::Element(beam), ListStep::Root(root)]);
             let mut mode = 0;
-            for found in &first::<20>(&beam) {
+            for found in &first::<60>(&beam) {
                 if found.multiplicity == 1 {
                     let shape = beam.mode_shape(found).unwrap();
                     assert_eq!(shape.nodes(beam.label(1).unwrap()), mode, "{tip:?} {root:?} {found:?}");
