@@ -37,16 +37,19 @@ pub trait Energies<S: Scalar>: Element {
     fn stiffness_form(built: &Self::Built, first: &Ends<S>, second: &Ends<S>) -> S;
 
     /// The damping form of two motions, `C ΔY₁ ΔY₂` for a damper.
+    #[inline]
     fn damping_form(_built: &Self::Built, _first: &Ends<S>, _second: &Ends<S>) -> S {
         S::zero()
     }
 
     /// The interior between the ends; `None` for an element without one.
+    #[inline]
     fn inside(_built: &Self::Built, _x: S) -> Option<Inside> {
         None
     }
 
     /// The state at a distance from the input end, up to the length of [`inside`](Energies::inside).
+    #[inline]
     fn state_at(_built: &Self::Built, ends: &Ends<S>, _distance: f64) -> State<S> {
         ends.input
     }

@@ -104,12 +104,14 @@ pub trait PlaneStep<S: Scalar>: Element {
 
 /// The space of the states of an element.
 #[doc(hidden)]
+#[inline]
 pub const fn space_of<E: Element>() -> Space {
     E::State::SPACE
 }
 
 /// Builds an element under its name in the model.
 #[doc(hidden)]
+#[inline]
 pub fn build<E: Element>(element: E, name: &'static str) -> Result<E::Built, ParameterError> {
     element.build().map_err(|error| error.of(name))
 }

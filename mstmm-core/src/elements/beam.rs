@@ -133,7 +133,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
         let z = at.powers[0] * built.wave;
         let size = z.size();
         match S::BRANCHES {
-            Branches::All if size <= 1.0 => built.small(z, at),
+            Branches::All if size <= 1.0 => built.short(z, at),
             Branches::All => built.waving(z, S::Plain::wave_functions, at),
             Branches::Series => built.by_series(z, -at.lambda_squared.valid_if(size <= 1.0)),
             Branches::Waves => {
@@ -222,9 +222,9 @@ impl<T: Real> BuiltBeam<T> {
         }
     }
 
-    /// The coefficients for `|z| <= 1`, entire in `z⁴`.
-    #[cold]
-    fn small<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
+    /// The coefficients for `|z| <= 1`, entire in `z⁴`; called where size counts.
+    #[inline]
+    fn short<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         self.by_series(z, -at.lambda_squared)
     }
 

@@ -25,6 +25,7 @@ impl<T: Real> Scalar for Complex<T> {
         Complex::new(T::reciprocal_factorial(n), T::zero())
     }
 
+    #[inline]
     fn sqrt(self) -> Self {
         if self.is_zero() {
             return self;
@@ -52,12 +53,14 @@ impl<T: Real> Scalar for Complex<T> {
         Complex::new(re, if self.im < T::zero() { -im } else { im })
     }
 
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.re.sin_cos();
         let (sh, ch) = self.im.sinh_cosh();
         (Complex::new(s * ch, c * sh), Complex::new(c * ch, -(s * sh)))
     }
 
+    #[inline]
     fn sinh_cosh(self) -> (Self, Self) {
         let (sh, ch) = self.re.sinh_cosh();
         let (s, c) = self.im.sin_cos();
@@ -119,6 +122,7 @@ impl<T: Real> Scalar for Complex<T> {
 impl<S: Real + InColumns> InColumns for Complex<S> {
     type Columns<const N: usize> = [S::Columns<N>; 2];
 
+    #[inline]
     fn columns<const N: usize>(self) -> [S::Columns<N>; 2] {
         [self.re.columns(), self.im.columns()]
     }

@@ -85,7 +85,8 @@ impl DoubleDouble {
     }
 
     /// Both parts are added with their errors: the relative error is `3 u²`, `u = 2^-53`, even if the parts cancel.
-    #[inline]
+    // called, as products and quotients are: in line, passes in extended precision were half of a program and of its compilation
+    #[inline(never)]
     const fn plus(self, other: Self) -> Self {
         let upper = DoubleDouble::from_sum(self.hi, other.hi);
         let lower = DoubleDouble::from_sum(self.lo, other.lo);
@@ -94,7 +95,7 @@ impl DoubleDouble {
     }
 
     /// Relative error `5 u²`.
-    #[inline]
+    #[inline(never)]
     const fn times(self, other: Self) -> Self {
         let product = DoubleDouble::from_product(self.hi, other.hi);
         let cross = self.hi * other.lo + (self.lo * other.hi + self.lo * other.lo);
@@ -114,6 +115,7 @@ impl DoubleDouble {
     }
 
     /// Long division with three quotient digits of 53 bits, so that the quotient is rounded but once.
+    #[inline(never)]
     const fn over(self, divisor: Self) -> Self {
         let first = self.hi / divisor.hi;
         if first == 0.0 || !first.is_finite() {

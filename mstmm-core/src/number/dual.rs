@@ -19,11 +19,13 @@ pub struct Dual<S> {
 
 impl<S: Scalar> Dual<S> {
     /// The variable itself: derivative 1.
+    #[inline]
     pub fn variable(value: S) -> Self {
         Dual { value, derivative: S::one() }
     }
 
     /// A constant: derivative 0.
+    #[inline]
     pub fn constant(value: S) -> Self {
         Dual { value, derivative: S::zero() }
     }
@@ -56,6 +58,7 @@ impl<S: Scalar> Dual<S> {
 }
 
 impl<S: Scalar> PartialEq for Dual<S> {
+    #[inline]
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
@@ -135,15 +138,18 @@ macro_rules! assign {
 assign! { AddAssign, add_assign, +; SubAssign, sub_assign, -; MulAssign, mul_assign, *; DivAssign, div_assign, /; }
 
 impl<S: Scalar> Zero for Dual<S> {
+    #[inline]
     fn zero() -> Self {
         Dual::constant(S::zero())
     }
+    #[inline]
     fn is_zero(&self) -> bool {
         self.value.is_zero()
     }
 }
 
 impl<S: Scalar> One for Dual<S> {
+    #[inline]
     fn one() -> Self {
         Dual::constant(S::one())
     }
@@ -166,6 +172,7 @@ impl<S: Scalar> Scalar for Dual<S> {
         Dual::constant(S::reciprocal_factorial(n))
     }
 
+    #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, S::from_f64(0.5) / root)
@@ -182,11 +189,13 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.chain(root, S::from_f64(0.5) / root)
     }
 
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
+    #[inline]
     fn sinh_cosh(self) -> (Self, Self) {
         let (sinh, cosh) = self.value.sinh_cosh();
         (self.chain(sinh, cosh), self.chain(cosh, sinh))
@@ -248,6 +257,7 @@ impl<S: Scalar> Scalar for Dual<S> {
 impl<S: InColumns> InColumns for Dual<S> {
     type Columns<const N: usize> = [S::Columns<N>; 2];
 
+    #[inline]
     fn columns<const N: usize>(self) -> [S::Columns<N>; 2] {
         [self.value.columns(), self.derivative.columns()]
     }
@@ -303,6 +313,7 @@ impl<T: Real> Frequency<T> for Dual<Complex<T>> {
 }
 
 impl<T: Real> PartialOrd for Dual<T> {
+    #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<core::cmp::Ordering> {
         self.value.partial_cmp(&other.value)
     }
@@ -310,12 +321,14 @@ impl<T: Real> PartialOrd for Dual<T> {
 
 impl<T: Real> Rem for Dual<T> {
     type Output = Self;
+    #[inline]
     fn rem(self, other: Self) -> Self {
         Dual { value: self.value % other.value, derivative: self.derivative }
     }
 }
 
 impl<T: Real> RemAssign for Dual<T> {
+    #[inline]
     fn rem_assign(&mut self, other: Self) {
         *self = *self % other;
     }
@@ -323,6 +336,7 @@ impl<T: Real> RemAssign for Dual<T> {
 
 impl<T: Real> Num for Dual<T> {
     type FromStrRadixErr = T::FromStrRadixErr;
+    #[inline]
     fn from_str_radix(digits: &str, radix: u32) -> Result<Self, Self::FromStrRadixErr> {
         T::from_str_radix(digits, radix).map(Dual::constant)
     }
@@ -331,15 +345,18 @@ impl<T: Real> Num for Dual<T> {
 impl<T: Real> Real for Dual<T> {
     type Extended = Self;
 
+    #[inline]
     fn to_f64(self) -> f64 {
         self.value.to_f64()
     }
 
+    #[inline]
     fn exp(self) -> Self {
         let exp = self.value.exp();
         self.chain(exp, exp)
     }
 
+    #[inline]
     fn abs(self) -> Self {
         if self.value < T::zero() { -self } else { self }
     }

@@ -12,11 +12,13 @@ pub struct List<V, const CAP: usize> {
 
 impl<V: Copy + Default, const CAP: usize> List<V, CAP> {
     /// The empty list.
+    #[inline]
     pub(crate) fn new() -> Self {
         List { values: [V::default(); CAP], length: 0 }
     }
 
     /// Appends a value; gives it back if the list is full.
+    #[inline]
     pub(crate) fn push(&mut self, value: V) -> Result<(), V> {
         match self.values.get_mut(self.length) {
             None => Err(value),
@@ -31,6 +33,7 @@ impl<V: Copy + Default, const CAP: usize> List<V, CAP> {
 
 impl<V: Copy, const CAP: usize> List<V, CAP> {
     /// Takes the last value off.
+    #[inline]
     pub(crate) fn pop(&mut self) -> Option<V> {
         let last = self.last().copied();
         self.length = self.length.saturating_sub(1);
@@ -38,6 +41,7 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
     }
 
     /// Sorts by insertion; `before` tells whether one value stands strictly before another.
+    #[inline]
     pub(crate) fn sort_by(&mut self, before: impl Fn(&V, &V) -> bool) {
         let values = &mut self.values[..self.length];
         for end in 1..values.len() {
@@ -50,11 +54,13 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
     }
 
     /// The values, to be changed or put in order.
+    #[inline]
     pub(crate) fn as_mut_slice(&mut self) -> &mut [V] {
         &mut self.values[..self.length]
     }
 
     /// Turns the order round.
+    #[inline]
     pub(crate) fn reverse(&mut self) {
         self.as_mut_slice().reverse();
     }
@@ -70,6 +76,7 @@ impl<V: fmt::Debug, const CAP: usize> fmt::Debug for List<V, CAP> {
 impl<V, const CAP: usize> Deref for List<V, CAP> {
     type Target = [V];
 
+    #[inline]
     fn deref(&self) -> &[V] {
         &self.values[..self.length]
     }
@@ -79,6 +86,7 @@ impl<'a, V, const CAP: usize> IntoIterator for &'a List<V, CAP> {
     type Item = &'a V;
     type IntoIter = core::slice::Iter<'a, V>;
 
+    #[inline]
     fn into_iter(self) -> Self::IntoIter {
         self.iter()
     }

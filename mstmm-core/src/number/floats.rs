@@ -82,6 +82,7 @@ macro_rules! elementary {
 pub(crate) use elementary;
 
 /// Argument of a complex number.
+#[inline]
 pub(crate) fn argument(re: f64, im: f64) -> f64 {
     elementary!(f64::atan2, libm::atan2, im, re)
 }
@@ -222,6 +223,7 @@ real! {
     f64, ExtendedOfDouble, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
     const HAS_EXTENDED: bool = cfg!(feature = "judge");
 
+    #[inline]
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
         let product = DoubleDouble::from_product(a, b) * DoubleDouble::from_f64(c);
         let exact = (DoubleDouble::from_f64(self) - product).to_f64();

@@ -17,6 +17,7 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
     const HAS_EXTENDED: bool = false;
 
     /// `self - a b c`, rounded once where there is an extended precision. The difference may be far smaller than the product.
+    #[inline]
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
         self - a * b * c
     }
@@ -122,6 +123,7 @@ pub trait Oscillation<T: Real>: Frequency<T> {
     fn from_complex(value: Complex<T>) -> Self;
 
     /// The modulus, |ω| or |λ|.
+    #[inline]
     fn modulus(self) -> f64 {
         modulus(self.to_complex()).to_f64()
     }
@@ -144,16 +146,19 @@ pub trait Oscillation<T: Real>: Frequency<T> {
 }
 
 /// The larger of two numbers.
+#[inline]
 pub(crate) fn larger<T: Real>(a: T, b: T) -> T {
     if a > b { a } else { b }
 }
 
 /// The smaller of two numbers; the second if the first is not a number.
+#[inline]
 pub(crate) fn smaller<T: Real>(a: T, b: T) -> T {
     if a < b { a } else { b }
 }
 
 /// Modulus of a complex number.
+#[inline]
 pub(crate) fn modulus<T: Real>(z: Complex<T>) -> T {
     (z.re * z.re + z.im * z.im).sqrt()
 }

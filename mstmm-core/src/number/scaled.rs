@@ -65,27 +65,32 @@ impl<S: Scalar> Scaled<S> {
     }
 
     /// The product with another scaled number.
+    #[inline]
     pub(crate) fn product(self, factor: Scaled<S>) -> Self {
         Scaled::new(self.mantissa * factor.mantissa, self.exponent.saturating_add(factor.exponent))
     }
 
     /// The product with a plain number.
     #[must_use]
+    #[inline]
     pub fn times(self, factor: S) -> Self {
         self.product(Scaled::new(factor, 0))
     }
 
     /// The quotient by another scaled number.
+    #[inline]
     pub(crate) fn over(self, divisor: Scaled<S>) -> Self {
         Scaled::new(self.mantissa / divisor.mantissa, self.exponent.saturating_sub(divisor.exponent))
     }
 
     /// The [`size`](Scalar::size) of the mantissa, with the exponent.
+    #[inline]
     pub(crate) fn magnitude(self) -> Magnitude {
         Scaled::new(self.mantissa.size(), self.exponent).into()
     }
 
     /// The plain number; infinite or zero where it leaves the range of the type.
+    #[inline]
     pub fn value(self) -> S {
         let exponent = self.exponent.clamp(-5000, 5000);
         self.mantissa.times_power_of_two(exponent as i32)
@@ -103,12 +108,14 @@ pub struct Magnitude {
 
 impl Magnitude {
     /// The plain number; infinite or zero where it leaves the range of `f64`.
+    #[inline]
     pub fn value(self) -> f64 {
         Scaled { mantissa: self.mantissa, exponent: self.exponent }.value()
     }
 
     /// `own² / (before · after)` of three equally spaced samples: less than 1 where their logarithm is convex. A factor
     /// `e^{az}` of the function does not change it.
+    #[inline]
     pub(crate) fn concavity(before: Magnitude, own: Magnitude, after: Magnitude) -> Magnitude {
         let ratio = own.mantissa * own.mantissa / (before.mantissa * after.mantissa);
         let exponents = own.exponent.saturating_mul(2).saturating_sub(before.exponent.saturating_add(after.exponent));
@@ -119,22 +126,26 @@ impl Magnitude {
     ///
     /// The logarithm of a pole-free |Δ| is concave along ω between roots (undamped), and harmonic in λ, so not convex
     /// along two axes at once, away from roots (damped): convex samples have a root between them.
+    #[inline]
     pub(crate) fn is_log_convex(before: Magnitude, own: Magnitude, after: Magnitude) -> bool {
         Self::concavity(before, own, after) < Magnitude::from(1.0)
     }
 
     /// Whether this is exactly zero.
+    #[inline]
     pub(crate) fn is_zero(self) -> bool {
         self.mantissa == 0.0
     }
 
     /// Whether this is not a number.
+    #[inline]
     pub fn is_nan(self) -> bool {
         self.mantissa.is_nan()
     }
 }
 
 impl PartialOrd for Magnitude {
+    #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let ordinary = |m: f64| m != 0.0 && m.is_finite();
         if ordinary(self.mantissa) && ordinary(other.mantissa) && self.exponent != other.exponent {
@@ -154,24 +165,28 @@ impl fmt::Display for Magnitude {
 }
 
 impl From<f64> for Magnitude {
+    #[inline]
     fn from(value: f64) -> Self {
         Scaled::new(value, 0).into()
     }
 }
 
 impl<T: Real> From<Complex<T>> for Magnitude {
+    #[inline]
     fn from(value: Complex<T>) -> Self {
         Scaled::new(value, 0).into()
     }
 }
 
 impl From<Scaled<f64>> for Magnitude {
+    #[inline]
     fn from(value: Scaled<f64>) -> Self {
         Magnitude { mantissa: value.mantissa.abs(), exponent: value.exponent }
     }
 }
 
 impl<T: Real> From<Scaled<Complex<T>>> for Magnitude {
+    #[inline]
     fn from(value: Scaled<Complex<T>>) -> Self {
         let Complex { re, im } = value.mantissa;
         let modulus = Scaled::new((re * re + im * im).sqrt().to_f64(), value.exponent);

@@ -41,6 +41,7 @@ pub trait Connecting<S: Scalar>: Copy {
 ///
 /// Paths are joined first; if the output is wider, they are joined to its free state. Then supports hold the point; if
 /// the output is narrower, forces that it does not carry are zero.
+#[inline]
 pub(crate) fn connection<S: Scalar, P: Connecting<S>, C: RootCounter<S>>(
     inputs: impl Iterator<Item = P> + Clone,
     output: Option<Space>,

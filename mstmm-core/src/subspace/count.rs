@@ -88,6 +88,7 @@ impl Cancelled {
     }
 
     /// Whether the pass is doubtful.
+    #[inline]
     pub(crate) fn any(self) -> bool {
         self.partly || self.completely
     }
@@ -121,25 +122,30 @@ pub struct WittrickWilliams<const IN_LINE: bool = false, const WATCHES: bool = t
 
 impl<const IN_LINE: bool, const WATCHES: bool> WittrickWilliams<IN_LINE, WATCHES> {
     /// The count so far; of all frequencies once the pass has reached the root.
+    #[inline]
     pub fn below(&self) -> u64 {
         self.below
     }
 
     /// A counter; `is_at_root` tells that the frequency is close to a root.
+    #[inline]
     pub(crate) fn new(is_at_root: bool) -> Self {
         WittrickWilliams { is_at_root, ..WittrickWilliams::default() }
     }
 
     /// The sums that cancelled in the pass.
+    #[inline]
     pub(crate) fn cancelled(&self) -> Cancelled {
         self.cancelled
     }
 
+    #[inline]
     fn add_if(&mut self, condition: bool) {
         self.below = self.below.saturating_add(u64::from(condition));
     }
 
     /// Adds the negative eigenvalues of a symmetric 2×2 matrix from the sign of its determinant and its first entry.
+    #[inline]
     fn negative_eigenvalues(&mut self, determinant_negative: bool, first_positive: bool) {
         self.below = self.below.saturating_add(match (determinant_negative, first_positive) {
             (true, _) => 1,
@@ -150,6 +156,7 @@ impl<const IN_LINE: bool, const WATCHES: bool> WittrickWilliams<IN_LINE, WATCHES
 }
 
 /// Sign of the first number that is not zero: whether it is negative.
+#[inline]
 fn negative<T: Real>(candidates: impl IntoIterator<Item = T>) -> bool {
     candidates.into_iter().find(|x| !x.is_zero()).is_some_and(|x| x < T::zero())
 }
@@ -161,6 +168,7 @@ fn negative_in_line<T: Real, const N: usize>(candidates: [T; N]) -> bool {
 }
 
 /// Sign of p_YΘ, of the limit of stiff springs where it is zero.
+#[inline]
 fn plane_negative<T: Real>(p: &Plane<T>) -> bool {
     negative([p.y_theta, p.theta_q, p.y_m, p.m_q])
 }
@@ -174,6 +182,7 @@ fn is_stiff<T: Real>(p: &Plane<T>, beside: T) -> bool {
 }
 
 /// Sign of y, of the limit of a stiff spring where it is zero.
+#[inline]
 fn line_negative<T: Real>(line: &Line<T>) -> bool {
     negative([line.y, -line.q])
 }
@@ -183,11 +192,13 @@ impl<T: Real, const IN_LINE: bool, const WATCHES: bool> RootCounter<T> for Wittr
     // extended precision always watches: it takes other formulas where sums cancel
     const WATCHES: bool = WATCHES || T::EPSILON < f64::EPSILON;
 
+    #[inline]
     fn line(&mut self, before: &Line<T>, after: &Line<T>, held: u64, is_negative: bool) {
         self.below = self.below.saturating_add(held);
         self.add_if(line_negative(before) != (line_negative(after) != is_negative));
     }
 
+    #[inline]
     fn plane(&mut self, before: &Plane<T>, after: &Plane<T>, held: Held<T>) {
         let Held { below, is_negative, stiffness } = held;
         self.below = self.below.saturating_add(below);
@@ -195,11 +206,13 @@ impl<T: Real, const IN_LINE: bool, const WATCHES: bool> RootCounter<T> for Wittr
         self.negative_eigenvalues(determinant_negative, is_stiff(before, stiffness));
     }
 
+    #[inline]
     fn narrowing(&mut self, plane: &Plane<T>, space: Space) {
         let left_behind = plane.minor(Space::Bending.without(space));
         self.add_if(negative([left_behind, plane.m_q]) != plane_negative(plane));
     }
 
+    #[inline]
     fn plane_root(&mut self, plane: &Plane<T>, support: Support) {
         let differs = |x: T| !x.is_zero() && (x < T::zero()) != plane_negative(plane);
         match support {
@@ -237,6 +250,7 @@ impl<T: Real, const IN_LINE: bool, const WATCHES: bool> RootCounter<T> for Wittr
         self.cancelled.add_root::<T>(sum, terms);
     }
 
+    #[inline]
     fn line_root(&mut self, line: &Line<T>, support: Support) {
         // stiffness -q/y of the free end
         self.add_if(support != Support::Fixed && !line.q.is_zero() && (line.q < T::zero()) == line_negative(line));

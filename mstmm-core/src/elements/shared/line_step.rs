@@ -44,6 +44,7 @@ pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subs
 }
 
 /// Takes a covector back through a massless element, whose step multiplies a line by `κ U`, on a fixed tip by `-κ U`.
+#[inline]
 pub(crate) fn back_through_stiffness<S: Scalar>(kappa: S, input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
     let is_grounded = matches!(input, Subspace::Tip(Support::Fixed, _));
     covector.times(if is_grounded { -kappa } else { kappa }, 0)

@@ -38,6 +38,7 @@ impl<T: Real> Massless<T> {
     }
 
     /// The sum of the sizes of K and Cλ: for an overdamped motion κ itself cancels.
+    #[inline]
     pub(crate) fn size(&self, lambda: f64) -> f64 {
         self.stiffness.map_or(0.0, T::to_f64) + self.damping.map_or(0.0, |damping| damping.to_f64() * lambda)
     }
@@ -46,6 +47,7 @@ impl<T: Real> Massless<T> {
 /// A dynamic stiffness κ and its reciprocal, for κ of any size. Where the reciprocal is not finite, at the pole of the
 /// transfer matrix or for a damper without damping, κ is `2^-100`, which is zero in effect once the determinant is multiplied by
 /// the denominator.
+#[inline]
 fn off_pole<S: Scalar>(kappa: S) -> (S, S) {
     // a complex division alone squares the modulus, which vanishes at half the range
     let shift = -binary_exponent(kappa.size());

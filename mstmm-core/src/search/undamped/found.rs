@@ -20,6 +20,7 @@ pub struct NaturalFrequency<T = f64> {
 
 impl<T: Real> NaturalFrequency<T> {
     /// Frequency in Hz, ω/2π.
+    #[inline]
     pub fn hertz(&self) -> T {
         self.omega * T::from_f64(core::f64::consts::TAU.recip())
     }
@@ -36,6 +37,7 @@ pub struct FrequencyList<T, const CAP: usize> {
 
 impl<T, const CAP: usize> FrequencyList<T, CAP> {
     /// Number of evaluations.
+    #[inline]
     pub fn evaluations(&self) -> usize {
         self.evaluations
     }
@@ -44,6 +46,7 @@ impl<T, const CAP: usize> FrequencyList<T, CAP> {
 impl<T, const CAP: usize> Deref for FrequencyList<T, CAP> {
     type Target = [NaturalFrequency<T>];
 
+    #[inline]
     fn deref(&self) -> &[NaturalFrequency<T>] {
         &self.frequencies
     }
@@ -53,6 +56,7 @@ impl<'a, T, const CAP: usize> IntoIterator for &'a FrequencyList<T, CAP> {
     type Item = &'a NaturalFrequency<T>;
     type IntoIter = core::slice::Iter<'a, NaturalFrequency<T>>;
 
+    #[inline]
     fn into_iter(self) -> Self::IntoIter {
         self.iter()
     }

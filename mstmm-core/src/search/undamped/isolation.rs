@@ -18,6 +18,7 @@ where
     Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
 {
     /// All frequencies of a range.
+    #[inline]
     pub(super) fn in_range<const CAP: usize>(
         &mut self,
         start: T,
@@ -49,6 +50,7 @@ where
     }
 
     /// The lowest frequencies.
+    #[inline]
     pub(super) fn first<const N: usize>(&mut self) -> Result<FrequencyList<T, N>, SearchError> {
         let wanted = N as u64;
         let estimates = self.estimates;
@@ -80,18 +82,21 @@ where
 
     /// Marks roots that rounding may have moved as doubtful: several in one interval, two that nearly touch, one that is nearly
     /// zero.
+    #[inline]
     fn doubt(&mut self, root: &NaturalFrequency<T>, last: Option<&NaturalFrequency<T>>) {
         let touching = last.is_some_and(|last| root.lower - last.upper <= root.omega * T::from_f64(TOUCHING));
         self.is_doubtful |= root.multiplicity > 1 || touching || root.omega < self.nearly_zero;
     }
 
     /// The entry of frequencies that are zero, if there are any.
+    #[inline]
     fn rigid_body_modes(just_above_zero: &Sample<T>) -> Option<NaturalFrequency<T>> {
         let (zero, upper) = (T::zero(), just_above_zero.omega);
         let multiplicity = just_above_zero.below;
         (multiplicity > 0).then_some(NaturalFrequency { omega: zero, lower: zero, upper, multiplicity })
     }
 
+    #[inline]
     fn push<const CAP: usize>(
         found: &mut List<NaturalFrequency<T>, CAP>,
         root: Option<NaturalFrequency<T>>,
@@ -109,6 +114,7 @@ where
         found.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })
     }
 
+    #[inline]
     fn wait(waiting: &mut List<Sample<T>, WAITING>, sample: Sample<T>) -> Result<(), SearchError> {
         waiting.push(sample).map_err(|lost| SearchError::Unresolved { near: lost.omega.to_f64() })
     }
@@ -116,6 +122,7 @@ where
     /// The lowest root above `lower`, or several that cannot be told apart; `lower` moves beyond it.
     ///
     /// The bracket is from `lower` to the last of the upper ends that wait, which is the lowest of them.
+    #[inline]
     fn next(
         &mut self,
         lower: &mut Sample<T>,
@@ -143,6 +150,7 @@ where
     }
 
     /// A sample inside a bracket of several roots, with a count between those of its ends.
+    #[inline]
     fn split(&mut self, lower: &Sample<T>, upper: &Sample<T>, roots: u64) -> Result<Sample<T>, SearchError> {
         let middle = middle(lower.omega, upper.omega);
         let close = (upper.omega - lower.omega) * T::from_f64(16.0) < upper.omega;
@@ -157,6 +165,7 @@ where
     }
 
     /// A sample beside a cluster of roots, found by Newton's method for a root of that multiplicity.
+    #[inline]
     fn split_cluster(
         &mut self,
         lower: &Sample<T>,

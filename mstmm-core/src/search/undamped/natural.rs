@@ -51,6 +51,7 @@ pub trait NaturalFrequencies: System {
     ///
     /// # Source
     /// Wittrick and Williams along the tree of transfer paths.
+    #[inline]
     fn count_below(&self, omega: Self::Parameter) -> Result<u64, SearchError>
     where
         Self: Undamped,
@@ -73,6 +74,7 @@ pub trait NaturalFrequencies: System {
     /// # Errors
     /// [`SearchError`] for a range that is empty, negative or not finite, more than `CAP` entries, or a Δ that is not
     /// finite somewhere in the range.
+    #[inline]
     fn natural_frequencies<const CAP: usize>(
         &self,
         range: RangeInclusive<Self::Parameter>,
@@ -93,6 +95,7 @@ pub trait NaturalFrequencies: System {
     ///
     /// # Errors
     /// [`SearchError::TooFewRoots`] if the system has no more than it says; else as `natural_frequencies`.
+    #[inline]
     fn first_frequencies<const N: usize>(&self) -> Result<FrequencyList<Self::Parameter, N>, SearchError>
     where
         Self: Undamped,
@@ -112,6 +115,7 @@ impl<Y: System + ?Sized> NaturalFrequencies for Y {}
 const COUNT_MARGIN: f64 = 256.0;
 
 /// The relative distance at which counts are taken, for numbers of type `T`.
+#[inline]
 pub(crate) fn count_margin<T: Real>() -> T {
     T::from_f64(T::EPSILON).sqrt() * T::from_f64(COUNT_MARGIN)
 }
@@ -120,6 +124,7 @@ pub(crate) fn count_margin<T: Real>() -> T {
 const EXTENDED_MARGIN: f64 = 4.0;
 
 /// The count near a frequency, if it is equal on both sides and no sum cancelled.
+#[inline]
 fn count_beside<Y, T>(system: &Y, omega: T) -> Result<Option<u64>, SearchError>
 where
     T: Real,
@@ -131,6 +136,7 @@ where
 }
 
 /// The count on which the passes below and above a frequency agree, if no sum cancelled in them.
+#[inline]
 pub(crate) fn agreed<T: Real, const IN_LINE: bool>(
     omega: T,
     [(below, at_below), (above, at_above)]: [(WittrickWilliams<IN_LINE>, Scaled<T>); 2],
@@ -163,6 +169,7 @@ where
 }
 
 /// The result of a search, or where that is doubtful the result in extended precision.
+#[inline]
 fn judged<Y: System + ?Sized, const CAP: usize>(
     found: Result<FrequencyList<Y::Parameter, CAP>, SearchError>,
     is_doubtful: bool,

@@ -11,11 +11,13 @@ const PATIENCE: u32 = 3;
 
 impl<T: Real> Slope<T> {
     /// Newton's next point.
+    #[inline]
     fn newton(&self) -> T {
         self.omega - self.value / self.derivative
     }
 
     /// The zero of the inverse cubic through two points with their slopes: of order 1 + sqrt(3).
+    #[inline]
     fn hermite(&self, other: &Self) -> T {
         let shift = (other.exponent - self.exponent).clamp(-2000, 2000) as i32;
         let (value, derivative) = (other.value.times_power_of_two(shift), other.derivative.times_power_of_two(shift));
@@ -37,6 +39,7 @@ where
     Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
 {
     /// The single root of a bracket.
+    #[inline]
     pub(super) fn polish(
         &mut self,
         mut lower: Sample<T>,
@@ -89,6 +92,7 @@ where
     }
 
     /// The root at an estimate, if the counts on both sides certify it.
+    #[inline]
     fn certify(
         &mut self,
         omega: T,
@@ -119,6 +123,7 @@ where
 }
 
 /// The zero of the chord between two samples, as a share of their distance.
+#[inline]
 fn chord_share<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
     let shift = (upper.value.exponent() - lower.value.exponent()).clamp(-2000, 2000) as i32;
     let (a, b) = (lower.value.mantissa(), upper.value.mantissa().times_power_of_two(shift));
@@ -126,6 +131,7 @@ fn chord_share<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
 }
 
 /// Whether the growth of Δ across a root fits its slope beside it, as it does unless rounding rules there.
+#[inline]
 fn is_straight<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>) -> bool {
     let at_scale = |value: Scaled<T>| {
         let shift = (value.exponent() - nearest.exponent).clamp(-2000, 2000) as i32;
@@ -138,6 +144,7 @@ fn is_straight<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>
 }
 
 /// The first point: the zero of the chord if the bracket is not wide, else its middle.
+#[inline]
 fn first_point<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
     let middle = middle(lower.omega, upper.omega);
     if lower.omega + lower.omega < upper.omega {
@@ -151,6 +158,7 @@ fn first_point<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
 
 /// Whether an estimate is good to a precision. With the distances a and b of its points and the length over which Δ bends, the
 /// error of the inverse cubic is `(a b)²/length³`, that of Newton's step `a²/length`.
+#[inline]
 fn is_exact<T: Real>(estimate: T, slope: &Slope<T>, previous: Option<&Slope<T>>, length: f64, precision: f64) -> bool {
     let distance = |omega: T| (estimate - omega).size() / length;
     let product = distance(slope.omega) * previous.map_or(1.0, |previous| distance(previous.omega));

@@ -31,6 +31,7 @@ pub(super) struct Sample<T> {
 }
 
 impl<T: Real> Default for Sample<T> {
+    #[inline]
     fn default() -> Self {
         Sample { omega: T::zero(), below: 0, value: Scaled::new(T::one(), 0) }
     }
@@ -47,6 +48,7 @@ pub(super) struct Slope<T> {
 }
 
 impl<T: Real> From<Slope<T>> for Sample<T> {
+    #[inline]
     fn from(slope: Slope<T>) -> Self {
         Sample { omega: slope.omega, below: slope.below, value: Scaled::new(slope.value, slope.exponent) }
     }
@@ -81,6 +83,7 @@ where
     Y: System + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
 {
     /// A search in arithmetic of type `T`, to the precision of the system's parameters.
+    #[inline]
     pub(super) fn new(system: &'a Y) -> Self {
         let precision = <Y::Parameter as Scalar>::EPSILON;
         let estimates = system.estimates();
@@ -103,6 +106,7 @@ where
     }
 
     /// Count and Δ at a frequency.
+    #[inline]
     pub(super) fn sample(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
         self.evaluations += 1;
         let (count, value) = counted_pass(self.system, omega, WittrickWilliams::<false>::new(self.is_at_root));
@@ -117,6 +121,7 @@ where
     }
 
     /// The samples on both sides of a root.
+    #[inline]
     pub(super) fn both_sides(&mut self, omega: T, away: T) -> Result<(Sample<T>, Sample<T>), SearchError> {
         (self.is_at_root, self.is_ill_conditioned) = (true, false);
         let samples = (self.sample(omega - away)?, self.sample(omega + away)?);
@@ -125,6 +130,7 @@ where
     }
 
     /// Marks a pass in which sums cancelled as doubtful; refuses it where no further precision is left.
+    #[inline]
     fn look_at(&mut self, cancelled: Cancelled, omega: T) -> Result<(), SearchError> {
         self.is_doubtful |= cancelled.any();
         self.is_ill_conditioned |= cancelled.at_root;
@@ -136,6 +142,7 @@ where
 
     /// Whether extended precision confirms the counts at both ends of an interval, if Δ was small compared with its terms there.
     /// Where there is none, the interval is widened.
+    #[inline]
     pub(super) fn is_proven(&mut self, root: &mut NaturalFrequency<T>, counts: (u64, u64)) -> bool {
         if !core::mem::take(&mut self.is_ill_conditioned) {
             return true;
@@ -166,6 +173,7 @@ where
     }
 
     /// Count, Δ and its derivative at a frequency.
+    #[inline]
     pub(super) fn slope(&mut self, omega: T) -> Result<Slope<T>, SearchError> {
         self.evaluations += 2;
         // what cancels here does so in other samples of the search
@@ -178,12 +186,14 @@ where
     }
 
     /// Whether a bracket is no wider than a certified interval.
+    #[inline]
     pub(super) fn is_narrow(&self, lower: &Sample<T>, upper: &Sample<T>) -> bool {
         let half_width = self.half_width;
         upper.omega - lower.omega <= (half_width + half_width) * upper.omega
     }
 
     /// The certified entry of the roots in a narrow bracket.
+    #[inline]
     pub(super) fn settle(&mut self, lower: Sample<T>, upper: Sample<T>) -> Result<NaturalFrequency<T>, SearchError> {
         let omega = lower.omega + (upper.omega - lower.omega) * T::from_f64(0.5);
         let margin = omega * self.half_width;
@@ -205,6 +215,7 @@ fn extended_below<T: Real, Y: Characteristic<T::Extended> + ?Sized>(system: &Y, 
 }
 
 /// The middle of a bracket in the square root of the frequency, in which the frequencies of beams are evenly spaced.
+#[inline]
 pub(super) fn middle<T: Real>(lower: T, upper: T) -> T {
     if upper < lower + lower {
         return lower + (upper - lower) * T::from_f64(0.5);

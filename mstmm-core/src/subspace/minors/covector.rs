@@ -21,6 +21,7 @@ pub enum Covector<S> {
 
 impl<S: Scalar> Covector<S> {
     /// The entries of a plane's covector; none of a line's, which has no plane.
+    #[inline]
     pub(crate) fn entries(self) -> ([S; 4], i32) {
         match self {
             Covector::Plane(entries, exponent) => (entries, exponent),
@@ -29,6 +30,7 @@ impl<S: Scalar> Covector<S> {
     }
 
     /// The covector with entries near 1 and the rest in the exponent.
+    #[inline]
     pub(crate) fn rescaled(self) -> Self {
         match self {
             Covector::Plane(entries, exponent) => {
@@ -44,6 +46,7 @@ impl<S: Scalar> Covector<S> {
     }
 
     /// The covector times `factor · 2^shift`.
+    #[inline]
     pub(crate) fn times(self, factor: S, shift: i32) -> Self {
         match self {
             Covector::Plane(entries, exponent) => {
@@ -54,6 +57,7 @@ impl<S: Scalar> Covector<S> {
     }
 
     /// The covector of the same subspace seen against the x-axis (see [`Subspace::mirrored`]), and back again.
+    #[inline]
     pub(crate) fn mirrored(self, space: Space) -> Self {
         match self {
             Covector::Plane([y, theta, m, q], exponent) => Covector::Plane([-y, theta, m, -q], exponent),
@@ -63,6 +67,7 @@ impl<S: Scalar> Covector<S> {
     }
 
     /// The state that the covector picks out of a subspace.
+    #[inline]
     pub(crate) fn pick(self, subspace: &Subspace<S>) -> ScaledState<S> {
         let entry = |coordinate| self.pick_entry(subspace, coordinate);
         let ((y, exponent), (theta, _), (m, _), (q, _)) =
@@ -71,6 +76,7 @@ impl<S: Scalar> Covector<S> {
     }
 
     /// One entry of that state, and the power of two that multiplies all.
+    #[inline]
     pub(crate) fn pick_entry(self, subspace: &Subspace<S>, coordinate: Coordinate) -> (S, i32) {
         match (self, subspace) {
             (Covector::Plane(entries, exponent), Subspace::Tip(support, _)) => {
@@ -95,6 +101,7 @@ impl<S: Scalar> Covector<S> {
 
     /// The covector of one path at a connection, given that of the sum and the sum of all other paths:
     /// `η_k = s_YΘ η + Kᵀ (η_M, η_Q)` with the stiffness `K = [[-w, s_YM], [-s_ΘQ, w]]` of the others, times s_YΘ.
+    #[inline]
     pub(crate) fn share_of(self, others: &Plane<S>) -> Self {
         let ([y, theta, m, q], exponent) = self.entries();
         let s = others;
@@ -109,6 +116,7 @@ impl<S: Scalar> Covector<S> {
 }
 
 /// `z_i = Σ_j p_ij η_j`
+#[inline]
 fn of_plane<S: Scalar>([y, theta, m, q]: [S; 4], p: &Plane<S>, coordinate: Coordinate) -> S {
     match coordinate {
         Coordinate::Y => p.y_theta * theta + p.y_m * m + p.w * q,
@@ -121,6 +129,7 @@ fn of_plane<S: Scalar>([y, theta, m, q]: [S; 4], p: &Plane<S>, coordinate: Coord
 
 /// `z_i = Σ_j p_ij η_j` for the plane that a support leaves. The minor of its two unknowns is 1, so that each unknown is the
 /// covector's entry for the other.
+#[inline]
 fn of_tip<S: Scalar>([y, theta, m, q]: [S; 4], support: Support, coordinate: Coordinate) -> S {
     let of_theta = if support.holds().contains(Freedoms::RZ) { m } else { theta };
     match (coordinate.freedom(), support.holds().contains(Freedoms::Y)) {
@@ -137,6 +146,7 @@ fn of_tip<S: Scalar>([y, theta, m, q]: [S; 4], support: Support, coordinate: Coo
 impl<S: Scalar> Subspace<S> {
     /// The subspace seen against the x-axis. It takes a downstream subspace from the frame of a path that leads downstream to that of
     /// a path that arrives from there, or back.
+    #[inline]
     pub(crate) fn mirrored(self) -> Self {
         match self {
             Subspace::Plane(plane) => Subspace::Plane(Plane { w: -plane.w, ..plane }),
