@@ -86,8 +86,8 @@ pub mod element {
 /// Numbers: what parameters and frequencies are made of.
 pub mod number {
     pub use mstmm_core::{
-        BranchFree, Complex, ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, InColumns, Magnitude,
-        MayDecay, Oscillation, Real, RealFrequency, Scalar, Scaled, WaveFunctions,
+        Complex, ComplexEigenvalue, ComplexFrequency, Component, DoubleDouble, Dual, Frequency, InLanes, Magnitude,
+        MayDecay, Oscillation, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, WaveFunctions,
     };
 }
 

@@ -1,28 +1,51 @@
-//! Runs a loop compiled for the widest instruction set that the machine has.
+//! Numbers in the lanes of the widest vectors that the machine has.
 //!
 //! A program is compiled for the least machine it may run on, which on x86-64 has vectors of two numbers. A [`Task`] is
-//! also compiled for wider vectors, and the choice is made when it runs. No operation is fused with another on any of them, so
-//! that every result has the same bits.
+//! also compiled for wider vectors, of numbers in [`Lanes`], and the choice is made when it runs. No operation is fused with another
+//! on any of them, so that every lane has the bits of a number alone.
 //!
 //! This crate is an implementation detail of `mstmm`, and the only one of its crates with `unsafe` code: a function for an
 //! instruction set may be called only where the machine has it. The crate needs `std` to detect that.
 
+mod lanes;
+mod vector;
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+
+#[cfg(target_arch = "x86_64")]
+pub use avx2::Four;
+#[cfg(target_arch = "x86_64")]
+pub use avx512::Eight;
+pub use lanes::{Lanes, Truths};
+pub use vector::Vector;
+
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// A loop that is compiled for several instruction sets.
+/// Work that is compiled for several instruction sets. All functions that it calls have to stand in line: one that does not is
+/// compiled for the least machine.
 pub trait Task {
-    /// The result of the loop.
+    /// The result.
     type Output;
 
-    /// Runs the loop. Mark it and all functions that it calls `#[inline(always)]`: a function that is not inlined is compiled for
-    /// the least machine.
-    fn run(self) -> Self::Output;
+    /// The work in vectors of eight numbers. Mark it `#[inline(always)]`, as the others.
+    #[cfg(target_arch = "x86_64")]
+    fn on_avx512(self) -> Self::Output;
+
+    /// The work in vectors of four numbers.
+    #[cfg(target_arch = "x86_64")]
+    fn on_avx2(self) -> Self::Output;
+
+    /// The work one number at a time, on machines without such vectors.
+    fn alone(self) -> Self::Output;
 }
 
 /// An instruction set for which a task is compiled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum InstructionSet {
-    /// The instruction set of the target: two numbers at once on x86-64.
+    /// The instruction set of the target: one number at a time.
     Target,
     /// AVX2: four numbers at once.
     Avx2,
@@ -84,50 +107,22 @@ pub fn run<T: Task>(task: T) -> T::Output {
         InstructionSet::Avx2 => return unsafe { on_avx2(task) },
         InstructionSet::Target => {}
     }
-    on_target(task)
-}
-
-#[inline(never)]
-fn on_target<T: Task>(task: T) -> T::Output {
-    task.run()
+    task.alone()
 }
 
 #[cfg(target_arch = "x86_64")]
+#[inline(never)]
 #[target_feature(enable = "avx2")]
 fn on_avx2<T: Task>(task: T) -> T::Output {
-    task.run()
+    task.on_avx2()
 }
 
 #[cfg(target_arch = "x86_64")]
+#[inline(never)]
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
 fn on_avx512<T: Task>(task: T) -> T::Output {
-    task.run()
+    task.on_avx512()
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    struct Sum<'a>(&'a [f64; 64]);
-
-    impl Task for Sum<'_> {
-        type Output = [f64; 64];
-
-        #[inline(always)]
-        fn run(self) -> [f64; 64] {
-            self.0.map(|x| x * x + 1.0 / (x + 2.0))
-        }
-    }
-
-    #[test]
-    fn all_sets_give_the_same_bits_and_none_is_wider_than_the_machine() {
-        let numbers = core::array::from_fn(|k| (k as f64).sin());
-        let all = InstructionSet::ALL.map(|set| {
-            assert!(set.limit() <= InstructionSet::widest());
-            assert_eq!(InstructionSet::in_use(), set.min(InstructionSet::widest()));
-            run(Sum(&numbers)).map(f64::to_bits)
-        });
-        assert!(all.iter().all(|bits| *bits == all[0]));
-        assert_eq!(all[0][0], 0.5_f64.to_bits());
-    }
-}
+mod tests;

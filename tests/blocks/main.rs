@@ -3,5 +3,4 @@
 mod responses;
 #[path = "../support/mod.rs"]
 pub mod support;
-pub mod uneven;
 mod values;

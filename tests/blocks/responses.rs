@@ -5,7 +5,7 @@ use crate::support::models::*;
 use crate::support::random_tree::{Random, varied_tree};
 use core::ops::Range;
 use mstmm::motion::{Entry, Load, MotionError, Point, Tree};
-use mstmm::number::{InColumns, Oscillation};
+use mstmm::number::Oscillation;
 use mstmm::prelude::*;
 use mstmm_lanes::InstructionSet;
 
@@ -16,7 +16,7 @@ type C = Complex<f64>;
 fn assert_response<Y, S>(system: &Y, load: Load<Y::Model>, entry: Entry<Y::Model>, grid: &[S]) -> usize
 where
     Y: Tree<S>,
-    S: Oscillation<Y::Parameter> + InColumns,
+    S: Oscillation<Y::Parameter>,
 {
     let Ok(response) = system.frequency_response(load, entry) else { return 0 };
     let alone: Vec<Result<S, MotionError>> = grid.iter().map(|&x| response.at(x)).collect();
@@ -40,7 +40,7 @@ where
 }
 
 /// Numbers are the same only if all bits are.
-fn bits<S: mstmm::number::Scalar>(value: &Result<S, MotionError>) -> String {
+fn bits<S: mstmm::number::Single>(value: &Result<S, MotionError>) -> String {
     format!("{value:?}")
 }
 

@@ -7,7 +7,7 @@ use crate::support::random_tree::{Random, random_tree};
 use mstmm::element::Support;
 use mstmm::elements::Beam;
 use mstmm::list::{AnyUndamped, ListStep, Room, StepList};
-use mstmm::number::{DoubleDouble, Dual, Frequency, InColumns, Scaled};
+use mstmm::number::{DoubleDouble, Dual, Frequency, InLanes, Scaled};
 use mstmm::prelude::*;
 use mstmm::search::{InBlocks, SearchError, System};
 use mstmm_lanes::InstructionSet;
@@ -19,14 +19,14 @@ type C = Complex<f64>;
 const STEPS: usize = 320;
 
 /// Numbers are the same only if all bits are; `Debug` shows the sign of zero, and all NaN alike.
-fn bits<S: mstmm::number::Scalar>(value: Scaled<S>) -> String {
+fn bits<S: mstmm::number::Single>(value: Scaled<S>) -> String {
     format!("{value:?}")
 }
 
 /// Asserts that values in blocks are those alone, on every instruction set.
 fn assert_values<Y, S>(system: &Y, frequencies: &[S])
 where
-    S: Frequency<Y::Parameter> + InColumns,
+    S: Frequency<Y::Parameter> + InLanes,
     Y: InBlocks<S> + System,
 {
     for set in InstructionSet::ALL {
@@ -40,7 +40,7 @@ where
 }
 
 /// The same for counts.
-fn assert_counts<Y: InBlocks<f64> + Undamped + System<Parameter = f64>>(system: &Y, omegas: &[f64]) {
+fn assert_counts<Y: Undamped + System<Parameter = f64>>(system: &Y, omegas: &[f64]) {
     for set in InstructionSet::ALL {
         let set = set.limit();
         let mut counts = vec![Ok(0); omegas.len()];

@@ -185,7 +185,7 @@ macro_rules! assert_reciprocal {
     }};
 }
 
-fn size(value: impl mstmm::number::Scalar) -> f64 {
+fn size(value: impl mstmm::number::Single) -> f64 {
     mstmm::number::Scalar::size(value)
 }
 

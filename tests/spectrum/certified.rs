@@ -6,7 +6,7 @@ use core::ops::RangeInclusive;
 use mstmm::element::Support;
 use mstmm::elements::Beam;
 use mstmm::list::{AnyUndamped, ListStep, StepList};
-use mstmm::number::{DoubleDouble, Real, Scalar, Scaled};
+use mstmm::number::{DoubleDouble, Real, Scalar, Scaled, Single};
 use mstmm::prelude::*;
 use mstmm::search::System;
 use proptest::prelude::*;
@@ -47,13 +47,13 @@ macro_rules! for_each_undamped {
 }
 
 /// Quotient of two scaled numbers, as a plain one.
-fn quotient<S: Scalar>(a: Scaled<S>, b: Scaled<S>) -> S {
+fn quotient<S: Single>(a: Scaled<S>, b: Scaled<S>) -> S {
     let shift = i32::try_from(a.exponent() - b.exponent()).unwrap();
     (a.mantissa() / b.mantissa()).times_power_of_two(shift)
 }
 
 /// Asserts that a quotient is the same at 100 random points.
-fn is_constant<P: Copy + core::fmt::Debug, S: Scalar>(
+fn is_constant<P: Copy + core::fmt::Debug, S: Single>(
     id: &str,
     points: impl Strategy<Value = P>,
     quotient: impl Fn(P) -> S,

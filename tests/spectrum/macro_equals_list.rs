@@ -17,8 +17,8 @@ use crate::undamped_models::for_each_undamped;
 use mstmm::Complex;
 use mstmm::element::{ParameterError, SMatrix, Space};
 use mstmm::list::{ListStep, StepList};
-use mstmm::number::{Scalar, Scaled};
-use mstmm::search::{Characteristic, Evaluate, InBlocks, ManyFrequencies, System};
+use mstmm::number::{Scaled, Single};
+use mstmm::search::{Characteristic, Evaluate, ManyFrequencies, System};
 use mstmm::search::{NaturalFrequencies, Undamped};
 use nalgebra::DMatrix;
 
@@ -88,7 +88,7 @@ fn unknowns(tree: &Tree) -> usize {
 }
 
 /// Numbers without sign of zero and exponent are equal only if all bits are.
-fn assert_same_bits<S: Scalar>(actual: Scaled<S>, expected: Scaled<S>, seed: u64) {
+fn assert_same_bits<S: Single>(actual: Scaled<S>, expected: Scaled<S>, seed: u64) {
     assert_eq!(format!("{actual:?}"), format!("{expected:?}"), "seed {seed}");
 }
 
@@ -123,11 +123,7 @@ where
 fn undamped_models_equal_their_lists() {
     fn check<Y, const N: usize>(seed: u64, system: Result<Y, ParameterError>)
     where
-        Y: InBlocks<f64>
-            + Undamped
-            + Characteristic<C>
-            + System<Parameter = f64>
-            + Evaluate<C, Matrix = SMatrix<C, N, N>>,
+        Y: Undamped + Characteristic<C> + System<Parameter = f64> + Evaluate<C, Matrix = SMatrix<C, N, N>>,
     {
         let (system, tree) = (system.unwrap(), random_tree(seed, BEAMS, false));
         let steps = undamped_steps(&tree);

@@ -53,7 +53,7 @@ fn print(name: &str, mut alone: impl FnMut(), mut together: impl FnMut()) {
 /// Δ of a system, at shares of a range of frequencies.
 fn values<Y, S>(name: &str, system: &Y, at: impl Fn(f64) -> S) -> Result<(), Failure>
 where
-    S: mstmm::number::Frequency<f64> + mstmm::number::InColumns,
+    S: mstmm::number::Frequency<f64> + mstmm::number::InLanes,
     Y: InBlocks<S> + System<Parameter = f64>,
 {
     let frequencies: Vec<S> = (1..=FREQUENCIES).map(|k| at(k as f64 / FREQUENCIES as f64)).collect();
@@ -76,11 +76,7 @@ where
 }
 
 /// The count of an undamped system.
-fn counts<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(
-    name: &str,
-    system: &Y,
-    end: f64,
-) -> Result<(), Failure> {
+fn counts<Y: Undamped + System<Parameter = f64>>(name: &str, system: &Y, end: f64) -> Result<(), Failure> {
     let frequencies: Vec<f64> = (1..=FREQUENCIES).map(|k| end * k as f64 / FREQUENCIES as f64).collect();
     let (mut some, mut same) = ([Ok(0); FREQUENCIES], [Ok(0); FREQUENCIES]);
     print(
@@ -104,7 +100,7 @@ fn counts<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(
 fn responses<Y, S>(name: &str, system: &Y, point: Point<Y::Model>, at: impl Fn(f64) -> S) -> Result<(), Failure>
 where
     Y: Tree<S> + System<Parameter = f64>,
-    S: Oscillation<f64> + mstmm::number::InColumns,
+    S: Oscillation<f64>,
 {
     let frequencies: Vec<S> = (1..=FREQUENCIES).map(|k| at((k as f64 - 0.3) / FREQUENCIES as f64)).collect();
     let response = system.frequency_response(point.force(), point.deflection())?;

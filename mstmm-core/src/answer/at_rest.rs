@@ -8,7 +8,7 @@
 //! at zero, for real frequencies as for complex ones.
 
 use crate::model::MotionError;
-use crate::number::{Oscillation, Real, Scalar, binary_exponent};
+use crate::number::{Oscillation, Real, Scalar, Single, binary_exponent};
 use core::marker::PhantomData;
 
 /// Number of samples of a polynomial.
@@ -90,7 +90,7 @@ struct Pair<S> {
     exponent: i32,
 }
 
-impl<S: Scalar> Pair<S> {
+impl<S: Single> Pair<S> {
     /// The difference of h₀.
     fn change(&self) -> f64 {
         (self.shorter.finite - self.longer.finite).size()
@@ -102,7 +102,7 @@ impl<S: Scalar> Pair<S> {
     }
 }
 
-impl<S: Scalar> AtRest<S> {
+impl<S: Single> AtRest<S> {
     /// The coefficients of a response that is given on the imaginary axis, found in ranges from about `2^exponent` rad/s on.
     ///
     /// A range that is too long holds another pole. In one that is too short h₀ is small beside the poles at zero, and rounding may
@@ -269,7 +269,7 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
 }
 
 /// The sum of samples with their weights.
-fn weighted<S: Scalar>(samples: impl Iterator<Item = S>, weights: &[S; SAMPLES]) -> S {
+fn weighted<S: Single>(samples: impl Iterator<Item = S>, weights: &[S; SAMPLES]) -> S {
     samples.zip(weights).fold(S::zero(), |sum, (sample, &weight)| sum + sample * weight)
 }
 
@@ -279,11 +279,11 @@ mod tests {
     use crate::number::DoubleDouble;
     use num_complex::Complex;
 
-    fn part<S: Scalar>(value: S) -> Result<Part<S>, MotionError> {
+    fn part<S: Single>(value: S) -> Result<Part<S>, MotionError> {
         Ok(Part { value, size: value.size() })
     }
 
-    fn agrees<S: Scalar>(actual: S, expected: f64, limit: f64) -> bool {
+    fn agrees<S: Single>(actual: S, expected: f64, limit: f64) -> bool {
         (actual - S::from_f64(expected)).size() <= limit * expected
     }
 

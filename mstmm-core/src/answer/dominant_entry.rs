@@ -1,7 +1,7 @@
 //! The dominant entry of a motion: entries of states at all ends of elements, compared as energies.
 
 use crate::element::{CoefficientsOf, Moving, Visit};
-use crate::number::{FrequencyPowers, Scalar};
+use crate::number::{FrequencyPowers, Single};
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::Tree;
 use mstmm_plan::{Coordinate, Space, Step};
@@ -18,7 +18,7 @@ pub(crate) struct Candidate {
 
 /// The frequency at which elements give their usual stiffnesses: that of the motion, or the lowest estimate where that is zero,
 /// since inertia has no force there.
-pub(crate) fn comparable<S: Scalar, Y: Tree<S> + ?Sized>(system: &Y, x: S) -> FrequencyPowers<S> {
+pub(crate) fn comparable<S: Single, Y: Tree<S> + ?Sized>(system: &Y, x: S) -> FrequencyPowers<S> {
     let slowest = || S::one().times_power_of_two(system.estimates().lowest_exponent());
     Y::at(if x.is_zero() { slowest() } else { x })
 }
@@ -26,7 +26,7 @@ pub(crate) fn comparable<S: Scalar, Y: Tree<S> + ?Sized>(system: &Y, x: S) -> Fr
 /// Asks an element for its usual stiffnesses.
 pub(crate) struct UnitsOf<'a, S>(pub(super) &'a FrequencyPowers<S>);
 
-impl<S: Scalar> Visit<S> for UnitsOf<'_, S> {
+impl<S: Single> Visit<S> for UnitsOf<'_, S> {
     type Output = [f64; 2];
 
     fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> [f64; 2] {
@@ -34,7 +34,7 @@ impl<S: Scalar> Visit<S> for UnitsOf<'_, S> {
     }
 }
 
-impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
+impl<S: Single, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// Calls a function with every candidate.
     pub(crate) fn for_each_candidate(&self, mut f: impl FnMut(Candidate)) {
         let at = comparable(self.system, self.at.x);

@@ -3,7 +3,7 @@
 use crate::answer::states::SystemStates;
 use crate::element::{CoefficientsOf, Moving, Visit};
 use crate::model::Ends;
-use crate::number::Scalar;
+use crate::number::Single;
 use crate::pass::tree::Tree;
 
 /// A form of two motions of an element.
@@ -21,7 +21,7 @@ pub(crate) struct FormOf<S> {
     pub(crate) second: Ends<S>,
 }
 
-impl<S: Scalar> Visit<S> for FormOf<S> {
+impl<S: Single> Visit<S> for FormOf<S> {
     type Output = S;
 
     fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> S {
@@ -33,7 +33,7 @@ impl<S: Scalar> Visit<S> for FormOf<S> {
     }
 }
 
-impl<Y: Tree<S> + ?Sized, S: Scalar> SystemStates<'_, Y, S> {
+impl<Y: Tree<S> + ?Sized, S: Single> SystemStates<'_, Y, S> {
     /// A form of this motion and another, summed over the system.
     pub(crate) fn form(&self, form: Form, other: &Self) -> S {
         let of =

@@ -2,17 +2,12 @@
 
 use crate::answer::at_rest::{AtRest, Part};
 use crate::model::{Entry, Load, MotionError};
-use crate::number::{InColumns, Oscillation, Scalar};
-use crate::pass::block::both_ways::BlockPasses;
-use crate::pass::block::{WIDTH, WORTHWHILE};
+use crate::number::{Oscillation, Scalar};
 use crate::pass::both_ways::Passes;
 use crate::pass::route::{Place, Route};
 use crate::pass::tree::{Planned, Tree};
 use mstmm_plan::Coordinate;
 use num_traits::One;
-
-/// Largest number of steps evaluated in blocks, since the subspaces behind all steps are on the stack.
-const LARGEST_IN_BLOCKS: usize = 64;
 
 /// Size of Δ at rest, in roundings of Δ at low frequencies, up to which it counts as zero.
 const VANISHING: f64 = 4096.0;
@@ -127,13 +122,10 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     pub fn on<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
     where
         Y: Tree<S>,
-        S: Oscillation<Y::Parameter> + InColumns,
+        S: Oscillation<Y::Parameter>,
     {
         if values.len() < grid.len() {
             return Err(MotionError::Capacity { capacity: values.len() });
-        }
-        if grid.len() >= WORTHWHILE && Y::per_step(()).as_ref().len() <= LARGEST_IN_BLOCKS {
-            return self.in_blocks(grid, values);
         }
         self.one_by_one(grid, values)
     }
@@ -145,29 +137,6 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     {
         for (value, &x) in values.iter_mut().zip(grid) {
             *value = self.at(x)?;
-        }
-        Ok(())
-    }
-
-    // not inlined: it takes much of the stack
-    #[inline(never)]
-    fn in_blocks<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
-    where
-        Y: Tree<S>,
-        S: Oscillation<Y::Parameter> + InColumns,
-    {
-        let mut passes = BlockPasses::new(self.route.system);
-        for (grid, values) in grid.chunks(WIDTH).zip(values.chunks_mut(WIDTH)) {
-            let is_known = grid.len() >= WORTHWHILE
-                && self.route.in_block(&mut passes, grid, |lane, value| {
-                    let x = grid[lane];
-                    // where sums cancel nothing is made of them in a block
-                    values[lane] = if x.is_zero() { self.static_limit() } else { value.or_else(|_| self.at(x)) }?;
-                    Ok(())
-                })?;
-            if !is_known {
-                self.one_by_one(grid, values)?;
-            }
         }
         Ok(())
     }

@@ -1,32 +1,11 @@
 //! Δ and the count at many frequencies: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Frequency, InColumns, Real, Scaled};
-use crate::pass::block::pass::BlockPass;
-use crate::pass::block::{WIDTH, WORTHWHILE};
-use crate::pass::characteristic::{Characteristic, System};
-use crate::pass::tree::Steps;
-use crate::search::undamped::natural::{NaturalFrequencies, Undamped, agreed, count_margin};
-use crate::subspace::{NoCount, WittrickWilliams};
+use crate::number::{Frequency, InLanes, Scaled};
+use crate::pass::at_once::{Block, Counts, InBlocks, MOST, characteristics};
+use crate::pass::characteristic::System;
+use crate::search::undamped::natural::{NaturalFrequencies, Undamped, count_margin};
 use num_traits::Zero;
-
-/// A system that can be evaluated at one frequency, and at a block of them.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no blocks of frequencies of type `{S}`",
-    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`"
-)]
-pub trait InBlocks<S>: Characteristic<S> + Steps<S>
-where
-    S: Frequency<<Self as System>::Parameter>,
-{
-}
-
-impl<S, Y> InBlocks<S> for Y
-where
-    S: Frequency<<Y as System>::Parameter>,
-    Y: Characteristic<S> + Steps<S> + ?Sized,
-{
-}
 
 /// Evaluations at many frequencies, in blocks: each value takes a fraction of the time.
 ///
@@ -64,26 +43,11 @@ pub trait ManyFrequencies: System {
     /// [`SearchError::Capacity`] where `values` is shorter than `frequencies`.
     fn characteristics<S>(&self, frequencies: &[S], values: &mut [Scaled<S>]) -> Result<(), SearchError>
     where
-        S: Frequency<Self::Parameter> + InColumns,
+        S: Frequency<Self::Parameter> + InLanes,
         Self: InBlocks<S>,
     {
         check_room(frequencies, values)?;
-        let mut pass = BlockPass::<S, NoCount>::new();
-        for (some, values) in frequencies.chunks(WIDTH).zip(values.chunks_mut(WIDTH)) {
-            if some.len() >= WORTHWHILE && pass.run(self, some) {
-                for (lane, (value, &x)) in values.iter_mut().zip(some).enumerate() {
-                    *value = pass.values.lane(lane);
-                    // where sums cancel, the block has no value for the frequency
-                    if !value.mantissa().size().is_finite() {
-                        *value = Characteristic::<S>::characteristic(self, x);
-                    }
-                }
-                continue;
-            }
-            for (value, &x) in values.iter_mut().zip(some) {
-                *value = Characteristic::<S>::characteristic(self, x);
-            }
-        }
+        characteristics(self, frequencies, values);
         Ok(())
     }
 
@@ -98,49 +62,26 @@ pub trait ManyFrequencies: System {
         counts: &mut [Result<u64, SearchError>],
     ) -> Result<(), SearchError>
     where
-        Self: InBlocks<<Self as System>::Parameter> + Undamped,
-        Self::Parameter: InColumns,
+        Self: Undamped,
     {
         check_room(omegas, counts)?;
-        let mut pass = BlockPass::<Self::Parameter, WittrickWilliams<true>>::new();
-        for (some, counts) in omegas.chunks(WIDTH).zip(counts.chunks_mut(WIDTH)) {
-            let margin = count_margin::<Self::Parameter>();
-            let both = [-margin, margin].map(|margin| count_block(self, &mut pass, some, margin));
-            for (lane, (count, &omega)) in counts.iter_mut().zip(some).enumerate() {
-                let pair = both[0].as_ref().zip(both[1].as_ref()).map(|(below, above)| [below[lane], above[lane]]);
-                *count = match pair.map(|pair| agreed(omega, pair)) {
-                    Some(Ok(Some(below))) if omega > Self::Parameter::zero() => Ok(below),
+        let mut block = Block::new();
+        let margin = count_margin::<Self::Parameter>();
+        for (omegas, counts) in omegas.chunks(MOST / 2).zip(counts.chunks_mut(MOST / 2)) {
+            for (sides, &omega) in block.omega.chunks_mut(2).zip(omegas) {
+                let away = omega * margin;
+                sides.copy_from_slice(&[omega - away, omega + away]);
+            }
+            block.evaluate(Counts { is_at_root: false }, self, 2 * omegas.len());
+            for (k, (count, &omega)) in counts.iter_mut().zip(omegas).enumerate() {
+                *count = match block.agreed_count(2 * k) {
+                    Some(below) if omega > Self::Parameter::zero() => Ok(below),
                     _ => self.count_below(omega),
                 };
             }
         }
         Ok(())
     }
-}
-
-/// Counts and Δ in the lanes of a block.
-type CountsOfBlock<T> = [(WittrickWilliams<true>, Scaled<T>); WIDTH];
-
-/// Counts and Δ at a relative distance from the frequencies of a block; `None` where each has to be evaluated alone.
-fn count_block<Y, T>(
-    system: &Y,
-    pass: &mut BlockPass<T, WittrickWilliams<true>>,
-    omegas: &[T],
-    margin: T,
-) -> Option<CountsOfBlock<T>>
-where
-    T: Real + InColumns,
-    Y: InBlocks<T> + System<Parameter = T> + ?Sized,
-{
-    let mut beside = [T::zero(); WIDTH];
-    let beside = beside.get_mut(..omegas.len())?;
-    for (beside, &omega) in beside.iter_mut().zip(omegas) {
-        *beside = omega + omega * margin;
-    }
-    if omegas.len() < WORTHWHILE || !pass.run(system, beside) {
-        return None;
-    }
-    Some(core::array::from_fn(|lane| (pass.counters.committed()[lane], pass.values.lane(lane))))
 }
 
 impl<Y: System + ?Sized> ManyFrequencies for Y {}

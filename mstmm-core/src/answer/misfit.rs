@@ -7,7 +7,7 @@ use crate::answer::dominant_entry::{UnitsOf, comparable};
 use crate::answer::mode_shape::ModeShape;
 use crate::answer::states::SystemStates;
 use crate::model::{MotionError, State};
-use crate::number::{FrequencyPowers, MISFIT, Oscillation, REFUSED_MISFIT, Scalar};
+use crate::number::{FrequencyPowers, MISFIT, Oscillation, REFUSED_MISFIT, Single};
 use crate::pass::tree::Tree;
 use mstmm_plan::{Coordinate, Step};
 
@@ -113,7 +113,7 @@ where
 }
 
 /// The largest of the squares of the entries, as energies.
-fn energy<S: Scalar>(state: &State<S>, [by_y, by_theta]: [f64; 2]) -> f64 {
+fn energy<S: Single>(state: &State<S>, [by_y, by_theta]: [f64; 2]) -> f64 {
     let squares = [
         (state.y.size(), by_y),
         (state.theta.size(), by_theta),

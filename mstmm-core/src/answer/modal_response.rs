@@ -6,7 +6,9 @@ use crate::answer::mode_shape::{ModeShape, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
 use crate::model::{Entry, Load, MotionError};
-use crate::number::{ComplexEigenvalue, Frequency, List, Oscillation, Real, RealFrequency, Scalar, exponential, phi_1};
+use crate::number::{
+    ComplexEigenvalue, Frequency, List, Oscillation, Real, RealFrequency, Scalar, Single, exponential, phi_1,
+};
 use crate::pass::characteristic::System;
 use crate::pass::route::Place;
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
@@ -264,7 +266,7 @@ impl Places {
     }
 
     /// `φ φ` of a shape.
-    fn product<Y: Tree<S> + ?Sized, S: Scalar>(&self, shape: &ModeShape<'_, Y, S>) -> S {
+    fn product<Y: Tree<S> + ?Sized, S: Single>(&self, shape: &ModeShape<'_, Y, S>) -> S {
         let at = |place: Place| shape.at(place.step, place.beyond).entry(place.coordinate);
         at(self.load) * at(self.entry)
     }

@@ -4,7 +4,7 @@ use crate::answer::dominant_entry::Candidate;
 use crate::answer::energies::Form;
 use crate::answer::states::SystemStates;
 use crate::model::MotionError;
-use crate::number::{Magnitude, Oscillation, Scalar, Scaled};
+use crate::number::{Magnitude, Oscillation, Scalar, Scaled, Single};
 use crate::pass::both_ways::Passes;
 use crate::pass::characteristic::System;
 use crate::pass::tree::{ExtendedTree, Tree};
@@ -19,17 +19,17 @@ const NEAR: f64 = 1e-13;
 /// It is real for a natural frequency, complex for an eigenvalue. With deflections in m the modal mass is 1 kg m²;
 /// [`with_unit_deflection`](ModeShape::with_unit_deflection) makes the largest deflection 1 m.
 #[derive(Debug)]
-pub struct ModeShape<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+pub struct ModeShape<'a, Y: Tree<S> + ?Sized, S: Single> {
     field: SystemStates<'a, Y, S>,
 }
 
-impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for ModeShape<'_, Y, S> {
+impl<Y: Tree<S> + ?Sized, S: Single> Clone for ModeShape<'_, Y, S> {
     fn clone(&self) -> Self {
         ModeShape { field: self.field.clone() }
     }
 }
 
-impl<'a, Y: Tree<S> + ?Sized, S: Scalar> Deref for ModeShape<'a, Y, S> {
+impl<'a, Y: Tree<S> + ?Sized, S: Single> Deref for ModeShape<'a, Y, S> {
     type Target = SystemStates<'a, Y, S>;
 
     fn deref(&self) -> &SystemStates<'a, Y, S> {
@@ -38,21 +38,21 @@ impl<'a, Y: Tree<S> + ?Sized, S: Scalar> Deref for ModeShape<'a, Y, S> {
 }
 
 /// The shapes of one root.
-pub struct ShapeList<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> {
+pub struct ShapeList<'a, Y: Tree<S> + ?Sized, S: Single, const CAP: usize> {
     pub(crate) shapes: [Option<ModeShape<'a, Y, S>>; CAP],
 }
 
 impl<Y, S, const CAP: usize> fmt::Debug for ShapeList<'_, Y, S, CAP>
 where
     Y: Tree<S> + fmt::Debug + ?Sized,
-    S: Scalar,
+    S: Single,
 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_list().entries(self.iter()).finish()
     }
 }
 
-impl<'a, Y: Tree<S> + ?Sized, S: Scalar, const CAP: usize> ShapeList<'a, Y, S, CAP> {
+impl<'a, Y: Tree<S> + ?Sized, S: Single, const CAP: usize> ShapeList<'a, Y, S, CAP> {
     /// The shapes, one after the other.
     pub fn iter(&self) -> impl Iterator<Item = &ModeShape<'a, Y, S>> {
         self.shapes.iter().flatten()
@@ -133,7 +133,7 @@ where
     ModeShape::normalised(field).ok_or(MotionError::NotFinite { frequency })
 }
 
-impl<S: Scalar, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
+impl<S: Single, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
     /// The square of an entry as an energy, times Δ and a constant.
     pub(crate) fn energy(&self, candidate: &Candidate) -> Magnitude {
         let square = self.meeting(candidate.step).square(candidate.coordinate);

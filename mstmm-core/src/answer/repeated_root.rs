@@ -8,7 +8,7 @@ use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::root::Root;
 use crate::answer::states::SystemStates;
 use crate::model::MotionError;
-use crate::number::{Oscillation, Scalar, Scaled};
+use crate::number::{Oscillation, Scalar, Scaled, Single};
 use crate::pass::both_ways::Passes;
 use crate::pass::tree::{ExtendedTree, Tree};
 
@@ -59,7 +59,7 @@ const LEAST_MEAN: f64 = 0.5;
 const LARGEST_REST: f64 = 1e-5;
 
 /// Passes around a root.
-struct ContourRing<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+struct ContourRing<'a, Y: Tree<S> + ?Sized, S: Single> {
     passes: [Passes<'a, Y, S>; POINTS],
     /// Weights of the points, and `x - x0`.
     weights: [(S, S); POINTS],

@@ -3,7 +3,7 @@
 use crate::answer::mode_shape::simple;
 use crate::element::ListElement;
 use crate::model::{Chain, Fields, MotionError, NamedFields};
-use crate::number::{Oscillation, Scalar};
+use crate::number::{Oscillation, Single};
 use crate::pass::characteristic::System;
 use crate::pass::planned_list::{ListParameter, PlannedList};
 use crate::pass::tree::ExtendedTree;
@@ -13,25 +13,25 @@ use core::fmt;
 ///
 /// Their unit is rad/s, or 1/s, per unit of the field. A field p that grows by 1 % moves the root by `0.01 p` times its derivative,
 /// to first order; a frequency in Hz by that over 2π.
-pub struct Sensitivities<Y: Fields + ?Sized, S: Scalar> {
+pub struct Sensitivities<Y: Fields + ?Sized, S: Single> {
     pub(crate) values: Y::PerField<S>,
 }
 
-impl<Y: Fields + ?Sized, S: Scalar> Clone for Sensitivities<Y, S> {
+impl<Y: Fields + ?Sized, S: Single> Clone for Sensitivities<Y, S> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<Y: Fields + ?Sized, S: Scalar> Copy for Sensitivities<Y, S> {}
+impl<Y: Fields + ?Sized, S: Single> Copy for Sensitivities<Y, S> {}
 
-impl<Y: NamedFields + ?Sized, S: Scalar> fmt::Debug for Sensitivities<Y, S> {
+impl<Y: NamedFields + ?Sized, S: Single> fmt::Debug for Sensitivities<Y, S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_map().entries(self.iter()).finish()
     }
 }
 
-impl<Y: NamedFields + ?Sized, S: Scalar> Sensitivities<Y, S> {
+impl<Y: NamedFields + ?Sized, S: Single> Sensitivities<Y, S> {
     /// Names and derivatives, in the order of the struct; fields that are marked `#[no_sensitivity]` are not among them.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, S)> {
         Y::NAMES.iter().copied().zip(self.values.as_ref().iter().copied())
@@ -43,7 +43,7 @@ impl<Y: NamedFields + ?Sized, S: Scalar> Sensitivities<Y, S> {
     }
 }
 
-impl<E: ListElement, S: Scalar, const STEPS: usize> Sensitivities<PlannedList<'_, E, STEPS>, S> {
+impl<E: ListElement, S: Single, const STEPS: usize> Sensitivities<PlannedList<'_, E, STEPS>, S> {
     /// The derivative with respect to a parameter of a list, which is zero for one of another list that has no such step.
     pub fn of(&self, parameter: ListParameter) -> S {
         self.values.as_ref().get(parameter.index).copied().unwrap_or_default()

@@ -2,14 +2,14 @@
 
 use crate::element::{CoefficientsOf, Inside, Moving, Visit};
 use crate::model::{Ends, Label, MotionError, Point, State};
-use crate::number::Scalar;
+use crate::number::Single;
 use crate::pass::state_recovery::RecoveredStates;
 use crate::pass::tree::Tree;
 use mstmm_plan::Step;
 
 /// The states of a whole system in one motion.
 #[derive(Debug)]
-pub struct SystemStates<'a, Y: Tree<S> + ?Sized, S: Scalar> {
+pub struct SystemStates<'a, Y: Tree<S> + ?Sized, S: Single> {
     pub(crate) system: &'a Y,
     pub(crate) x: S,
     /// The state behind each step; at the source on its upstream side.
@@ -19,7 +19,7 @@ pub struct SystemStates<'a, Y: Tree<S> + ?Sized, S: Scalar> {
     pub(crate) beyond: State<S>,
 }
 
-impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for SystemStates<'_, Y, S> {
+impl<Y: Tree<S> + ?Sized, S: Single> Clone for SystemStates<'_, Y, S> {
     fn clone(&self) -> Self {
         SystemStates { ..*self }
     }
@@ -28,7 +28,7 @@ impl<Y: Tree<S> + ?Sized, S: Scalar> Clone for SystemStates<'_, Y, S> {
 impl<'a, Y, S> SystemStates<'a, Y, S>
 where
     Y: Tree<S> + ?Sized,
-    S: Scalar,
+    S: Single,
 {
     /// The states times `2^shift`.
     pub(crate) fn of(system: &'a Y, x: S, recovered: &RecoveredStates<Y, S>, shift: i32) -> Self {
@@ -103,7 +103,7 @@ where
 
 struct InsideOf<S>(S);
 
-impl<S: Scalar> Visit<S> for InsideOf<S> {
+impl<S: Single> Visit<S> for InsideOf<S> {
     type Output = Option<Inside>;
 
     fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> Option<Inside> {
@@ -116,7 +116,7 @@ struct StateAt<S> {
     distance: f64,
 }
 
-impl<S: Scalar> Visit<S> for StateAt<S> {
+impl<S: Single> Visit<S> for StateAt<S> {
     type Output = State<S>;
 
     fn element<E: Moving<S>>(self, built: &E::Built, _: Option<&CoefficientsOf<E, S>>) -> State<S> {

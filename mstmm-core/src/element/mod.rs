@@ -10,6 +10,6 @@ pub(crate) mod visit;
 pub(crate) use back_transfer::BackTransfer;
 pub(crate) use energies::{Energies, Inside};
 pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
-pub(crate) use moving::{CoefficientsOf, Moving, Stepping};
+pub(crate) use moving::{CoefficientsOf, Moving};
 pub(crate) use traits::{Element, MatrixOf, PlaneStep, TransferMatrix, space_of};
 pub(crate) use visit::{Visit, VisitStep};

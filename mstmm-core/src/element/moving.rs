@@ -3,25 +3,10 @@
 use crate::element::back_transfer::BackTransfer;
 use crate::element::energies::Energies;
 use crate::element::traits::PlaneStep;
-use crate::number::{BranchFree, Scalar};
+use crate::number::Scalar;
 
 /// The coefficients of an element at a frequency.
 pub type CoefficientsOf<E, S> = <E as PlaneStep<S>>::Coefficients;
-
-/// An element whose step stands in straight-line code as well.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` takes no part in the plane method",
-    label = "no `PlaneStep` for this element",
-    note = "planar elements have `overall_matrix` and `overall_determinant` only; an element of your own implements \
-            `mstmm::element::PlaneStep<S>` for every `S`"
-)]
-pub trait Stepping<S: Scalar>: PlaneStep<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>> {}
-
-#[diagnostic::do_not_recommend]
-impl<S: Scalar, E> Stepping<S> for E where
-    E: PlaneStep<S> + PlaneStep<BranchFree<S, false>> + PlaneStep<BranchFree<S, true>>
-{
-}
 
 /// An element that says all about its motion.
 #[diagnostic::on_unimplemented(
@@ -32,7 +17,7 @@ impl<S: Scalar, E> Stepping<S> for E where
     note = "a system with a damper moves at a complex λ only: pass `Complex::new(re, im)` for λ [1/s], and search its `eigenvalues` \
             instead of `natural_frequencies`"
 )]
-pub trait Moving<S: Scalar>: Stepping<S> + BackTransfer<S> + Energies<S> {}
+pub trait Moving<S: Scalar>: PlaneStep<S> + BackTransfer<S> + Energies<S> {}
 
 #[diagnostic::do_not_recommend]
-impl<S: Scalar, E: Stepping<S> + BackTransfer<S> + Energies<S>> Moving<S> for E {}
+impl<S: Scalar, E: PlaneStep<S> + BackTransfer<S> + Energies<S>> Moving<S> for E {}

@@ -1,7 +1,7 @@
 //! An element, its transfer matrix and its step of the plane method.
 
 use crate::model::{FrequencyEstimates, InvalidParameter, ParameterError, StateSpace};
-use crate::number::{Branches, FrequencyPowers, Scalar, Scaled};
+use crate::number::{FrequencyPowers, Scalar, Scaled, Single};
 use crate::subspace::{Connecting, RootCounter, Subspace};
 use core::fmt;
 use mstmm_plan::{Space, Support};
@@ -69,18 +69,6 @@ pub trait PlaneStep<S: Scalar>: Element {
     /// Whether the element needs the square root of the frequency, as waves do.
     const WAVES: bool = false;
 
-    /// Whether blocks of frequencies may go through the element with branch-free numbers, which are NaN where a branch would be
-    /// needed. The element must compute by operators alone, which propagate NaN, turn each kind of subspace into one kind, and have
-    /// a `root` equal to [`at_root`](Subspace::at_root) after `step`. Other elements are evaluated at one frequency after the other.
-    const BRANCH_FREE: bool = false;
-
-    /// The formulas that suit the element at a frequency.
-    #[doc(hidden)]
-    #[inline]
-    fn branches(_built: &Self::Built, _at: &FrequencyPowers<S>) -> Branches {
-        if Self::BRANCH_FREE { Branches::Waves } else { Branches::All }
-    }
-
     /// The coefficients of a step at a frequency; computed once for equal elements.
     type Coefficients;
 
@@ -119,7 +107,7 @@ pub fn build<E: Element>(element: E, name: &'static str) -> Result<E::Built, Par
 /// A determinant times the denominator of an element, if the element has one.
 #[doc(hidden)]
 #[inline]
-pub fn without_pole<E: TransferMatrix<S>, S: Scalar>(determinant: Scaled<S>, built: &E::Built, x: S) -> Scaled<S> {
+pub fn without_pole<E: TransferMatrix<S>, S: Single>(determinant: Scaled<S>, built: &E::Built, x: S) -> Scaled<S> {
     match E::denominator(built, x) {
         None => determinant,
         Some(denominator) => determinant.times(denominator),

@@ -1,15 +1,16 @@
 //! What is done with elements of whatever type.
 
-use crate::element::moving::{CoefficientsOf, Moving, Stepping};
+use crate::element::moving::{CoefficientsOf, Moving};
+use crate::element::traits::PlaneStep;
 use crate::number::Scalar;
 
-/// What a pass does with an element, of whatever type: at one frequency, or at the frequencies of a block.
+/// What a pass does with an element, of whatever type.
 pub trait VisitStep<S: Scalar> {
     /// What comes of it.
     type Output;
 
     /// Visits an element.
-    fn element<E: Stepping<S>>(self, built: &E::Built) -> Self::Output;
+    fn element<E: PlaneStep<S>>(self, built: &E::Built) -> Self::Output;
 }
 
 /// What an answer about motions does with an element, of whatever type.

@@ -3,7 +3,7 @@
 use crate::element::{Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep};
 use crate::elements::*;
 use crate::model::{Ends, FrequencyEstimates, ParameterError, StateSpace};
-use crate::number::{BranchFree, ComplexFrequency, Frequency, Oscillation, Real, Scalar};
+use crate::number::{ComplexFrequency, Frequency, Oscillation, Real, Scalar};
 use mstmm_plan::Space;
 
 /// Declares an enum of built elements with the traits of list elements.
@@ -51,9 +51,6 @@ macro_rules! any_element {
         }
 
         impl<T: Real, S: $frequency<T>> ListStepping<S> for $name<T>
-        where
-            BranchFree<S, false>: $frequency<T>,
-            BranchFree<S, true>: $frequency<T>,
         {
             fn visit_step<V: VisitStep<S>>(&self, visitor: V) -> V::Output {
                 match self {
@@ -63,9 +60,6 @@ macro_rules! any_element {
         }
 
         impl<T: Real, S: $frequency<T> + Oscillation<T>> ListMoving<S> for $name<T>
-        where
-            BranchFree<S, false>: $frequency<T>,
-            BranchFree<S, true>: $frequency<T>,
         {
             fn visit<V: Visit<S>>(&self, visitor: V) -> V::Output {
                 match self {

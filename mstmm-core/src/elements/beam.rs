@@ -4,7 +4,7 @@ use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::{bending_matrix, plane_series};
 use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Branches, Frequency, FrequencyPowers, Real, Scalar, Scaled, WaveFunctions, binary_exponent};
+use crate::number::{Frequency, FrequencyPowers, Real, Scaled, Single, Size, Truth, WaveProducts, binary_exponent};
 use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
@@ -86,7 +86,7 @@ impl<T: Real> Element for Beam<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Beam<T> {
+impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for Beam<T> {
     fn transfer_matrix(built: &BuiltBeam<T>, x: S) -> Matrix4<S> {
         let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
         bending_matrix(length, bending_stiffness, mass_per_length, x.lambda_squared())
@@ -113,34 +113,20 @@ impl<T: Real> Beam<T> {
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     const WAVES: bool = true;
-    const BRANCH_FREE: bool = true;
     type Coefficients = BendingCoefficients<S>;
-
-    #[inline]
-    fn branches(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> Branches {
-        let size = (at.powers[0] * built.wave).size();
-        if size <= 1.0 {
-            Branches::Series
-        } else if size < S::WAVE_LIMIT {
-            Branches::Waves
-        } else {
-            Branches::All
-        }
-    }
 
     #[inline(always)]
     fn coefficients(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         let z = at.powers[0] * built.wave;
-        let size = z.size();
-        match S::BRANCHES {
-            Branches::All if size <= 1.0 => built.short(z, at),
-            Branches::All => built.waving(z, S::Plain::wave_functions, at),
-            Branches::Series => built.by_series(z, -at.lambda_squared.valid_if(size <= 1.0)),
-            Branches::Waves => {
-                let z = z.valid_if((size > 1.0) & (size < S::WAVE_LIMIT));
-                built.waving(z, S::Plain::moderate_wave_functions, at)
-            }
+        let is_wave = S::Size::of(1.0).is_below(z.size());
+        if is_wave.all() {
+            return built.waving(z, at);
         }
+        if !S::IN_LANES {
+            return built.called_short(z, at);
+        }
+        let short = built.short(z, at);
+        if is_wave.any() { BendingCoefficients::select(is_wave, built.waving(z, at), short) } else { short }
     }
 
     #[inline(always)]
@@ -162,14 +148,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
 impl<T: Real> BuiltBeam<T> {
     /// The coefficients for `|z| > 1`.
     #[inline(always)]
-    fn waving<S: Frequency<T>>(
-        &self,
-        z: S,
-        waves: impl FnOnce(S::Plain) -> WaveFunctions<S::Plain>,
-        at: &FrequencyPowers<S>,
-    ) -> BendingCoefficients<S> {
-        let ([ch_cos, ch_sin, sh_cos, f], (one, exponent)) = wave_products(z, waves);
-        let one = S::constant(one);
+    fn waving<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
+        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = z.wave_products();
         let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
         let Units { factors, inverses } = self.units(at);
         BendingCoefficients {
@@ -222,21 +202,21 @@ impl<T: Real> BuiltBeam<T> {
         }
     }
 
-    /// The coefficients for `|z| <= 1`, entire in `z⁴`; called where size counts.
+    /// [`short`](Self::short), called where size counts.
     #[inline]
-    fn short<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
-        self.by_series(z, -at.lambda_squared)
+    fn called_short<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
+        self.short(z, at)
     }
 
+    /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     #[inline(always)]
-    fn by_series<S: Frequency<T>>(&self, z: S, minus_lambda_squared: S) -> BendingCoefficients<S> {
-        let x = minus_lambda_squared * self.wave_fourth;
+    fn short<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
+        let x = -at.lambda_squared * self.wave_fourth;
         let [c, b, f, d, e] = plane_series(x);
-        let half = S::from_f64(0.5);
         let Units { factors, inverses } = self.short_units();
         BendingCoefficients {
             z,
-            a: half + c * half,
+            a: S::one() + c * S::from_f64(0.5),
             c,
             b,
             f,
@@ -248,25 +228,10 @@ impl<T: Real> BuiltBeam<T> {
             raised_e: x * x * e,
             factors,
             inverses,
-            exponent: 0,
+            // above stands twice of each, as for waves
+            exponent: -1,
         }
     }
-}
-
-/// `ch z cos z`, `ch z sin z`, `sh z cos z`, `sh z sin z`, and 1, all divided by a power of two, and its exponent.
-#[inline(always)]
-fn wave_products<S: Scalar>(
-    z: S,
-    waves: impl FnOnce(S::Plain) -> WaveFunctions<S::Plain>,
-) -> ([S; 4], (S::Plain, i32)) {
-    let values = |z| {
-        let WaveFunctions { sin, cos, sh, ch, one, exponents: [j, k] } = waves(z);
-        ([ch * cos, ch * sin, sh * cos, sh * sin], (one, j.saturating_add(k)))
-    };
-    let slopes = |[ch_cos, ch_sin, sh_cos, sh_sin]: [S::Plain; 4]| {
-        [sh_cos - ch_sin, sh_sin + ch_cos, ch_cos - sh_sin, ch_sin + sh_cos]
-    };
-    z.functions(values, slopes)
 }
 
 /// The products of powers of the frequency with their factors.

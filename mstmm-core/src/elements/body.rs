@@ -3,7 +3,7 @@
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::half;
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled, Single};
 use crate::subspace::{Connecting, Covector, Plane, RootCounter, Subspace};
 use lever::{Lever, Levers};
 use mstmm_plan::Support;
@@ -87,7 +87,7 @@ impl<T: Real> Element for Body<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Body<T> {
+impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for Body<T> {
     #[rustfmt::skip]
     fn transfer_matrix(built: &BuiltBody<T>, x: S) -> Matrix4<S> {
         let (zero, one) = (S::zero(), S::one());
@@ -114,7 +114,6 @@ pub struct BodyCoefficients<T, S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
-    const BRANCH_FREE: bool = true;
     type Coefficients = BodyCoefficients<T, S>;
 
     #[inline(always)]

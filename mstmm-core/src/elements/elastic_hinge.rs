@@ -3,7 +3,7 @@
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{elongations, half};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled, Single, Size, Truth};
 use crate::subspace::{Connecting, Covector, Held, Plane, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Support};
 use nalgebra::Matrix4;
@@ -38,7 +38,7 @@ impl<T: Real> Element for ElasticHinge<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> TransferMatrix<S> for ElasticHinge<T> {
+impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for ElasticHinge<T> {
     #[inline(always)]
     fn transfer_matrix(built: &Self, _x: S) -> Matrix4<S> {
         let mut u = Matrix4::identity();
@@ -58,7 +58,6 @@ pub struct HingeCoefficients<T, S> {
 }
 
 impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
-    const BRANCH_FREE: bool = true;
     type Coefficients = HingeCoefficients<T, S>;
 
     #[inline(always)]
@@ -75,7 +74,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
         }
         let before = input.plane();
         let after = coefficients.through(&before).in_range();
-        let held = Held { below: 0, is_negative: false, stiffness: S::from_parameter(coefficients.k_y) };
+        let stiffness = [S::from_parameter(coefficients.k_y), S::one()];
+        let held = Held { below: S::Size::of(0.0), is_negative: S::Truth::of(false), stiffness, units: None };
         counter.plane(&before, &after, held);
         Subspace::Plane(after)
     }

@@ -2,7 +2,7 @@
 
 use crate::element::{Element, TransferMatrix};
 use crate::model::{InvalidParameter, Planar, Requirement};
-use crate::number::{Frequency, Real};
+use crate::number::{Frequency, Real, Single};
 use nalgebra::Matrix6;
 
 /// Rigid body with one input and one output end in planar motion; small rotations.
@@ -53,7 +53,7 @@ impl<T: Real> Element for PlanarBody<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> TransferMatrix<S> for PlanarBody<T> {
+impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for PlanarBody<T> {
     #[rustfmt::skip]
     fn transfer_matrix(built: &Self, x: S) -> Matrix6<S> {
         let (o, i) = (S::zero(), S::one());

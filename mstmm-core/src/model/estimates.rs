@@ -18,6 +18,8 @@ pub struct FrequencyEstimates {
     reach: f64,
     /// Levers of rigid bodies.
     levers: Range,
+    /// Logarithms of the estimates, once all is added.
+    exponents: Option<[i32; 3]>,
 }
 
 /// Smallest and largest positive value so far.
@@ -51,6 +53,7 @@ impl Default for FrequencyEstimates {
             wave_sum: 0.0,
             reach: 0.0,
             levers: Range::EMPTY,
+            exponents: None,
         }
     }
 }
@@ -151,17 +154,40 @@ impl FrequencyEstimates {
         if squares.greatest == 0.0 { Range { least: 1.0, greatest: 1.0 } } else { squares }
     }
 
-    /// Logarithm to base 2 of a low estimate of the frequencies.
-    pub(crate) fn lowest_exponent(&self) -> i32 {
-        exponent(self.estimates().least) / 2 - 1
+    /// The estimates with their logarithms, which searches ask for: nothing is added any more.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn finished(self) -> Self {
+        FrequencyEstimates { exponents: Some(self.computed_exponents()), ..self }
     }
 
-    /// Logarithm to base 2 of a frequency that no other falls short of by much: that of the softest spring on the shortest lever.
-    pub(crate) fn least_exponent(&self) -> i32 {
+    /// Logarithms to base 2 of a low estimate of the frequencies, of one that no other falls short of by much, and of a high one.
+    fn computed_exponents(&self) -> [i32; 3] {
+        let squares = self.estimates();
+        let lowest = exponent(squares.least) / 2 - 1;
+        // the softest spring on the shortest lever
         let (stiffness, inertia) = (self.stiffness[0].least, self.inertia[1].greatest);
         let by_lever = stiffness / inertia * self.levers.least * self.levers.least;
         let is_one = by_lever > 0.0 && by_lever.is_finite();
-        if is_one { self.lowest_exponent().min(exponent(by_lever) / 2 - 1) } else { self.lowest_exponent() }
+        let least = if is_one { lowest.min(exponent(by_lever) / 2 - 1) } else { lowest };
+        [lowest, least, exponent(squares.greatest) / 2 + 1]
+    }
+
+    #[inline]
+    fn exponents(&self) -> [i32; 3] {
+        self.exponents.unwrap_or_else(|| self.computed_exponents())
+    }
+
+    /// Logarithm to base 2 of a low estimate of the frequencies.
+    #[inline]
+    pub(crate) fn lowest_exponent(&self) -> i32 {
+        self.exponents()[0]
+    }
+
+    /// Logarithm to base 2 of a frequency that no other falls short of by much: that of the softest spring on the shortest lever.
+    #[inline]
+    pub(crate) fn least_exponent(&self) -> i32 {
+        self.exponents()[1]
     }
 
     /// Logarithm to base 2 of a frequency that counts as zero beside any other.
@@ -171,7 +197,7 @@ impl FrequencyEstimates {
 
     /// Logarithm to base 2 of a high estimate of the frequencies of discrete elements.
     pub(crate) fn highest_exponent(&self) -> i32 {
-        exponent(self.estimates().greatest) / 2 + 1
+        self.exponents()[2]
     }
 }
 

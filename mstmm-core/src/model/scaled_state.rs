@@ -1,7 +1,7 @@
 //! States with a power of two of their own.
 
 use crate::model::state::State;
-use crate::number::{Scalar, binary_exponent};
+use crate::number::{Scalar, Single, binary_exponent};
 
 /// A state with a power of two of its own.
 #[derive(Clone, Copy, Debug)]
@@ -10,15 +10,17 @@ pub(crate) struct ScaledState<S> {
     pub(crate) exponent: i32,
 }
 
-impl<S: Scalar> ScaledState<S> {
-    pub(crate) fn zero() -> Self {
-        ScaledState { state: State::default(), exponent: 0 }
-    }
-
+impl<S: Single> ScaledState<S> {
     /// Exponent of its largest entry, of whatever unit; `None` for a state of zeros.
     pub(crate) fn magnitude(&self) -> Option<i32> {
         let size = self.state.size();
         (size > 0.0).then(|| binary_exponent(size).saturating_add(self.exponent))
+    }
+}
+
+impl<S: Scalar> ScaledState<S> {
+    pub(crate) fn zero() -> Self {
+        ScaledState { state: State::default(), exponent: 0 }
     }
 
     /// The plain state times `2^shift`.

@@ -3,7 +3,7 @@
 //! The sign convention is that of Fig. 1 of the paper: an output state is used as the next input state without any
 //! change of sign.
 
-use crate::number::Scalar;
+use crate::number::{Scalar, Single};
 use mstmm_plan::WIDEST;
 use nalgebra::SMatrix;
 
@@ -24,6 +24,13 @@ pub struct State<S> {
     pub q: S,
 }
 
+impl<S: Single> State<S> {
+    /// Returns the size of the largest entry, whatever its unit.
+    pub(crate) fn size(&self) -> f64 {
+        self.y.size().max(self.theta.size()).max(self.m.size()).max(self.q.size())
+    }
+}
+
 impl<S: Scalar> State<S> {
     /// Maps each entry by one function.
     pub(crate) fn map<R>(self, f: impl Fn(S) -> R) -> State<R> {
@@ -33,11 +40,6 @@ impl<S: Scalar> State<S> {
     /// Turns the x-axis round: slope and shear force change their signs.
     pub(crate) fn backwards(self) -> Self {
         State { theta: -self.theta, q: -self.q, ..self }
-    }
-
-    /// Returns the size of the largest entry, whatever its unit.
-    pub(crate) fn size(&self) -> f64 {
-        self.y.size().max(self.theta.size()).max(self.m.size()).max(self.q.size())
     }
 
     /// Adds another state times a factor.

@@ -1,15 +1,16 @@
 //! Complex scalars over any real one.
 
-use crate::number::columns::InColumns;
-use crate::number::exponent::binary_exponent;
-use crate::number::frequency::{ComplexEigenvalue, Frequency, Real};
+use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Real};
 use crate::number::scalar::Scalar;
+use crate::number::truth::{Size, Truth};
 use crate::number::wave_functions::WaveFunctions;
 use num_complex::Complex;
 use num_traits::Zero;
 
-impl<T: Real> Scalar for Complex<T> {
-    type Plain = Self;
+impl<T: Component> Scalar for Complex<T> {
+    type Truth = T::Truth;
+    type Size = T::Size;
+    const IN_LANES: bool = T::IN_LANES;
     const EPSILON: f64 = T::EPSILON;
     const WAVE_LIMIT: f64 = T::WAVE_LIMIT;
     const SERIES_TERMS: usize = T::SERIES_TERMS;
@@ -30,27 +31,12 @@ impl<T: Real> Scalar for Complex<T> {
         if self.is_zero() {
             return self;
         }
+        if T::IN_LANES {
+            return moderate_root(self).valid_if(is_plain(self));
+        }
         // the modulus squares the parts, which overflows or vanishes at half the range: the root is taken near 1
-        let half_exponent = binary_exponent(self.size()) / 2;
-        self.times_power_of_two(-2 * half_exponent).moderate_sqrt().times_power_of_two(half_exponent)
-    }
-
-    #[inline(always)]
-    fn is_plain(self) -> bool {
-        let limit = if T::EPSILON > 1e-10 { 1e15 } else { 1e100 };
-        let is_fine = |part: f64| (part == 0.0) | (part > 1.0 / limit);
-        let (re, im) = (self.re.size(), self.im.size());
-        is_fine(re) & is_fine(im) & (re + im > 0.0) & (re + im < limit)
-    }
-
-    #[inline(always)]
-    fn moderate_sqrt(self) -> Self {
-        let half = T::from_f64(0.5);
-        let modulus = (self.re * self.re + self.im * self.im).sqrt();
-        let larger = ((self.re.abs() + modulus) * half).sqrt();
-        let smaller = self.im.abs() * half / larger;
-        let (re, im) = if self.re < T::zero() { (smaller, larger) } else { (larger, smaller) };
-        Complex::new(re, if self.im < T::zero() { -im } else { im })
+        let half_exponent = self.size().exponent().unwrap_or(0) / 2;
+        moderate_root(self.times_power_of_two(-2 * half_exponent)).times_power_of_two(half_exponent)
     }
 
     #[inline]
@@ -69,74 +55,67 @@ impl<T: Real> Scalar for Complex<T> {
 
     #[inline]
     fn wave_functions(self) -> WaveFunctions<Self> {
-        WaveFunctions::of_parts(&WaveFunctions::of_real(self.re), &WaveFunctions::of_real(self.im))
+        WaveFunctions::of_parts(&self.re.waves_of_part(), &self.im.waves_of_part())
     }
 
     #[inline(always)]
-    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
-        WaveFunctions::of_parts(&WaveFunctions::of_moderate(self.re), &WaveFunctions::of_moderate(self.im))
+    fn select(truth: T::Truth, first: Self, second: Self) -> Self {
+        Complex::new(T::select(truth, first.re, second.re), T::select(truth, first.im, second.im))
     }
 
     #[inline(always)]
-    fn functions<const N: usize, R>(
-        self,
-        values: impl FnOnce(Self) -> ([Self; N], R),
-        _slopes: impl FnOnce([Self; N]) -> [Self; N],
-    ) -> ([Self; N], R) {
-        values(self)
+    fn is_negative(self) -> T::Truth {
+        T::Truth::of(false)
     }
 
     #[inline(always)]
-    fn constant(value: Self) -> Self {
-        value
-    }
-
-    #[inline(always)]
-    fn is_negative(self) -> bool {
-        false
+    fn vanishes(self) -> T::Truth {
+        self.re.vanishes() & self.im.vanishes()
     }
 
     #[inline]
-    fn size(self) -> f64 {
+    fn size(self) -> T::Size {
         let (re, im) = (self.re.size(), self.im.size());
-        // `>` is false for a NaN on either side, and a NaN must come through
-        if re.is_nan() || re > im { re } else { im }
+        // a comparison is false for a NaN on either side, and a NaN must come through
+        T::Size::choose(im.is_below(re) | !T::Size::of(-1.0).is_below(re), re, im)
     }
 
     #[inline(always)]
-    fn or_nan(self, condition: bool) -> Self {
-        Complex::new(self.re.or_nan(condition), self.im.or_nan(condition))
+    fn valid_if(self, condition: T::Truth) -> Self {
+        Complex::new(self.re.valid_if(condition), self.im)
+    }
+
+    #[inline(always)]
+    fn call<R>(function: impl FnOnce() -> R) -> R {
+        T::call(function)
     }
 
     #[inline]
     fn times_power_of_two(self, exponent: i32) -> Self {
         Complex::new(self.re.times_power_of_two(exponent), self.im.times_power_of_two(exponent))
     }
-
-    #[inline]
-    fn times_normal_power_of_two(self, exponent: i32) -> Self {
-        Complex::new(self.re.times_normal_power_of_two(exponent), self.im.times_normal_power_of_two(exponent))
-    }
 }
 
-impl<S: Real + InColumns> InColumns for Complex<S> {
-    type Columns<const N: usize> = [S::Columns<N>; 2];
+/// The principal root of a number whose parts have squares in the range.
+#[inline(always)]
+fn moderate_root<T: Component>(number: Complex<T>) -> Complex<T> {
+    let half = T::from_f64(0.5);
+    let modulus = (number.re * number.re + number.im * number.im).sqrt();
+    let larger = ((number.re.abs() + modulus) * half).sqrt();
+    let smaller = number.im.abs() * half / larger;
+    let is_left = number.re.is_negative();
+    let (re, im) = (T::select(is_left, smaller, larger), T::select(is_left, larger, smaller));
+    Complex::new(re, T::select(number.im.is_negative(), -im, im))
+}
 
-    #[inline]
-    fn columns<const N: usize>(self) -> [S::Columns<N>; 2] {
-        [self.re.columns(), self.im.columns()]
-    }
-
-    #[inline(always)]
-    fn get<const N: usize>([re, im]: &[S::Columns<N>; 2], place: usize) -> Self {
-        Complex { re: S::get(re, place), im: S::get(im, place) }
-    }
-
-    #[inline(always)]
-    fn put<const N: usize>(self, [re, im]: &mut [S::Columns<N>; 2], place: usize) {
-        self.re.put(re, place);
-        self.im.put(im, place);
-    }
+/// Whether squares of all parts that are not zero are far from the ends of the range.
+#[inline(always)]
+fn is_plain<T: Component>(number: Complex<T>) -> T::Truth {
+    let limit = T::Size::of(1e100);
+    let least = T::Size::of(1e-100);
+    let (re, im) = (number.re.size(), number.im.size());
+    let is_fine = (least.is_below(re) | number.re.vanishes()) & (least.is_below(im) | number.im.vanishes());
+    is_fine & !number.vanishes() & (re + im).is_below(limit)
 }
 
 impl<T: Real> Frequency<T> for Complex<T> {

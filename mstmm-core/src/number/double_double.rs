@@ -79,6 +79,12 @@ impl DoubleDouble {
         (self.hi, self.lo)
     }
 
+    /// The absolute value.
+    #[inline]
+    pub const fn abs(self) -> Self {
+        if self.hi < 0.0 { self.negated() } else { self }
+    }
+
     #[inline]
     const fn negated(self) -> Self {
         DoubleDouble { hi: -self.hi, lo: -self.lo }

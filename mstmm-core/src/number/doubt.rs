@@ -5,6 +5,7 @@
 
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
+use crate::number::truth::Size;
 
 /// Relative loss of a sum beyond which a pass is doubtful, in units of rounding: as wide as a certified interval.
 const LOSS: f64 = 32.0;
@@ -43,8 +44,8 @@ pub(crate) fn is_last<T: Real, P: Real>() -> bool {
 
 /// Whether Δ near a root is smaller, compared with its terms, than near a well-conditioned root.
 #[inline(always)]
-pub(crate) fn is_ill_conditioned<S: Scalar>(sum: f64, terms: f64) -> bool {
-    sum * CONDITION < NEAR * S::EPSILON * terms
+pub(crate) fn is_ill_conditioned<S: Scalar>(sum: S::Size, terms: S::Size) -> S::Truth {
+    (sum * S::Size::of(CONDITION)).is_below(terms * S::Size::of(NEAR * S::EPSILON))
 }
 
 /// Relative distance of two roots below which rounding may have split a root of multiplicity 2 or 3.
@@ -57,7 +58,14 @@ pub(crate) const USUAL_ERROR: f64 = 20.0;
 pub(crate) const NEARLY_ZERO_EXPONENT: i32 = 20;
 
 /// Least and largest growth of Δ across a root, by its slope beside it, that rounding leaves alone.
-pub(crate) const STRAIGHT: (f64, f64) = (0.5, 2.0);
+const STRAIGHT: (f64, f64) = (0.5, 2.0);
+
+/// Whether the growth of Δ across a root, over that which its slope beside it gives, fits it, as it does unless rounding rules there.
+#[inline]
+pub(crate) fn is_straight<T: Real>(ratio: T) -> bool {
+    let (least, greatest) = STRAIGHT;
+    ratio > T::from_f64(least) && ratio < T::from_f64(greatest)
+}
 
 /// Misfit of the states of a motion, in units of rounding, from which on the motion is computed again in extended precision.
 pub(crate) const MISFIT: f64 = 1e3;
@@ -73,6 +81,6 @@ pub(crate) fn largest_loss<S: Scalar>() -> f64 {
 
 /// Whether a sum may have lost too much to rounding: a first test, to be confirmed by a closer one.
 #[inline(always)]
-pub(crate) fn may_be_lost<S: Scalar>(terms: f64, sum: S) -> bool {
-    S::EPSILON * terms > largest_loss::<S>() * sum.size()
+pub(crate) fn may_be_lost<S: Scalar>(terms: S::Size, sum: S) -> S::Truth {
+    (sum.size() * S::Size::of(largest_loss::<S>())).is_below(terms * S::Size::of(S::EPSILON))
 }

@@ -1,9 +1,8 @@
 //! Dual numbers: a value and its derivative with respect to the frequency.
 
-use crate::number::columns::InColumns;
-use crate::number::frequency::{ComplexEigenvalue, Frequency, Real, RealFrequency};
+use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Real, RealFrequency};
 use crate::number::scalar::Scalar;
-use crate::number::wave_functions::WaveFunctions;
+use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 use num_complex::Complex;
 use num_traits::{Num, One, Zero};
@@ -156,7 +155,9 @@ impl<S: Scalar> One for Dual<S> {
 }
 
 impl<S: Scalar> Scalar for Dual<S> {
-    type Plain = S;
+    type Truth = S::Truth;
+    type Size = S::Size;
+    const IN_LANES: bool = S::IN_LANES;
     const EPSILON: f64 = S::EPSILON;
     const WAVE_LIMIT: f64 = S::WAVE_LIMIT;
     const SERIES_TERMS: usize = S::SERIES_TERMS;
@@ -178,17 +179,6 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.chain(root, S::from_f64(0.5) / root)
     }
 
-    #[inline(always)]
-    fn is_plain(self) -> bool {
-        self.value.is_plain()
-    }
-
-    #[inline(always)]
-    fn moderate_sqrt(self) -> Self {
-        let root = self.value.moderate_sqrt();
-        self.chain(root, S::from_f64(0.5) / root)
-    }
-
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
@@ -207,70 +197,54 @@ impl<S: Scalar> Scalar for Dual<S> {
     }
 
     #[inline(always)]
-    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
-        self.of_waves(self.value.moderate_wave_functions())
-    }
-
-    // called where size counts: programs of two beams have one copy
-    #[inline]
-    fn functions<const N: usize, R>(
-        self,
-        values: impl FnOnce(S) -> ([S; N], R),
-        slopes: impl FnOnce([S; N]) -> [S; N],
-    ) -> ([Self; N], R) {
-        let (values, rest) = values(self.value);
-        let slopes = slopes(values);
-        (core::array::from_fn(|k| self.chain(values[k], slopes[k])), rest)
+    fn wave_products(self) -> WaveProducts<Self> {
+        let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent } = self.value.wave_products();
+        WaveProducts {
+            ch_cos: self.chain(ch_cos, sh_cos - ch_sin),
+            ch_sin: self.chain(ch_sin, sh_sin + ch_cos),
+            sh_cos: self.chain(sh_cos, ch_cos - sh_sin),
+            sh_sin: self.chain(sh_sin, ch_sin + sh_cos),
+            one: Dual::constant(one),
+            exponent,
+        }
     }
 
     #[inline(always)]
-    fn constant(value: S) -> Self {
-        Dual::constant(value)
+    fn select(truth: S::Truth, first: Self, second: Self) -> Self {
+        Dual {
+            value: S::select(truth, first.value, second.value),
+            derivative: S::select(truth, first.derivative, second.derivative),
+        }
     }
 
     #[inline(always)]
-    fn is_negative(self) -> bool {
+    fn valid_if(self, condition: S::Truth) -> Self {
+        Dual { value: self.value.valid_if(condition), ..self }
+    }
+
+    #[inline(always)]
+    fn call<R>(function: impl FnOnce() -> R) -> R {
+        S::call(function)
+    }
+
+    #[inline(always)]
+    fn vanishes(self) -> S::Truth {
+        self.value.vanishes()
+    }
+
+    #[inline(always)]
+    fn is_negative(self) -> S::Truth {
         self.value.is_negative()
     }
 
     #[inline]
-    fn size(self) -> f64 {
+    fn size(self) -> S::Size {
         self.value.size()
-    }
-
-    #[inline(always)]
-    fn or_nan(self, condition: bool) -> Self {
-        Dual { value: self.value.or_nan(condition), derivative: self.derivative.or_nan(condition) }
     }
 
     #[inline]
     fn times_power_of_two(self, exponent: i32) -> Self {
         self.map(|part| part.times_power_of_two(exponent))
-    }
-
-    #[inline]
-    fn times_normal_power_of_two(self, exponent: i32) -> Self {
-        self.map(|part| part.times_normal_power_of_two(exponent))
-    }
-}
-
-impl<S: InColumns> InColumns for Dual<S> {
-    type Columns<const N: usize> = [S::Columns<N>; 2];
-
-    #[inline]
-    fn columns<const N: usize>(self) -> [S::Columns<N>; 2] {
-        [self.value.columns(), self.derivative.columns()]
-    }
-
-    #[inline(always)]
-    fn get<const N: usize>([value, derivative]: &[S::Columns<N>; 2], place: usize) -> Self {
-        Dual { value: S::get(value, place), derivative: S::get(derivative, place) }
-    }
-
-    #[inline(always)]
-    fn put<const N: usize>(self, [value, derivative]: &mut [S::Columns<N>; 2], place: usize) {
-        self.value.put(value, place);
-        self.derivative.put(derivative, place);
     }
 }
 
@@ -355,7 +329,9 @@ impl<T: Real> Real for Dual<T> {
         let exp = self.value.exp();
         self.chain(exp, exp)
     }
+}
 
+impl<T: Real> Component for Dual<T> {
     #[inline]
     fn abs(self) -> Self {
         if self.value < T::zero() { -self } else { self }

@@ -1,10 +1,9 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
-use crate::number::columns::InColumns;
 use crate::number::double_double::DoubleDouble;
-use crate::number::frequency::{Frequency, Real, RealFrequency};
+use crate::number::frequency::{Component, Frequency, Real, RealFrequency};
 use crate::number::kernel;
-use crate::number::scalar::Scalar;
+use crate::number::scalar::{Scalar, single};
 use crate::number::wave_functions::WaveFunctions;
 
 impl<T: Real> Frequency<T> for T {
@@ -91,7 +90,7 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
 macro_rules! real {
     ($type:ty, $judge:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, $($kernel:item)*)?) => {
         impl Scalar for $type {
-            type Plain = Self;
+            single!();
             const EPSILON: f64 = <$type>::EPSILON as f64;
             const WAVE_LIMIT: f64 = $limit;
             const SERIES_TERMS: usize = $terms;
@@ -128,27 +127,13 @@ macro_rules! real {
             }
 
             #[inline(always)]
-            fn moderate_wave_functions(self) -> WaveFunctions<Self> {
-                WaveFunctions::of_moderate(self)
-            }
-
-            #[inline(always)]
-            fn functions<const N: usize, R>(
-                self,
-                values: impl FnOnce(Self) -> ([Self; N], R),
-                _slopes: impl FnOnce([Self; N]) -> [Self; N],
-            ) -> ([Self; N], R) {
-                values(self)
-            }
-
-            #[inline(always)]
-            fn constant(value: Self) -> Self {
-                value
-            }
-
-            #[inline(always)]
             fn is_negative(self) -> bool {
                 self < 0.0
+            }
+
+            #[inline(always)]
+            fn vanishes(self) -> bool {
+                self == 0.0
             }
 
             #[inline]
@@ -157,36 +142,20 @@ macro_rules! real {
             }
 
             #[inline(always)]
-            fn or_nan(self, condition: bool) -> Self {
-                self * if condition { 1.0 } else { <$type>::NAN }
-            }
-
-            #[inline(always)]
             fn times_power_of_two(self, exponent: i32) -> Self {
                 scale(f64::from(self), exponent) as $type
             }
-
-            #[inline]
-            fn times_normal_power_of_two(self, exponent: i32) -> Self {
-                (f64::from(self) * power_of_two(exponent)) as $type
-            }
         }
 
-        impl InColumns for $type {
-            type Columns<const N: usize> = [Self; N];
-
-            fn columns<const N: usize>(self) -> [Self; N] {
-                [self; N]
+        impl Component for $type {
+            #[inline]
+            fn abs(self) -> Self {
+                <$type>::abs(self)
             }
 
             #[inline(always)]
-            fn get<const N: usize>(columns: &[Self; N], place: usize) -> Self {
-                columns[place]
-            }
-
-            #[inline(always)]
-            fn put<const N: usize>(self, columns: &mut [Self; N], place: usize) {
-                columns[place] = self;
+            fn waves_of_part(self) -> WaveFunctions<Self> {
+                WaveFunctions::of_real(self)
             }
         }
 
@@ -203,11 +172,6 @@ macro_rules! real {
             #[inline]
             fn exp(self) -> Self {
                 elementary!(<$type>::exp, $exp, self)
-            }
-
-            #[inline]
-            fn abs(self) -> Self {
-                <$type>::abs(self)
             }
         }
     };

@@ -1,12 +1,25 @@
 //! The types of parameters and of frequencies.
 
-use crate::number::scalar::Scalar;
+use crate::number::scalar::{Scalar, Single};
+use crate::number::wave_functions::WaveFunctions;
 use core::ops::Mul;
 use num_complex::Complex;
 use num_traits::NumAssign;
 
+/// A real number, alone or in lanes: what complex numbers are made of.
+pub trait Component: Scalar + NumAssign {
+    /// Absolute value.
+    fn abs(self) -> Self;
+
+    /// The wave functions of this number as a part of a complex one.
+    #[inline(always)]
+    fn waves_of_part(self) -> WaveFunctions<Self> {
+        self.wave_functions()
+    }
+}
+
 /// A real scalar: the type of parameters and of natural frequencies.
-pub trait Real: Scalar + NumAssign + PartialOrd {
+pub trait Real: Component + Single + PartialOrd {
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
 
@@ -38,9 +51,6 @@ pub trait Real: Scalar + NumAssign + PartialOrd {
         let ((sin, cos), (sinh, cosh)) = (self.sin_cos(), self.sinh_cosh());
         [sin, cos, sinh, cosh]
     }
-
-    /// Absolute value.
-    fn abs(self) -> Self;
 }
 
 /// A scalar that stands for the frequency of a system with parameters of type `T`.
@@ -103,7 +113,7 @@ where
 pub type ExtendedOf<S, T> = <S as Oscillation<T>>::Extended;
 
 /// A frequency at which motions are computed.
-pub trait Oscillation<T: Real>: Frequency<T> {
+pub trait Oscillation<T: Real>: Frequency<T> + Single {
     /// The frequency in extended precision; the type itself where there is none.
     type Extended: Oscillation<T>;
 

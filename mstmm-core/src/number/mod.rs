@@ -1,7 +1,5 @@
-//! Numbers: real, complex, dual, double-double and without branches; nothing here knows mechanics.
+//! Numbers: real, complex, dual and double-double; nothing here knows mechanics.
 
-pub(crate) mod branch_free;
-pub(crate) mod columns;
 pub(crate) mod complex;
 pub(crate) mod double_double;
 pub(crate) mod doubt;
@@ -13,22 +11,24 @@ pub(crate) mod floats;
 pub(crate) mod frequency;
 pub(crate) mod frequency_powers;
 pub(crate) mod kernel;
+#[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
+pub(crate) mod lanes;
 pub(crate) mod oscillation;
+pub(crate) mod packed;
 pub(crate) mod partials;
 pub(crate) mod scalar;
 pub(crate) mod scaled;
 #[cfg(test)]
 pub(crate) mod tolerance;
+pub(crate) mod truth;
 pub(crate) mod wave_functions;
 pub(crate) mod waves;
 
-pub(crate) use branch_free::BranchFree;
-pub(crate) use columns::InColumns;
 #[cfg(test)]
 pub(crate) use double_double::DoubleDouble;
 pub(crate) use doubt::{
-    CONDITION, MISFIT, NEARLY_ZERO_EXPONENT, NOISE, REFUSED_MISFIT, ROUNDINGS, STRAIGHT, TOUCHING, UNPROVEN_WIDTH,
-    USUAL_ERROR, is_extended, is_ill_conditioned, is_last, largest_loss, may_be_lost, refuses_doubt,
+    CONDITION, MISFIT, NEARLY_ZERO_EXPONENT, NOISE, REFUSED_MISFIT, ROUNDINGS, TOUCHING, UNPROVEN_WIDTH, USUAL_ERROR,
+    is_extended, is_ill_conditioned, is_last, is_straight, largest_loss, may_be_lost, refuses_doubt,
 };
 pub(crate) use dual::Dual;
 pub(crate) use exponent::binary_exponent;
@@ -40,9 +40,11 @@ pub(crate) use frequency::{
     smaller,
 };
 pub(crate) use frequency_powers::FrequencyPowers;
+pub(crate) use packed::{InLanes, Packed, Task, run};
 pub(crate) use partials::Partials;
-pub(crate) use scalar::{Branches, Scalar, is_moderate};
+pub(crate) use scalar::{Scalar, Single};
 pub(crate) use scaled::{Magnitude, Scaled};
 #[cfg(test)]
 pub(crate) use tolerance::assert_close;
-pub(crate) use wave_functions::WaveFunctions;
+pub(crate) use truth::{Size, Truth};
+pub(crate) use wave_functions::{WaveFunctions, WaveProducts};

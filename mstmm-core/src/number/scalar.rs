@@ -1,14 +1,15 @@
 //! Scalars: the entries of matrices and states.
 
-use crate::number::exponent::binary_exponent;
-use crate::number::wave_functions::WaveFunctions;
+use crate::number::truth::{Size, Truth};
+use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{One, Zero};
 
-/// A number that transfer matrices can be made of: real or complex, of any precision.
+/// A number that transfer matrices can be made of: real or complex, of any precision, alone or in lanes.
 ///
 /// The functions are those that the elements need; all are analytic, so that real and complex evaluation share
-/// every formula.
+/// every formula. Comparisons give the scalar's own [`Truth`](Scalar::Truth), and [`select`](Scalar::select) takes it, so that numbers in
+/// lanes share every formula, too.
 pub trait Scalar:
     nalgebra::Scalar
     + Copy
@@ -24,11 +25,15 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
 {
-    /// The formulas for waves that this number computes.
-    const BRANCHES: Branches = Branches::All;
+    /// What a comparison gives.
+    type Truth: Truth;
 
-    /// The number without its derivative.
-    type Plain: Scalar;
+    /// The type of sizes.
+    type Size: Size<Truth = Self::Truth>;
+
+    /// Whether this is a number of several lanes. What holds for one number only then is NaN in lanes, and such a lane is evaluated
+    /// alone.
+    const IN_LANES: bool = false;
 
     /// The unit in the last place of 1.
     const EPSILON: f64;
@@ -51,19 +56,6 @@ pub trait Scalar:
     /// Principal square root.
     fn sqrt(self) -> Self;
 
-    /// Principal square root without branches, of a number that [`is_plain`](Self::is_plain).
-    #[inline(always)]
-    fn moderate_sqrt(self) -> Self {
-        self.sqrt()
-    }
-
-    /// Whether squares of all parts that are not zero are far from the ends of the range.
-    #[inline(always)]
-    fn is_plain(self) -> bool {
-        let size = self.size();
-        (size > 1e-100) & (size < 1e100)
-    }
-
     /// Sine and cosine.
     fn sin_cos(self) -> (Self, Self);
 
@@ -73,87 +65,69 @@ pub trait Scalar:
     /// Sine, cosine and their hyperbolic kin of this number, scaled so that nothing overflows.
     fn wave_functions(self) -> WaveFunctions<Self>;
 
-    /// Wave functions without branches, for a size below [`WAVE_LIMIT`](Self::WAVE_LIMIT), where nothing needs to be scaled.
-    fn moderate_wave_functions(self) -> WaveFunctions<Self>;
+    /// The products of circular and hyperbolic functions of this number.
+    #[inline(always)]
+    fn wave_products(self) -> WaveProducts<Self> {
+        WaveProducts::of(self.wave_functions())
+    }
 
-    /// Functions of this number whose slopes follow from their values, as those of sines, waves and their products do. `values` and
-    /// `slopes` take the number without its derivative; the second result of `values` is returned unchanged.
-    fn functions<const N: usize, R>(
-        self,
-        values: impl FnOnce(Self::Plain) -> ([Self::Plain; N], R),
-        slopes: impl FnOnce([Self::Plain; N]) -> [Self::Plain; N],
-    ) -> ([Self; N], R);
-
-    /// A constant: its derivative is zero.
-    fn constant(value: Self::Plain) -> Self;
+    /// The first number where the truth holds, else the second.
+    fn select(truth: Self::Truth, first: Self, second: Self) -> Self;
 
     /// Whether a real number is below zero; complex ones have no order.
-    fn is_negative(self) -> bool;
+    fn is_negative(self) -> Self::Truth;
+
+    /// Whether the number is zero, a dual one its value.
+    fn vanishes(self) -> Self::Truth;
 
     /// Largest modulus among the real components, of a dual number those of its value; NaN if any of them is. Pivots and branches
     /// compare it.
-    fn size(self) -> f64;
+    fn size(self) -> Self::Size;
 
     /// `self · 2^exponent`, exact unless it leaves the range of the type.
     fn times_power_of_two(self, exponent: i32) -> Self;
 
-    /// `self · 2^exponent` without branches, for an exponent from -1022 to 1023.
+    /// The number itself; in lanes it is NaN where the condition does not hold, since its formula does not hold there either.
     #[inline(always)]
-    fn times_normal_power_of_two(self, exponent: i32) -> Self {
-        self.times_power_of_two(exponent)
-    }
-
-    /// The number itself, or NaN where the condition does not hold, without a branch.
-    fn or_nan(self, condition: bool) -> Self;
-
-    /// The number itself; a branch-free number is NaN where the condition does not hold, since its formula does not hold there
-    /// either.
-    #[inline(always)]
-    fn valid_if(self, _condition: bool) -> Self {
+    fn valid_if(self, _condition: Self::Truth) -> Self {
         self
     }
 
-    /// The whole part of a number that is not negative.
-    #[inline(always)]
-    fn whole(number: f64) -> u64 {
-        number as u64
-    }
-
     /// Shifts entries by a common power of two into the middle of the range, where their size is beyond it. Returns them with
-    /// the power taken out.
+    /// the power taken out. In lanes the first and the last one are NaN there.
     #[inline(always)]
-    fn in_range<const N: usize>(entries: [Self; N], size: f64) -> ([Self; N], i32) {
-        if is_moderate(size) {
-            return (entries, 0);
+    fn in_range<const N: usize>(mut entries: [Self; N], size: Self::Size) -> ([Self; N], i32) {
+        let (shift, is_kept) = size.excess();
+        if shift != 0 {
+            return (entries.map(|entry| entry.times_power_of_two(-shift)), shift);
         }
-        let shift = excess(size);
-        (entries.map(|entry| entry.times_power_of_two(-shift)), shift)
+        entries[0] = entries[0].valid_if(is_kept);
+        entries[N - 1] = entries[N - 1].valid_if(is_kept);
+        (entries, 0)
+    }
+
+    /// Calls a function in code for the instruction set of the lanes.
+    #[inline(always)]
+    fn call<R>(function: impl FnOnce() -> R) -> R {
+        function()
     }
 }
 
-/// The formulas for waves that a scalar computes: all of them, or one of the two without branches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Branches {
-    /// All formulas; each value takes the one that suits it.
-    All,
-    /// The closed forms for waves that are neither short nor so many that they have to be scaled.
-    Waves,
-    /// The series for a length of less than a wave.
-    Series,
-}
+/// A scalar that is one number, whose comparisons are plain truths.
+pub trait Single: Scalar<Truth = bool, Size = f64> {}
 
-/// Sizes beyond which entries are shifted back into the middle of the range.
-const LARGE: f64 = 1e60;
-const SMALL: f64 = 1e-60;
+impl<S: Scalar<Truth = bool, Size = f64>> Single for S {}
 
-/// Whether entries of this size are in the middle of the range.
-#[inline(always)]
-pub(crate) fn is_moderate(size: f64) -> bool {
-    (SMALL < size) & (size < LARGE)
-}
+/// What every scalar that is one number has in common.
+macro_rules! single {
+    () => {
+        type Truth = bool;
+        type Size = f64;
 
-/// The power of two to take out of entries beyond the middle of the range; none out of zeros and what is not finite.
-#[cold]
-fn excess(size: f64) -> i32 {
-    if size == 0.0 || !size.is_finite() { 0 } else { binary_exponent(size) }
+        #[inline(always)]
+        fn select(truth: bool, first: Self, second: Self) -> Self {
+            if truth { first } else { second }
+        }
+    };
 }
+pub(crate) use single;

@@ -1,8 +1,8 @@
 //! Numbers with an exponent of their own: determinants that neither overflow nor vanish.
 
-use crate::number::exponent::{biased_exponent, binary_exponent};
 use crate::number::frequency::Real;
-use crate::number::scalar::{Branches, Scalar};
+use crate::number::scalar::{Scalar, Single};
+use crate::number::truth::Size;
 use core::cmp::Ordering;
 use core::fmt;
 use num_complex::Complex;
@@ -18,38 +18,19 @@ pub struct Scaled<S> {
 }
 
 impl<S: Scalar> Scaled<S> {
-    /// `value · 2^exponent`, normalised.
+    /// `value · 2^exponent`, normalised; numbers in lanes have no exponents of their own and stay as they are.
     #[inline]
     pub fn new(value: S, exponent: i64) -> Self {
-        let biased = biased_exponent(value.size());
-        let is_extreme = !(1..0x7fe).contains(&biased);
-        if is_extreme && S::BRANCHES == Branches::All {
-            return Scaled::of_extreme(value, exponent);
+        if S::IN_LANES {
+            return Scaled { mantissa: value, exponent };
         }
-        let shift = biased - 1023;
-        let mantissa = if S::BRANCHES == Branches::All {
-            value.times_power_of_two(-shift)
-        } else {
-            value.valid_if(!is_extreme).times_normal_power_of_two(-shift)
-        };
-        Scaled { mantissa, exponent: exponent.saturating_add(i64::from(shift)) }
-    }
-
-    /// `mantissa · 2^exponent` of a mantissa that is normalised.
-    #[inline(always)]
-    pub(crate) fn normalised(mantissa: S, exponent: i64) -> Self {
-        Scaled { mantissa, exponent }
-    }
-
-    /// `value · 2^exponent` for a value that is zero, subnormal, almost infinite or not finite.
-    #[cold]
-    fn of_extreme(value: S, exponent: i64) -> Self {
-        let size = value.size();
-        if size == 0.0 || !size.is_finite() {
-            return Scaled { mantissa: value, exponent: 0 };
+        match value.size().exponent() {
+            Some(shift) => Scaled {
+                mantissa: value.times_power_of_two(-shift),
+                exponent: exponent.saturating_add(i64::from(shift)),
+            },
+            None => Scaled { mantissa: value, exponent: 0 },
         }
-        let shift = binary_exponent(size);
-        Scaled { mantissa: value.times_power_of_two(-shift), exponent: exponent.saturating_add(i64::from(shift)) }
     }
 
     /// The factor in `[1, 2)` (or zero, or not finite).
@@ -82,7 +63,9 @@ impl<S: Scalar> Scaled<S> {
     pub(crate) fn over(self, divisor: Scaled<S>) -> Self {
         Scaled::new(self.mantissa / divisor.mantissa, self.exponent.saturating_sub(divisor.exponent))
     }
+}
 
+impl<S: Single> Scaled<S> {
     /// The [`size`](Scalar::size) of the mantissa, with the exponent.
     #[inline]
     pub(crate) fn magnitude(self) -> Magnitude {
@@ -230,7 +213,7 @@ mod tests {
     fn products_neither_overflow_nor_vanish() {
         let huge = Scaled::new(1e300, 0).times(1e300).times(1e300);
         let back = huge.times(1e-300).times(1e-300);
-        assert!((back.value() / 1e300 - 1.0).abs() < 8.0 * f64::EPSILON);
+        assert!(f64::abs(back.value() / 1e300 - 1.0) < 8.0 * f64::EPSILON);
         assert_eq!(huge.value(), f64::INFINITY);
         assert!(Magnitude::from(huge) > Magnitude::from(1e300));
         assert!(Magnitude::from(0.0) < Magnitude::from(Scaled::new(1e-300, -10_000)));

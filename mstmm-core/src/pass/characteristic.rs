@@ -27,7 +27,7 @@ pub trait Characteristic<S: Scalar>: System {
     /// nowhere else. No matrix is formed.
     #[inline]
     fn characteristic(&self, x: S) -> Scaled<S> {
-        self.pass(x, &mut NoCount)
+        counted_pass(self, x, NoCount).1
     }
 }
 
@@ -36,7 +36,7 @@ pub trait Characteristic<S: Scalar>: System {
 pub(crate) fn count_and_value<const WATCHES: bool, Y, S>(
     system: &Y,
     x: S,
-) -> (WittrickWilliams<false, WATCHES>, Scaled<S>)
+) -> (WittrickWilliams<f64, WATCHES>, Scaled<S>)
 where
     S: Real,
     Y: Characteristic<S> + ?Sized,
@@ -44,8 +44,8 @@ where
     counted_pass(system, x, WittrickWilliams::default())
 }
 
-/// The counter after a pass, and Δ.
-#[inline]
+/// The counter after a pass, and Δ: a call, since a pass stands in line.
+#[inline(never)]
 pub(crate) fn counted_pass<C: RootCounter<S>, Y, S: Scalar>(system: &Y, x: S, mut counter: C) -> (C, Scaled<S>)
 where
     Y: Characteristic<S> + ?Sized,

@@ -6,7 +6,7 @@
 
 use crate::element::PlaneStep;
 use crate::number::{FrequencyPowers, Scalar, Scaled};
-use crate::subspace::{Connecting, RootCounter, Subspace};
+use crate::subspace::{Connecting, NoCount, RootCounter, Subspace};
 use mstmm_plan::Support;
 
 /// The coefficients of an element in a pass.
@@ -58,10 +58,27 @@ pub fn root<E: PlaneStep<S>, S: Scalar, C: RootCounter<S>, const STEPS: usize>(
     counter: &mut C,
 ) -> Scaled<S> {
     if STEPS <= S::LONGEST_IN_LINE {
-        E::root(coefficients, input, support, counter)
+        into_root::<E, S, C>(coefficients, input, support, counter)
     } else {
         called_root::<E, S, C>(coefficients, input, support, counter)
     }
+}
+
+/// Takes a subspace through the last element into the root, and behind waves the one a quarter of a turn ahead, if a counter wants it.
+#[inline(always)]
+pub(crate) fn into_root<E: PlaneStep<S>, S: Scalar, C: RootCounter<S>>(
+    coefficients: &E::Coefficients,
+    input: Subspace<S>,
+    support: Support,
+    counter: &mut C,
+) -> Scaled<S> {
+    let delta = E::root(coefficients, input, support, counter);
+    if let (false, Subspace::Plane(plane)) = (E::WAVES, &input)
+        && let Some(turned) = counter.turned(plane)
+    {
+        counter.delta_ahead(E::root(coefficients, Subspace::Plane(turned), support, &mut NoCount));
+    }
+    delta
 }
 
 #[inline(never)]
@@ -71,7 +88,7 @@ fn called_root<E: PlaneStep<S>, S: Scalar, C: RootCounter<S>>(
     support: Support,
     counter: &mut C,
 ) -> Scaled<S> {
-    E::root(coefficients, input, support, counter)
+    into_root::<E, S, C>(coefficients, input, support, counter)
 }
 
 /// The join of the first two paths at a connection, or of a further path to their sum, whose entries may have grown.

@@ -1,11 +1,12 @@
 //! Carrying subspaces through a plan: from the tips to the root, and back.
 
-pub(crate) mod block;
+pub(crate) mod at_once;
 pub(crate) mod both_ways;
 pub(crate) mod characteristic;
 pub(crate) mod inlining;
 pub(crate) mod jump;
 pub(crate) mod overall;
+pub(crate) mod phase;
 pub(crate) mod planned_list;
 pub(crate) mod route;
 pub(crate) mod state_recovery;

@@ -1,11 +1,11 @@
 //! A list of steps with its plan: all that answers about motions ask for.
 
-use crate::element::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep};
+use crate::element::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit};
 use crate::model::{Chain, Ends, Fields, FrequencyEstimates, Label, Point};
 use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
-use crate::pass::tree::{Planned, Steps, Tree};
+use crate::pass::tree::{Planned, Tree};
 use crate::subspace::RootCounter;
 use core::fmt::Debug;
 use mstmm_plan::{Place, Scheme, Step, Support};
@@ -169,12 +169,6 @@ impl<E: ListElement, const STEPS: usize> Planned for PlannedList<'_, E, STEPS> {
 
     fn scheme(&self) -> Scheme<'_> {
         self.scheme
-    }
-}
-
-impl<E: ListStepping<S>, S: Scalar, const STEPS: usize> Steps<S> for PlannedList<'_, E, STEPS> {
-    fn visit_step<V: VisitStep<S>>(&self, step: usize, visitor: V) -> Option<V::Output> {
-        Some(self.element(step)?.visit_step(visitor))
     }
 }
 

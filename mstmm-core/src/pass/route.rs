@@ -1,9 +1,7 @@
 //! The route of a motion from a load to an entry of a state, and what arrives there.
 
 use crate::model::{Entry, Load, MotionError};
-use crate::number::{InColumns, Oscillation, Scalar, Scaled};
-use crate::pass::block::WIDTH;
-use crate::pass::block::both_ways::{BlockPasses, CarriedInBlock};
+use crate::number::{Oscillation, Scaled, Single};
 use crate::pass::both_ways::Passes;
 use crate::pass::characteristic::System;
 use crate::pass::jump::{Jump, Meeting};
@@ -136,7 +134,7 @@ impl<'a, Y: Planned + ?Sized> Route<'a, Y> {
     }
 
     /// The covector with which the motion leaves the load, times Δ, and Δ.
-    fn start<S: Scalar>(&self, meeting: &Meeting<S>) -> (Covector<S>, Scaled<S>) {
+    fn start<S: Single>(&self, meeting: &Meeting<S>) -> (Covector<S>, Scaled<S>) {
         let Jump { upstream, downstream } = meeting.jump(self.load.coordinate);
         (if self.course == Course::Upstream { upstream } else { downstream }, meeting.delta())
     }
@@ -196,30 +194,5 @@ impl<'a, Y: Planned + ?Sized> Route<'a, Y> {
         let unit = if is_reversed == (self.load.coordinate == Coordinate::M) { S::one() } else { -S::one() };
         let value = Scaled::new(entry, i64::from(exponent)).product(Scaled::new(unit, 0).over(delta)).value();
         if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency: x.modulus() }) }
-    }
-
-    /// Shows the responses at the frequencies of a block, lane by lane. Returns whether the subspaces along the way are known.
-    pub(crate) fn in_block<S>(
-        &self,
-        passes: &mut BlockPasses<'_, Y, S>,
-        grid: &[S],
-        mut show: impl FnMut(usize, Result<S, MotionError>) -> Result<(), MotionError>,
-    ) -> Result<bool, MotionError>
-    where
-        Y: Tree<S>,
-        S: Oscillation<Y::Parameter> + InColumns,
-    {
-        if !passes.run::<Y::Parameter>(grid, |step| !self.below.as_ref()[step], self.load.step) {
-            return Ok(false);
-        }
-        let starts: [_; WIDTH] = core::array::from_fn(|lane| self.start(&passes.meeting(self.load.step, lane)));
-        let mut motion = CarriedInBlock { passes, covectors: starts.map(|(covector, _)| covector) };
-        self.follow(&mut motion);
-        let CarriedInBlock { passes, covectors } = motion;
-        for (lane, &x) in grid.iter().enumerate() {
-            let subspace = passes.subspace(self.entry.step, self.course == Course::Downstream, lane);
-            show(lane, self.entry_of(covectors[lane], &subspace, starts[lane].1, x))?;
-        }
-        Ok(true)
     }
 }

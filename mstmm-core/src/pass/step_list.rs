@@ -1,9 +1,10 @@
 //! The plane method runs over a list of steps, with the arithmetic of the macro's code, for trees whose size the program decides.
 
-use crate::element::{ListElement, ListStepping, PlaneStep, Stepping, VisitStep};
+use crate::element::{ListElement, ListStepping, PlaneStep, VisitStep};
 use crate::model::FrequencyEstimates;
 use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
 use crate::pass::characteristic::{Characteristic, System};
+use crate::pass::inlining::into_root;
 use crate::subspace::{Connecting, RootCounter, Subspace, connection};
 use core::fmt;
 use mstmm_plan::{Space, Support};
@@ -229,7 +230,7 @@ struct Through<'a, S, C> {
 impl<S: Scalar, C: RootCounter<S>> VisitStep<S> for Through<'_, S, C> {
     type Output = Subspace<S>;
 
-    fn element<E: Stepping<S>>(self, built: &E::Built) -> Subspace<S> {
+    fn element<E: PlaneStep<S>>(self, built: &E::Built) -> Subspace<S> {
         <E as PlaneStep<S>>::step(&E::coefficients(built, self.at), self.input, self.counter)
     }
 }
@@ -245,7 +246,7 @@ struct IntoRoot<'a, S, C> {
 impl<S: Scalar, C: RootCounter<S>> VisitStep<S> for IntoRoot<'_, S, C> {
     type Output = Scaled<S>;
 
-    fn element<E: Stepping<S>>(self, built: &E::Built) -> Scaled<S> {
-        <E as PlaneStep<S>>::root(&E::coefficients(built, self.at), self.input, self.support, self.counter)
+    fn element<E: PlaneStep<S>>(self, built: &E::Built) -> Scaled<S> {
+        into_root::<E, S, C>(&E::coefficients(built, self.at), self.input, self.support, self.counter)
     }
 }

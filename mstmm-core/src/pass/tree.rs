@@ -1,6 +1,6 @@
 //! A built system as a plan whose elements can be visited one by one.
 
-use crate::element::{Visit, VisitStep};
+use crate::element::Visit;
 use crate::number::{ExtendedOf, FrequencyPowers, Oscillation, Scalar};
 use crate::pass::characteristic::System;
 use core::fmt::Debug;
@@ -19,18 +19,6 @@ pub trait Planned: System {
 
     /// The plan.
     fn scheme(&self) -> Scheme<'_>;
-}
-
-/// A built system whose elements all have a step of the plane method.
-#[diagnostic::on_unimplemented(
-    message = "the steps of `{Self}` are not known at frequencies of type `{S}`",
-    note = "a real ω is a frequency of undamped systems only; planar elements take no part in the plane method; an element of \
-            your own implements `mstmm::element::PlaneStep<S>` for every `S`",
-    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`"
-)]
-pub trait Steps<S: Scalar>: Planned {
-    /// Visits the element of a step; `None` where the step is not an element.
-    fn visit_step<V: VisitStep<S>>(&self, step: usize, visitor: V) -> Option<V::Output>;
 }
 
 /// A built system whose elements all have back transfer and energies.

@@ -2,22 +2,24 @@
 //!
 //! The steps of the plane method tell a counter what happens; [`NoCount`] ignores it at no cost, [`WittrickWilliams`] applies the
 //! rules. Each rule adds the negative eigenvalues of the stiffness that a step eliminates. A support is the limit of a
-//! stiff spring, hence the rules for exact zeros.
+//! stiff spring, hence the rules for exact zeros. All decide by signs alone, without a quotient, in all lanes of a number.
 
-use crate::number::{Real, Scalar, is_ill_conditioned};
+use crate::number::{Scalar, Scaled, Size, Truth, is_ill_conditioned};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use mstmm_plan::{Space, Support};
 
-/// A bending element with both its ends held: its clamped count, and the stiffness and sign for the rule of a plane.
+/// A bending element with both its ends held: its clamped count, and the sign and stiffness for the rule of a plane.
 #[derive(Clone, Copy, Debug)]
-pub struct Held<S> {
+pub struct Held<S: Scalar> {
     /// Number of its own frequencies below this one.
-    pub below: u64,
+    pub below: S::Size,
     /// Whether the factor by which its step has multiplied the minors is negative.
-    pub is_negative: bool,
-    /// Its stiffness against deflection of the input end.
-    pub stiffness: S,
+    pub is_negative: S::Truth,
+    /// Its stiffness against deflection of the input end: a number, and the one that divides it.
+    pub stiffness: [S; 2],
+    /// Units of p_YM, w, p_ΘQ and p_MQ beside p_YΘ at its wave number, and their inverses, of an element with waves.
+    pub units: Option<[[S; 4]; 2]>,
 }
 
 /// A counter of natural frequencies, to which the steps of the plane method report.
@@ -29,7 +31,7 @@ pub trait RootCounter<S: Scalar> {
     /// An element took a line from `before` to `after`; held at both ends it has `held` frequencies below this one, and its step
     /// has multiplied the line by a number that `is_negative`.
     #[inline(always)]
-    fn line(&mut self, _before: &Line<S>, _after: &Line<S>, _held: u64, _is_negative: bool) {}
+    fn line(&mut self, _before: &Line<S>, _after: &Line<S>, _held: S::Size, _is_negative: S::Truth) {}
     /// An element took a plane from `before` to `after`.
     #[inline(always)]
     fn plane(&mut self, _before: &Plane<S>, _after: &Plane<S>, _held: Held<S>) {}
@@ -51,9 +53,17 @@ pub trait RootCounter<S: Scalar> {
     fn looks_at_root(&self) -> bool {
         false
     }
+    /// The plane before the last element with its wave a quarter of a turn ahead, if Δ is wanted there, too.
+    #[inline(always)]
+    fn turned(&self, _before: &Plane<S>) -> Option<Plane<S>> {
+        None
+    }
+    /// Δ of the plane that [`turned`](RootCounter::turned) has returned.
+    #[inline(always)]
+    fn delta_ahead(&mut self, _delta: Scaled<S>) {}
     /// The size of Δ is `sum`, and the sizes of its terms add up to `terms`.
     #[inline(always)]
-    fn root_sum(&mut self, _sum: f64, _terms: f64) {}
+    fn root_sum(&mut self, _sum: S::Size, _terms: S::Size) {}
 }
 
 /// The counter that ignores all reports, for Δ alone.
@@ -66,31 +76,194 @@ impl<S: Scalar> RootCounter<S> for NoCount {
 
 /// The sums that cancelled in a pass.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Cancelled {
+pub(crate) struct Cancelled<B = bool> {
     /// Sums lost more digits than a certificate has room for.
     pub(crate) partly: bool,
     /// Sums lost all digits.
     pub(crate) completely: bool,
     /// Δ lost more digits than near a well-conditioned root.
-    pub(crate) at_root: bool,
+    pub(crate) at_root: B,
 }
 
-impl Cancelled {
+impl<B> Cancelled<B> {
     #[inline(always)]
     fn add(&mut self, completely: bool) {
         self.completely |= completely;
         self.partly |= !completely;
     }
 
-    #[inline(always)]
-    fn add_root<S: Scalar>(&mut self, sum: f64, terms: f64) {
-        self.at_root |= is_ill_conditioned::<S>(sum, terms);
-    }
-
     /// Whether the pass is doubtful.
     #[inline]
-    pub(crate) fn any(self) -> bool {
+    pub(crate) fn any(&self) -> bool {
         self.partly || self.completely
+    }
+}
+
+/// The number of natural frequencies below the frequency of a pass, by the algorithm of Wittrick and Williams.
+///
+/// `WATCHES` is false for passes at frequencies where another pass watches sums that cancel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WittrickWilliams<Z: Size = f64, const WATCHES: bool = true> {
+    below: Z,
+    cancelled: Cancelled<Z::Truth>,
+    is_at_root: bool,
+}
+
+impl<const WATCHES: bool> WittrickWilliams<f64, WATCHES> {
+    /// The count so far; of all frequencies once the pass has reached the root.
+    #[inline]
+    pub fn below(&self) -> u64 {
+        self.below as u64
+    }
+}
+
+impl<Z: Size, const WATCHES: bool> WittrickWilliams<Z, WATCHES> {
+    /// The count so far, a whole number in each lane.
+    #[inline(always)]
+    pub(crate) fn count(&self) -> Z {
+        self.below
+    }
+
+    /// A counter; `is_at_root` tells that the frequency is close to a root.
+    #[inline]
+    pub(crate) fn new(is_at_root: bool) -> Self {
+        WittrickWilliams { is_at_root, ..WittrickWilliams::default() }
+    }
+
+    /// The sums that cancelled in the pass.
+    #[inline]
+    pub(crate) fn cancelled(&self) -> Cancelled<Z::Truth> {
+        self.cancelled
+    }
+
+    #[inline(always)]
+    fn add_if(&mut self, condition: Z::Truth) {
+        self.below = self.below + Z::one_if(condition);
+    }
+
+    /// Adds the negative eigenvalues of a symmetric 2×2 matrix from the sign of its determinant and its first entry.
+    #[inline(always)]
+    fn negative_eigenvalues(&mut self, determinant_negative: Z::Truth, first_positive: Z::Truth) {
+        let definite = Z::choose(first_positive, Z::of(0.0), Z::of(2.0));
+        self.below = self.below + Z::choose(determinant_negative, Z::of(1.0), definite);
+    }
+}
+
+/// Sign of the first number that is not zero: whether it is negative.
+#[inline(always)]
+fn negative<S: Scalar, const N: usize>(candidates: [S; N]) -> S::Truth {
+    let (mut is_negative, mut is_open) = (S::Truth::of(false), S::Truth::of(true));
+    let mut k = 0;
+    while k < N {
+        let is_zero = candidates[k].vanishes();
+        // a zero has a sign of its own, which does not count
+        is_negative = is_negative | (is_open & !is_zero & candidates[k].is_negative());
+        is_open = is_open & is_zero;
+        if !is_open.any() {
+            break;
+        }
+        k += 1;
+    }
+    is_negative
+}
+
+/// Sign of p_YΘ, of the limit of stiff springs where it is zero.
+#[inline(always)]
+fn plane_negative<S: Scalar>(p: &Plane<S>) -> S::Truth {
+    negative([p.y_theta, p.theta_q, p.y_m, p.m_q])
+}
+
+/// Whether a minor that is not zero differs in sign from p_YΘ.
+#[inline(always)]
+fn differs<S: Scalar>(minor: S, plane: &Plane<S>) -> S::Truth {
+    !minor.vanishes() & (minor.is_negative() ^ plane_negative(plane))
+}
+
+/// Whether the stiffness p_ΘQ/p_YΘ against deflection, with another beside it, is positive, as that of stiff springs where p_YΘ
+/// is zero. By signs, not by quotients: they may underflow, and take their time.
+#[inline(always)]
+fn is_stiff<S: Scalar>(p: &Plane<S>, [stiffness, divisor]: [S; 2]) -> S::Truth {
+    let force = p.theta_q * divisor + stiffness * p.y_theta;
+    let is_against = force.is_negative() ^ divisor.is_negative() ^ p.y_theta.is_negative();
+    p.y_theta.vanishes() | !(is_against | force.vanishes())
+}
+
+/// Whether p_ΘQ/p_YΘ is positive, or that of stiff springs.
+#[inline(always)]
+fn is_stiff_alone<S: Scalar>(p: &Plane<S>) -> S::Truth {
+    p.y_theta.vanishes() | !((p.theta_q.is_negative() ^ p.y_theta.is_negative()) | p.theta_q.vanishes())
+}
+
+/// Sign of y, of the limit of a stiff spring where it is zero.
+#[inline(always)]
+fn line_negative<S: Scalar>(line: &Line<S>) -> S::Truth {
+    negative([line.y, -line.q])
+}
+
+impl<S: Scalar, const WATCHES: bool> RootCounter<S> for WittrickWilliams<S::Size, WATCHES> {
+    const COUNTS: bool = true;
+    // extended precision always watches: it takes other formulas where sums cancel
+    const WATCHES: bool = WATCHES || S::EPSILON < f64::EPSILON;
+
+    #[inline(always)]
+    fn line(&mut self, before: &Line<S>, after: &Line<S>, held: S::Size, is_negative: S::Truth) {
+        self.below = self.below + held;
+        self.add_if(line_negative(before) ^ line_negative(after) ^ is_negative);
+    }
+
+    #[inline(always)]
+    fn plane(&mut self, before: &Plane<S>, after: &Plane<S>, held: Held<S>) {
+        let Held { below, is_negative, stiffness, .. } = held;
+        self.below = self.below + below;
+        let determinant_negative = plane_negative(before) ^ plane_negative(after) ^ is_negative;
+        self.negative_eigenvalues(determinant_negative, is_stiff(before, stiffness));
+    }
+
+    #[inline(always)]
+    fn narrowing(&mut self, plane: &Plane<S>, space: Space) {
+        let left_behind = plane.minor(Space::Bending.without(space));
+        self.add_if(negative([left_behind, plane.m_q]) ^ plane_negative(plane));
+    }
+
+    #[inline(always)]
+    fn plane_root(&mut self, plane: &Plane<S>, support: Support) {
+        match support {
+            Support::Fixed => {}
+            Support::Pinned | Support::Guided | Support::Roller => self.add_if(differs(plane.minor_at(support), plane)),
+            Support::Free => {
+                let is_singular = plane.m_q.vanishes();
+                let definite = S::Size::choose(is_stiff_alone(plane), S::Size::of(0.0), S::Size::of(2.0));
+                let mut added = S::Size::choose(differs(plane.m_q, plane), S::Size::of(1.0), definite);
+                if is_singular.any() {
+                    let one = negative([plane.theta_q, plane.y_m]) ^ plane_negative(plane);
+                    added = S::Size::choose(is_singular, S::Size::one_if(one), added);
+                }
+                self.below = self.below + added;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn cancelled(&mut self, completely: bool) {
+        self.cancelled.add(completely);
+    }
+
+    #[inline(always)]
+    fn looks_at_root(&self) -> bool {
+        WATCHES && self.is_at_root
+    }
+
+    #[inline(always)]
+    fn root_sum(&mut self, sum: S::Size, terms: S::Size) {
+        self.cancelled.at_root = self.cancelled.at_root | is_ill_conditioned::<S>(sum, terms);
+    }
+
+    #[inline(always)]
+    fn line_root(&mut self, line: &Line<S>, support: Support) {
+        // stiffness -q/y of the free end
+        if support != Support::Fixed {
+            self.add_if(!line.q.vanishes() & !(line.q.is_negative() ^ line_negative(line)));
+        }
     }
 }
 
@@ -106,175 +279,5 @@ impl<S: Scalar> RootCounter<S> for Watch {
     #[inline(always)]
     fn cancelled(&mut self, completely: bool) {
         self.cancelled.add(completely);
-    }
-}
-
-/// The number of natural frequencies below the frequency of a pass, by the algorithm of Wittrick and Williams.
-///
-/// `IN_LINE` counts without branches, as a block of frequencies needs it; a single frequency is faster with branches. `WATCHES` is
-/// false for passes at frequencies where another pass watches sums that cancel.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct WittrickWilliams<const IN_LINE: bool = false, const WATCHES: bool = true> {
-    below: u64,
-    cancelled: Cancelled,
-    is_at_root: bool,
-}
-
-impl<const IN_LINE: bool, const WATCHES: bool> WittrickWilliams<IN_LINE, WATCHES> {
-    /// The count so far; of all frequencies once the pass has reached the root.
-    #[inline]
-    pub fn below(&self) -> u64 {
-        self.below
-    }
-
-    /// A counter; `is_at_root` tells that the frequency is close to a root.
-    #[inline]
-    pub(crate) fn new(is_at_root: bool) -> Self {
-        WittrickWilliams { is_at_root, ..WittrickWilliams::default() }
-    }
-
-    /// The sums that cancelled in the pass.
-    #[inline]
-    pub(crate) fn cancelled(&self) -> Cancelled {
-        self.cancelled
-    }
-
-    #[inline]
-    fn add_if(&mut self, condition: bool) {
-        self.below = self.below.saturating_add(u64::from(condition));
-    }
-
-    /// Adds the negative eigenvalues of a symmetric 2×2 matrix from the sign of its determinant and its first entry.
-    #[inline]
-    fn negative_eigenvalues(&mut self, determinant_negative: bool, first_positive: bool) {
-        self.below = self.below.saturating_add(match (determinant_negative, first_positive) {
-            (true, _) => 1,
-            (false, true) => 0,
-            (false, false) => 2,
-        });
-    }
-}
-
-/// Sign of the first number that is not zero: whether it is negative.
-#[inline]
-fn negative<T: Real>(candidates: impl IntoIterator<Item = T>) -> bool {
-    candidates.into_iter().find(|x| !x.is_zero()).is_some_and(|x| x < T::zero())
-}
-
-/// Sign of the first number that is not zero, without branches.
-#[inline(always)]
-fn negative_in_line<T: Real, const N: usize>(candidates: [T; N]) -> bool {
-    candidates.into_iter().rev().fold(T::zero(), |next, x| if x.is_zero() { next } else { x }) < T::zero()
-}
-
-/// Sign of p_YΘ, of the limit of stiff springs where it is zero.
-#[inline]
-fn plane_negative<T: Real>(p: &Plane<T>) -> bool {
-    negative([p.y_theta, p.theta_q, p.y_m, p.m_q])
-}
-
-/// Whether the stiffness p_ΘQ/p_YΘ against deflection, with another beside it, is positive, as that of stiff springs where p_YΘ
-/// is zero. By signs, not by a quotient: it may underflow, and takes its time.
-#[inline(always)]
-fn is_stiff<T: Real>(p: &Plane<T>, beside: T) -> bool {
-    let (y_theta, force, zero) = (p.y_theta, p.theta_q + beside * p.y_theta, T::zero());
-    y_theta.is_zero() | ((force > zero) & (y_theta > zero)) | ((force < zero) & (y_theta < zero))
-}
-
-/// Sign of y, of the limit of a stiff spring where it is zero.
-#[inline]
-fn line_negative<T: Real>(line: &Line<T>) -> bool {
-    negative([line.y, -line.q])
-}
-
-impl<T: Real, const IN_LINE: bool, const WATCHES: bool> RootCounter<T> for WittrickWilliams<IN_LINE, WATCHES> {
-    const COUNTS: bool = true;
-    // extended precision always watches: it takes other formulas where sums cancel
-    const WATCHES: bool = WATCHES || T::EPSILON < f64::EPSILON;
-
-    #[inline]
-    fn line(&mut self, before: &Line<T>, after: &Line<T>, held: u64, is_negative: bool) {
-        self.below = self.below.saturating_add(held);
-        self.add_if(line_negative(before) != (line_negative(after) != is_negative));
-    }
-
-    #[inline]
-    fn plane(&mut self, before: &Plane<T>, after: &Plane<T>, held: Held<T>) {
-        let Held { below, is_negative, stiffness } = held;
-        self.below = self.below.saturating_add(below);
-        let determinant_negative = plane_negative(before) != (plane_negative(after) != is_negative);
-        self.negative_eigenvalues(determinant_negative, is_stiff(before, stiffness));
-    }
-
-    #[inline]
-    fn narrowing(&mut self, plane: &Plane<T>, space: Space) {
-        let left_behind = plane.minor(Space::Bending.without(space));
-        self.add_if(negative([left_behind, plane.m_q]) != plane_negative(plane));
-    }
-
-    #[inline]
-    fn plane_root(&mut self, plane: &Plane<T>, support: Support) {
-        let differs = |x: T| !x.is_zero() && (x < T::zero()) != plane_negative(plane);
-        match support {
-            Support::Fixed => {}
-            Support::Pinned | Support::Guided | Support::Roller => self.add_if(differs(plane.minor_at(support))),
-            Support::Free if IN_LINE => {
-                let Plane { y_theta, y_m, theta_q, m_q, .. } = *plane;
-                let zero = T::zero();
-                let is_negative = negative_in_line([y_theta, theta_q, y_m, m_q]);
-                let is_singular = m_q.is_zero();
-                let determinant_negative = !is_singular & ((m_q < zero) != is_negative);
-                let one = determinant_negative | (is_singular & (negative_in_line([theta_q, y_m]) != is_negative));
-                let two = !is_singular & !determinant_negative & !is_stiff(plane, zero);
-                self.below = self.below.saturating_add(u64::from(one) + 2 * u64::from(two));
-            }
-            Support::Free if plane.m_q.is_zero() => {
-                self.add_if(negative([plane.theta_q, plane.y_m]) != plane_negative(plane));
-            }
-            Support::Free => self.negative_eigenvalues(differs(plane.m_q), is_stiff(plane, T::zero())),
-        }
-    }
-
-    #[inline(always)]
-    fn cancelled(&mut self, completely: bool) {
-        self.cancelled.add(completely);
-    }
-
-    #[inline(always)]
-    fn looks_at_root(&self) -> bool {
-        WATCHES && self.is_at_root
-    }
-
-    #[inline(always)]
-    fn root_sum(&mut self, sum: f64, terms: f64) {
-        self.cancelled.add_root::<T>(sum, terms);
-    }
-
-    #[inline]
-    fn line_root(&mut self, line: &Line<T>, support: Support) {
-        // stiffness -q/y of the free end
-        self.add_if(support != Support::Fixed && !line.q.is_zero() && (line.q < T::zero()) == line_negative(line));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// All planes whose minors are positive, negative or zero, and some that are no numbers.
-    #[test]
-    fn rules_without_branches_are_the_others() {
-        let sizes = [-3.0, -0.0, 0.0, 2.0, f64::NAN, f64::INFINITY];
-        for place in 0..sizes.len().pow(4) {
-            let minor = |index: u32| sizes[place / sizes.len().pow(index) % sizes.len()];
-            let plane = Plane::unscaled([minor(0), minor(1), 1.0, minor(2), minor(3)], 0);
-            for support in [Support::Fixed, Support::Pinned, Support::Guided, Support::Free] {
-                let (mut alone, mut in_line) =
-                    (WittrickWilliams::<false>::default(), WittrickWilliams::<true>::default());
-                alone.plane_root(&plane, support);
-                in_line.plane_root(&plane, support);
-                assert_eq!(alone.below(), in_line.below(), "{plane:?} at {support:?}");
-            }
-        }
     }
 }

@@ -53,5 +53,8 @@ pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
             determinant
         }
     };
-    implement("Evaluate", bounds("TransferMatrix", plan, names), &body, names)
+    let mut bounds = bounds("TransferMatrix", plan, names);
+    // pivots are chosen for one number at a time
+    bounds.push(quote_spanned!(names.here=> #frequency: #private::Single));
+    implement("Evaluate", bounds, &body, names)
 }

@@ -32,7 +32,6 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
     let constants = tree::labels(model, plan, &names);
     let planned = tree::planned(model, plan, &names);
     let tree = tree::tree(plan, &names);
-    let steps = tree::steps(plan, &names);
     quote_spanned! {names.here=>
         #parameters
         #system
@@ -45,7 +44,6 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
             #characteristic
             #planned
             #tree
-            #steps
         };
     }
 }

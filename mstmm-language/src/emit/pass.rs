@@ -20,7 +20,7 @@ pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let steps = plan.steps.iter().enumerate().map(|(index, step)| pass_step(index, step, plan, names));
     let count = plan.steps.len();
     let body = quote_spanned! {names.here=>
-        #[inline]
+        #[inline(always)]
         fn pass<#counter: #private::RootCounter<#frequency>>(
             &self,
             x: #frequency,

@@ -12,16 +12,6 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
     let definition = definition(model, plan, keeps_fields, names);
     let build = build(model, plan, keeps_fields, names);
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
-    let estimates = plan.elements.iter().enumerate().map(|(index, element)| {
-        let (span, element_field, kind) =
-            (names.at_element(element), element_field(element, names), names.element_as(element, "Element"));
-        let estimate = quote_spanned!(span=> #kind::estimate(&self.#element_field, &mut estimates););
-        // equal elements are built once, but each adds its length
-        match plan.uses_of(index) {
-            1 => estimate,
-            uses => quote_spanned!(span=> for _ in 0..#uses { #estimate }),
-        }
-    });
     quote_spanned! {names.here=>
         #definition
         #build
@@ -31,9 +21,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
             type Parameter = #parameter;
 
             fn estimates(&self) -> #private::FrequencyEstimates {
-                let mut estimates = ::core::default::Default::default();
-                #(#estimates)*
-                estimates
+                self.estimates
             }
         }
     }
@@ -64,6 +52,7 @@ fn definition(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
         #visibility struct #system<#parameter: #private::Real = f64> {
             #(#fields,)*
             #(#kept,)*
+            estimates: #private::FrequencyEstimates,
             parameter: ::core::marker::PhantomData<#parameter>,
         }
     }
@@ -81,6 +70,16 @@ fn build(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> T
         quote_spanned!(names.here=> #(#conditions)* #member: self.#name)
     });
     let values = plan.elements.iter().map(|element| value(element, names));
+    let estimates = plan.elements.iter().enumerate().map(|(index, element)| {
+        let (span, element_field, kind) =
+            (names.at_element(element), element_field(element, names), names.element_as(element, "Element"));
+        let estimate = quote_spanned!(span=> #kind::estimate(&system.#element_field, &mut system.estimates););
+        // equal elements are built once, but each adds its length
+        match plan.uses_of(index) {
+            1 => estimate,
+            uses => quote_spanned!(span=> for _ in 0..#uses { #estimate }),
+        }
+    });
     quote_spanned! {names.here=>
         impl #name {
             /// Validates all parameters and builds the system.
@@ -100,11 +99,15 @@ fn build(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> T
             ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
                 #(#bindings)*
                 #(#lets)*
-                ::core::result::Result::Ok(#system {
+                let mut system = #system {
                     #(#values,)*
                     #(#kept,)*
+                    estimates: ::core::default::Default::default(),
                     parameter: ::core::marker::PhantomData,
-                })
+                };
+                #(#estimates)*
+                system.estimates = system.estimates.finished();
+                ::core::result::Result::Ok(system)
             }
         }
     }

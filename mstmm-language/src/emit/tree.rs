@@ -108,26 +108,3 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
     };
     implement("Tree", bounds("Moving", plan, names), &body, names)
 }
-
-/// `impl Steps<S>`: a visit per element, as passes make it.
-pub(super) fn steps(plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let (private, frequency, visitor) = (&names.private, &names.frequency, &names.counter);
-    let visits = plan.elements.iter().enumerate().map(|(index, element)| {
-        let (steps, field, kind) = (plan.steps_of(index), element_field(element, names), names.element(element));
-        quote_spanned!(names.here=> #(#steps)|* => visitor.element::<#kind>(&self.#field),)
-    });
-    let some = quote_spanned!(names.here=> ::core::option::Option);
-    let body = quote_spanned! {names.here=>
-        fn visit_step<#visitor: #private::VisitStep<#frequency>>(
-            &self,
-            step: usize,
-            visitor: #visitor,
-        ) -> #some<#visitor::Output> {
-            #some::Some(match step {
-                #(#visits)*
-                _ => return #some::None,
-            })
-        }
-    };
-    implement("Steps", bounds("Stepping", plan, names), &body, names)
-}

@@ -59,6 +59,7 @@ pub struct DampedMassSystem<T: mstmm::__private::Real = f64> {
     field_damping: ::core::primitive::f64,
     /// The field `mass`
     field_mass: ::core::primitive::f64,
+    estimates: mstmm::__private::FrequencyEstimates,
     parameter: ::core::marker::PhantomData<T>,
 }
 impl DampedMass {
@@ -81,7 +82,7 @@ impl DampedMass {
         let stiffness = self.stiffness;
         let damping = self.damping;
         let mass = self.mass;
-        ::core::result::Result::Ok(DampedMassSystem {
+        let mut system = DampedMassSystem {
             element_1: mstmm::__private::build::<
                 mstmm::__private::elements::Spring<T>,
             >(
@@ -118,25 +119,36 @@ impl DampedMass {
             field_stiffness: self.stiffness,
             field_damping: self.damping,
             field_mass: self.mass,
+            estimates: ::core::default::Default::default(),
             parameter: ::core::marker::PhantomData,
-        })
+        };
+        <mstmm::__private::elements::Spring<
+            T,
+        > as mstmm::__private::Element>::estimate(
+            &system.element_1,
+            &mut system.estimates,
+        );
+        <mstmm::__private::elements::Damper<
+            T,
+        > as mstmm::__private::Element>::estimate(
+            &system.element_3,
+            &mut system.estimates,
+        );
+        <mstmm::__private::elements::Mass<
+            T,
+        > as mstmm::__private::Element>::estimate(
+            &system.element_4,
+            &mut system.estimates,
+        );
+        system.estimates = system.estimates.finished();
+        ::core::result::Result::Ok(system)
     }
 }
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::System for DampedMassSystem<T> {
     type Parameter = T;
     fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
-        let mut estimates = ::core::default::Default::default();
-        <mstmm::__private::elements::Spring<
-            T,
-        > as mstmm::__private::Element>::estimate(&self.element_1, &mut estimates);
-        <mstmm::__private::elements::Damper<
-            T,
-        > as mstmm::__private::Element>::estimate(&self.element_3, &mut estimates);
-        <mstmm::__private::elements::Mass<
-            T,
-        > as mstmm::__private::Element>::estimate(&self.element_4, &mut estimates);
-        estimates
+        self.estimates
     }
 }
 /// The labels of the sketch: elements and connections, as results about motions take them.
@@ -272,6 +284,7 @@ const _: () = {
         mstmm::__private::elements::Damper<T>: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::Mass<T>: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
+        S: mstmm::__private::Single,
     {
         type Matrix = mstmm::__private::SMatrix<S, 3, 3>;
         fn overall_matrix(&self, x: S) -> Self::Matrix {
@@ -327,7 +340,7 @@ const _: () = {
         mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::PlaneStep<S>,
     {
-        #[inline]
+        #[inline(always)]
         fn pass<C: mstmm::__private::RootCounter<S>>(
             &self,
             x: S,
@@ -490,45 +503,6 @@ const _: () = {
                             .element::<
                                 mstmm::__private::elements::Mass<T>,
                             >(&self.element_4, evaluated.map(|evaluated| &evaluated.2))
-                    }
-                    _ => return ::core::option::Option::None,
-                },
-            )
-        }
-    }
-    #[automatically_derived]
-    impl<T, S> mstmm::__private::Steps<S> for DampedMassSystem<T>
-    where
-        T: mstmm::__private::Real,
-        S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::Damper<T>: mstmm::__private::Stepping<S>,
-        mstmm::__private::elements::Mass<T>: mstmm::__private::Stepping<S>,
-        mstmm::__private::elements::Spring<T>: mstmm::__private::Stepping<S>,
-    {
-        fn visit_step<C: mstmm::__private::VisitStep<S>>(
-            &self,
-            step: usize,
-            visitor: C,
-        ) -> ::core::option::Option<C::Output> {
-            ::core::option::Option::Some(
-                match step {
-                    1usize => {
-                        visitor
-                            .element::<
-                                mstmm::__private::elements::Spring<T>,
-                            >(&self.element_1)
-                    }
-                    3usize => {
-                        visitor
-                            .element::<
-                                mstmm::__private::elements::Damper<T>,
-                            >(&self.element_3)
-                    }
-                    5usize => {
-                        visitor
-                            .element::<
-                                mstmm::__private::elements::Mass<T>,
-                            >(&self.element_4)
                     }
                     _ => return ::core::option::Option::None,
                 },

@@ -7,7 +7,7 @@ use mstmm::element::{
     Element, FrequencyEstimates, FrequencyPowers, InvalidParameter, Line, PlaneStep, Requirement, RootCounter, SMatrix,
     Subspace, TransferMatrix, Translation,
 };
-use mstmm::number::{Frequency, Real};
+use mstmm::number::{Frequency, Real, Single, Size};
 
 /// A uniform string in tension, exact at every frequency.
 ///
@@ -53,11 +53,11 @@ impl<T: Real> Cable<T> {
     fn waves<S: Frequency<T>>(&self, lambda_squared: S) -> (S, S, S) {
         let phi = (-lambda_squared * (self.mass_per_length / self.tension * self.length * self.length)).sqrt();
         let (sin, cos) = phi.sin_cos();
-        (cos, if phi.is_zero() { S::one() } else { sin / phi }, phi)
+        (cos, S::select(phi.vanishes(), S::one(), sin / phi), phi)
     }
 }
 
-impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Cable<T> {
+impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for Cable<T> {
     fn transfer_matrix(cable: &Self, x: S) -> SMatrix<S, 2, 2> {
         let (cos, sinc, phi) = cable.waves(x.lambda_squared());
         let flexibility = cable.length / cable.tension;
@@ -90,8 +90,8 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Cable<T> {
         let after = Line::new(y, q, before.exponent);
         if C::COUNTS {
             // held at both ends it vibrates at φ = π, 2π, ..; the sign of sin φ is that of its flexibility
-            let half_waves = (k.phi.size() / core::f64::consts::PI) as u64;
-            counter.line(&before, &after, half_waves, half_waves % 2 == 1);
+            let (half_waves, is_odd) = (k.phi.size() / S::Size::of(core::f64::consts::PI)).whole();
+            counter.line(&before, &after, half_waves, is_odd);
         }
         Subspace::Line(after, input.space())
     }

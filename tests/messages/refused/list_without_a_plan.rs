@@ -1,4 +1,4 @@
-//! A list answers about motions, sensitivities and blocks with a plan only.
+//! A list answers about motions and sensitivities with a plan only.
 
 use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::prelude::*;
@@ -10,6 +10,4 @@ fn main() {
     let _ = list.mode_shape(&root);
 //               ^^^^^^^^^^ a `StepList` answers this with a plan: `.planned(&mut room)?`
 //               ^^^^^^^^^^ the motions of
-    let _ = list.counts_below(&[1.0], &mut [Ok(0)]);
-//               ^^^^^^^^^^^^ a `StepList` answers this with a plan: `.planned(&mut room)?`
 }

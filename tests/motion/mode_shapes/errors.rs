@@ -7,7 +7,7 @@ use mstmm::motion::{ModeShape, MotionError};
 use mstmm::prelude::*;
 
 /// The error of a shape.
-fn error<Y: mstmm::motion::Tree<S> + ?Sized, S: mstmm::number::Scalar>(
+fn error<Y: mstmm::motion::Tree<S> + ?Sized, S: mstmm::number::Single>(
     shape: Result<ModeShape<'_, Y, S>, MotionError>,
 ) -> MotionError {
     shape.err().unwrap()

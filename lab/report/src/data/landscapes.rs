@@ -1,7 +1,7 @@
 //! |Δ| of the examples in the ranges of the paper's searches, and the roots in them.
 
 use crate::error::ReportError;
-use mstmm::number::{Frequency, InColumns, Scaled};
+use mstmm::number::{Frequency, InLanes, Scaled};
 use mstmm::prelude::*;
 use mstmm::search::{InBlocks, SearchError, System};
 use paper::models::*;
@@ -67,7 +67,7 @@ pub(crate) fn landscapes(points: usize) -> Result<Landscapes, ReportError> {
 
 fn on_line<Y>(id: &str, system: &Y, range: RangeInclusive<f64>, points: usize) -> Result<Landscape, ReportError>
 where
-    Y: InBlocks<f64> + Undamped + System<Parameter = f64>,
+    Y: Undamped + System<Parameter = f64>,
 {
     let (start, length) = (*range.start(), range.end() - range.start());
     let found = system.natural_frequencies::<CAPACITY>(range.clone())?;
@@ -103,7 +103,7 @@ fn even(range: &RangeInclusive<f64>, points: usize) -> impl Iterator<Item = f64>
 /// log₁₀ |Δ| at many frequencies.
 fn logarithms<S, Y>(system: &Y, frequencies: &[S]) -> Result<Vec<f64>, SearchError>
 where
-    S: Frequency<f64> + InColumns,
+    S: Frequency<f64> + InLanes,
     Y: InBlocks<S> + System<Parameter = f64>,
 {
     let mut values = vec![Scaled::new(S::zero(), 0); frequencies.len()];

@@ -1,6 +1,6 @@
 //! Levers of rigid bodies: exact differences of lengths, and planes seen from the far end.
 
-use crate::number::{Branches, Frequency, Oscillation, ROUNDINGS, Real, Scalar, may_be_lost};
+use crate::number::{Frequency, Oscillation, ROUNDINGS, Real, Scalar, Size, Truth, largest_loss, may_be_lost};
 use crate::subspace::{Plane, Remainder, RootCounter};
 
 /// The two levers of a body, to its output end and to its mass centre.
@@ -24,28 +24,34 @@ impl<T: Real> Levers<T> {
     pub(super) fn far_ends<S: Frequency<T>, C: RootCounter<S>>(
         self,
         p: &Plane<S>,
-        beside: impl Fn() -> [f64; 2],
+        beside: impl Fn() -> [S::Size; 2],
         counter: &mut C,
     ) -> [[S; 2]; 2] {
         let levers = [self.output, self.centre];
-        let ends = levers.map(|lever| lever.far_end(p));
+        let ends = [levers[0].far_end(p), levers[1].far_end(p)];
         if !C::WATCHES {
             return ends;
         }
-        let reach = self.reach.size();
-        let terms = terms_of_y_m(p, reach);
+        let terms = terms_of_y_m(p, S::from_parameter(self.reach).size());
         let is_kept = !(may_be_lost(terms, ends[0][0]) | may_be_lost(terms, ends[1][0]));
-        if S::BRANCHES != Branches::All {
-            return ends.map(|end| end.map(|minor| minor.valid_if(is_kept)));
+        if S::IN_LANES && !is_kept.all() {
+            let [first, second] = beside();
+            let [[y_m, w], [at_centre, beyond]] = ends;
+            let [at_output, at_centre_too] =
+                [self.output.is_kept(p, ends[0], first, terms), self.centre.is_kept(p, ends[1], second, terms)];
+            return [[y_m.valid_if(at_output), w], [at_centre.valid_if(at_centre_too), beyond]];
         }
-        if is_kept { ends } else { self.settled(p, beside(), counter) }
+        if S::IN_LANES {
+            return ends;
+        }
+        if is_kept.all() { ends } else { self.settled(p, beside(), counter) }
     }
 
     #[cold]
     fn settled<S: Frequency<T>, C: RootCounter<S>>(
         self,
         p: &Plane<S>,
-        beside: [f64; 2],
+        beside: [S::Size; 2],
         counter: &mut C,
     ) -> [[S; 2]; 2] {
         [self.output.settled(p, beside[0], counter), self.centre.settled(p, beside[1], counter)]
@@ -91,33 +97,42 @@ impl<T: Real> Lever<T> {
         [p.y_m + self.times(p.w + p.w + moved), p.w + moved]
     }
 
+    /// Whether `p_YM` at the far end keeps its digits, compared with what it is added to: a chance zero does not count beside
+    /// `w²/p_ΘQ`, a length squared in the same unit.
+    #[inline(always)]
+    fn is_kept<S: Frequency<T>>(self, p: &Plane<S>, [y_m, w]: [S; 2], beside: S::Size, terms: S::Size) -> S::Truth {
+        let size = y_m.size().or_larger(beside).or_larger(w.size() * w.size() / p.theta_q.size());
+        !(size * S::Size::of(largest_loss::<S>())).is_below(terms * S::Size::of(S::EPSILON))
+    }
+
     /// `p_YM` and `w` at the far end where `p_YM` may cancel: by chance, or since levers lead back to the place from which they came
     /// and leave rounding. In extended precision `p_YM` then follows from the other minors, `p_YM p_ΘQ = w² + p_YΘ p_MQ`.
-    fn settled<S: Frequency<T>, C: RootCounter<S>>(self, p: &Plane<S>, beside: f64, counter: &mut C) -> [S; 2] {
+    fn settled<S: Frequency<T>, C: RootCounter<S>>(self, p: &Plane<S>, beside: S::Size, counter: &mut C) -> [S; 2] {
         let [y_m, w] = self.far_end(p);
-        let (arm, theta_q) = (self.length.size(), p.theta_q.size());
+        let (arm, theta_q) = (S::from_parameter(self.length).size(), p.theta_q.size());
         let product = p.y_theta * p.m_q;
-        let plain = |units: f64| units * S::EPSILON * terms_of_y_m(p, arm);
+        let plain = |units: f64| terms_of_y_m(p, arm) * S::Size::of(units * S::EPSILON);
         let by_others = |units: f64| {
-            let of_w = units * S::EPSILON * (p.w.size() + theta_q * arm);
-            let of_squares = units * S::EPSILON * (w.size() * w.size() + product.size());
-            (of_w * (2.0 * w.size() + of_w) + of_squares) / theta_q
+            let units = S::Size::of(units * S::EPSILON);
+            let of_w = (p.w.size() + theta_q * arm) * units;
+            let of_squares = (w.size() * w.size() + product.size()) * units;
+            (of_w * (w.size() + w.size() + of_w) + of_squares) / theta_q
         };
-        let is_by_others = S::IS_EXTENDED && by_others(1.0) < plain(1.0);
+        let is_by_others = S::IS_EXTENDED && by_others(1.0).is_below(plain(1.0)).all();
         let (y_m, [rounding, bound]) = if is_by_others {
             ((w * w + product) / p.theta_q, [1.0, ROUNDINGS].map(by_others))
         } else {
             (y_m, [1.0, ROUNDINGS].map(plain))
         };
         // a chance zero of p_YM does not count beside `w²/p_ΘQ`, a length squared in the same unit
-        let size = y_m.size().max(beside).max(w.size() * w.size() / theta_q);
+        let size = y_m.size().or_larger(beside).or_larger(w.size() * w.size() / theta_q);
         let is_nothing = Remainder { size, whole: size, rounding, bound }.tell(counter);
-        if is_nothing && S::IS_EXTENDED { [S::zero(); 2] } else { [y_m, w] }
+        if is_nothing.all() && S::IS_EXTENDED { [S::zero(); 2] } else { [y_m, w] }
     }
 }
 
 /// The sizes of the terms of `p_YM` at the far end of an arm.
 #[inline(always)]
-fn terms_of_y_m<S: Scalar>(p: &Plane<S>, arm: f64) -> f64 {
-    p.y_m.size() + (2.0 * p.w.size() + p.theta_q.size() * arm) * arm
+fn terms_of_y_m<S: Scalar>(p: &Plane<S>, arm: S::Size) -> S::Size {
+    p.y_m.size() + (p.w.size() + p.w.size() + p.theta_q.size() * arm) * arm
 }

@@ -86,7 +86,7 @@ where
         let near_own: Vec<f64> = numbers.iter().map(|x| x * 2.0).collect();
         let states = random_states(space, &near_own, 0.0);
         let input: Vec<f64> = coordinates(space, &states).iter().map(|z| z.re).collect();
-        let mut count = WittrickWilliams::<false>::default();
+        let mut count = WittrickWilliams::<f64>::default();
         let coefficients = E::coefficients(&built(element), &FrequencyPowers::new(omega, E::WAVES));
         E::step(&coefficients, subspace(space, &input), &mut count);
         let own = Stiffness::of_input_end(space, &rows(&element, C::new(0.0, omega)));
@@ -111,8 +111,7 @@ where
         inputs.push(subspace(space, &random));
         for input in inputs {
             for support in supports(space) {
-                let (mut short, mut long) =
-                    (WittrickWilliams::<false>::default(), WittrickWilliams::<false>::default());
+                let (mut short, mut long) = (WittrickWilliams::<f64>::default(), WittrickWilliams::<f64>::default());
                 let root = E::root(&coefficients, input, support, &mut short);
                 let behind = E::step(&coefficients, input, &mut long);
                 assert_eq!((root, short), (behind.at_root(support, &mut long), long));
@@ -135,7 +134,7 @@ where
         let space = space::<E>();
         let input: Vec<f64> = coordinates(space, &random_states(space, numbers, 0.0)).iter().map(|z| z.re).collect();
         for support in supports(space) {
-            let (mut once, mut twice) = (WittrickWilliams::<false>::default(), WittrickWilliams::<false>::default());
+            let (mut once, mut twice) = (WittrickWilliams::<f64>::default(), WittrickWilliams::<f64>::default());
             E::step(&whole, subspace(space, &input), &mut once).at_root(support, &mut once);
             let middle = E::step(&half, subspace(space, &input), &mut twice);
             E::step(&half, middle, &mut twice).at_root(support, &mut twice);

@@ -1,6 +1,6 @@
 //! The steps of beam-like elements on planes, given the second compound of their transfer matrix.
 
-use crate::number::{Branches, Scalar, Scaled};
+use crate::number::{Scalar, Scaled, Single, Size};
 use crate::subspace::{Connecting, Held, Plane, RootCounter, Subspace};
 use mstmm_plan::Support;
 
@@ -13,13 +13,16 @@ pub(crate) struct Units<T> {
 }
 
 impl<T: Scalar> Units<T> {
+    #[inline]
     pub(crate) fn new(stiffness: T, b: T) -> Self {
         let first = stiffness * b;
         let second = first * b;
         let factors = [first, second, second * b, second * second];
         Units { factors, inverses: factors.map(|factor| T::one() / factor) }
     }
+}
 
+impl<T: Single> Units<T> {
     /// Whether all units are finite and not zero.
     pub(crate) fn are_in_range(&self) -> bool {
         let is_number = |x: &T| x.size() > 0.0 && x.size().is_finite();
@@ -53,12 +56,38 @@ pub struct BendingCoefficients<S> {
 }
 
 impl<S: Scalar> BendingCoefficients<S> {
+    /// The first coefficients where the truth holds, else the second. Their exponents are equal, unless waves are scaled, which numbers in
+    /// lanes never are.
+    #[inline(always)]
+    pub(crate) fn select(truth: S::Truth, first: Self, second: Self) -> Self {
+        let s = |a, b| S::select(truth, a, b);
+        let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (first.factors, second.factors);
+        let ([c0, c1, c2, c3], [d0, d1, d2, d3]) = (first.inverses, second.inverses);
+        BendingCoefficients {
+            z: first.z,
+            a: s(first.a, second.a),
+            c: s(first.c, second.c),
+            b: s(first.b, second.b),
+            f: s(first.f, second.f),
+            d: s(first.d, second.d),
+            e: s(first.e, second.e),
+            raised_b: s(first.raised_b, second.raised_b),
+            raised_f: s(first.raised_f, second.raised_f),
+            raised_d: s(first.raised_d, second.raised_d),
+            raised_e: s(first.raised_e, second.raised_e),
+            factors: [s(a0, b0), s(a1, b1), s(a2, b2), s(a3, b3)],
+            inverses: [s(c0, d0), s(c1, d1), s(c2, d2), s(c3, d3)],
+            exponent: first.exponent,
+        }
+    }
+
     /// Takes a subspace through the element.
     #[inline(always)]
     pub(crate) fn step<C: RootCounter<S>>(&self, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
         let after = match input {
-            Subspace::Tip(support, _) if S::BRANCHES == Branches::All => self.behind_tip_auto_inline(support),
-            Subspace::Tip(support, _) => self.behind_tip(support),
+            // called where a build is small
+            Subspace::Tip(support, _) if S::IN_LANES => self.behind_tip(support),
+            Subspace::Tip(support, _) => self.behind_tip_auto_inline(support),
             Subspace::Springs { y, theta } => self.behind_springs(y, theta),
             Subspace::OnPin(plane) => self.behind_pin(&plane).in_range(),
             _ => self.through(&input.plane()).in_range(),
@@ -74,11 +103,13 @@ impl<S: Scalar> BendingCoefficients<S> {
     #[inline(always)]
     fn held(&self) -> Held<S> {
         let BendingCoefficients { z, e, b, .. } = *self;
-        let half_waves = S::whole(z.size() * core::f64::consts::FRAC_1_PI);
+        let (half_waves, is_odd) = (z.size() * S::Size::of(core::f64::consts::FRAC_1_PI)).whole();
         let is_negative = e.is_negative();
-        let is_odd = half_waves % 2 == 1;
-        let below = half_waves.saturating_sub(u64::from(is_odd != is_negative));
-        Held { below, is_negative, stiffness: self.factors[2] * b / e }
+        // one less, but for the beam that is too short for one
+        let is_less = (is_odd ^ is_negative) & S::Size::of(0.0).is_below(half_waves);
+        let below = half_waves + S::Size::choose(is_less, S::Size::of(-1.0), S::Size::of(0.0));
+        let units = Some([self.factors, self.inverses]);
+        Held { below, is_negative, stiffness: [self.factors[2] * b, e], units }
     }
 
     /// Takes a subspace into the root.
@@ -87,7 +118,11 @@ impl<S: Scalar> BendingCoefficients<S> {
         if C::COUNTS || matches!(input, Subspace::Tip(..)) {
             let delta = self.step(input, counter).at_root(support, counter);
             if counter.looks_at_root() && !matches!(input, Subspace::Tip(..)) {
-                self.watch_root(&input.plane(), delta, support, counter);
+                if S::IN_LANES {
+                    self.watch_root(&input.plane(), delta, support, counter);
+                } else {
+                    self.called_watch_root(&input.plane(), delta, support, counter);
+                }
             }
             return delta;
         }
@@ -100,8 +135,14 @@ impl<S: Scalar> BendingCoefficients<S> {
         Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
     }
 
-    /// Reports the sizes of Δ and of its terms to a counter: for a beam before the root these are many and cancel.
+    /// [`watch_root`](Self::watch_root) as a call.
     #[inline(never)]
+    fn called_watch_root<C: RootCounter<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, counter: &mut C) {
+        self.watch_root(p, delta, support, counter);
+    }
+
+    /// Reports the sizes of Δ and of its terms to a counter: for a beam before the root these are many and cancel.
+    #[inline(always)]
     fn watch_root<C: RootCounter<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, counter: &mut C) {
         let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, factors, .. } =
             *self;
@@ -112,10 +153,13 @@ impl<S: Scalar> BendingCoefficients<S> {
             _ => ([raised_e, raised_b, raised_f + raised_f, raised_d, a], factors[3]),
         };
         let minors = [p.y_theta, p.y_m * inverses[0], p.w * inverses[1], p.theta_q * inverses[2], p.m_q * inverses[3]];
-        let terms = row.iter().zip(minors).map(|(&row, minor)| (row * minor).size());
+        let mut terms = S::Size::default();
+        for k in 0..5 {
+            terms = terms + (row[k] * minors[k]).size();
+        }
         let exponent = i64::from(p.exponent.saturating_add(self.exponent)) - delta.exponent();
-        let sum = delta.mantissa().size() * 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
-        counter.root_sum(sum, terms.sum::<f64>() * factor.size());
+        let power = 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
+        counter.root_sum(delta.mantissa().size() * S::Size::of(power), terms * factor.size());
     }
 
     /// The plane behind the beam, from minors in the units of the coefficients.

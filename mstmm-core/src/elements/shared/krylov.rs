@@ -1,6 +1,6 @@
 //! The entire functions of the exact beam, for bending and for longitudinal vibration.
 
-use crate::number::{Frequency, Real, Scalar};
+use crate::number::{Frequency, Real, Scalar, Single};
 use nalgebra::Matrix4;
 
 /// Krylov functions `[S, T/z, U/z², V/z³]` of `x = z⁴`, with `S = (ch z + cos z)/2`, `T = (sh z + sin z)/2`,
@@ -9,7 +9,7 @@ use nalgebra::Matrix4;
 /// They are Taylor series `Σ x^k/(4k+j)!` for `|x| <= 1`, where the closed forms cancel. Near the negative axis they are
 /// `[ch y cos y, (ch y sin y + sh y cos y)/(2y), sh y sin y/(2y²), (ch y sin y - sh y cos y)/(4y³)]` with `z = (1 + i) y`.
 #[inline]
-pub(crate) fn krylov<S: Scalar>(x: S) -> [S; 4] {
+pub(crate) fn krylov<S: Single>(x: S) -> [S; 4] {
     if x.size() <= 1.0 {
         return [0, 1, 2, 3].map(|first| series(x, first, 4));
     }
@@ -31,13 +31,13 @@ pub(crate) fn krylov<S: Scalar>(x: S) -> [S; 4] {
 
 /// Whether a number is negative, or complex and within an eighth of a turn of the negative axis.
 #[inline]
-fn is_nearly_negative<S: Scalar>(x: S) -> bool {
+fn is_nearly_negative<S: Single>(x: S) -> bool {
     (x + S::from_f64(x.size())).size() < x.size()
 }
 
 /// Transfer matrix of a beam in bending, eq. (19) of the paper, written in `z⁴` and the normalised functions.
 #[rustfmt::skip]
-pub(crate) fn bending_matrix<T: Real, S: Frequency<T>>(l: T, ei: T, m: T, lambda_squared: S) -> Matrix4<S> {
+pub(crate) fn bending_matrix<T: Real, S: Frequency<T> + Single>(l: T, ei: T, m: T, lambda_squared: S) -> Matrix4<S> {
     let z4 = -lambda_squared * (m / ei * l * l * l * l);
     let [s, t, u, v] = krylov(z4);
     let flexibility = l / ei;
@@ -51,19 +51,24 @@ pub(crate) fn bending_matrix<T: Real, S: Frequency<T>>(l: T, ei: T, m: T, lambda
     )
 }
 
-/// `[C, B, F, D, E]` of the beam's second compound as entire functions of `x = z⁴`, for `|x| <= 1`:
-/// `ch c, (ch s + sh c)/(2z), sh s/(2z²), (ch s - sh c)/(2z³), (1 - ch c)/(2z⁴)`.
+/// `2 [C, B, F, D, E]` of the beam's second compound as entire functions of `x = z⁴`, for `|x| <= 1`:
+/// `2 ch c, (ch s + sh c)/z, sh s/z², (ch s - sh c)/z³, (1 - ch c)/z⁴`.
 #[inline(always)]
 pub(crate) fn plane_series<S: Scalar>(x: S) -> [S; 5] {
-    let two = S::from_f64(2.0);
-    let y = -(two * two * x);
-    let from = |first| series(y, first, 4);
-    [from(0), from(1), from(2), two * from(3), two * from(4)]
+    let (two, four) = (S::from_f64(2.0), S::from_f64(4.0));
+    let y = -(four * x);
+    [
+        two * series(y, 0, 4),
+        two * series(y, 1, 4),
+        two * series(y, 2, 4),
+        four * series(y, 3, 4),
+        four * series(y, 4, 4),
+    ]
 }
 
 /// `cos ζ` and `sin ζ / ζ` as entire functions of `x = ζ²`.
 #[inline]
-pub(crate) fn cosine_and_sinc<S: Scalar>(x: S) -> (S, S) {
+pub(crate) fn cosine_and_sinc<S: Single>(x: S) -> (S, S) {
     if x.size() <= 1.0 {
         return (series(-x, 0, 2), series(-x, 1, 2));
     }

@@ -1,6 +1,6 @@
 //! The steps of massless and inertial elements on lines. With `q = -μ` they hold in rotation paths, too.
 
-use crate::number::Scalar;
+use crate::number::{Scalar, Size, Truth};
 use crate::subspace::{Covector, Line, RootCounter, Subspace};
 use mstmm_plan::Support;
 
@@ -23,7 +23,7 @@ pub(crate) fn through_stiffness<S: Scalar, C: RootCounter<S>>(
         }
     };
     if C::COUNTS {
-        counter.line(&input.line(), &after, 0, false);
+        counter.line(&input.line(), &after, S::Size::of(0.0), S::Truth::of(false));
     }
     Subspace::Line(after, space)
 }

@@ -1,6 +1,6 @@
 //! Massless springs and dampers in parallel, and their dynamic stiffness.
 
-use crate::number::{Frequency, Real, Scalar, binary_exponent};
+use crate::number::{Frequency, Real, Single, binary_exponent};
 
 /// A spring and a damper in parallel, or one of them.
 pub(crate) struct Massless<T> {
@@ -24,7 +24,7 @@ impl<T: Real> Massless<T> {
 
     /// `1/κ`.
     #[inline(always)]
-    pub(crate) fn compliance<S: Frequency<T>>(&self, x: S) -> S {
+    pub(crate) fn compliance<S: Frequency<T> + Single>(&self, x: S) -> S {
         match (self.stiffness, self.damping) {
             (Some(stiffness), None) => S::from_parameter(T::one() / stiffness),
             _ => off_pole(self.dynamic_stiffness(x)).1,
@@ -33,7 +33,7 @@ impl<T: Real> Massless<T> {
 
     /// κ, whose zero is a pole of the transfer matrix; a spring alone has none.
     #[inline(always)]
-    pub(crate) fn denominator<S: Frequency<T>>(&self, x: S) -> Option<S> {
+    pub(crate) fn denominator<S: Frequency<T> + Single>(&self, x: S) -> Option<S> {
         self.damping.is_some().then(|| off_pole(self.dynamic_stiffness(x)).0)
     }
 
@@ -48,7 +48,7 @@ impl<T: Real> Massless<T> {
 /// transfer matrix or for a damper without damping, κ is `2^-100`, which is zero in effect once the determinant is multiplied by
 /// the denominator.
 #[inline]
-fn off_pole<S: Scalar>(kappa: S) -> (S, S) {
+fn off_pole<S: Single>(kappa: S) -> (S, S) {
     // a complex division alone squares the modulus, which vanishes at half the range
     let shift = -binary_exponent(kappa.size());
     let reciprocal = (S::one() / kappa.times_power_of_two(shift)).times_power_of_two(shift);

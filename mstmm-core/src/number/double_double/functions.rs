@@ -1,10 +1,9 @@
 //! The elementary functions: reduction of the argument, then a Taylor series.
 
-use crate::number::columns::InColumns;
 use crate::number::double_double::DoubleDouble;
 use crate::number::dual::Dual;
-use crate::number::frequency::{ComplexEigenvalue, Frequency, Real, RealFrequency};
-use crate::number::scalar::Scalar;
+use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Real, RealFrequency};
+use crate::number::scalar::{Scalar, single};
 use crate::number::wave_functions::WaveFunctions;
 use core::f64::consts;
 use core::ops::Mul;
@@ -83,7 +82,7 @@ fn nearest_integer(value: f64) -> f64 {
 }
 
 impl Scalar for DoubleDouble {
-    type Plain = Self;
+    single!();
     /// 2^-104: what a handful of roundings may leave, each being up to `5 · 2^-106`.
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
     const WAVE_LIMIT: f64 = 100.0;
@@ -142,28 +141,14 @@ impl Scalar for DoubleDouble {
         WaveFunctions::of_real(self)
     }
 
-    #[inline]
-    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
-        WaveFunctions::of_moderate(self)
-    }
-
-    #[inline(always)]
-    fn functions<const N: usize, R>(
-        self,
-        values: impl FnOnce(Self) -> ([Self; N], R),
-        _slopes: impl FnOnce([Self; N]) -> [Self; N],
-    ) -> ([Self; N], R) {
-        values(self)
-    }
-
-    #[inline(always)]
-    fn constant(value: Self) -> Self {
-        value
-    }
-
     #[inline(always)]
     fn is_negative(self) -> bool {
         self.hi < 0.0
+    }
+
+    #[inline(always)]
+    fn vanishes(self) -> bool {
+        self.hi == 0.0
     }
 
     #[inline]
@@ -172,39 +157,8 @@ impl Scalar for DoubleDouble {
     }
 
     #[inline(always)]
-    fn or_nan(self, condition: bool) -> Self {
-        DoubleDouble { hi: self.hi.or_nan(condition), lo: self.lo.or_nan(condition) }
-    }
-
-    #[inline(always)]
     fn times_power_of_two(self, exponent: i32) -> Self {
         DoubleDouble { hi: self.hi.times_power_of_two(exponent), lo: self.lo.times_power_of_two(exponent) }
-    }
-
-    #[inline]
-    fn times_normal_power_of_two(self, exponent: i32) -> Self {
-        DoubleDouble {
-            hi: self.hi.times_normal_power_of_two(exponent),
-            lo: self.lo.times_normal_power_of_two(exponent),
-        }
-    }
-}
-
-impl InColumns for DoubleDouble {
-    type Columns<const N: usize> = [[f64; N]; 2];
-
-    fn columns<const N: usize>(self) -> [[f64; N]; 2] {
-        [[self.hi; N], [self.lo; N]]
-    }
-
-    #[inline(always)]
-    fn get<const N: usize>([hi, lo]: &[[f64; N]; 2], place: usize) -> Self {
-        DoubleDouble { hi: hi[place], lo: lo[place] }
-    }
-
-    #[inline(always)]
-    fn put<const N: usize>(self, [hi, lo]: &mut [[f64; N]; 2], place: usize) {
-        (hi[place], lo[place]) = (self.hi, self.lo);
     }
 }
 
@@ -225,10 +179,12 @@ impl Real for DoubleDouble {
         let e = DoubleDouble::ONE + (x + x * (x * taylor(x, 2, EVERY)));
         e.times_power_of_two(exponent as i32)
     }
+}
 
+impl Component for DoubleDouble {
     #[inline]
     fn abs(self) -> Self {
-        if self.hi < 0.0 { -self } else { self }
+        self.abs()
     }
 }
 
@@ -282,7 +238,7 @@ impl Frequency<f64> for Dual<DoubleDouble> {
 
     #[inline]
     fn omega(self) -> Self {
-        Real::abs(self)
+        self.abs()
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! Determinants of small matrices over any scalar.
 
-use crate::number::{Scalar, Scaled, binary_exponent};
+use crate::number::{Scaled, Single, binary_exponent};
 use nalgebra::SMatrix;
 
 /// Determinant by Gaussian elimination with row pivoting, with mantissa and exponent apart.
@@ -11,7 +11,7 @@ use nalgebra::SMatrix;
 /// let value = determinant(matrix);
 /// assert_eq!(value.times(1e-200).times(1e-200).value().round(), -2.0);
 /// ```
-pub fn determinant<S: Scalar, const N: usize>(mut matrix: SMatrix<S, N, N>) -> Scaled<S> {
+pub fn determinant<S: Single, const N: usize>(mut matrix: SMatrix<S, N, N>) -> Scaled<S> {
     let mut product = Scaled::new(S::one(), 0);
     for column in 0..N {
         let pivot_row = largest_below(&matrix, column);
@@ -36,7 +36,7 @@ pub fn determinant<S: Scalar, const N: usize>(mut matrix: SMatrix<S, N, N>) -> S
 }
 
 /// Row of the largest entry on or below the diagonal of a column; a NaN counts as largest, so that it is not lost.
-fn largest_below<S: Scalar, const N: usize>(matrix: &SMatrix<S, N, N>, column: usize) -> usize {
+fn largest_below<S: Single, const N: usize>(matrix: &SMatrix<S, N, N>, column: usize) -> usize {
     let mut best = column;
     for row in column + 1..N {
         let (size, best_size) = (matrix[(row, column)].size(), matrix[(best, column)].size());

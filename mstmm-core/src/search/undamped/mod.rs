@@ -1,7 +1,9 @@
 //! Natural frequencies of undamped systems: certified by counts.
 
+pub(crate) mod approach;
 pub(crate) mod found;
 pub(crate) mod isolation;
 pub(crate) mod natural;
 pub(crate) mod polish;
 pub(crate) mod sampling;
+pub(crate) mod together;

@@ -1,10 +1,11 @@
 //! Natural frequencies of undamped systems: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Frequency, List, Real, Scalar, Scaled, refuses_doubt};
+use crate::number::{Dual, Frequency, InLanes, List, Real, Scalar, Scaled, refuses_doubt};
 use crate::pass::characteristic::{Characteristic, System, count_and_value};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;
+use crate::search::undamped::together::Together;
 use crate::subspace::WittrickWilliams;
 use core::ops::RangeInclusive;
 use num_traits::Zero;
@@ -14,8 +15,10 @@ use num_traits::Zero;
 ///
 /// Every undamped system without planar elements is one; systems with a damper are not: they have `eigenvalues`.
 pub trait Undamped:
-    System
+    System<Parameter: InLanes + Real>
     + Characteristic<<Self as System>::Parameter>
+    + Characteristic<<<Self as System>::Parameter as InLanes>::OnAvx512>
+    + Characteristic<<<Self as System>::Parameter as InLanes>::OnAvx2>
     + Characteristic<Dual<<Self as System>::Parameter>>
     + Characteristic<<<Self as System>::Parameter as Real>::Extended>
     + Characteristic<Dual<<<Self as System>::Parameter as Real>::Extended>>
@@ -23,8 +26,10 @@ pub trait Undamped:
 }
 
 impl<Y> Undamped for Y where
-    Y: System
+    Y: System<Parameter: InLanes + Real>
         + Characteristic<<Y as System>::Parameter>
+        + Characteristic<<<Y as System>::Parameter as InLanes>::OnAvx512>
+        + Characteristic<<<Y as System>::Parameter as InLanes>::OnAvx2>
         + Characteristic<Dual<<Y as System>::Parameter>>
         + Characteristic<<<Y as System>::Parameter as Real>::Extended>
         + Characteristic<Dual<<<Y as System>::Parameter as Real>::Extended>>
@@ -83,6 +88,9 @@ pub trait NaturalFrequencies: System {
         Self: Undamped,
     {
         let mut plain = Isolation::<Self, Self::Parameter>::new(self);
+        if let Some(found) = Together::new(&mut plain).and_then(|together| together.in_range(&range)) {
+            return Ok(found);
+        }
         let found = plain.in_range(*range.start(), *range.end());
         judged::<Self, CAP>(found, plain.is_doubtful, || {
             let [start, end] = [range.start(), range.end()].map(|end| Scalar::from_f64(end.to_f64()));
@@ -101,6 +109,9 @@ pub trait NaturalFrequencies: System {
         Self: Undamped,
     {
         let mut plain = Isolation::<Self, Self::Parameter>::new(self);
+        if let Some(found) = Together::new(&mut plain).and_then(Together::first) {
+            return Ok(found);
+        }
         let found = plain.first();
         judged::<Self, N>(found, plain.is_doubtful, || {
             Isolation::<Self, <Self::Parameter as Real>::Extended>::new(self).first()
@@ -137,9 +148,9 @@ where
 
 /// The count on which the passes below and above a frequency agree, if no sum cancelled in them.
 #[inline]
-pub(crate) fn agreed<T: Real, const IN_LINE: bool>(
+pub(crate) fn agreed<T: Real>(
     omega: T,
-    [(below, at_below), (above, at_above)]: [(WittrickWilliams<IN_LINE>, Scaled<T>); 2],
+    [(below, at_below), (above, at_above)]: [(WittrickWilliams, Scaled<T>); 2],
 ) -> Result<Option<u64>, SearchError> {
     let [lower, upper] = [at_below, at_above].map(|value| value.mantissa());
     if !(lower.size().is_finite() && upper.size().is_finite()) {

@@ -1,7 +1,7 @@
 //! The last digits of a single root, by inverse interpolation with derivatives inside a bracket of counts.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Real, STRAIGHT, Scaled};
+use crate::number::{Dual, Real, Scaled, is_straight};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::found::NaturalFrequency;
 use crate::search::undamped::sampling::{Isolation, Sample, Slope, middle};
@@ -105,7 +105,7 @@ where
             let inner = omega * self.half_width * T::from_f64(0.5);
             let (below, above) = self.both_sides(omega, inner)?;
             if below.below == counts.0 && above.below == counts.1 {
-                self.is_doubtful |= !is_straight(&below, &above, nearest);
+                self.is_doubtful |= !fits(&below, &above, nearest);
                 let (lower, upper) = (below.omega - inner, above.omega + inner);
                 let mut root = NaturalFrequency { omega, lower, upper, multiplicity: counts.1 - counts.0 };
                 self.is_doubtful |= !self.is_proven(&mut root, counts);
@@ -132,15 +132,13 @@ fn chord_share<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
 
 /// Whether the growth of Δ across a root fits its slope beside it, as it does unless rounding rules there.
 #[inline]
-fn is_straight<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>) -> bool {
+fn fits<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>) -> bool {
     let at_scale = |value: Scaled<T>| {
         let shift = (value.exponent() - nearest.exponent).clamp(-2000, 2000) as i32;
         value.mantissa().times_power_of_two(shift)
     };
     let growth = at_scale(above.value) - at_scale(below.value);
-    let ratio = growth / (nearest.derivative * (above.omega - below.omega));
-    let (least, greatest) = STRAIGHT;
-    ratio > T::from_f64(least) && ratio < T::from_f64(greatest)
+    is_straight(growth / (nearest.derivative * (above.omega - below.omega)))
 }
 
 /// The first point: the zero of the chord if the bracket is not wide, else its middle.

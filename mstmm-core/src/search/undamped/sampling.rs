@@ -56,7 +56,7 @@ impl<T: Real> From<Slope<T>> for Sample<T> {
 
 /// A search in progress.
 pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
-    system: &'a Y,
+    pub(super) system: &'a Y,
     pub(super) estimates: FrequencyEstimates,
     /// Frequency below which a root may be a zero that rounding has moved.
     pub(super) nearly_zero: T,
@@ -109,7 +109,7 @@ where
     #[inline]
     pub(super) fn sample(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
         self.evaluations += 1;
-        let (count, value) = counted_pass(self.system, omega, WittrickWilliams::<false>::new(self.is_at_root));
+        let (count, value) = counted_pass(self.system, omega, WittrickWilliams::<f64>::new(self.is_at_root));
         if !value.mantissa().size().is_finite() {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }

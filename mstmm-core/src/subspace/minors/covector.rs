@@ -1,7 +1,7 @@
 //! Covectors: they pick a state out of a subspace, and are transferred against the direction of the pass.
 
 use crate::model::{ScaledState, State};
-use crate::number::{Scalar, binary_exponent};
+use crate::number::{Scalar, Size};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use crate::subspace::minors::subspace::Subspace;
@@ -34,12 +34,12 @@ impl<S: Scalar> Covector<S> {
     pub(crate) fn rescaled(self) -> Self {
         match self {
             Covector::Plane(entries, exponent) => {
-                let size = entries.iter().fold(0.0_f64, |size, entry| size.max(entry.size()));
-                let shift = binary_exponent(size);
+                let [a, b, c, d] = [entries[0].size(), entries[1].size(), entries[2].size(), entries[3].size()];
+                let shift = a.or_larger(b).or_larger(c.or_larger(d)).exponent().unwrap_or(0);
                 Covector::Plane(entries.map(|entry| entry.times_power_of_two(-shift)), exponent.saturating_add(shift))
             }
             Covector::Line(t, exponent) => {
-                let shift = binary_exponent(t.size());
+                let shift = t.size().exponent().unwrap_or(0);
                 Covector::Line(t.times_power_of_two(-shift), exponent.saturating_add(shift))
             }
         }

@@ -1,6 +1,6 @@
 //! Connections: joining subspaces, holding a point by a support, widening and narrowing.
 
-use crate::number::{Branches, ROUNDINGS, Scalar};
+use crate::number::{ROUNDINGS, Scalar, Size, Truth};
 use crate::subspace::count::RootCounter;
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
@@ -77,8 +77,9 @@ impl<S: Scalar> Plane<S> {
     pub(crate) fn m_q_with<C: RootCounter<S>>(&self, r: &Plane<S>, counter: &mut C) -> S {
         let ww = self.w * r.w;
         let plain = (self.y_m * r.theta_q + r.y_m * self.theta_q) - (ww + ww);
-        let is_plain = (plain.size() * 16.0 >= ww.size()) | self.y_m.is_zero() | r.y_m.is_zero();
-        if S::BRANCHES != Branches::All || is_plain {
+        let cancels = (plain.size() * S::Size::of(16.0)).is_below(ww.size());
+        let is_plain = !cancels | self.y_m.vanishes() | r.y_m.vanishes();
+        if S::IN_LANES || is_plain.all() {
             return (self.m_q * r.y_theta + self.y_theta * r.m_q) + plain.valid_if(is_plain);
         }
         self.m_q_by_squares(r, counter)
@@ -97,18 +98,19 @@ impl<S: Scalar> Plane<S> {
         let mixed = skew / p.y_m * (skew / r.y_m) + ratio * p.y_theta * p.m_q + r.y_theta * r.m_q / ratio;
         let m_q = (p.m_q * r.y_theta + p.y_theta * r.m_q) + mixed;
         // `w²/p_YΘ` and `p_YM p_ΘQ/p_YΘ` of the sum, in its unit, show whether it is rounding alone
+        let nothing = S::Size::of(0.0);
         let y_theta = (p.y_theta * r.y_theta).size();
         let w = (p.w * r.y_theta + p.y_theta * r.w).size();
         let diagonal = (p.y_m * r.y_theta + p.y_theta * r.y_m) * (p.theta_q * r.y_theta + p.y_theta * r.theta_q);
-        let beside = (w * w).max(diagonal.size());
+        let beside = (w * w).or_larger(diagonal.size());
         let size = m_q.size();
-        let whole = size.max(if beside > 0.0 { beside / y_theta } else { 0.0 });
+        let whole = size.or_larger(S::Size::choose(nothing.is_below(beside), beside / y_theta, nothing));
         let rounding = |units: f64| {
-            let of_skew = units * S::EPSILON * products[0].size();
-            of_skew * (2.0 * skew.size() + of_skew) / (p.y_m * r.y_m).size()
+            let of_skew = S::Size::of(units * S::EPSILON) * products[0].size();
+            of_skew * (skew.size() + skew.size() + of_skew) / (p.y_m * r.y_m).size()
         };
         let remainder = Remainder { size, whole, rounding: rounding(1.0), bound: rounding(ROUNDINGS) };
-        if remainder.tell(counter) { S::zero() } else { m_q }
+        S::select(remainder.tell(counter), S::zero(), m_q)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Counted;
 use super::tape::{self, Operation, Origin};
-use mstmm::number::{Real, Scalar, WaveFunctions};
+use mstmm::number::{Component, Real, Scalar, WaveFunctions};
 
 impl Counted {
     /// A function of one number.
@@ -17,7 +17,8 @@ impl Counted {
 }
 
 impl Scalar for Counted {
-    type Plain = Self;
+    type Truth = bool;
+    type Size = f64;
     const EPSILON: f64 = <f64 as Scalar>::EPSILON;
     const WAVE_LIMIT: f64 = f64::WAVE_LIMIT;
     const SERIES_TERMS: usize = f64::SERIES_TERMS;
@@ -52,20 +53,12 @@ impl Scalar for Counted {
         WaveFunctions::of_real(self)
     }
 
-    fn moderate_wave_functions(self) -> WaveFunctions<Self> {
-        WaveFunctions::of_moderate(self)
+    fn select(truth: bool, first: Self, second: Self) -> Self {
+        if truth { first } else { second }
     }
 
-    fn functions<const N: usize, R>(
-        self,
-        values: impl FnOnce(Self) -> ([Self; N], R),
-        _slopes: impl FnOnce([Self; N]) -> [Self; N],
-    ) -> ([Self; N], R) {
-        values(self)
-    }
-
-    fn constant(value: Self) -> Self {
-        value
+    fn vanishes(self) -> bool {
+        self.value == 0.0
     }
 
     fn is_negative(self) -> bool {
@@ -76,10 +69,6 @@ impl Scalar for Counted {
     fn size(self) -> f64 {
         tape::look_at(self.origin);
         self.value.abs()
-    }
-
-    fn or_nan(self, condition: bool) -> Self {
-        if condition { self } else { Counted::from(f64::NAN) }
     }
 
     fn times_power_of_two(self, exponent: i32) -> Self {
@@ -98,7 +87,9 @@ impl Real for Counted {
     fn exp(self) -> Self {
         self.unary(Operation::Exponential, self.value.exp())
     }
+}
 
+impl Component for Counted {
     fn abs(self) -> Self {
         self.unary(Operation::Free, self.value.abs())
     }

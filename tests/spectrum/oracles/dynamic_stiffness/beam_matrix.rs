@@ -2,7 +2,7 @@
 
 use mstmm::Complex;
 use mstmm::elements::Beam;
-use mstmm::number::{DoubleDouble, Real, Scalar};
+use mstmm::number::{DoubleDouble, Real, Scalar, Single};
 
 /// Below this size of `z`, the functions are summed up: their differences cancel. The static stiffness is kept apart, that of
 /// the bending, which leaves no rigid motion to rounding.
@@ -15,7 +15,7 @@ const TERMS: u32 = 13;
 const POLE: f64 = 0.05;
 
 /// A number of double-double parts: ω of an undamped system, or λ.
-pub(crate) trait Field: Scalar {
+pub(crate) trait Field: Single {
     fn of(value: DoubleDouble) -> Self;
     fn lambda_squared(self) -> Self;
     /// `Cλ`; an undamped system has none.

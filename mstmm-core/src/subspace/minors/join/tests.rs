@@ -180,7 +180,7 @@ proptest! {
         let [kept, coupling, left] = k;
         prop_assume!(left.abs() > 0.01);
         for (space, k) in [(Space::Translation, k), (Space::Rotation, [left, coupling, kept])] {
-            let mut count = WittrickWilliams::<false>::default();
+            let mut count = WittrickWilliams::<f64>::default();
             let narrow = connection([Path::plane(k, factor).subspace].into_iter(), Some(space), &mut count);
             prop_assert!(narrow.space().is(space));
             let expected = kept - coupling * coupling / left;
@@ -197,7 +197,7 @@ proptest! {
     fn a_line_that_goes_on_otherwise_is_left_behind(k in prop_oneof![0.01..5.0f64, -5.0..-0.01f64], factor in factor()) {
         for (space, other) in [(Space::Translation, Space::Rotation), (Space::Rotation, Space::Translation)] {
             for path in [Path::line(k, space, factor), Path::grounded(k, space)] {
-                let mut count = WittrickWilliams::<false>::default();
+                let mut count = WittrickWilliams::<f64>::default();
                 let free = connection([path.subspace, Subspace::Tip(Support::Free, Space::Bending)].into_iter(), Some(other), &mut count);
                 prop_assert!(free.space().is(other) && free.line().y != 0.0 && free.line().q == 0.0, "{free:?}");
                 prop_assert_eq!(count.below(), u64::from(k < 0.0));
@@ -236,7 +236,7 @@ proptest! {
         let determinant = a * d - b * b;
         prop_assume!(determinant.abs() > 1e-9 * scale(&paths) * scale(&paths));
         let joined = joined_at(&paths, &[], Some(Space::Bending));
-        let mut count = WittrickWilliams::<false>::default();
+        let mut count = WittrickWilliams::<f64>::default();
         joined.at_root(Support::Free, &mut count);
         let expected = if determinant < 0.0 { 1 } else if a + d < 0.0 { 2 } else { 0 };
         prop_assert_eq!(count.below(), expected);

@@ -1,0 +1,188 @@
+//! Numbers in lanes as scalars: the frequencies of several evaluations at once.
+//!
+//! Each lane has the bits of a number alone, or is NaN where that would need a branch: where waves have to be scaled, entries
+//! shifted into the range, or sums cancel. Such a frequency is evaluated alone.
+
+use crate::number::frequency::{Component, Frequency, RealFrequency};
+use crate::number::kernel::{self, Rounding};
+use crate::number::scalar::Scalar;
+use crate::number::truth::{Size, Truth};
+use crate::number::wave_functions::WaveFunctions;
+use mstmm_lanes::{Lanes, Truths, Vector};
+use num_traits::One;
+
+impl<V: Vector> Truth for Truths<V> {
+    #[inline(always)]
+    fn of(truth: bool) -> Self {
+        Truths::splat(truth)
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.all()
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.any()
+    }
+}
+
+impl<V: Vector> Size for Lanes<V> {
+    type Truth = Truths<V>;
+
+    #[inline(always)]
+    fn of(number: f64) -> Self {
+        Lanes::splat(number)
+    }
+    #[inline(always)]
+    fn is_below(self, limit: Self) -> Truths<V> {
+        self.is_less(limit)
+    }
+    #[inline(always)]
+    fn choose(truth: Truths<V>, first: Self, second: Self) -> Self {
+        Lanes::select(truth, first, second)
+    }
+    #[inline(always)]
+    fn whole(self) -> (Self, Truths<V>) {
+        let whole = Lanes(self.0.floor());
+        // the last bit of a whole number below 2^51 is the last one of this sum
+        (whole, Truths((whole + Lanes::splat(kernel::ROUNDER)).0.last_bit()))
+    }
+    #[inline(always)]
+    fn excess(self) -> (i32, Truths<V>) {
+        (0, self.is_moderate())
+    }
+    #[inline(always)]
+    fn exponent(self) -> Option<i32> {
+        Some(0)
+    }
+}
+
+impl<V: Vector> Rounding for Lanes<V> {
+    #[inline(always)]
+    fn of(number: f64) -> Self {
+        Lanes::splat(number)
+    }
+
+    #[inline(always)]
+    fn turned(bits: Self, sin: Self, cos: Self) -> [Self; 2] {
+        let is_odd = Truths(bits.0.last_bit());
+        let (sin, cos) = (Lanes::select(is_odd, cos, sin), Lanes::select(is_odd, sin, cos));
+        [Lanes(sin.0.signed_by(bits.0, 0)), Lanes(cos.0.signed_by(bits.0, 1))]
+    }
+
+    #[inline(always)]
+    fn halves_of_powers(bits: Self) -> [Self; 2] {
+        let [up, down] = bits.0.powers();
+        [Lanes(up), Lanes(down)]
+    }
+}
+
+impl<V: Vector> Scalar for Lanes<V> {
+    type Truth = Truths<V>;
+    type Size = Self;
+    const IN_LANES: bool = true;
+    const EPSILON: f64 = <f64 as Scalar>::EPSILON;
+    const WAVE_LIMIT: f64 = <f64 as Scalar>::WAVE_LIMIT;
+    const SERIES_TERMS: usize = <f64 as Scalar>::SERIES_TERMS;
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        Lanes::splat(value)
+    }
+
+    #[inline(always)]
+    fn reciprocal_factorial(n: usize) -> Self {
+        Lanes::splat(<f64 as Scalar>::reciprocal_factorial(n))
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Lanes(self.0.root())
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let moderate = self.valid_if(self.size().is_less(Lanes::splat(kernel::LARGEST_ANGLE)));
+        let [sin, cos] = kernel::circular(moderate);
+        (sin, cos)
+    }
+
+    #[inline(always)]
+    fn sinh_cosh(self) -> (Self, Self) {
+        let [_, _, sinh, cosh] = kernel::circular_and_hyperbolic(self.valid_if(is_short_of_limit(self)));
+        (sinh, cosh)
+    }
+
+    #[inline(always)]
+    fn wave_functions(self) -> WaveFunctions<Self> {
+        let [sin, cos, sh, ch] = kernel::circular_and_hyperbolic(self.valid_if(is_short_of_limit(self)));
+        WaveFunctions { sin, cos, sh, ch, one: Lanes::one(), exponents: [0; 2] }
+    }
+
+    #[inline(always)]
+    fn select(truth: Truths<V>, first: Self, second: Self) -> Self {
+        Lanes::select(truth, first, second)
+    }
+
+    #[inline(always)]
+    fn is_negative(self) -> Truths<V> {
+        Truths(self.0.has_minus())
+    }
+
+    #[inline(always)]
+    fn vanishes(self) -> Truths<V> {
+        Truths(self.0.is_nought())
+    }
+
+    #[inline(always)]
+    fn size(self) -> Self {
+        Lanes(self.0.magnitude())
+    }
+
+    #[inline(always)]
+    fn times_power_of_two(self, exponent: i32) -> Self {
+        self * Lanes::splat(1.0.times_power_of_two(exponent))
+    }
+
+    #[inline(always)]
+    fn valid_if(self, condition: Truths<V>) -> Self {
+        Lanes::select(condition, self, Lanes::splat(f64::NAN))
+    }
+
+    #[inline(always)]
+    fn call<R>(function: impl FnOnce() -> R) -> R {
+        V::call(function)
+    }
+}
+
+/// Where waves need not be scaled.
+#[inline(always)]
+fn is_short_of_limit<V: Vector>(number: Lanes<V>) -> Truths<V> {
+    number.size().is_less(Lanes::splat(<f64 as Scalar>::WAVE_LIMIT))
+}
+
+impl<V: Vector> Component for Lanes<V> {
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Lanes(self.0.magnitude())
+    }
+}
+
+impl<V: Vector> Frequency<f64> for Lanes<V> {
+    type Meaning = RealFrequency;
+
+    #[inline(always)]
+    fn lambda_squared(self) -> Self {
+        -(self * self)
+    }
+
+    #[inline(always)]
+    fn omega(self) -> Self {
+        Lanes(self.0.magnitude())
+    }
+
+    #[inline(always)]
+    fn from_parameter(parameter: f64) -> Self {
+        Lanes::splat(parameter)
+    }
+}

@@ -1,0 +1,350 @@
+//! The approach to a single root by several points at once, without derivatives.
+
+use crate::number::{InLanes, Packed, Scalar, Size, Task, run};
+
+/// Roots that are approached side by side.
+pub(super) const ROOTS: usize = 8;
+
+/// Relative error of the square root of a frequency at which it counts as settled.
+const SETTLED: f64 = 5e-17;
+
+/// Factor on the error of the first round, whose points lie far apart.
+const FIRST_ERROR: f64 = 30.0;
+
+/// Difference between the linear and the cubic start, as a part of the bracket, beyond which phases do not grow evenly.
+const UNEVEN: f64 = 0.3;
+
+/// Rounding that an estimate may carry beyond its bracket.
+const OUTSIDE: f64 = 1e-14;
+
+/// A point at the square root s of a frequency, in which the frequencies of beams are evenly spaced, and Δ there over a power of two.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Point {
+    pub(super) s: f64,
+    pub(super) value: f64,
+}
+
+/// A sample of a window.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sample {
+    pub(super) point: Point,
+    /// Number of roots below.
+    pub(super) below: f64,
+    /// That number with a share of the next root: it grows evenly, as the phase of a wave.
+    pub(super) phase: f64,
+}
+
+/// A real number, or several in lanes, with the arithmetic of an approach.
+pub(super) trait Real: Packed<f64> + Scalar<Size = Self, Truth = <Self as Size>::Truth> + Size {}
+
+impl<S: Packed<f64> + Scalar<Size = S, Truth = <S as Size>::Truth> + Size> Real for S {}
+
+/// The value at zero of the polynomial through points, by Lagrange's weights: their quotients do not wait for each other.
+#[inline(always)]
+fn at_zero<S: Real, const N: usize>(x: [S; N], y: [S; N]) -> S {
+    let mut sum = S::zero();
+    let mut k = 0;
+    while k < N {
+        let (mut above, mut below) = (y[k], S::one());
+        let mut j = 0;
+        while j < N {
+            if j != k {
+                above *= x[j];
+                below *= x[j] - x[k];
+            }
+            j += 1;
+        }
+        sum += above / below;
+        k += 1;
+    }
+    sum
+}
+
+/// The larger of two numbers.
+#[inline(always)]
+fn larger<S: Real>(a: S, b: S) -> S {
+    a.or_larger(b)
+}
+
+/// The smaller of two numbers.
+#[inline(always)]
+fn smaller<S: Real>(a: S, b: S) -> S {
+    S::choose(a.is_below(b), a, b)
+}
+
+/// A number for each root.
+type PerRoot = [f64; ROOTS];
+
+/// Single roots on their way, with `POINTS` points for each in a round.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Approaches<const POINTS: usize> {
+    /// Number of roots.
+    pub(super) count: usize,
+    /// Estimates of the square roots of the frequencies.
+    pub(super) estimate: PerRoot,
+    /// Number of roots below each.
+    pub(super) below: PerRoot,
+    /// 1 for a root that has settled, else 0.
+    pub(super) settled: PerRoot,
+    /// The next points, and Δ there.
+    pub(super) s: [PerRoot; POINTS],
+    pub(super) values: [PerRoot; POINTS],
+    /// The outermost of the last points, and Δ there.
+    pub(super) last: [PerRoot; 2],
+    pub(super) last_values: [PerRoot; 2],
+    /// The bracket.
+    ends: [PerRoot; 2],
+    /// 1 where Δ is positive at the lower end of the bracket, else -1.
+    sign: PerRoot,
+    /// Distances of the next points from each other.
+    width: PerRoot,
+    /// Errors of the estimates as the last round predicted them, relative to the roots; 1 before the first one.
+    predicted: PerRoot,
+}
+
+impl<const POINTS: usize> Approaches<POINTS> {
+    /// Least distance of points, relative to the root: closer ones would have more rounding than difference.
+    const LEAST_WIDTH: f64 = if POINTS > 2 { 1e-5 } else { 1e-6 };
+
+    /// Distance of points that are spread over a bracket, as a part of it.
+    const SPREAD: f64 = 1.0 / (POINTS + 1) as f64;
+
+    /// No roots.
+    #[inline]
+    pub(super) fn none() -> Self {
+        let ones = [1.0; ROOTS];
+        Approaches {
+            count: 0,
+            estimate: ones,
+            below: ones,
+            settled: ones,
+            s: [ones; POINTS],
+            values: [ones; POINTS],
+            last: [ones; 2],
+            last_values: [ones; 2],
+            ends: [ones; 2],
+            sign: ones,
+            width: ones,
+            predicted: ones,
+        }
+    }
+
+    /// Starts from a bracket of two samples, beside which there are others: from the inverse cubic through the phases of four.
+    pub(super) fn start(&mut self, near: &[Sample; 4], [begin, end]: [Sample; 2], is_lowest: bool) {
+        let (root, from) = (begin.below + 1.0, begin.point.s);
+        let step = end.point.s - from;
+        let linear = step * ((root - begin.phase) / (end.phase - begin.phase));
+        let cubic = at_zero::<f64, 4>(
+            [near[0].phase - root, near[1].phase - root, near[2].phase - root, near[3].phase - root],
+            [near[0].point.s - from, near[1].point.s - from, near[2].point.s - from, near[3].point.s - from],
+        );
+        let difference = (cubic - linear).abs();
+        // where phases do not grow evenly the points are spread over the bracket
+        let is_even = cubic > 0.0 && cubic < step && difference < UNEVEN * step;
+        let (start, width) =
+            if is_even { (cubic, (difference * 0.125).max(step * 1e-4)) } else { (step * 0.5, step * Self::SPREAD) };
+        // below the first wave Δ is a polynomial in ω², whose first terms count
+        let (start, width) = if is_lowest && begin.below == 0.0 {
+            let share = begin.point.value / (begin.point.value - end.point.value);
+            (step * share.sqrt().sqrt(), step * 0.03)
+        } else {
+            (start, width)
+        };
+        let k = self.count;
+        self.count += 1;
+        (self.estimate[k], self.width[k]) = (from + start, width);
+        (self.below[k], self.settled[k]) = (begin.below, 0.0);
+        (self.last[0][k], self.last[1][k]) = (from, end.point.s);
+        (self.last_values[0][k], self.last_values[1][k]) = (begin.point.value, end.point.value);
+        (self.ends[0][k], self.ends[1][k]) = (from, end.point.s);
+        self.sign[k] = if begin.point.value > 0.0 { 1.0 } else { -1.0 };
+        for (point, s) in self.s.iter_mut().enumerate() {
+            s[k] = from + start + width * (point as f64 - (POINTS - 1) as f64 * 0.5);
+        }
+    }
+
+    /// Goes on by Δ at the next points of all roots that have not settled.
+    #[inline]
+    pub(super) fn go_on(&mut self) {
+        run(GoOn(self));
+    }
+
+    /// Goes on in the lanes of a number.
+    #[inline(always)]
+    fn go_on_in_lanes<S: Real>(&mut self) {
+        let mut from = 0;
+        while from < ROOTS {
+            if from >= self.count {
+                break;
+            }
+            self.store(from, Round::<S, POINTS>::load(self, from).next());
+            from += S::LANES;
+        }
+    }
+
+    /// Writes what follows from a round to the lanes from one on.
+    #[inline(always)]
+    fn store<S: Real>(&mut self, from: usize, round: Round<S, POINTS>) {
+        let lanes = from..from + S::LANES;
+        S::store(round.estimate, &mut self.estimate[lanes.clone()]);
+        S::store(round.width, &mut self.width[lanes.clone()]);
+        S::store(round.predicted, &mut self.predicted[lanes.clone()]);
+        S::store(S::one_if(round.is_settled), &mut self.settled[lanes.clone()]);
+        let mut k = 0;
+        while k < 2 {
+            S::store(round.ends[k], &mut self.ends[k][lanes.clone()]);
+            S::store(round.last[k], &mut self.last[k][lanes.clone()]);
+            S::store(round.last_values[k], &mut self.last_values[k][lanes.clone()]);
+            k += 1;
+        }
+        let mut k = 0;
+        while k < POINTS {
+            S::store(round.s[k], &mut self.s[k][lanes.clone()]);
+            k += 1;
+        }
+    }
+}
+
+/// A round of one root, or of several in lanes; the fields are those of [`Approaches`].
+#[derive(Clone, Copy)]
+struct Round<S: Real, const POINTS: usize> {
+    estimate: S,
+    is_settled: <S as Scalar>::Truth,
+    s: [S; POINTS],
+    values: [S; POINTS],
+    last: [S; 2],
+    last_values: [S; 2],
+    ends: [S; 2],
+    sign: S,
+    width: S,
+    predicted: S,
+}
+
+impl<S: Real, const POINTS: usize> Round<S, POINTS> {
+    /// Reads the lanes from one on.
+    #[inline(always)]
+    fn load(all: &Approaches<POINTS>, from: usize) -> Self {
+        let lanes = from..from + S::LANES;
+        let (mut s, mut values) = ([S::zero(); POINTS], [S::zero(); POINTS]);
+        let mut k = 0;
+        while k < POINTS {
+            (s[k], values[k]) = (S::load(&all.s[k][lanes.clone()]), S::load(&all.values[k][lanes.clone()]));
+            k += 1;
+        }
+        Round {
+            estimate: S::load(&all.estimate[lanes.clone()]),
+            is_settled: <S as Size>::of(0.5).is_below(S::load(&all.settled[lanes.clone()])),
+            s,
+            values,
+            last: [S::load(&all.last[0][lanes.clone()]), S::load(&all.last[1][lanes.clone()])],
+            last_values: [S::load(&all.last_values[0][lanes.clone()]), S::load(&all.last_values[1][lanes.clone()])],
+            ends: [S::load(&all.ends[0][lanes.clone()]), S::load(&all.ends[1][lanes.clone()])],
+            sign: S::load(&all.sign[lanes.clone()]),
+            width: S::load(&all.width[lanes.clone()]),
+            predicted: S::load(&all.predicted[lanes]),
+        }
+    }
+
+    /// The bracket, narrowed by the signs of Δ at the points.
+    #[inline(always)]
+    fn bracket(&self) -> [S; 2] {
+        let ([mut lower, mut upper], zero) = (self.ends, S::zero());
+        let mut k = 0;
+        while k < POINTS {
+            let is_below = zero.is_below(self.values[k] * self.sign);
+            lower = S::choose(is_below & lower.is_below(self.s[k]), self.s[k], lower);
+            upper = S::choose(!is_below & self.s[k].is_below(upper), self.s[k], upper);
+            k += 1;
+        }
+        [lower, upper]
+    }
+
+    /// The zero of the inverse polynomial through the points and the outermost of the last ones, from the estimate on.
+    #[inline(always)]
+    fn zero(&self) -> S {
+        let (origin, s, v) = (self.estimate, &self.s, &self.values);
+        let ([before, behind], [first, last]) = (self.last, self.last_values);
+        if POINTS == 2 {
+            return at_zero::<S, 4>(
+                [first, v[0], v[1], last],
+                [before - origin, s[0] - origin, s[1] - origin, behind - origin],
+            );
+        }
+        at_zero::<S, 5>(
+            [first, v[0], v[1], v[POINTS - 1], last],
+            [before - origin, s[0] - origin, s[1] - origin, s[POINTS - 1] - origin, behind - origin],
+        )
+    }
+
+    /// The next round; what has settled stays.
+    #[inline(always)]
+    fn next(self) -> Self {
+        let (number, one) = (<S as Size>::of, S::one());
+        let [lower, upper] = self.bracket();
+        let moved = self.zero();
+        let (estimate, [before, behind]) = (self.estimate + moved, self.last);
+        let margin = self.estimate * number(OUTSIDE);
+        let is_inside = (lower - margin).is_below(estimate) & estimate.is_below(upper + margin);
+        // the error falls as the product of the distances of the points
+        let (moved, unit) = (Scalar::size(moved), one / estimate);
+        let distance = larger(moved, self.width) * unit;
+        let far = Scalar::size((before - estimate) * (behind - estimate)) * (unit * unit);
+        let product = far * distance * distance * if POINTS > 2 { distance } else { one };
+        let change = larger(moved * unit / self.predicted, one);
+        let error = product * S::choose(self.predicted.is_below(one), change, number(FIRST_ERROR));
+        let settles = error.is_below(number(SETTLED)) & moved.is_below(number(3.0) * self.width) & is_inside;
+        let spread = (upper - lower) * number(Approaches::<POINTS>::SPREAD);
+        let least = number(Approaches::<POINTS>::LEAST_WIDTH);
+        let width = smaller(estimate * larger(error + error, least), spread);
+        // what has left its bracket starts anew from the middle
+        let estimate = S::choose(is_inside, estimate, (lower + upper) * number(0.5));
+        let width = S::choose(is_inside, width, spread);
+        let stays = self.is_settled;
+        let kept = |old, new| S::choose(stays, old, new);
+        let estimate = kept(self.estimate, estimate);
+        let mut s = self.s;
+        let mut k = 0;
+        while k < POINTS {
+            s[k] = estimate + width * number(k as f64 - (POINTS - 1) as f64 * 0.5);
+            k += 1;
+        }
+        Round {
+            estimate,
+            is_settled: settles | stays,
+            s,
+            last: [kept(before, self.s[0]), kept(behind, self.s[POINTS - 1])],
+            last_values: [
+                kept(self.last_values[0], self.values[0]),
+                kept(self.last_values[1], self.values[POINTS - 1]),
+            ],
+            ends: [lower, upper],
+            width,
+            predicted: S::choose(is_inside, product, one),
+            ..self
+        }
+    }
+}
+
+/// A round of all approaches.
+struct GoOn<'a, const POINTS: usize>(&'a mut Approaches<POINTS>);
+
+impl<const POINTS: usize> Task for GoOn<'_, POINTS> {
+    type Output = ();
+
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn on_avx512(self) {
+        self.0.go_on_in_lanes::<<f64 as InLanes>::OnAvx512>();
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn on_avx2(self) {
+        self.0.go_on_in_lanes::<<f64 as InLanes>::OnAvx2>();
+    }
+
+    #[inline]
+    fn alone(self) {
+        self.0.go_on_in_lanes::<f64>();
+    }
+}

@@ -1,0 +1,250 @@
+//! All roots of a window of frequencies at once: isolated by one block of counts, polished and certified side by side.
+//!
+//! Evaluations that do not wait for each other share the lanes of a vector. What does not hold here, since roots coincide, sums cancel
+//! or waves have to be scaled, is left to the search that goes from root to root.
+
+use crate::number::{Dual, InLanes, List, Real, TOUCHING, is_straight};
+use crate::pass::at_once::{Block, Counts, MOST, Phases, Purpose, Values, lanes};
+use crate::pass::characteristic::{Characteristic, System};
+use crate::search::undamped::approach::{Approaches, Point, ROOTS, Sample};
+use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
+use crate::search::undamped::sampling::Isolation;
+use core::f64::consts::PI;
+use core::ops::RangeInclusive;
+
+/// Roots that are sought in one window.
+const ROOTS_PER_WINDOW: f64 = 6.0;
+
+/// Samples of a window, those that separate roots included.
+const SAMPLES: usize = MOST;
+
+/// Roots by which a window reaches beyond those that are wanted, since supports and masses move them by about one.
+const BEYOND: f64 = 0.75;
+
+/// Rounds within which roots settle.
+const ROUNDS: usize = 8;
+
+/// A search for all roots of a window at once.
+pub(super) struct Together<'a, 's, Y: System + ?Sized, T: Real> {
+    /// The search that goes from root to root, with its tolerances and its number of evaluations.
+    single: &'s mut Isolation<'a, Y, T>,
+    block: Block<T>,
+    /// The samples of the window in ascending order.
+    samples: List<Sample, SAMPLES>,
+    /// Sum of `z/sqrt(ω)` of all waves.
+    waves: f64,
+}
+
+impl<'a, 's, T, Y> Together<'a, 's, Y, T>
+where
+    T: InLanes + Real,
+    Y: System<Parameter = T>
+        + Characteristic<T>
+        + Characteristic<T::OnAvx512>
+        + Characteristic<T::OnAvx2>
+        + Characteristic<Dual<T>>
+        + Characteristic<T::Extended>
+        + ?Sized,
+{
+    /// A search beside another; none for numbers that are no `f64`, and without waves, which space roots evenly.
+    #[inline]
+    pub(super) fn new(single: &'s mut Isolation<'a, Y, T>) -> Option<Self> {
+        let waves = single.estimates.wave_sum();
+        let suits = T::IS_DOUBLE && waves > 0.0;
+        suits.then(|| Together { single, block: Block::new(), samples: List::new(), waves })
+    }
+
+    /// The lowest frequencies, if all of them are certified.
+    pub(super) fn first<const N: usize>(mut self) -> Option<FrequencyList<T, N>> {
+        let wanted = N as f64;
+        let mut found = List::new();
+        let zero = self.single.just_above_zero;
+        let (mut from, mut below) = (zero.to_f64().sqrt(), 0.0);
+        while below < wanted {
+            let missing = (wanted - below).min(ROOTS_PER_WINDOW);
+            self.window(from, from + (missing + BEYOND) * PI / self.waves, missing)?;
+            if below == 0.0 {
+                self.push_rigid_body_modes(&mut found)?;
+            }
+            self.roots(wanted, &mut found)?;
+            let last = self.samples.last()?;
+            (from, below) = (last.point.s, last.below);
+        }
+        Some(FrequencyList { frequencies: found, evaluations: self.single.evaluations })
+    }
+
+    /// The frequencies of a range, if all of them are certified.
+    pub(super) fn in_range<const CAP: usize>(mut self, range: &RangeInclusive<T>) -> Option<FrequencyList<T, CAP>> {
+        let (start, end) = (*range.start(), *range.end());
+        let margin = self.single.half_width + self.single.half_width;
+        let (zero, first) = (self.single.just_above_zero, start - start * margin);
+        let mut from = if first > zero { first } else { zero }.to_f64().sqrt();
+        let last = (end + end * margin).to_f64().sqrt();
+        let mut found = List::<NaturalFrequency<T>, CAP>::new();
+        let mut is_first = start.is_zero();
+        while from < last {
+            let roots = ((last - from) * self.waves / PI + BEYOND).min(ROOTS_PER_WINDOW);
+            let to = (from + roots * PI / self.waves).min(last);
+            self.window(from, to, roots)?;
+            if core::mem::take(&mut is_first) {
+                self.push_rigid_body_modes(&mut found)?;
+            }
+            self.roots(f64::INFINITY, &mut found)?;
+            from = self.samples.last()?.point.s;
+        }
+        // a root in the margin may not meet the range
+        let mut frequencies = List::new();
+        for root in found.iter().filter(|root| root.upper >= start && root.lower <= end) {
+            frequencies.push(*root).ok()?;
+        }
+        Some(FrequencyList { frequencies, evaluations: self.single.evaluations })
+    }
+
+    /// The entry of frequencies that are zero, if there are any.
+    fn push_rigid_body_modes<const N: usize>(&self, found: &mut List<NaturalFrequency<T>, N>) -> Option<()> {
+        let multiplicity = self.samples.first()?.below as u64;
+        if multiplicity == 0 {
+            return Some(());
+        }
+        let (zero, upper) = (T::zero(), self.single.just_above_zero);
+        found.push(NaturalFrequency { omega: zero, lower: zero, upper, multiplicity }).ok()
+    }
+
+    /// Evaluates the first so many frequencies of the block; none where one has to be evaluated alone.
+    #[inline]
+    fn evaluate<P: Purpose>(&mut self, purpose: P, count: usize) -> Option<()> {
+        self.single.evaluations += count;
+        self.block.evaluate(purpose, self.single.system, count);
+        (self.block.unknown == 0).then_some(())
+    }
+
+    /// Samples a window evenly in the square root of the frequency.
+    fn window(&mut self, from: f64, to: f64, roots: f64) -> Option<()> {
+        let lanes = lanes::<T>();
+        // a sample costs little beside others in the lanes of a vector
+        let per_root = if lanes > 1 { 3.0 } else { 2.0 };
+        let points = ((per_root * roots) as usize + 2).next_multiple_of(lanes).clamp(4, MOST);
+        let step = (to - from) / (points - 1) as f64;
+        for (k, omega) in self.block.omega[..points].iter_mut().enumerate() {
+            let s = from + step * k as f64;
+            *omega = T::from_f64(s * s);
+        }
+        self.evaluate(Phases, points)?;
+        let mut last = 0.0;
+        self.samples = List::new();
+        for lane in 0..points {
+            let (value, below) = (self.block.value[lane].to_f64(), self.block.below[lane]);
+            if below < last {
+                return None;
+            }
+            let phase = self.block.phase[lane];
+            let point = Point { s: from + step * lane as f64, value };
+            self.samples.push(Sample { point, below, phase }).ok()?;
+            last = below;
+        }
+        Some(())
+    }
+
+    /// Finds the roots of the window below a number of them.
+    fn roots<const N: usize>(&mut self, wanted: f64, found: &mut List<NaturalFrequency<T>, N>) -> Option<()> {
+        let mut brackets = List::<usize, ROOTS>::new();
+        for (lower, pair) in self.samples.windows(2).enumerate() {
+            let (below, above) = (pair[0].below, pair[1].below);
+            if below >= wanted {
+                break;
+            }
+            if above > below + 1.0 {
+                return None;
+            }
+            if above > below {
+                brackets.push(lower).ok()?;
+            }
+        }
+        // lanes that would be idle take a third point of each root
+        let lanes = lanes::<T>();
+        let vectors = |points: usize| (points * brackets.len()).div_ceil(lanes);
+        if vectors(3) == vectors(2) {
+            self.polish::<3, N>(&brackets, found)
+        } else {
+            self.polish::<2, N>(&brackets, found)
+        }
+    }
+
+    /// Takes the roots of some brackets to their last digits, with so many points each in a round.
+    fn polish<const POINTS: usize, const N: usize>(
+        &mut self,
+        brackets: &[usize],
+        found: &mut List<NaturalFrequency<T>, N>,
+    ) -> Option<()> {
+        let mut approaches = Approaches::<POINTS>::none();
+        for &lower in brackets {
+            let first = lower.saturating_sub(1).min(self.samples.len().checked_sub(4)?);
+            let near = self.samples[first..].first_chunk()?;
+            approaches.start(near, [self.samples[lower], self.samples[lower + 1]], lower == 0);
+        }
+        for _ in 0..ROUNDS {
+            let mut count = 0;
+            for root in (0..approaches.count).filter(|root| approaches.settled[*root] == 0.0) {
+                for s in &approaches.s {
+                    self.block.omega[count] = T::from_f64(s[root] * s[root]);
+                    count += 1;
+                }
+            }
+            if count == 0 {
+                return self.certify(&approaches, found);
+            }
+            self.evaluate(Values, count)?;
+            let mut values = self.block.value.iter();
+            for root in 0..approaches.count {
+                if approaches.settled[root] == 0.0 {
+                    for (place, value) in approaches.values.iter_mut().zip(&mut values) {
+                        place[root] = value.to_f64();
+                    }
+                }
+            }
+            approaches.go_on();
+        }
+        None
+    }
+
+    /// Certifies the roots of all approaches by the counts on both sides.
+    fn certify<const POINTS: usize, const N: usize>(
+        &mut self,
+        approaches: &Approaches<POINTS>,
+        found: &mut List<NaturalFrequency<T>, N>,
+    ) -> Option<()> {
+        let share = self.single.half_width * T::from_f64(0.5);
+        let count = 2 * approaches.count;
+        for (sides, estimate) in self.block.omega[..count].chunks_mut(2).zip(&approaches.estimate) {
+            let omega = T::from_f64(estimate * estimate);
+            // counts half a width inside the interval: the other half is room for their own rounding
+            let inner = omega * share;
+            sides.copy_from_slice(&[omega - inner, omega + inner]);
+        }
+        self.evaluate(Counts { is_at_root: true }, count)?;
+        for k in 0..approaches.count {
+            let (lower, upper) = (2 * k, 2 * k + 1);
+            let [below, above] = [self.block.value[lower], self.block.value[upper]];
+            let counts = [self.block.below[lower], self.block.below[upper]];
+            let [start, end] = [self.block.omega[lower], self.block.omega[upper]];
+            let growth = ((above - below) / (end - start)).to_f64();
+            let ([first, second], [at_first, at_second]) = (approaches.last, approaches.last_values);
+            // dω = 2s ds
+            let slope = (at_second[k] - at_first[k]) / (second[k] - first[k]);
+            let estimate = approaches.estimate[k];
+            let fits = is_straight(growth * 2.0 * estimate / slope);
+            let omega = T::from_f64(estimate * estimate);
+            let inner = omega * share;
+            let root = NaturalFrequency { omega, lower: start - inner, upper: end + inner, multiplicity: 1 };
+            let touches = found
+                .last()
+                .is_some_and(|last: &NaturalFrequency<T>| root.lower - last.upper <= omega * T::from_f64(TOUCHING));
+            let is_single = counts == [approaches.below[k], approaches.below[k] + 1.0];
+            if !(is_single && fits) || touches || omega < self.single.nearly_zero {
+                return None;
+            }
+            found.push(root).ok()?;
+        }
+        Some(())
+    }
+}
