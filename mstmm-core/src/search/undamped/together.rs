@@ -24,6 +24,12 @@ const BEYOND: f64 = 0.75;
 /// Rounds within which roots settle.
 const ROUNDS: usize = 8;
 
+/// Times that a root is counted.
+const TRIES: usize = 2;
+
+/// Distance of the zero of Δ beside a certificate that failed, in its half widths, within which another one is tried.
+const NEARBY: f64 = 8.0;
+
 /// A search for all roots of a window at once.
 pub(super) struct Together<'a, 's, Y: System + ?Sized, T: Real> {
     /// The search that goes from root to root, with its tolerances and its number of evaluations.
@@ -207,44 +213,76 @@ where
         None
     }
 
-    /// Certifies the roots of all approaches by the counts on both sides.
+    /// Certifies the roots of all approaches by the counts on both sides; where these are not between them, once more from the zero
+    /// of Δ beside them.
     fn certify<const POINTS: usize, const N: usize>(
         &mut self,
         approaches: &Approaches<POINTS>,
         found: &mut List<NaturalFrequency<T>, N>,
     ) -> Option<()> {
-        let share = self.single.half_width * T::from_f64(0.5);
-        let count = 2 * approaches.count;
-        for (sides, estimate) in self.block.omega[..count].chunks_mut(2).zip(&approaches.estimate) {
-            let omega = T::from_f64(estimate * estimate);
-            // counts half a width inside the interval: the other half is room for their own rounding
-            let inner = omega * share;
-            sides.copy_from_slice(&[omega - inner, omega + inner]);
+        let mut roots = [NaturalFrequency::<T>::default(); ROOTS];
+        for (root, estimate) in roots.iter_mut().zip(&approaches.estimate) {
+            root.omega = T::from_f64(estimate * estimate);
         }
-        self.evaluate(Counts { is_at_root: true }, count)?;
-        for k in 0..approaches.count {
-            let (lower, upper) = (2 * k, 2 * k + 1);
-            let [below, above] = [self.block.value[lower], self.block.value[upper]];
-            let counts = [self.block.below[lower], self.block.below[upper]];
-            let [start, end] = [self.block.omega[lower], self.block.omega[upper]];
-            let growth = ((above - below) / (end - start)).to_f64();
-            let ([first, second], [at_first, at_second]) = (approaches.last, approaches.last_values);
-            // dω = 2s ds
-            let slope = (at_second[k] - at_first[k]) / (second[k] - first[k]);
-            let estimate = approaches.estimate[k];
-            let fits = is_straight(growth * 2.0 * estimate / slope);
-            let omega = T::from_f64(estimate * estimate);
-            let inner = omega * share;
-            let root = NaturalFrequency { omega, lower: start - inner, upper: end + inner, multiplicity: 1 };
-            let touches = found
-                .last()
-                .is_some_and(|last: &NaturalFrequency<T>| root.lower - last.upper <= omega * T::from_f64(TOUCHING));
-            let is_single = counts == [approaches.below[k], approaches.below[k] + 1.0];
-            if !(is_single && fits) || touches || omega < self.single.nearly_zero {
+        let roots = &mut roots[..approaches.count];
+        for _ in 0..TRIES {
+            let mut count = 0;
+            for root in roots.iter().filter(|root| root.multiplicity == 0) {
+                // counts half a width inside the interval: the other half is room for their own rounding
+                let inner = root.omega * self.inner();
+                self.block.omega[count..count + 2].copy_from_slice(&[root.omega - inner, root.omega + inner]);
+                count += 2;
+            }
+            if count == 0 {
+                break;
+            }
+            self.evaluate(Counts { is_at_root: true }, count)?;
+            let mut lower = 0;
+            for (k, root) in roots.iter_mut().enumerate().filter(|(_, root)| root.multiplicity == 0) {
+                *root = self.certificate(approaches, k, lower, root.omega)?;
+                lower += 2;
+            }
+        }
+        for root in roots {
+            let touches = |last: &NaturalFrequency<T>| root.lower - last.upper <= root.omega * T::from_f64(TOUCHING);
+            if root.multiplicity == 0 || root.omega < self.single.nearly_zero || found.last().is_some_and(touches) {
                 return None;
             }
-            found.push(root).ok()?;
+            found.push(*root).ok()?;
         }
         Some(())
+    }
+
+    /// Relative distance from a root at which it is counted.
+    #[inline]
+    fn inner(&self) -> T {
+        self.single.half_width * T::from_f64(0.5)
+    }
+
+    /// A root with its interval, if the samples in a lane and the next one count it between them; else the zero of Δ beside them without
+    /// one. None where neither is near.
+    #[inline]
+    fn certificate<const POINTS: usize>(
+        &self,
+        approaches: &Approaches<POINTS>,
+        k: usize,
+        lane: usize,
+        omega: T,
+    ) -> Option<NaturalFrequency<T>> {
+        let [below, above] = [self.block.value[lane], self.block.value[lane + 1]];
+        let [start, end] = [self.block.omega[lane], self.block.omega[lane + 1]];
+        let ([first, second], [at_first, at_second]) = (approaches.last, approaches.last_values);
+        // dω = 2s ds
+        let slope = (at_second[k] - at_first[k]) / (second[k] - first[k]);
+        let growth = ((above - below) / (end - start)).to_f64() * 2.0 * approaches.estimate[k];
+        let counts = [self.block.below[lane], self.block.below[lane + 1]];
+        let inner = omega * self.inner();
+        if counts == [approaches.below[k], approaches.below[k] + 1.0] {
+            let root = NaturalFrequency { omega, lower: start - inner, upper: end + inner, multiplicity: 1 };
+            return is_straight(growth / slope).then_some(root);
+        }
+        let zero = start + (end - start) * (below / (below - above));
+        let is_near = (zero - omega).abs() < inner * T::from_f64(NEARBY);
+        is_near.then_some(NaturalFrequency { omega: zero, ..NaturalFrequency::default() })
     }
 }
