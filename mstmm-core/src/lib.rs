@@ -58,7 +58,7 @@ pub use number::frequency::{
 pub use number::frequency_powers::FrequencyPowers;
 pub use number::packed::InLanes;
 pub use number::partials::Partials;
-pub use number::scalar::{Scalar, Single};
+pub use number::scalar::{LONGEST_IN_LANES, Scalar, Single};
 pub use number::scaled::{Magnitude, Scaled};
 pub use number::truth::{Size, Truth};
 pub use number::wave_functions::{WaveFunctions, WaveProducts};

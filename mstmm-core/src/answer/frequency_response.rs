@@ -112,10 +112,6 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
 
     /// Writes the responses at the frequencies of `grid` to `values`, each with the bits that [`at`](FrequencyResponse::at) gives it.
     ///
-    /// Systems of up to 64 steps, and lists in a room of up to 64, take the grid in blocks of frequencies, which costs a fraction of the
-    /// time. Their memory is on the stack, some 3 kB per step for real frequencies, twice as much for complex ones: for ten steps a
-    /// thread of 256 kB is enough, of 512 kB in debug builds.
-    ///
     /// # Errors
     /// As [`at`](FrequencyResponse::at), for the first frequency where it fails; [`MotionError::Capacity`] where `values` is
     /// shorter than `grid`.
@@ -127,14 +123,6 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         if values.len() < grid.len() {
             return Err(MotionError::Capacity { capacity: values.len() });
         }
-        self.one_by_one(grid, values)
-    }
-
-    fn one_by_one<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
-    where
-        Y: Tree<S>,
-        S: Oscillation<Y::Parameter>,
-    {
         for (value, &x) in values.iter_mut().zip(grid) {
             *value = self.at(x)?;
         }

@@ -2,18 +2,15 @@
 
 use crate::model::SearchError;
 use crate::number::{Frequency, InLanes, Scaled};
-use crate::pass::at_once::{Block, Counts, InBlocks, MOST, characteristics};
+use crate::pass::at_once::{Block, InBlocks, MOST, characteristics};
 use crate::pass::characteristic::System;
 use crate::search::undamped::natural::{NaturalFrequencies, Undamped, count_margin};
 use num_traits::Zero;
 
-/// Evaluations at many frequencies, in blocks: each value takes a fraction of the time.
+/// Evaluations at many frequencies: each value takes a fraction of the time.
 ///
-/// Each value has the bits of a single evaluation, as long as no minor under- or overflows.
-///
-/// With `std` the loops over a block are compiled for AVX-512, AVX2 and the target, and the widest that the machine has is
-/// used; without it for the target alone. Memory is on the stack: some 25 kB for real frequencies, four times as much for a complex
-/// λ with a derivative; a thread of 256 kB is enough, of 512 kB in debug builds.
+/// Each value has the bits of a single evaluation. With `std`, in release builds on x86-64, real frequencies stand in the lanes of AVX-512
+/// or AVX2, of the widest that the machine has; all others are evaluated one by one. A thread of 256 kB is enough, of 512 kB in debug builds.
 ///
 /// ```
 /// use mstmm_core::elements::Beam;
@@ -72,7 +69,7 @@ pub trait ManyFrequencies: System {
                 let away = omega * margin;
                 sides.copy_from_slice(&[omega - away, omega + away]);
             }
-            block.evaluate(Counts { is_at_root: false }, self, 2 * omegas.len());
+            block.evaluate(self, 2 * omegas.len(), false);
             for (k, (count, &omega)) in counts.iter_mut().zip(omegas).enumerate() {
                 *count = match block.agreed_count(2 * k) {
                     Some(below) if omega > Self::Parameter::zero() => Ok(below),

@@ -7,7 +7,7 @@ use crate::answer::dominant_entry::{UnitsOf, comparable};
 use crate::answer::mode_shape::ModeShape;
 use crate::answer::states::SystemStates;
 use crate::model::{MotionError, State};
-use crate::number::{FrequencyPowers, MISFIT, Oscillation, REFUSED_MISFIT, Single};
+use crate::number::{FrequencyPowers, MISFIT, Oscillation, REFUSED_MISFIT, Scalar, Single};
 use crate::pass::tree::Tree;
 use mstmm_plan::{Coordinate, Step};
 
@@ -32,7 +32,7 @@ where
                 Step::Tip(_) | Step::Root(..) => {}
             }
         }
-        (worst / whole).sqrt()
+        Scalar::sqrt(worst / whole)
     }
 
     /// The misfit at a connection, as an energy.

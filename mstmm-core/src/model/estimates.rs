@@ -162,6 +162,7 @@ impl FrequencyEstimates {
     }
 
     /// Logarithms to base 2 of a low estimate of the frequencies, of one that no other falls short of by much, and of a high one.
+    #[inline(never)]
     fn computed_exponents(&self) -> [i32; 3] {
         let squares = self.estimates();
         let lowest = exponent(squares.least) / 2 - 1;

@@ -196,7 +196,8 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.of_waves(self.value.wave_functions())
     }
 
-    #[inline(always)]
+    // called where size counts: programs of two beams have one copy
+    #[inline]
     fn wave_products(self) -> WaveProducts<Self> {
         let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin, one, exponent } = self.value.wave_products();
         WaveProducts {

@@ -70,12 +70,6 @@ pub(crate) use mstmm_lanes::{Task, run};
 pub(crate) trait Task {
     /// The result.
     type Output;
-    /// The work in vectors of eight numbers.
-    #[cfg(target_arch = "x86_64")]
-    fn on_avx512(self) -> Self::Output;
-    /// The work in vectors of four numbers.
-    #[cfg(target_arch = "x86_64")]
-    fn on_avx2(self) -> Self::Output;
     /// The work one number at a time.
     fn alone(self) -> Self::Output;
 }

@@ -5,6 +5,9 @@ use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{One, Zero};
 
+/// Number of steps up to which a pass stands in line for numbers in lanes, and for most others.
+pub const LONGEST_IN_LANES: usize = 24;
+
 /// A number that transfer matrices can be made of: real or complex, of any precision, alone or in lanes.
 ///
 /// The functions are those that the elements need; all are analytic, so that real and complex evaluation share
@@ -45,7 +48,7 @@ pub trait Scalar:
     const SERIES_TERMS: usize;
 
     /// Number of steps up to which all steps of a pass stand in line: faster, but slower to compile.
-    const LONGEST_IN_LINE: usize = 24;
+    const LONGEST_IN_LINE: usize = LONGEST_IN_LANES;
 
     /// The scalar nearest to `value`.
     fn from_f64(value: f64) -> Self;
@@ -99,7 +102,7 @@ pub trait Scalar:
     fn in_range<const N: usize>(mut entries: [Self; N], size: Self::Size) -> ([Self; N], i32) {
         let (shift, is_kept) = size.excess();
         if shift != 0 {
-            return (entries.map(|entry| entry.times_power_of_two(-shift)), shift);
+            return (shifted(entries, -shift), shift);
         }
         entries[0] = entries[0].valid_if(is_kept);
         entries[N - 1] = entries[N - 1].valid_if(is_kept);
@@ -111,6 +114,12 @@ pub trait Scalar:
     fn call<R>(function: impl FnOnce() -> R) -> R {
         function()
     }
+}
+
+/// Entries times a power of two.
+#[cold]
+fn shifted<S: Scalar, const N: usize>(entries: [S; N], exponent: i32) -> [S; N] {
+    entries.map(|entry| entry.times_power_of_two(exponent))
 }
 
 /// A scalar that is one number, whose comparisons are plain truths.

@@ -1,19 +1,19 @@
 //! Δ, counts and phases at several frequencies at once, in the lanes of the widest vectors that the machine has.
 
 use crate::number::{InLanes, Packed, Real, Scaled, Size, Task, Truth, run};
-use crate::pass::characteristic::{Characteristic, counted_pass};
+use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::pass::phase::PhaseCounter;
-use crate::subspace::{NoCount, WittrickWilliams};
-use core::ops::Range;
+use crate::subspace::NoCount;
 
 /// Most frequencies of a block.
 pub(crate) const MOST: usize = 16;
 
-/// Number of lanes of the instruction set in use.
+/// Number of lanes of the instruction set in use, in which a system is evaluated.
 #[inline]
-pub(crate) fn lanes<T: InLanes>() -> usize {
+pub(crate) fn lanes<T: InLanes, Y: System + ?Sized>() -> usize {
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     match mstmm_lanes::InstructionSet::in_use() {
+        _ if !Y::STANDS_IN_LINE => {}
         mstmm_lanes::InstructionSet::Avx512 => return T::OnAvx512::LANES,
         mstmm_lanes::InstructionSet::Avx2 => return T::OnAvx2::LANES,
         mstmm_lanes::InstructionSet::Target => {}
@@ -52,13 +52,20 @@ impl<T: InLanes + Real> Block<T> {
         }
     }
 
-    /// Evaluates the first so many frequencies.
+    /// Evaluates the first so many frequencies; `is_at_root` tells that they are so close to roots that the terms of Δ are examined.
+    ///
+    /// Counts and phases are computed even where Δ alone is wanted: that costs a tenth, a second piece of code as much again to compile.
     #[inline]
-    pub(crate) fn evaluate<P: Purpose, Y>(&mut self, purpose: P, system: &Y, count: usize)
+    pub(crate) fn evaluate<Y>(&mut self, system: &Y, count: usize, is_at_root: bool)
     where
         Y: Characteristic<T> + Characteristic<T::OnAvx512> + Characteristic<T::OnAvx2> + ?Sized,
     {
-        run(Evaluation { purpose, system, block: self, count: count.min(MOST) });
+        let evaluation = Evaluation { system, block: self, count: count.min(MOST), is_at_root };
+        if const { Y::STANDS_IN_LINE } {
+            run(evaluation);
+        } else {
+            evaluation.alone();
+        }
     }
 
     /// The count on which a lane and the next one agree, if they are neither at a root nor doubtful.
@@ -67,134 +74,59 @@ impl<T: InLanes + Real> Block<T> {
         let agree = self.unknown >> lane & 0b11 == 0 && self.below[lane] == self.below[lane + 1];
         agree.then_some(self.below[lane] as u64)
     }
-
-    /// Writes Δ to some lanes. Numbers in lanes have all the same power of two.
-    #[inline(always)]
-    fn set_values<S: Packed<T>>(&mut self, lanes: Range<usize>, delta: Scaled<S>, is_doubtful: S::Truth) {
-        let common = *self.exponent.get_or_insert(delta.exponent());
-        let shift = (delta.exponent() - common).clamp(-3000, 3000) as i32;
-        let value = if shift == 0 { delta.mantissa() } else { delta.mantissa().times_power_of_two(shift) };
-        let is_known = value.size().is_below(S::Size::of(f64::INFINITY)) & !value.vanishes();
-        self.unknown |= u32::from(S::bits(is_doubtful | !is_known)) << lanes.start;
-        value.store(&mut self.value[lanes]);
-    }
-
-    /// Writes counts to some lanes.
-    #[inline(always)]
-    fn set_counts<S: Packed<T>>(&mut self, lanes: Range<usize>, delta: Scaled<S>, counter: &WittrickWilliams<S::Size>) {
-        let cancelled = counter.cancelled();
-        S::store_size(counter.count(), &mut self.below[lanes.clone()]);
-        self.set_values(lanes, delta, cancelled.at_root | S::Truth::of(cancelled.any()));
-    }
-}
-
-/// What a block is evaluated for.
-pub(crate) trait Purpose: Copy {
-    /// Evaluates some lanes.
-    fn evaluate<T: InLanes + Real, S: Packed<T>, Y: Characteristic<S> + ?Sized>(
-        self,
-        system: &Y,
-        block: &mut Block<T>,
-        lanes: Range<usize>,
-    );
-}
-
-/// Δ alone.
-#[derive(Clone, Copy)]
-pub(crate) struct Values;
-
-/// Δ and counts.
-#[derive(Clone, Copy)]
-pub(crate) struct Counts {
-    /// Whether frequencies are so close to roots that the terms of Δ are examined.
-    pub(crate) is_at_root: bool,
-}
-
-/// Δ, counts and phases.
-#[derive(Clone, Copy)]
-pub(crate) struct Phases;
-
-impl Purpose for Values {
-    #[inline(always)]
-    fn evaluate<T: InLanes + Real, S: Packed<T>, Y: Characteristic<S> + ?Sized>(
-        self,
-        system: &Y,
-        block: &mut Block<T>,
-        lanes: Range<usize>,
-    ) {
-        let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut NoCount);
-        block.set_values(lanes, delta, S::Truth::of(false));
-    }
-}
-
-impl Purpose for Counts {
-    #[inline(always)]
-    fn evaluate<T: InLanes + Real, S: Packed<T>, Y: Characteristic<S> + ?Sized>(
-        self,
-        system: &Y,
-        block: &mut Block<T>,
-        lanes: Range<usize>,
-    ) {
-        let mut counter = WittrickWilliams::<S::Size>::new(self.is_at_root);
-        let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut counter);
-        block.set_counts(lanes, delta, &counter);
-    }
-}
-
-impl Purpose for Phases {
-    #[inline(always)]
-    fn evaluate<T: InLanes + Real, S: Packed<T>, Y: Characteristic<S> + ?Sized>(
-        self,
-        system: &Y,
-        block: &mut Block<T>,
-        lanes: Range<usize>,
-    ) {
-        let mut counter = PhaseCounter::new();
-        let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut counter);
-        S::store_size(counter.phase(delta), &mut block.phase[lanes.clone()]);
-        block.set_counts(lanes, delta, counter.counter());
-    }
 }
 
 /// The evaluation of a block.
-struct Evaluation<'a, P, Y: ?Sized, T> {
-    purpose: P,
+struct Evaluation<'a, Y: ?Sized, T> {
     system: &'a Y,
     block: &'a mut Block<T>,
     count: usize,
+    is_at_root: bool,
 }
 
-impl<P: Purpose, Y: ?Sized, T: InLanes + Real> Evaluation<'_, P, Y, T> {
+impl<Y: ?Sized, T: InLanes + Real> Evaluation<'_, Y, T> {
     #[inline(always)]
     fn in_lanes<S: Packed<T>>(self)
     where
         Y: Characteristic<S>,
     {
-        let Evaluation { purpose, system, block, count } = self;
+        let Evaluation { system, block, count, is_at_root } = self;
         block.unknown = 0;
         let mut from = 0;
         while from < count {
-            let to = count.min(from + S::LANES);
-            purpose.evaluate::<T, S, Y>(system, block, from..to);
-            from = to;
+            let lanes = from..count.min(from + S::LANES);
+            let mut counter = PhaseCounter::new(is_at_root);
+            let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut counter);
+            let cancelled = counter.counter().cancelled();
+            S::store_size(counter.counter().count(), &mut block.below[lanes.clone()]);
+            S::store_size(counter.phase(delta), &mut block.phase[lanes.clone()]);
+            // numbers in lanes have all the same power of two
+            let common = *block.exponent.get_or_insert(delta.exponent());
+            let shift = (delta.exponent() - common).clamp(-3000, 3000) as i32;
+            let value = if shift == 0 { delta.mantissa() } else { delta.mantissa().times_power_of_two(shift) };
+            let is_known = value.size().is_below(S::Size::of(f64::INFINITY)) & !value.vanishes();
+            let is_doubtful = cancelled.at_root | S::Truth::of(cancelled.any());
+            block.unknown |= u32::from(S::bits(is_doubtful | !is_known)) << from;
+            value.store(&mut block.value[lanes]);
+            from += S::LANES;
         }
     }
 }
 
-impl<P: Purpose, T, Y> Task for Evaluation<'_, P, Y, T>
+impl<T, Y> Task for Evaluation<'_, Y, T>
 where
     T: InLanes + Real,
     Y: Characteristic<T> + Characteristic<T::OnAvx512> + Characteristic<T::OnAvx2> + ?Sized,
 {
     type Output = ();
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx512(self) {
         self.in_lanes::<T::OnAvx512>();
     }
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx2(self) {
         self.in_lanes::<T::OnAvx2>();
@@ -222,6 +154,7 @@ where
 }
 
 /// Least and largest size of Δ in a lane that is taken: beyond, entries may have left the range.
+#[cfg(feature = "std")]
 const TAKEN: (f64, f64) = (1e-250, 1e250);
 
 /// Δ at each of some frequencies, with the bits that it has alone.
@@ -230,7 +163,12 @@ pub(crate) fn characteristics<S: InLanes, Y: InBlocks<S> + ?Sized>(
     frequencies: &[S],
     values: &mut [Scaled<S>],
 ) {
-    run(Characteristics { system, frequencies, values });
+    let evaluation = Characteristics { system, frequencies, values };
+    if const { Y::STANDS_IN_LINE } {
+        run(evaluation);
+    } else {
+        evaluation.alone();
+    }
 }
 
 /// The evaluation of Δ at many frequencies.
@@ -240,6 +178,7 @@ struct Characteristics<'a, Y: ?Sized, S> {
     values: &'a mut [Scaled<S>],
 }
 
+#[cfg(feature = "std")]
 impl<S: InLanes, Y: Characteristic<S> + ?Sized> Characteristics<'_, Y, S> {
     #[inline(always)]
     fn in_lanes<L: Packed<S>>(self)
@@ -265,13 +204,13 @@ impl<S: InLanes, Y: Characteristic<S> + ?Sized> Characteristics<'_, Y, S> {
 impl<S: InLanes, Y: InBlocks<S> + ?Sized> Task for Characteristics<'_, Y, S> {
     type Output = ();
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx512(self) {
         self.in_lanes::<S::OnAvx512>();
     }
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx2(self) {
         self.in_lanes::<S::OnAvx2>();

@@ -9,6 +9,10 @@ pub trait System {
     /// Scalar of the parameters.
     type Parameter: Real;
 
+    /// Whether a whole pass stands in line, as the lanes of vectors need it; other systems are evaluated at one frequency at a time.
+    #[doc(hidden)]
+    const STANDS_IN_LINE: bool = false;
+
     /// Estimates from which the searches take their first steps.
     #[doc(hidden)]
     fn estimates(&self) -> FrequencyEstimates;

@@ -38,12 +38,12 @@ pub(crate) struct PhaseCounter<S: Scalar> {
 }
 
 impl<S: Scalar> PhaseCounter<S> {
-    /// A counter that has received nothing.
+    /// A counter; `is_at_root` tells that the frequency is close to a root.
     #[inline(always)]
-    pub(crate) fn new() -> Self {
+    pub(crate) fn new(is_at_root: bool) -> Self {
         let ones = [S::one(); 4];
         PhaseCounter {
-            counter: WittrickWilliams::new(false),
+            counter: WittrickWilliams::new(is_at_root),
             ahead: S::one(),
             exponent: 0,
             units: [ones; 2],

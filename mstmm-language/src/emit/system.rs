@@ -12,6 +12,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
     let definition = definition(model, plan, keeps_fields, names);
     let build = build(model, plan, keeps_fields, names);
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
+    let steps = plan.steps.len();
     quote_spanned! {names.here=>
         #definition
         #build
@@ -19,6 +20,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
             type Parameter = #parameter;
+            const STANDS_IN_LINE: bool = #steps <= #private::LONGEST_IN_LANES;
 
             fn estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates

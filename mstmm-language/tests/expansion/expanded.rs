@@ -147,6 +147,7 @@ impl DampedMass {
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::System for DampedMassSystem<T> {
     type Parameter = T;
+    const STANDS_IN_LINE: bool = 7usize <= mstmm::__private::LONGEST_IN_LANES;
     fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
         self.estimates
     }

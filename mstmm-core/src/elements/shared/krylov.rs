@@ -57,13 +57,15 @@ pub(crate) fn bending_matrix<T: Real, S: Frequency<T> + Single>(l: T, ei: T, m: 
 pub(crate) fn plane_series<S: Scalar>(x: S) -> [S; 5] {
     let (two, four) = (S::from_f64(2.0), S::from_f64(4.0));
     let y = -(four * x);
-    [
-        two * series(y, 0, 4),
-        two * series(y, 1, 4),
-        two * series(y, 2, 4),
-        four * series(y, 3, 4),
-        four * series(y, 4, 4),
-    ]
+    let mut series_of = [two; 5];
+    let mut first = 0;
+    // a loop and no closure, which would stand in another function than the lanes of vectors need
+    while first < 5 {
+        series_of[first] = series(y, first, 4);
+        first += 1;
+    }
+    let [c, b, f, d, e] = series_of;
+    [two * c, two * b, two * f, four * d, four * e]
 }
 
 /// `cos ζ` and `sin ζ / ζ` as entire functions of `x = ζ²`.

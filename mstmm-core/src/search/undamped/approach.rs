@@ -1,6 +1,8 @@
 //! The approach to a single root by several points at once, without derivatives.
 
-use crate::number::{InLanes, Packed, Scalar, Size, Task, run};
+#[cfg(feature = "std")]
+use crate::number::InLanes;
+use crate::number::{Packed, Scalar, Size, Task, run};
 
 /// Roots that are approached side by side.
 pub(super) const ROOTS: usize = 8;
@@ -146,7 +148,7 @@ impl<const POINTS: usize> Approaches<POINTS> {
         // below the first wave Δ is a polynomial in ω², whose first terms count
         let (start, width) = if is_lowest && begin.below == 0.0 {
             let share = begin.point.value / (begin.point.value - end.point.value);
-            (step * share.sqrt().sqrt(), step * 0.03)
+            (step * Scalar::sqrt(Scalar::sqrt(share)), step * 0.03)
         } else {
             (start, width)
         };
@@ -331,13 +333,13 @@ struct GoOn<'a, const POINTS: usize>(&'a mut Approaches<POINTS>);
 impl<const POINTS: usize> Task for GoOn<'_, POINTS> {
     type Output = ();
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx512(self) {
         self.0.go_on_in_lanes::<<f64 as InLanes>::OnAvx512>();
     }
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx2(self) {
         self.0.go_on_in_lanes::<<f64 as InLanes>::OnAvx2>();

@@ -4,7 +4,7 @@
 //! or waves have to be scaled, is left to the search that goes from root to root.
 
 use crate::number::{Dual, InLanes, List, Real, TOUCHING, is_straight};
-use crate::pass::at_once::{Block, Counts, MOST, Phases, Purpose, Values, lanes};
+use crate::pass::at_once::{Block, MOST, lanes};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::approach::{Approaches, Point, ROOTS, Sample};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
@@ -30,6 +30,11 @@ const TRIES: usize = 2;
 /// Distance of the zero of Δ beside a certificate that failed, in its half widths, within which another one is tried.
 const NEARBY: f64 = 8.0;
 
+/// The square root of a frequency.
+fn root<T: Real>(omega: T) -> f64 {
+    omega.sqrt().to_f64()
+}
+
 /// A search for all roots of a window at once.
 pub(super) struct Together<'a, 's, Y: System + ?Sized, T: Real> {
     /// The search that goes from root to root, with its tolerances and its number of evaluations.
@@ -52,11 +57,12 @@ where
         + Characteristic<T::Extended>
         + ?Sized,
 {
-    /// A search beside another; none for numbers that are no `f64`, and without waves, which space roots evenly.
+    /// A search beside another; none for numbers that are no `f64`, without waves, which space roots evenly, and without `std`, where
+    /// there are no vectors and size counts.
     #[inline]
     pub(super) fn new(single: &'s mut Isolation<'a, Y, T>) -> Option<Self> {
         let waves = single.estimates.wave_sum();
-        let suits = T::IS_DOUBLE && waves > 0.0;
+        let suits = cfg!(feature = "std") && T::IS_DOUBLE && waves > 0.0;
         suits.then(|| Together { single, block: Block::new(), samples: List::new(), waves })
     }
 
@@ -65,7 +71,7 @@ where
         let wanted = N as f64;
         let mut found = List::new();
         let zero = self.single.just_above_zero;
-        let (mut from, mut below) = (zero.to_f64().sqrt(), 0.0);
+        let (mut from, mut below) = (root(zero), 0.0);
         while below < wanted {
             let missing = (wanted - below).min(ROOTS_PER_WINDOW);
             self.window(from, from + (missing + BEYOND) * PI / self.waves, missing)?;
@@ -84,8 +90,9 @@ where
         let (start, end) = (*range.start(), *range.end());
         let margin = self.single.half_width + self.single.half_width;
         let (zero, first) = (self.single.just_above_zero, start - start * margin);
-        let mut from = if first > zero { first } else { zero }.to_f64().sqrt();
-        let last = (end + end * margin).to_f64().sqrt();
+        let from = if first > zero { first } else { zero };
+        let mut from = root(from);
+        let last = root(end + end * margin);
         let mut found = List::<NaturalFrequency<T>, CAP>::new();
         let mut is_first = start.is_zero();
         while from < last {
@@ -118,15 +125,15 @@ where
 
     /// Evaluates the first so many frequencies of the block; none where one has to be evaluated alone.
     #[inline]
-    fn evaluate<P: Purpose>(&mut self, purpose: P, count: usize) -> Option<()> {
+    fn evaluate(&mut self, count: usize, is_at_root: bool) -> Option<()> {
         self.single.evaluations += count;
-        self.block.evaluate(purpose, self.single.system, count);
+        self.block.evaluate(self.single.system, count, is_at_root);
         (self.block.unknown == 0).then_some(())
     }
 
     /// Samples a window evenly in the square root of the frequency.
     fn window(&mut self, from: f64, to: f64, roots: f64) -> Option<()> {
-        let lanes = lanes::<T>();
+        let lanes = lanes::<T, Y>();
         // a sample costs little beside others in the lanes of a vector
         let per_root = if lanes > 1 { 3.0 } else { 2.0 };
         let points = ((per_root * roots) as usize + 2).next_multiple_of(lanes).clamp(4, MOST);
@@ -135,7 +142,7 @@ where
             let s = from + step * k as f64;
             *omega = T::from_f64(s * s);
         }
-        self.evaluate(Phases, points)?;
+        self.evaluate(points, false)?;
         let mut last = 0.0;
         self.samples = List::new();
         for lane in 0..points {
@@ -167,7 +174,7 @@ where
             }
         }
         // lanes that would be idle take a third point of each root
-        let lanes = lanes::<T>();
+        let lanes = lanes::<T, Y>();
         let vectors = |points: usize| (points * brackets.len()).div_ceil(lanes);
         if vectors(3) == vectors(2) {
             self.polish::<3, N>(&brackets, found)
@@ -199,7 +206,7 @@ where
             if count == 0 {
                 return self.certify(&approaches, found);
             }
-            self.evaluate(Values, count)?;
+            self.evaluate(count, false)?;
             let mut values = self.block.value.iter();
             for root in 0..approaches.count {
                 if approaches.settled[root] == 0.0 {
@@ -236,7 +243,7 @@ where
             if count == 0 {
                 break;
             }
-            self.evaluate(Counts { is_at_root: true }, count)?;
+            self.evaluate(count, true)?;
             let mut lower = 0;
             for (k, root) in roots.iter_mut().enumerate().filter(|(_, root)| root.multiplicity == 0) {
                 *root = self.certificate(approaches, k, lower, root.omega)?;
