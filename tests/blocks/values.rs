@@ -24,7 +24,7 @@ fn bits<S: mstmm::number::Single>(value: Scaled<S>) -> String {
 }
 
 /// Asserts that values in blocks are those alone, on every instruction set.
-fn assert_values<Y, S>(system: &Y, frequencies: &[S])
+pub(crate) fn assert_values<Y, S>(system: &Y, frequencies: &[S])
 where
     S: Frequency<Y::Parameter> + InLanes,
     Y: InBlocks<S> + System,
@@ -40,7 +40,7 @@ where
 }
 
 /// The same for counts.
-fn assert_counts<Y: Undamped + System<Parameter = f64>>(system: &Y, omegas: &[f64]) {
+pub(crate) fn assert_counts<Y: Undamped + System<Parameter = f64>>(system: &Y, omegas: &[f64]) {
     for set in InstructionSet::ALL {
         let set = set.limit();
         let mut counts = vec![Ok(0); omegas.len()];
@@ -53,7 +53,7 @@ fn assert_counts<Y: Undamped + System<Parameter = f64>>(system: &Y, omegas: &[f6
 }
 
 /// Frequencies of all sizes without any order, and what is none.
-fn frequencies(seed: u64, count: usize) -> Vec<f64> {
+pub(crate) fn frequencies(seed: u64, count: usize) -> Vec<f64> {
     let mut random = Random(seed);
     let mut all: Vec<f64> = (0..count).map(|_| 10f64.powf(14.0 * random.unit() - 5.0)).collect();
     for (place, odd) in [0.0, -3.0, f64::NAN, f64::INFINITY, 1e-160, 1e160, f64::MAX, 5e-324].into_iter().enumerate() {

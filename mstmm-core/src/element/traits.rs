@@ -79,7 +79,7 @@ pub trait PlaneStep<S: Scalar>: Element {
     fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S>;
 
     /// The last step before the root, which gives Δ.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn root<C: RootCounter<S>>(
         coefficients: &Self::Coefficients,
         input: Subspace<S>,

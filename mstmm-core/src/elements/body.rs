@@ -5,7 +5,7 @@ use crate::elements::shared::line_forms::half;
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled, Single};
 use crate::subspace::{Connecting, Covector, Plane, RootCounter, Subspace};
-use lever::{Lever, Levers};
+use lever::{Beside, Lever, Levers};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
@@ -173,8 +173,8 @@ impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
     fn behind<C: RootCounter<S>>(&self, p: &Plane<S>, inertia: S, counter: &mut C) -> Behind<S> {
         let theta_q = p.theta_q + self.a * p.y_theta;
         let turning = self.j * theta_q;
-        let beside = || [inertia.size(), (p.m_q.size() + turning.size()) / self.a.size()];
-        let [[y_m, w], [at_centre, _]] = self.levers.far_ends(p, beside, counter);
+        let beside = Beside { inertia, turning, a: self.a };
+        let [[y_m, w], [at_centre, _]] = self.levers.far_ends(p, &beside, counter);
         Behind { y_m, w, theta_q, m_q: p.m_q + self.a * at_centre + turning }
     }
 }

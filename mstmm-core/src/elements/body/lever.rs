@@ -24,7 +24,7 @@ impl<T: Real> Levers<T> {
     pub(super) fn far_ends<S: Frequency<T>, C: RootCounter<S>>(
         self,
         p: &Plane<S>,
-        beside: impl Fn() -> [S::Size; 2],
+        beside: &Beside<S>,
         counter: &mut C,
     ) -> [[S; 2]; 2] {
         let levers = [self.output, self.centre];
@@ -35,7 +35,7 @@ impl<T: Real> Levers<T> {
         let terms = terms_of_y_m(p, S::from_parameter(self.reach).size());
         let is_kept = !(may_be_lost(terms, ends[0][0]) | may_be_lost(terms, ends[1][0]));
         if S::IN_LANES && !is_kept.all() {
-            let [first, second] = beside();
+            let [first, second] = beside.sizes(p);
             let [[y_m, w], [at_centre, beyond]] = ends;
             let [at_output, at_centre_too] =
                 [self.output.is_kept(p, ends[0], first, terms), self.centre.is_kept(p, ends[1], second, terms)];
@@ -44,7 +44,7 @@ impl<T: Real> Levers<T> {
         if S::IN_LANES {
             return ends;
         }
-        if is_kept.all() { ends } else { self.settled(p, beside(), counter) }
+        if is_kept.all() { ends } else { self.settled(p, beside.sizes(p), counter) }
     }
 
     #[cold]
@@ -59,6 +59,22 @@ impl<T: Real> Levers<T> {
 }
 
 /// A length and its rounding error.
+/// What is added to `p_YM` at the far ends: the inertia about the output end times `p_YΘ` at that end, `p_MQ` and the turning of the inertia
+/// about the mass centre, over `a = mλ²`, at that centre.
+pub(super) struct Beside<S> {
+    pub(super) inertia: S,
+    pub(super) turning: S,
+    pub(super) a: S,
+}
+
+impl<S: Scalar> Beside<S> {
+    /// The sizes of both, in the unit of `p_YM`.
+    #[inline(always)]
+    fn sizes(&self, p: &Plane<S>) -> [S::Size; 2] {
+        [self.inertia.size(), (p.m_q.size() + self.turning.size()) / self.a.size()]
+    }
+}
+
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lever<T> {
     pub(super) length: T,

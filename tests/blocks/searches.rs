@@ -1,0 +1,58 @@
+//! Counts, Δ and certified roots of models on every instruction set.
+#![expect(clippy::unwrap_used, reason = "the models here are valid")]
+
+use crate::undamped_models::for_each_undamped;
+use crate::values::{assert_counts, assert_values, frequencies};
+use mstmm::element::ParameterError;
+use mstmm::prelude::*;
+use mstmm::search::{InBlocks, System};
+use mstmm_lanes::InstructionSet;
+use paper::models;
+
+/// Oracle: the same question to one number at a time; roots may differ within their certified intervals alone.
+fn check<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(system: Y) {
+    let omegas = frequencies(3, 60);
+    assert_values(&system, &omegas);
+    assert_counts(&system, &omegas);
+    InstructionSet::Target.limit();
+    let alone = system.first_frequencies::<2>().unwrap();
+    for set in InstructionSet::ALL {
+        let set = set.limit();
+        let found = system.first_frequencies::<2>().unwrap();
+        assert_eq!(found.len(), alone.len(), "{set:?}");
+        for (root, same) in found.iter().zip(&alone) {
+            assert_eq!(root.multiplicity, same.multiplicity, "{set:?}: {root}");
+            assert!(root.omega >= same.lower && root.omega <= same.upper, "{set:?}: {root:?} and {same:?}");
+        }
+    }
+}
+
+#[test]
+fn examples_of_the_paper() {
+    check(models::light_tip_body().build().unwrap());
+    check(models::restrained_beam().build().unwrap());
+    check(models::spring_and_mass().build().unwrap());
+    check(models::two_spans().build().unwrap());
+}
+
+#[test]
+fn random_trees_as_models() {
+    fn check_built<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(_: u64, system: Result<Y, ParameterError>) {
+        check(system.unwrap());
+    }
+    for_each_undamped!(check_built);
+}
+
+/// A function that is called and not in line is compiled for the least machine, and its vector operations become calls: thirty times as
+/// slow, and right.
+#[test]
+#[cfg_attr(debug_assertions, ignore = "debug builds have no lanes: .ci/long")]
+fn no_operation_on_a_vector_is_a_call() {
+    use object::{Object, ObjectSymbol};
+    let bytes = std::fs::read(std::env::current_exe().unwrap()).unwrap();
+    let file = object::File::parse(bytes.as_slice()).unwrap();
+    let names: Vec<_> = file.symbols().filter_map(|symbol| symbol.name().ok()).collect();
+    assert!(names.iter().any(|name| name.contains("on_avx512")), "without symbols nothing can be seen");
+    let calls: Vec<_> = names.iter().filter(|name| name.contains("_mm512_") || name.contains("_mm256_")).collect();
+    assert!(calls.is_empty(), "{calls:?}");
+}
