@@ -34,7 +34,7 @@ use num_traits::Zero;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait ManyFrequencies: System {
-    /// Δ at each frequency, as [`characteristic`](Characteristic::characteristic) returns it.
+    /// Δ at each frequency, as [`characteristic`](crate::pass::characteristic::Characteristic::characteristic) returns it.
     ///
     /// # Errors
     /// [`SearchError::Capacity`] where `values` is shorter than `frequencies`.
