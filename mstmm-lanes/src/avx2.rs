@@ -163,15 +163,4 @@ impl Vector for Four {
     fn bits(mask: FourTruths) -> u8 {
         (unsafe { _mm256_movemask_pd(_mm256_castsi256_pd(mask.0)) }) as u8
     }
-
-    #[inline(always)]
-    fn call<R>(function: impl FnOnce() -> R) -> R {
-        unsafe { called(function) }
-    }
-}
-
-#[inline(never)]
-#[target_feature(enable = "avx2")]
-fn called<R>(function: impl FnOnce() -> R) -> R {
-    function()
 }

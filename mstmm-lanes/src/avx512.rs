@@ -153,15 +153,4 @@ impl Vector for Eight {
     fn bits(mask: u8) -> u8 {
         mask
     }
-
-    #[inline(always)]
-    fn call<R>(function: impl FnOnce() -> R) -> R {
-        unsafe { called(function) }
-    }
-}
-
-#[inline(never)]
-#[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
-fn called<R>(function: impl FnOnce() -> R) -> R {
-    function()
 }

@@ -61,6 +61,4 @@ pub trait Vector: Copy + Debug + 'static {
     fn mask(truth: bool) -> Self::Mask;
     /// A bit per lane, that of the first lane last.
     fn bits(mask: Self::Mask) -> u8;
-    /// Calls a function that is compiled for the instruction set.
-    fn call<R>(function: impl FnOnce() -> R) -> R;
 }

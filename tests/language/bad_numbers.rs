@@ -232,6 +232,13 @@ fn a_search_refuses_bad_input_by_a_typed_error() {
             assert!(same(s, start) && same(e, end), "{error} for {start}..={end}");
         }
     }
+    let system = Branched { l: 1.0, k: 1.0, m: 1.0 }.build().unwrap();
+    for (start, end) in [(10.0, 5.0), (5.0, 5.0), (-1.0, 500.0), (f64::NAN, 5.0), (0.0, f64::NAN), (0.0, f64::INFINITY)]
+    {
+        let error = system.natural_frequencies::<8>(start..=end).unwrap_err();
+        let SearchError::Range { start: s, end: e } = error else { panic!("{error} for {start}..={end}") };
+        assert!(same(s, start) && same(e, end), "{error} for {start}..={end}");
+    }
     for points in 0..3 {
         for error in [
             line(unit(), points, 0.1),

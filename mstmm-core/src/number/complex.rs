@@ -85,11 +85,6 @@ impl<T: Component> Scalar for Complex<T> {
         Complex::new(self.re.valid_if(condition), self.im)
     }
 
-    #[inline(always)]
-    fn call<R>(function: impl FnOnce() -> R) -> R {
-        T::call(function)
-    }
-
     #[inline]
     fn times_power_of_two(self, exponent: i32) -> Self {
         Complex::new(self.re.times_power_of_two(exponent), self.im.times_power_of_two(exponent))

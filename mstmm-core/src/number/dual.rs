@@ -224,11 +224,6 @@ impl<S: Scalar> Scalar for Dual<S> {
     }
 
     #[inline(always)]
-    fn call<R>(function: impl FnOnce() -> R) -> R {
-        S::call(function)
-    }
-
-    #[inline(always)]
     fn vanishes(self) -> S::Truth {
         self.value.vanishes()
     }

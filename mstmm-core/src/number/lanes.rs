@@ -148,11 +148,6 @@ impl<V: Vector> Scalar for Lanes<V> {
     fn valid_if(self, condition: Truths<V>) -> Self {
         Lanes::select(condition, self, Lanes::splat(f64::NAN))
     }
-
-    #[inline(always)]
-    fn call<R>(function: impl FnOnce() -> R) -> R {
-        V::call(function)
-    }
 }
 
 /// Where waves need not be scaled.

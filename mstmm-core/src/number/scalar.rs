@@ -108,12 +108,6 @@ pub trait Scalar:
         entries[N - 1] = entries[N - 1].valid_if(is_kept);
         (entries, 0)
     }
-
-    /// Calls a function in code for the instruction set of the lanes.
-    #[inline(always)]
-    fn call<R>(function: impl FnOnce() -> R) -> R {
-        function()
-    }
 }
 
 /// Entries times a power of two.

@@ -33,6 +33,16 @@ impl<S: Scalar> Scaled<S> {
         }
     }
 
+    /// The number over `2^exponent`; infinite or zero where it leaves the range of the type.
+    #[inline(always)]
+    pub(crate) fn over_power(self, exponent: i64) -> S {
+        // numbers in lanes have all the same power of two
+        match self.exponent.saturating_sub(exponent) {
+            0 => self.mantissa,
+            shift => self.mantissa.times_power_of_two(shift.clamp(-3000, 3000) as i32),
+        }
+    }
+
     /// The factor in `[1, 2)` (or zero, or not finite).
     #[inline]
     pub fn mantissa(self) -> S {

@@ -72,6 +72,12 @@ pub trait Size:
         Self::choose(self.is_below(other), other, self)
     }
 
+    /// The smaller of two numbers.
+    #[inline(always)]
+    fn or_smaller(self, other: Self) -> Self {
+        Self::choose(self.is_below(other), self, other)
+    }
+
     /// 1 where the truth holds, else 0.
     #[inline(always)]
     fn one_if(truth: Self::Truth) -> Self {

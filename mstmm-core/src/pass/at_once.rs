@@ -8,12 +8,17 @@ use crate::subspace::NoCount;
 /// Most frequencies of a block.
 pub(crate) const MOST: usize = 16;
 
+/// Whether a system is evaluated in lanes at numbers of a type. Else its pass is compiled once, for one number.
+const fn has_lanes<S: InLanes, Y: System + ?Sized>() -> bool {
+    Y::STANDS_IN_LINE && S::OnAvx512::LANES > 1
+}
+
 /// Number of lanes of the instruction set in use, in which a system is evaluated.
 #[inline]
 pub(crate) fn lanes<T: InLanes, Y: System + ?Sized>() -> usize {
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     match mstmm_lanes::InstructionSet::in_use() {
-        _ if !Y::STANDS_IN_LINE => {}
+        _ if !const { has_lanes::<T, Y>() } => {}
         mstmm_lanes::InstructionSet::Avx512 => return T::OnAvx512::LANES,
         mstmm_lanes::InstructionSet::Avx2 => return T::OnAvx2::LANES,
         mstmm_lanes::InstructionSet::Target => {}
@@ -61,7 +66,7 @@ impl<T: InLanes + Real> Block<T> {
         Y: Characteristic<T> + Characteristic<T::OnAvx512> + Characteristic<T::OnAvx2> + ?Sized,
     {
         let evaluation = Evaluation { system, block: self, count: count.min(MOST), is_at_root };
-        if const { Y::STANDS_IN_LINE } {
+        if const { has_lanes::<T, Y>() } {
             run(evaluation);
         } else {
             evaluation.alone();
@@ -100,10 +105,7 @@ impl<Y: ?Sized, T: InLanes + Real> Evaluation<'_, Y, T> {
             let cancelled = counter.counter().cancelled();
             S::store_size(counter.counter().count(), &mut block.below[lanes.clone()]);
             S::store_size(counter.phase(delta), &mut block.phase[lanes.clone()]);
-            // numbers in lanes have all the same power of two
-            let common = *block.exponent.get_or_insert(delta.exponent());
-            let shift = (delta.exponent() - common).clamp(-3000, 3000) as i32;
-            let value = if shift == 0 { delta.mantissa() } else { delta.mantissa().times_power_of_two(shift) };
+            let value = delta.over_power(*block.exponent.get_or_insert(delta.exponent()));
             let is_known = value.size().is_below(S::Size::of(f64::INFINITY)) & !value.vanishes();
             let is_doubtful = cancelled.at_root | S::Truth::of(cancelled.any());
             block.unknown |= u32::from(S::bits(is_doubtful | !is_known)) << from;
@@ -164,7 +166,7 @@ pub(crate) fn characteristics<S: InLanes, Y: InBlocks<S> + ?Sized>(
     values: &mut [Scaled<S>],
 ) {
     let evaluation = Characteristics { system, frequencies, values };
-    if const { Y::STANDS_IN_LINE } {
+    if const { has_lanes::<S, Y>() } {
         run(evaluation);
     } else {
         evaluation.alone();

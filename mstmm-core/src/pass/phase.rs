@@ -28,9 +28,7 @@ fn quarter_ahead<S: Scalar>(plane: &Plane<S>, [factors, inverses]: &[[S; 4]; 2])
 /// A counter that also keeps Δ with the wave of the last beam a quarter of a turn ahead.
 pub(crate) struct PhaseCounter<S: Scalar> {
     counter: WittrickWilliams<S::Size>,
-    ahead: S,
-    /// Its power of two.
-    exponent: i64,
+    ahead: Scaled<S>,
     /// Units of minors and their inverses at the wave number of the last beam.
     units: [[S; 4]; 2],
     /// The plane behind that beam.
@@ -44,8 +42,7 @@ impl<S: Scalar> PhaseCounter<S> {
         let ones = [S::one(); 4];
         PhaseCounter {
             counter: WittrickWilliams::new(is_at_root),
-            ahead: S::one(),
-            exponent: 0,
+            ahead: Scaled::new(S::one(), 0),
             units: [ones; 2],
             end: Plane::of_tip(Support::Free),
         }
@@ -60,9 +57,7 @@ impl<S: Scalar> PhaseCounter<S> {
     /// The phase in half turns, given Δ.
     #[inline(always)]
     pub(crate) fn phase(&self, delta: Scaled<S>) -> S::Size {
-        let shift = (self.exponent - delta.exponent()).clamp(-3000, 3000) as i32;
-        let ahead = if shift == 0 { self.ahead } else { self.ahead.times_power_of_two(shift) };
-        self.counter.count() + share(delta.mantissa(), ahead)
+        self.counter.count() + share(delta.mantissa(), self.ahead.over_power(delta.exponent()))
     }
 }
 
@@ -114,7 +109,7 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
         let k_theta = (plane.y_m - end.y_m) * inverse;
         let ahead = quarter_ahead(&end, &self.units);
         let ahead = ahead.with_stiffness(k_y, Space::Translation).with_stiffness(k_theta, Space::Rotation);
-        (self.ahead, self.exponent) = (ahead.minor_at(support), i64::from(ahead.exponent));
+        self.ahead = Scaled::new(ahead.minor_at(support), i64::from(ahead.exponent));
     }
 
     #[inline(always)]
@@ -124,14 +119,14 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
 
     #[inline(always)]
     fn delta_ahead(&mut self, delta: Scaled<S>) {
-        (self.ahead, self.exponent) = (delta.mantissa(), delta.exponent());
+        self.ahead = delta;
     }
 
     #[inline(always)]
     fn line_root(&mut self, line: &Line<S>, support: Support) {
         self.counter.line_root(line, support);
-        self.exponent = i64::from(line.exponent);
-        self.ahead = if support == Support::Fixed { -line.q } else { line.y };
+        let ahead = if support == Support::Fixed { -line.q } else { line.y };
+        self.ahead = Scaled::new(ahead, i64::from(line.exponent));
     }
 
     #[inline(always)]

@@ -62,18 +62,6 @@ fn at_zero<S: Real, const N: usize>(x: [S; N], y: [S; N]) -> S {
     sum
 }
 
-/// The larger of two numbers.
-#[inline(always)]
-fn larger<S: Real>(a: S, b: S) -> S {
-    a.or_larger(b)
-}
-
-/// The smaller of two numbers.
-#[inline(always)]
-fn smaller<S: Real>(a: S, b: S) -> S {
-    S::choose(a.is_below(b), a, b)
-}
-
 /// A number for each root.
 type PerRoot = [f64; ROOTS];
 
@@ -289,15 +277,15 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
         let is_inside = (lower - margin).is_below(estimate) & estimate.is_below(upper + margin);
         // the error falls as the product of the distances of the points
         let (moved, unit) = (Scalar::size(moved), one / estimate);
-        let distance = larger(moved, self.width) * unit;
+        let distance = moved.or_larger(self.width) * unit;
         let far = Scalar::size((before - estimate) * (behind - estimate)) * (unit * unit);
         let product = far * distance * distance * if POINTS > 2 { distance } else { one };
-        let change = larger(moved * unit / self.predicted, one);
+        let change = (moved * unit / self.predicted).or_larger(one);
         let error = product * S::choose(self.predicted.is_below(one), change, number(FIRST_ERROR));
         let settles = error.is_below(number(SETTLED)) & moved.is_below(number(3.0) * self.width) & is_inside;
         let spread = (upper - lower) * number(Approaches::<POINTS>::SPREAD);
         let least = number(Approaches::<POINTS>::LEAST_WIDTH);
-        let width = smaller(estimate * larger(error + error, least), spread);
+        let width = (estimate * (error + error).or_larger(least)).or_smaller(spread);
         // what has left its bracket starts anew from the middle
         let estimate = S::choose(is_inside, estimate, (lower + upper) * number(0.5));
         let width = S::choose(is_inside, width, spread);

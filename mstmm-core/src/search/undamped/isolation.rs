@@ -24,21 +24,15 @@ where
         start: T,
         end: T,
     ) -> Result<FrequencyList<T, CAP>, SearchError> {
-        let valid = start >= T::zero() && start < end && end.size().is_finite();
-        if !valid {
-            return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
-        }
+        let [first, last] = self.enclosing(start, end)?;
         let mut found = List::new();
-        let zero = self.just_above_zero;
-        let margin = self.half_width + self.half_width;
-        let first = if start > zero { start - start * margin } else { zero };
         let mut lower = self.sample(first)?;
         if start.is_zero() {
-            Self::push(&mut found, Self::rigid_body_modes(&lower))?;
+            Self::push(&mut found, self.rigid_body_modes(lower.below))?;
         }
         let mut waiting = List::<Sample<T>, WAITING>::new();
         if end > lower.omega {
-            Self::wait(&mut waiting, self.sample(end + end * margin)?)?;
+            Self::wait(&mut waiting, self.sample(last)?)?;
         }
         while let Some(root) = self.next(&mut lower, &mut waiting)? {
             self.doubt(&root, found.last());
@@ -56,7 +50,7 @@ where
         let estimates = self.estimates;
         let mut found = List::new();
         let mut lower = self.sample(self.just_above_zero)?;
-        Self::push(&mut found, Self::rigid_body_modes(&lower))?;
+        Self::push(&mut found, self.rigid_body_modes(lower.below))?;
         let mut settled = lower.below;
         // upper ends in ascending order first, to be turned round
         let mut waiting = List::<Sample<T>, WAITING>::new();
@@ -80,24 +74,40 @@ where
         Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
     }
 
-    /// Marks roots that rounding may have moved as doubtful: several in one interval, two that nearly touch, one that is nearly
-    /// zero.
+    /// The frequencies beside a range between which the frequencies that meet it lie; an error for a range that is none.
     #[inline]
-    fn doubt(&mut self, root: &NaturalFrequency<T>, last: Option<&NaturalFrequency<T>>) {
-        let touching = last.is_some_and(|last| root.lower - last.upper <= root.omega * T::from_f64(TOUCHING));
-        self.is_doubtful |= root.multiplicity > 1 || touching || root.omega < self.nearly_zero;
+    pub(super) fn enclosing(&self, start: T, end: T) -> Result<[T; 2], SearchError> {
+        let valid = start >= T::zero() && start < end && end.size().is_finite();
+        if !valid {
+            return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
+        }
+        let (zero, margin) = (self.just_above_zero, self.half_width + self.half_width);
+        Ok([if start > zero { start - start * margin } else { zero }, end + end * margin])
     }
 
-    /// The entry of frequencies that are zero, if there are any.
+    /// Marks a root that rounding may have moved as doubtful.
     #[inline]
-    fn rigid_body_modes(just_above_zero: &Sample<T>) -> Option<NaturalFrequency<T>> {
-        let (zero, upper) = (T::zero(), just_above_zero.omega);
-        let multiplicity = just_above_zero.below;
+    fn doubt(&mut self, root: &NaturalFrequency<T>, last: Option<&NaturalFrequency<T>>) {
+        self.is_doubtful |= self.may_have_moved(root, last);
+    }
+
+    /// Whether rounding may have moved a root: several are in one interval, two nearly touch, or it is nearly zero.
+    #[inline]
+    pub(super) fn may_have_moved(&self, root: &NaturalFrequency<T>, last: Option<&NaturalFrequency<T>>) -> bool {
+        let touching = last.is_some_and(|last| root.lower - last.upper <= root.omega * T::from_f64(TOUCHING));
+        root.multiplicity > 1 || touching || root.omega < self.nearly_zero
+    }
+
+    /// The entry of so many frequencies that are zero, if there are any.
+    #[inline]
+    pub(super) fn rigid_body_modes(&self, multiplicity: u64) -> Option<NaturalFrequency<T>> {
+        let (zero, upper) = (T::zero(), self.just_above_zero);
         (multiplicity > 0).then_some(NaturalFrequency { omega: zero, lower: zero, upper, multiplicity })
     }
 
+    /// Adds a root, if there is one.
     #[inline]
-    fn push<const CAP: usize>(
+    pub(super) fn push<const CAP: usize>(
         found: &mut List<NaturalFrequency<T>, CAP>,
         root: Option<NaturalFrequency<T>>,
     ) -> Result<(), SearchError> {

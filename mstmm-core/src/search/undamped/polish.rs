@@ -1,7 +1,7 @@
 //! The last digits of a single root, by inverse interpolation with derivatives inside a bracket of counts.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Real, Scaled, is_straight};
+use crate::number::{Dual, Real, is_straight};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::found::NaturalFrequency;
 use crate::search::undamped::sampling::{Isolation, Sample, Slope, middle};
@@ -125,19 +125,14 @@ where
 /// The zero of the chord between two samples, as a share of their distance.
 #[inline]
 fn chord_share<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> T {
-    let shift = (upper.value.exponent() - lower.value.exponent()).clamp(-2000, 2000) as i32;
-    let (a, b) = (lower.value.mantissa(), upper.value.mantissa().times_power_of_two(shift));
+    let (a, b) = (lower.value.mantissa(), upper.value.over_power(lower.value.exponent()));
     a / (a - b)
 }
 
 /// Whether the growth of Δ across a root fits its slope beside it, as it does unless rounding rules there.
 #[inline]
 fn fits<T: Real>(below: &Sample<T>, above: &Sample<T>, nearest: &Slope<T>) -> bool {
-    let at_scale = |value: Scaled<T>| {
-        let shift = (value.exponent() - nearest.exponent).clamp(-2000, 2000) as i32;
-        value.mantissa().times_power_of_two(shift)
-    };
-    let growth = at_scale(above.value) - at_scale(below.value);
+    let growth = above.value.over_power(nearest.exponent) - below.value.over_power(nearest.exponent);
     is_straight(growth / (nearest.derivative * (above.omega - below.omega)))
 }
 

@@ -3,7 +3,7 @@
 //! Evaluations that do not wait for each other share the lanes of a vector. What does not hold here, since roots coincide, sums cancel
 //! or waves have to be scaled, is left to the search that goes from root to root.
 
-use crate::number::{Dual, InLanes, List, Real, TOUCHING, is_straight};
+use crate::number::{Dual, InLanes, List, Real, is_straight};
 use crate::pass::at_once::{Block, MOST, lanes};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::approach::{Approaches, Point, ROOTS, Sample};
@@ -14,9 +14,6 @@ use core::ops::RangeInclusive;
 
 /// Roots that are sought in one window.
 const ROOTS_PER_WINDOW: f64 = 6.0;
-
-/// Samples of a window, those that separate roots included.
-const SAMPLES: usize = MOST;
 
 /// Roots by which a window reaches beyond those that are wanted, since supports and masses move them by about one.
 const BEYOND: f64 = 0.75;
@@ -41,7 +38,7 @@ pub(super) struct Together<'a, 's, Y: System + ?Sized, T: Real> {
     single: &'s mut Isolation<'a, Y, T>,
     block: Block<T>,
     /// The samples of the window in ascending order.
-    samples: List<Sample, SAMPLES>,
+    samples: List<Sample, MOST>,
     /// Sum of `z/sqrt(ω)` of all waves.
     waves: f64,
 }
@@ -88,11 +85,7 @@ where
     /// The frequencies of a range, if all of them are certified.
     pub(super) fn in_range<const CAP: usize>(mut self, range: &RangeInclusive<T>) -> Option<FrequencyList<T, CAP>> {
         let (start, end) = (*range.start(), *range.end());
-        let margin = self.single.half_width + self.single.half_width;
-        let (zero, first) = (self.single.just_above_zero, start - start * margin);
-        let from = if first > zero { first } else { zero };
-        let mut from = root(from);
-        let last = root(end + end * margin);
+        let [mut from, last] = self.single.enclosing(start, end).ok()?.map(root);
         let mut found = List::<NaturalFrequency<T>, CAP>::new();
         let mut is_first = start.is_zero();
         while from < last {
@@ -115,12 +108,8 @@ where
 
     /// The entry of frequencies that are zero, if there are any.
     fn push_rigid_body_modes<const N: usize>(&self, found: &mut List<NaturalFrequency<T>, N>) -> Option<()> {
-        let multiplicity = self.samples.first()?.below as u64;
-        if multiplicity == 0 {
-            return Some(());
-        }
-        let (zero, upper) = (T::zero(), self.single.just_above_zero);
-        found.push(NaturalFrequency { omega: zero, lower: zero, upper, multiplicity }).ok()
+        let modes = self.single.rigid_body_modes(self.samples.first()?.below as u64);
+        Isolation::<Y, T>::push(found, modes).ok()
     }
 
     /// Evaluates the first so many frequencies of the block; none where one has to be evaluated alone.
@@ -251,8 +240,7 @@ where
             }
         }
         for root in roots {
-            let touches = |last: &NaturalFrequency<T>| root.lower - last.upper <= root.omega * T::from_f64(TOUCHING);
-            if root.multiplicity == 0 || root.omega < self.single.nearly_zero || found.last().is_some_and(touches) {
+            if root.multiplicity == 0 || self.single.may_have_moved(root, found.last()) {
                 return None;
             }
             found.push(*root).ok()?;
