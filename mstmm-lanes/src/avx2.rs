@@ -1,7 +1,7 @@
 //! Four numbers by AVX2.
 #![expect(unsafe_code, reason = "values exist only on machines with AVX2, see `Vector`")]
 
-use crate::vector::Vector;
+use crate::vector::{Part, Vector};
 use core::arch::x86_64::*;
 
 /// Four numbers in a register of AVX2.
@@ -163,4 +163,15 @@ impl Vector for Four {
     fn bits(mask: FourTruths) -> u8 {
         (unsafe { _mm256_movemask_pd(_mm256_castsi256_pd(mask.0)) }) as u8
     }
+
+    #[inline(always)]
+    fn call(part: impl Part) {
+        unsafe { called(part) }
+    }
+}
+
+#[inline(never)]
+#[target_feature(enable = "avx2")]
+fn called(part: impl Part) {
+    part.run();
 }

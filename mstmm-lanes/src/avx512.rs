@@ -1,7 +1,7 @@
 //! Eight numbers by AVX-512.
 #![expect(unsafe_code, reason = "values exist only on machines with AVX-512, see `Vector`")]
 
-use crate::vector::Vector;
+use crate::vector::{Part, Vector};
 use core::arch::x86_64::*;
 
 /// Eight numbers in a register of AVX-512.
@@ -153,4 +153,15 @@ impl Vector for Eight {
     fn bits(mask: u8) -> u8 {
         mask
     }
+
+    #[inline(always)]
+    fn call(part: impl Part) {
+        unsafe { called(part) }
+    }
+}
+
+#[inline(never)]
+#[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
+fn called(part: impl Part) {
+    part.run();
 }

@@ -20,7 +20,7 @@ pub use avx2::Four;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Eight;
 pub use lanes::{Lanes, Truths};
-pub use vector::Vector;
+pub use vector::{Part, Vector};
 
 use std::sync::atomic::{AtomicU8, Ordering};
 

@@ -61,4 +61,13 @@ pub trait Vector: Copy + Debug + 'static {
     fn mask(truth: bool) -> Self::Mask;
     /// A bit per lane, that of the first lane last.
     fn bits(mask: Self::Mask) -> u8;
+    /// Does a part in a function of its own, which is compiled for the instruction set.
+    fn call(part: impl Part);
+}
+
+/// A part of a task that is called, since it would be long in line, and compiled again wherever it stands. All functions that it calls
+/// have to stand in line. Its fields are references: vectors are passed in memory.
+pub trait Part {
+    /// Does it. Mark it `#[inline(always)]`.
+    fn run(self);
 }

@@ -2,7 +2,7 @@
 
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::{BendingCoefficients, Units};
-use crate::elements::shared::krylov::{bending_matrix, plane_series};
+use crate::elements::shared::krylov::bending_matrix;
 use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Real, Scaled, Single, Size, Truth, WaveProducts, binary_exponent};
 use crate::subspace::{RootCounter, Subspace};
@@ -189,9 +189,8 @@ impl<T: Real> BuiltBeam<T> {
     #[inline(always)]
     fn short_units<S: Frequency<T>>(&self) -> Units<S> {
         if S::IS_EXTENDED {
-            let [length, stiffness] =
-                [self.parameters.length, self.parameters.bending_stiffness].map(S::from_parameter);
-            return Units::new(stiffness, S::one() / length);
+            let Beam { length, bending_stiffness, .. } = self.parameters;
+            return Units::new(S::from_parameter(bending_stiffness), S::one() / S::from_parameter(length));
         }
         let Units { factors, inverses } = self.length_units;
         let ([a, b, c, d], [e, f, g, h]) = (factors, inverses);
@@ -212,7 +211,7 @@ impl<T: Real> BuiltBeam<T> {
     #[inline(always)]
     fn short<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         let x = -at.lambda_squared * self.wave_fourth;
-        let [c, b, f, d, e] = plane_series(x);
+        let [c, b, f, d, e] = x.short_wave_products();
         let Units { factors, inverses } = self.short_units();
         BendingCoefficients {
             z,

@@ -6,9 +6,10 @@
 use crate::number::frequency::{Component, Frequency, RealFrequency};
 use crate::number::kernel::{self, Rounding};
 use crate::number::scalar::Scalar;
+use crate::number::series;
 use crate::number::truth::{Size, Truth};
 use crate::number::wave_functions::WaveFunctions;
-use mstmm_lanes::{Lanes, Truths, Vector};
+use mstmm_lanes::{Eight, Four, Lanes, Part, Truths, Vector};
 use num_traits::One;
 
 impl<V: Vector> Truth for Truths<V> {
@@ -77,7 +78,53 @@ impl<V: Vector> Rounding for Lanes<V> {
     }
 }
 
-impl<V: Vector> Scalar for Lanes<V> {
+/// A vector with the functions of waves, compiled once with this crate, since each beam of each model would repeat them.
+pub trait Waving: Vector {
+    /// Sine, cosine, hyperbolic sine and cosine.
+    fn waves(x: &Lanes<Self>, values: &mut [Lanes<Self>; 4]);
+
+    /// See [`Scalar::short_wave_products`].
+    fn short_wave_products(x: &Lanes<Self>, products: &mut [Lanes<Self>; 5]);
+}
+
+/// The functions of long waves.
+struct Waves<'a, V>(&'a Lanes<V>, &'a mut [Lanes<V>; 4]);
+
+impl<V: Vector> Part for Waves<'_, V> {
+    #[inline(always)]
+    fn run(self) {
+        *self.1 = kernel::circular_and_hyperbolic(*self.0);
+    }
+}
+
+/// The products of short waves.
+struct ShortWaves<'a, V>(&'a Lanes<V>, &'a mut [Lanes<V>; 5]);
+
+impl<V: Waving> Part for ShortWaves<'_, V> {
+    #[inline(always)]
+    fn run(self) {
+        *self.1 = series::short_wave_products(*self.0);
+    }
+}
+
+macro_rules! waving {
+    ($($vector:ty),*) => {$(
+        impl Waving for $vector {
+            #[inline(never)]
+            fn waves(x: &Lanes<Self>, values: &mut [Lanes<Self>; 4]) {
+                Self::call(Waves(x, values));
+            }
+
+            #[inline(never)]
+            fn short_wave_products(x: &Lanes<Self>, products: &mut [Lanes<Self>; 5]) {
+                Self::call(ShortWaves(x, products));
+            }
+        }
+    )*};
+}
+waving!(Eight, Four);
+
+impl<V: Waving> Scalar for Lanes<V> {
     type Truth = Truths<V>;
     type Size = Self;
     const IN_LANES: bool = true;
@@ -109,14 +156,23 @@ impl<V: Vector> Scalar for Lanes<V> {
 
     #[inline(always)]
     fn sinh_cosh(self) -> (Self, Self) {
-        let [_, _, sinh, cosh] = kernel::circular_and_hyperbolic(self.valid_if(is_short_of_limit(self)));
-        (sinh, cosh)
+        let waves = self.wave_functions();
+        (waves.sh, waves.ch)
     }
 
     #[inline(always)]
     fn wave_functions(self) -> WaveFunctions<Self> {
-        let [sin, cos, sh, ch] = kernel::circular_and_hyperbolic(self.valid_if(is_short_of_limit(self)));
+        let mut waves = [self; 4];
+        V::waves(&self.valid_if(is_short_of_limit(self)), &mut waves);
+        let [sin, cos, sh, ch] = waves;
         WaveFunctions { sin, cos, sh, ch, one: Lanes::one(), exponents: [0; 2] }
+    }
+
+    #[inline(always)]
+    fn short_wave_products(self) -> [Self; 5] {
+        let mut products = [self; 5];
+        V::short_wave_products(&self, &mut products);
+        products
     }
 
     #[inline(always)]
@@ -152,18 +208,18 @@ impl<V: Vector> Scalar for Lanes<V> {
 
 /// Where waves need not be scaled.
 #[inline(always)]
-fn is_short_of_limit<V: Vector>(number: Lanes<V>) -> Truths<V> {
+fn is_short_of_limit<V: Waving>(number: Lanes<V>) -> Truths<V> {
     number.size().is_less(Lanes::splat(<f64 as Scalar>::WAVE_LIMIT))
 }
 
-impl<V: Vector> Component for Lanes<V> {
+impl<V: Waving> Component for Lanes<V> {
     #[inline(always)]
     fn abs(self) -> Self {
         Lanes(self.0.magnitude())
     }
 }
 
-impl<V: Vector> Frequency<f64> for Lanes<V> {
+impl<V: Waving> Frequency<f64> for Lanes<V> {
     type Meaning = RealFrequency;
 
     #[inline(always)]

@@ -18,6 +18,7 @@ pub(crate) mod packed;
 pub(crate) mod partials;
 pub(crate) mod scalar;
 pub(crate) mod scaled;
+pub(crate) mod series;
 #[cfg(test)]
 pub(crate) mod tolerance;
 pub(crate) mod truth;
@@ -44,6 +45,7 @@ pub(crate) use packed::{InLanes, Packed, Task, run};
 pub(crate) use partials::Partials;
 pub(crate) use scalar::{Scalar, Single};
 pub(crate) use scaled::{Magnitude, Scaled};
+pub(crate) use series::series;
 #[cfg(test)]
 pub(crate) use tolerance::assert_close;
 pub(crate) use truth::{Size, Truth};

@@ -81,10 +81,11 @@ pub(crate) fn run<T: Task>(task: T) -> T::Output {
 
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 mod vectors {
+    use crate::number::lanes::Waving;
     use crate::number::packed::Packed;
-    use mstmm_lanes::{Lanes, Truths, Vector};
+    use mstmm_lanes::{Lanes, Truths};
 
-    impl<V: Vector> Packed<f64> for Lanes<V> {
+    impl<V: Waving> Packed<f64> for Lanes<V> {
         const LANES: usize = V::LANES;
 
         #[inline(always)]

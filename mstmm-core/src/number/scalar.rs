@@ -1,5 +1,6 @@
 //! Scalars: the entries of matrices and states.
 
+use crate::number::series;
 use crate::number::truth::{Size, Truth};
 use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -74,6 +75,12 @@ pub trait Scalar:
         WaveProducts::of(self.wave_functions())
     }
 
+    /// The same products of `z`, given `z⁴`, for `|z| <= 1`: see [`series::short_wave_products`].
+    #[inline(always)]
+    fn short_wave_products(self) -> [Self; 5] {
+        series::short_wave_products(self)
+    }
+
     /// The first number where the truth holds, else the second.
     fn select(truth: Self::Truth, first: Self, second: Self) -> Self;
 
@@ -112,8 +119,12 @@ pub trait Scalar:
 
 /// Entries times a power of two.
 #[cold]
-fn shifted<S: Scalar, const N: usize>(entries: [S; N], exponent: i32) -> [S; N] {
-    entries.map(|entry| entry.times_power_of_two(exponent))
+fn shifted<S: Scalar, const N: usize>(mut entries: [S; N], exponent: i32) -> [S; N] {
+    // `array::map` is ten functions to compile, for each scalar
+    for entry in &mut entries {
+        *entry = entry.times_power_of_two(exponent);
+    }
+    entries
 }
 
 /// A scalar that is one number, whose comparisons are plain truths.

@@ -3,7 +3,10 @@
 use crate::number::{InLanes, Packed, Real, Scaled, Size, Task, Truth, run};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::pass::phase::PhaseCounter;
+pub(crate) use crate::pass::phase::Purpose;
 use crate::subspace::NoCount;
+use core::marker::PhantomData;
+use core::ops::Range;
 
 /// Most frequencies of a block.
 pub(crate) const MOST: usize = 16;
@@ -43,7 +46,7 @@ pub(crate) struct Block<T> {
     exponent: Option<i64>,
 }
 
-impl<T: InLanes + Real> Block<T> {
+impl<T: InLanes> Block<T> {
     /// Room for frequencies.
     #[inline]
     pub(crate) fn new() -> Self {
@@ -57,20 +60,26 @@ impl<T: InLanes + Real> Block<T> {
         }
     }
 
-    /// Evaluates the first so many frequencies; `is_at_root` tells that they are so close to roots that the terms of Δ are examined.
-    ///
-    /// Counts and phases are computed even where Δ alone is wanted: that costs a tenth, a second piece of code as much again to compile.
+    /// Evaluates Δ alone at the first so many frequencies.
     #[inline]
-    pub(crate) fn evaluate<Y>(&mut self, system: &Y, count: usize, is_at_root: bool)
-    where
-        Y: Characteristic<T> + Characteristic<T::OnAvx512> + Characteristic<T::OnAvx2> + ?Sized,
-    {
-        let evaluation = Evaluation { system, block: self, count: count.min(MOST), is_at_root };
-        if const { has_lanes::<T, Y>() } {
-            run(evaluation);
-        } else {
-            evaluation.alone();
-        }
+    pub(crate) fn values<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize) {
+        evaluate(Values { system, block: self, count: count.min(MOST) });
+    }
+
+    /// Keeps Δ of some lanes.
+    #[inline(always)]
+    fn keep<S: Packed<T>>(&mut self, delta: Scaled<S>, lanes: Range<usize>) -> S {
+        let value = delta.over_power(*self.exponent.get_or_insert(delta.exponent()));
+        value.store(&mut self.value[lanes]);
+        value
+    }
+}
+
+impl<T: InLanes + Real> Block<T> {
+    /// Evaluates Δ, counts and for that purpose phases at the first so many frequencies.
+    #[inline]
+    pub(crate) fn counts<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize, purpose: Purpose) {
+        evaluate(Counts { system, block: self, count: count.min(MOST), purpose });
     }
 
     /// The count on which a lane and the next one agree, if they are neither at a root nor doubtful.
@@ -81,62 +90,100 @@ impl<T: InLanes + Real> Block<T> {
     }
 }
 
-/// The evaluation of a block.
-struct Evaluation<'a, Y: ?Sized, T> {
+/// The evaluation of Δ, counts and phases.
+struct Counts<'a, Y: ?Sized, T> {
     system: &'a Y,
     block: &'a mut Block<T>,
     count: usize,
-    is_at_root: bool,
+    purpose: Purpose,
 }
 
-impl<Y: ?Sized, T: InLanes + Real> Evaluation<'_, Y, T> {
+impl<Y: InBlocks<T> + ?Sized, T: InLanes + Real> ManyAtOnce<T> for Counts<'_, Y, T> {
+    type System = Y;
+
     #[inline(always)]
     fn in_lanes<S: Packed<T>>(self)
     where
         Y: Characteristic<S>,
     {
-        let Evaluation { system, block, count, is_at_root } = self;
+        let Counts { system, block, count, purpose } = self;
         block.unknown = 0;
         let mut from = 0;
         while from < count {
             let lanes = from..count.min(from + S::LANES);
-            let mut counter = PhaseCounter::new(is_at_root);
+            let mut counter = PhaseCounter::new(purpose);
             let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut counter);
             let cancelled = counter.counter().cancelled();
             S::store_size(counter.counter().count(), &mut block.below[lanes.clone()]);
-            S::store_size(counter.phase(delta), &mut block.phase[lanes.clone()]);
-            let value = delta.over_power(*block.exponent.get_or_insert(delta.exponent()));
+            if purpose == Purpose::Phases {
+                S::store_size(counter.phase(delta), &mut block.phase[lanes.clone()]);
+            }
+            let value = block.keep(delta, lanes);
             let is_known = value.size().is_below(S::Size::of(f64::INFINITY)) & !value.vanishes();
             let is_doubtful = cancelled.at_root | S::Truth::of(cancelled.any());
             block.unknown |= u32::from(S::bits(is_doubtful | !is_known)) << from;
-            value.store(&mut block.value[lanes]);
             from += S::LANES;
         }
-    }
-}
-
-impl<T, Y> Task for Evaluation<'_, Y, T>
-where
-    T: InLanes + Real,
-    Y: Characteristic<T> + Characteristic<T::OnAvx512> + Characteristic<T::OnAvx2> + ?Sized,
-{
-    type Output = ();
-
-    #[cfg(all(feature = "std", target_arch = "x86_64"))]
-    #[inline(always)]
-    fn on_avx512(self) {
-        self.in_lanes::<T::OnAvx512>();
-    }
-
-    #[cfg(all(feature = "std", target_arch = "x86_64"))]
-    #[inline(always)]
-    fn on_avx2(self) {
-        self.in_lanes::<T::OnAvx2>();
     }
 
     #[inline(never)]
     fn alone(self) {
         self.in_lanes::<T>();
+    }
+}
+
+/// The evaluation of Δ alone.
+struct Values<'a, Y: ?Sized, T> {
+    system: &'a Y,
+    block: &'a mut Block<T>,
+    count: usize,
+}
+
+impl<Y: InBlocks<T> + ?Sized, T: InLanes> ManyAtOnce<T> for Values<'_, Y, T> {
+    type System = Y;
+
+    #[inline(always)]
+    fn in_lanes<S: Packed<T>>(self)
+    where
+        Y: Characteristic<S>,
+    {
+        let Values { system, block, count } = self;
+        let mut from = 0;
+        while from < count {
+            let lanes = from..count.min(from + S::LANES);
+            let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut NoCount);
+            block.keep(delta, lanes);
+            from += S::LANES;
+        }
+    }
+
+    #[inline(never)]
+    fn alone(self) {
+        self.in_lanes::<T>();
+    }
+}
+
+/// Least and largest size of Δ in a lane that is taken: beyond, entries may have left the range.
+const TAKEN: (f64, f64) = (1e-250, 1e250);
+
+/// Δ at each of some frequencies, with the bits that it has alone.
+pub(crate) fn characteristics<S: InLanes, Y: InBlocks<S> + ?Sized>(
+    system: &Y,
+    frequencies: &[S],
+    values: &mut [Scaled<S>],
+) {
+    let mut block = Block::new();
+    for (some, values) in frequencies.chunks(MOST).zip(values.chunks_mut(MOST)) {
+        let count = if lanes::<S, Y>() > 1 { some.len() } else { 0 };
+        block.omega[..count].copy_from_slice(&some[..count]);
+        block.values(system, count);
+        for (lane, (value, &x)) in values.iter_mut().zip(some).enumerate() {
+            let is_taken = lane < count && block.value[lane].size() > TAKEN.0 && block.value[lane].size() < TAKEN.1;
+            *value = match block.exponent {
+                Some(exponent) if is_taken => Scaled::new(block.value[lane], exponent),
+                _ => counted_pass(system, x, NoCount).1,
+            };
+        }
     }
 }
 
@@ -155,72 +202,50 @@ where
 {
 }
 
-/// Least and largest size of Δ in a lane that is taken: beyond, entries may have left the range.
-#[cfg(feature = "std")]
-const TAKEN: (f64, f64) = (1e-250, 1e250);
+/// Work at many frequencies in the lanes of a number.
+trait ManyAtOnce<T: InLanes> {
+    /// The system that is evaluated.
+    type System: InBlocks<T> + ?Sized;
 
-/// Δ at each of some frequencies, with the bits that it has alone.
-pub(crate) fn characteristics<S: InLanes, Y: InBlocks<S> + ?Sized>(
-    system: &Y,
-    frequencies: &[S],
-    values: &mut [Scaled<S>],
-) {
-    let evaluation = Characteristics { system, frequencies, values };
-    if const { has_lanes::<S, Y>() } {
-        run(evaluation);
-    } else {
-        evaluation.alone();
-    }
-}
-
-/// The evaluation of Δ at many frequencies.
-struct Characteristics<'a, Y: ?Sized, S> {
-    system: &'a Y,
-    frequencies: &'a [S],
-    values: &'a mut [Scaled<S>],
-}
-
-#[cfg(feature = "std")]
-impl<S: InLanes, Y: Characteristic<S> + ?Sized> Characteristics<'_, Y, S> {
-    #[inline(always)]
-    fn in_lanes<L: Packed<S>>(self)
+    /// The work in lanes.
+    fn in_lanes<S: Packed<T>>(self)
     where
-        Y: Characteristic<L>,
-    {
-        for (some, values) in self.frequencies.chunks(L::LANES).zip(self.values.chunks_mut(L::LANES)) {
-            let delta = self.system.pass(L::load(some), &mut NoCount);
-            let mut lanes = [S::zero(); 8];
-            delta.mantissa().store(&mut lanes[..some.len()]);
-            for ((value, &lane), &x) in values.iter_mut().zip(&lanes).zip(some) {
-                let is_taken = lane.size() > TAKEN.0 && lane.size() < TAKEN.1;
-                *value = if is_taken {
-                    Scaled::new(lane, delta.exponent())
-                } else {
-                    counted_pass(self.system, x, NoCount).1
-                };
-            }
-        }
+        Self::System: Characteristic<S>;
+
+    /// The work one frequency at a time.
+    fn alone(self);
+}
+
+/// Does work in the lanes of the instruction set in use.
+#[inline]
+fn evaluate<T: InLanes, W: ManyAtOnce<T>>(work: W) {
+    if const { has_lanes::<T, W::System>() } {
+        run(Dispatch(work, PhantomData));
+    } else {
+        work.alone();
     }
 }
 
-impl<S: InLanes, Y: InBlocks<S> + ?Sized> Task for Characteristics<'_, Y, S> {
+/// Work as a task for each instruction set.
+struct Dispatch<W, T>(W, PhantomData<T>);
+
+impl<T: InLanes, W: ManyAtOnce<T>> Task for Dispatch<W, T> {
     type Output = ();
 
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx512(self) {
-        self.in_lanes::<S::OnAvx512>();
+        self.0.in_lanes::<T::OnAvx512>();
     }
 
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx2(self) {
-        self.in_lanes::<S::OnAvx2>();
+        self.0.in_lanes::<T::OnAvx2>();
     }
 
+    #[inline]
     fn alone(self) {
-        for (value, &x) in self.values.iter_mut().zip(self.frequencies) {
-            *value = counted_pass(self.system, x, NoCount).1;
-        }
+        self.0.alone();
     }
 }

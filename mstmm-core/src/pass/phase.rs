@@ -25,9 +25,21 @@ fn quarter_ahead<S: Scalar>(plane: &Plane<S>, [factors, inverses]: &[[S; 4]; 2])
     Plane::unscaled(minors, plane.exponent)
 }
 
+/// What a system is counted for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// The number of roots.
+    Counts,
+    /// That number with a share of the next one.
+    Phases,
+    /// The number beside a root, where the terms of Δ are examined.
+    Certificates,
+}
+
 /// A counter that also keeps Δ with the wave of the last beam a quarter of a turn ahead.
 pub(crate) struct PhaseCounter<S: Scalar> {
     counter: WittrickWilliams<S::Size>,
+    wants_phase: bool,
     ahead: Scaled<S>,
     /// Units of minors and their inverses at the wave number of the last beam.
     units: [[S; 4]; 2],
@@ -36,12 +48,13 @@ pub(crate) struct PhaseCounter<S: Scalar> {
 }
 
 impl<S: Scalar> PhaseCounter<S> {
-    /// A counter; `is_at_root` tells that the frequency is close to a root.
+    /// A counter for some purpose.
     #[inline(always)]
-    pub(crate) fn new(is_at_root: bool) -> Self {
+    pub(crate) fn new(purpose: Purpose) -> Self {
         let ones = [S::one(); 4];
         PhaseCounter {
-            counter: WittrickWilliams::new(is_at_root),
+            counter: WittrickWilliams::new(purpose == Purpose::Certificates),
+            wants_phase: purpose == Purpose::Phases,
             ahead: Scaled::new(S::one(), 0),
             units: [ones; 2],
             end: Plane::of_tip(Support::Free),
@@ -67,7 +80,7 @@ fn share<S: Scalar>(sine: S, cosine: S) -> S::Size {
     let number = S::Size::of;
     let (x, y) = (sine.size(), cosine.size());
     let is_flat = x.is_below(y);
-    let ratio = S::Size::choose(is_flat, x / y, y / x);
+    let ratio = S::Size::choose(is_flat, x, y) / S::Size::choose(is_flat, y, x);
     let square = ratio * ratio;
     // the arc tangent on [0, 1] to 1e-5: starts need no more
     let [a, b, c, d, e] = [0.999_866, -0.330_299_5, 0.180_141, -0.085_133, 0.020_835_1];
@@ -103,6 +116,9 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
     #[inline(always)]
     fn plane_root(&mut self, plane: &Plane<S>, support: Support) {
         self.counter.plane_root(plane, support);
+        if !self.wants_phase {
+            return;
+        }
         let end = self.end;
         let inverse = S::one() / end.y_theta;
         let k_y = (plane.theta_q - end.theta_q) * inverse;
@@ -114,7 +130,7 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
 
     #[inline(always)]
     fn turned(&self, before: &Plane<S>) -> Option<Plane<S>> {
-        Some(quarter_ahead(before, &self.units))
+        self.wants_phase.then(|| quarter_ahead(before, &self.units))
     }
 
     #[inline(always)]

@@ -136,9 +136,9 @@ impl<T: Real> Lever<T> {
         };
         let is_by_others = S::IS_EXTENDED && by_others(1.0).is_below(plain(1.0)).all();
         let (y_m, [rounding, bound]) = if is_by_others {
-            ((w * w + product) / p.theta_q, [1.0, ROUNDINGS].map(by_others))
+            ((w * w + product) / p.theta_q, [by_others(1.0), by_others(ROUNDINGS)])
         } else {
-            (y_m, [1.0, ROUNDINGS].map(plain))
+            (y_m, [plain(1.0), plain(ROUNDINGS)])
         };
         // a chance zero of p_YM does not count beside `w²/p_ΘQ`, a length squared in the same unit
         let size = y_m.size().or_larger(beside).or_larger(w.size() * w.size() / theta_q);

@@ -18,7 +18,8 @@ impl<T: Scalar> Units<T> {
         let first = stiffness * b;
         let second = first * b;
         let factors = [first, second, second * b, second * second];
-        Units { factors, inverses: factors.map(|factor| T::one() / factor) }
+        let (one, [a, b, c, d]) = (T::one(), factors);
+        Units { factors, inverses: [one / a, one / b, one / c, one / d] }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The entire functions of the exact beam, for bending and for longitudinal vibration.
 
-use crate::number::{Frequency, Real, Scalar, Single};
+use crate::number::{Frequency, Real, Single, series};
 use nalgebra::Matrix4;
 
 /// Krylov functions `[S, T/z, U/z², V/z³]` of `x = z⁴`, with `S = (ch z + cos z)/2`, `T = (sh z + sin z)/2`,
@@ -51,23 +51,6 @@ pub(crate) fn bending_matrix<T: Real, S: Frequency<T> + Single>(l: T, ei: T, m: 
     )
 }
 
-/// `2 [C, B, F, D, E]` of the beam's second compound as entire functions of `x = z⁴`, for `|x| <= 1`:
-/// `2 ch c, (ch s + sh c)/z, sh s/z², (ch s - sh c)/z³, (1 - ch c)/z⁴`.
-#[inline(always)]
-pub(crate) fn plane_series<S: Scalar>(x: S) -> [S; 5] {
-    let (two, four) = (S::from_f64(2.0), S::from_f64(4.0));
-    let y = -(four * x);
-    let mut series_of = [two; 5];
-    let mut first = 0;
-    // a loop and no closure, which would stand in another function than the lanes of vectors need
-    while first < 5 {
-        series_of[first] = series(y, first, 4);
-        first += 1;
-    }
-    let [c, b, f, d, e] = series_of;
-    [two * c, two * b, two * f, four * d, four * e]
-}
-
 /// `cos ζ` and `sin ζ / ζ` as entire functions of `x = ζ²`.
 #[inline]
 pub(crate) fn cosine_and_sinc<S: Single>(x: S) -> (S, S) {
@@ -79,20 +62,10 @@ pub(crate) fn cosine_and_sinc<S: Single>(x: S) -> (S, S) {
     (cos, sin / zeta)
 }
 
-/// `Σ_k x^k / (stride·k + first)!` by Horner's rule, from the last term that counts.
-#[inline(always)]
-fn series<S: Scalar>(x: S, first: usize, stride: usize) -> S {
-    let last = S::SERIES_TERMS * 4 / stride - 1;
-    let mut sum = S::reciprocal_factorial(stride * last + first);
-    for k in (0..last).rev() {
-        sum = sum * x + S::reciprocal_factorial(stride * k + first);
-    }
-    sum
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Scalar;
     use crate::number::assert_close;
     use num_complex::Complex;
 

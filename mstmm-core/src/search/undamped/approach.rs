@@ -70,6 +70,8 @@ type PerRoot = [f64; ROOTS];
 pub(super) struct Approaches<const POINTS: usize> {
     /// Number of roots.
     pub(super) count: usize,
+    /// Δ grows as `exp(growth s)`, where waves are long.
+    growth: f64,
     /// Estimates of the square roots of the frequencies.
     pub(super) estimate: PerRoot,
     /// Number of roots below each.
@@ -99,12 +101,13 @@ impl<const POINTS: usize> Approaches<POINTS> {
     /// Distance of points that are spread over a bracket, as a part of it.
     const SPREAD: f64 = 1.0 / (POINTS + 1) as f64;
 
-    /// No roots.
+    /// No roots of a system whose Δ grows as `exp(growth s)`.
     #[inline]
-    pub(super) fn none() -> Self {
+    pub(super) fn new(growth: f64) -> Self {
         let ones = [1.0; ROOTS];
         Approaches {
             count: 0,
+            growth,
             estimate: ones,
             below: ones,
             settled: ones,
@@ -132,7 +135,7 @@ impl<const POINTS: usize> Approaches<POINTS> {
         // where phases do not grow evenly the points are spread over the bracket
         let is_even = cubic > 0.0 && cubic < step && difference < UNEVEN * step;
         let (start, width) =
-            if is_even { (cubic, (difference * 0.125).max(step * 1e-4)) } else { (step * 0.5, step * Self::SPREAD) };
+            if is_even { (cubic, (difference * 0.25).max(step * 1e-4)) } else { (step * 0.5, step * Self::SPREAD) };
         // below the first wave Δ is a polynomial in ω², whose first terms count
         let (start, width) = if is_lowest && begin.below == 0.0 {
             let share = begin.point.value / (begin.point.value - end.point.value);
@@ -151,12 +154,6 @@ impl<const POINTS: usize> Approaches<POINTS> {
         for (point, s) in self.s.iter_mut().enumerate() {
             s[k] = from + start + width * (point as f64 - (POINTS - 1) as f64 * 0.5);
         }
-    }
-
-    /// Goes on by Δ at the next points of all roots that have not settled.
-    #[inline]
-    pub(super) fn go_on(&mut self) {
-        run(GoOn(self));
     }
 
     /// Goes on in the lanes of a number.
@@ -208,6 +205,7 @@ struct Round<S: Real, const POINTS: usize> {
     sign: S,
     width: S,
     predicted: S,
+    growth: S,
 }
 
 impl<S: Real, const POINTS: usize> Round<S, POINTS> {
@@ -232,6 +230,7 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
             sign: S::load(&all.sign[lanes.clone()]),
             width: S::load(&all.width[lanes.clone()]),
             predicted: S::load(&all.predicted[lanes]),
+            growth: <S as Size>::of(all.growth * 0.125),
         }
     }
 
@@ -252,18 +251,26 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
     /// The zero of the inverse polynomial through the points and the outermost of the last ones, from the estimate on.
     #[inline(always)]
     fn zero(&self) -> S {
-        let (origin, s, v) = (self.estimate, &self.s, &self.values);
         let ([before, behind], [first, last]) = (self.last, self.last_values);
+        let ((x0, v0), (x1, v1)) = (self.even(before, first), self.even(behind, last));
+        let ((x2, v2), (x3, v3)) = (self.even(self.s[0], self.values[0]), self.even(self.s[1], self.values[1]));
         if POINTS == 2 {
-            return at_zero::<S, 4>(
-                [first, v[0], v[1], last],
-                [before - origin, s[0] - origin, s[1] - origin, behind - origin],
-            );
+            return at_zero::<S, 4>([v0, v2, v3, v1], [x0, x2, x3, x1]);
         }
-        at_zero::<S, 5>(
-            [first, v[0], v[1], v[POINTS - 1], last],
-            [before - origin, s[0] - origin, s[1] - origin, s[POINTS - 1] - origin, behind - origin],
-        )
+        let (x4, v4) = self.even(self.s[POINTS - 1], self.values[POINTS - 1]);
+        at_zero::<S, 5>([v0, v2, v3, v4, v1], [x0, x2, x3, x4, x1])
+    }
+
+    /// The distance of a point from the estimate, and Δ there without its growth, as a wave of even height.
+    #[inline(always)]
+    fn even(&self, s: S, value: S) -> (S, S) {
+        let (x, one) = (s - self.estimate, S::one());
+        // about exp(-growth x): any smooth factor has the same zeros
+        let y = x * self.growth;
+        let eighth = one - y * (one - y * <S as Size>::of(0.5));
+        let quarter = eighth * eighth;
+        let half = quarter * quarter;
+        (x, value * (half * half))
     }
 
     /// The next round; what has settled stays.
@@ -312,6 +319,26 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
             predicted: S::choose(is_inside, product, one),
             ..self
         }
+    }
+}
+
+/// A round of approaches, compiled once with this crate: it knows no model.
+pub(super) trait GoesOn {
+    /// Goes on by Δ at the next points of all roots that have not settled.
+    fn go_on(&mut self);
+}
+
+impl GoesOn for Approaches<2> {
+    #[inline(never)]
+    fn go_on(&mut self) {
+        run(GoOn(self));
+    }
+}
+
+impl GoesOn for Approaches<3> {
+    #[inline(never)]
+    fn go_on(&mut self) {
+        run(GoOn(self));
     }
 }
 

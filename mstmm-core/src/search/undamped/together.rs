@@ -4,9 +4,9 @@
 //! or waves have to be scaled, is left to the search that goes from root to root.
 
 use crate::number::{Dual, InLanes, List, Real, is_straight};
-use crate::pass::at_once::{Block, MOST, lanes};
+use crate::pass::at_once::{Block, MOST, Purpose, lanes};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::undamped::approach::{Approaches, Point, ROOTS, Sample};
+use crate::search::undamped::approach::{Approaches, GoesOn, Point, ROOTS, Sample};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;
 use core::f64::consts::PI;
@@ -114,9 +114,9 @@ where
 
     /// Evaluates the first so many frequencies of the block; none where one has to be evaluated alone.
     #[inline]
-    fn evaluate(&mut self, count: usize, is_at_root: bool) -> Option<()> {
+    fn evaluate(&mut self, count: usize, purpose: Purpose) -> Option<()> {
         self.single.evaluations += count;
-        self.block.evaluate(self.single.system, count, is_at_root);
+        self.block.counts(self.single.system, count, purpose);
         (self.block.unknown == 0).then_some(())
     }
 
@@ -131,7 +131,7 @@ where
             let s = from + step * k as f64;
             *omega = T::from_f64(s * s);
         }
-        self.evaluate(points, false)?;
+        self.evaluate(points, Purpose::Phases)?;
         let mut last = 0.0;
         self.samples = List::new();
         for lane in 0..points {
@@ -177,8 +177,11 @@ where
         &mut self,
         brackets: &[usize],
         found: &mut List<NaturalFrequency<T>, N>,
-    ) -> Option<()> {
-        let mut approaches = Approaches::<POINTS>::none();
+    ) -> Option<()>
+    where
+        Approaches<POINTS>: GoesOn,
+    {
+        let mut approaches = Approaches::<POINTS>::new(self.waves);
         for &lower in brackets {
             let first = lower.saturating_sub(1).min(self.samples.len().checked_sub(4)?);
             let near = self.samples[first..].first_chunk()?;
@@ -195,7 +198,8 @@ where
             if count == 0 {
                 return self.certify(&approaches, found);
             }
-            self.evaluate(count, false)?;
+            self.single.evaluations += count;
+            self.block.values(self.single.system, count);
             let mut values = self.block.value.iter();
             for root in 0..approaches.count {
                 if approaches.settled[root] == 0.0 {
@@ -232,7 +236,7 @@ where
             if count == 0 {
                 break;
             }
-            self.evaluate(count, true)?;
+            self.evaluate(count, Purpose::Certificates)?;
             let mut lower = 0;
             for (k, root) in roots.iter_mut().enumerate().filter(|(_, root)| root.multiplicity == 0) {
                 *root = self.certificate(approaches, k, lower, root.omega)?;

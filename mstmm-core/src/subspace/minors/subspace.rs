@@ -55,9 +55,8 @@ impl<S: Scalar> Subspace<S> {
             Subspace::Tip(support, _) => Plane::of_tip(support),
             Subspace::Grounded(k, space) => Plane::of_tip(Support::Free).with_stiffness(k, space),
             Subspace::Springs { y, theta } => {
-                let product = y.zip(theta).map(|(y, theta)| y * theta);
-                let [theta, y, product] = [theta, y, product].map(Option::unwrap_or_default);
-                Plane::new([S::one(), theta, S::zero(), y, product], 0)
+                let product = if let (Some(y), Some(theta)) = (y, theta) { y * theta } else { S::zero() };
+                Plane::new([S::one(), theta.unwrap_or_default(), S::zero(), y.unwrap_or_default(), product], 0)
             }
             Subspace::Line(line, space) => Plane::of_tip(Support::Free).with_line(line, space),
         }
