@@ -18,8 +18,8 @@ pub struct FrequencyEstimates {
     reach: f64,
     /// Levers of rigid bodies.
     levers: Range,
-    /// Logarithms of the estimates, once all is added.
-    exponents: Option<[i32; 3]>,
+    /// Logarithms to base 2 of a low estimate of the frequencies, of one that no other falls short of by much, and of a high one.
+    exponents: [i32; 3],
 }
 
 /// Smallest and largest positive value so far.
@@ -53,7 +53,7 @@ impl Default for FrequencyEstimates {
             wave_sum: 0.0,
             reach: 0.0,
             levers: Range::EMPTY,
-            exponents: None,
+            exponents: [0; 3],
         }
     }
 }
@@ -154,16 +154,10 @@ impl FrequencyEstimates {
         if squares.greatest == 0.0 { Range { least: 1.0, greatest: 1.0 } } else { squares }
     }
 
-    /// The estimates with their logarithms, which searches ask for: nothing is added any more.
+    /// Takes the logarithms that searches ask for, once all is added.
     #[doc(hidden)]
-    #[must_use]
-    pub fn finished(self) -> Self {
-        FrequencyEstimates { exponents: Some(self.computed_exponents()), ..self }
-    }
-
-    /// Logarithms to base 2 of a low estimate of the frequencies, of one that no other falls short of by much, and of a high one.
     #[inline(never)]
-    fn computed_exponents(&self) -> [i32; 3] {
+    pub fn finish(&mut self) {
         let squares = self.estimates();
         let lowest = exponent(squares.least) / 2 - 1;
         // the softest spring on the shortest lever
@@ -171,24 +165,19 @@ impl FrequencyEstimates {
         let by_lever = stiffness / inertia * self.levers.least * self.levers.least;
         let is_one = by_lever > 0.0 && by_lever.is_finite();
         let least = if is_one { lowest.min(exponent(by_lever) / 2 - 1) } else { lowest };
-        [lowest, least, exponent(squares.greatest) / 2 + 1]
-    }
-
-    #[inline]
-    fn exponents(&self) -> [i32; 3] {
-        self.exponents.unwrap_or_else(|| self.computed_exponents())
+        self.exponents = [lowest, least, exponent(squares.greatest) / 2 + 1];
     }
 
     /// Logarithm to base 2 of a low estimate of the frequencies.
     #[inline]
     pub(crate) fn lowest_exponent(&self) -> i32 {
-        self.exponents()[0]
+        self.exponents[0]
     }
 
     /// Logarithm to base 2 of a frequency that no other falls short of by much: that of the softest spring on the shortest lever.
     #[inline]
     pub(crate) fn least_exponent(&self) -> i32 {
-        self.exponents()[1]
+        self.exponents[1]
     }
 
     /// Logarithm to base 2 of a frequency that counts as zero beside any other.
@@ -198,7 +187,7 @@ impl FrequencyEstimates {
 
     /// Logarithm to base 2 of a high estimate of the frequencies of discrete elements.
     pub(crate) fn highest_exponent(&self) -> i32 {
-        self.exponents()[2]
+        self.exponents[2]
     }
 }
 

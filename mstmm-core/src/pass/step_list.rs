@@ -180,6 +180,7 @@ impl<E: ListElement> System for StepList<'_, E> {
                 element.estimate(&mut estimates);
             }
         }
+        estimates.finish();
         estimates
     }
 }

@@ -108,7 +108,7 @@ fn build(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> T
                     parameter: ::core::marker::PhantomData,
                 };
                 #(#estimates)*
-                system.estimates = system.estimates.finished();
+                system.estimates.finish();
                 ::core::result::Result::Ok(system)
             }
         }

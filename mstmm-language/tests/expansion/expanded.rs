@@ -140,7 +140,7 @@ impl DampedMass {
             &system.element_4,
             &mut system.estimates,
         );
-        system.estimates = system.estimates.finished();
+        system.estimates.finish();
         ::core::result::Result::Ok(system)
     }
 }

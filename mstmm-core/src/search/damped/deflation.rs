@@ -49,8 +49,8 @@ pub(super) fn meets_any<T: Real>(root: &Eigenvalue<T>, others: &[Eigenvalue<T>])
 /// A root and its mirror image; a real one has none. Not inlined, since each place would take some hundred bytes of firmware.
 #[inline(never)]
 pub(super) fn with_image<T: Real>(root: &Eigenvalue<T>) -> impl Iterator<Item = Eigenvalue<T>> {
-    let image = (!root.lambda.im.is_zero()).then_some(Eigenvalue { lambda: root.lambda.conj(), ..*root });
-    [Some(*root), image].into_iter().flatten()
+    let image = Eigenvalue { lambda: root.lambda.conj(), ..*root };
+    [*root, image].into_iter().take(if root.lambda.im.is_zero() { 1 } else { 2 })
 }
 
 /// Δ and its logarithmic derivative with roots and their mirror images divided out.
@@ -75,14 +75,17 @@ pub(super) fn divided<T: Real>(point: &Point<T>, roots: &[Eigenvalue<T>]) -> Poi
 /// Growth along a polygon of the argument of the factors that are divided out for a root. Each side sees a root under less
 /// than half a turn.
 pub(super) fn turning<T: Real>(root: &Eigenvalue<T>, polygon: impl Iterator<Item = Complex<T>> + Clone) -> f64 {
-    let ends = polygon.clone().skip(1);
-    let sides = polygon.zip(ends);
-    let turns = |side: (Complex<T>, Complex<T>), root: Complex<T>| {
-        // lest the product of small or large distances leave the range of the type
-        let unit = |from: Complex<T>| from * T::from_f64(from.size().recip());
-        let turn = unit(side.1 - root) * unit(side.0 - root).conj();
-        argument(turn.re.to_f64(), turn.im.to_f64())
-    };
-    let angle = |root: Eigenvalue<T>| sides.clone().map(|side| turns(side, root.lambda)).sum::<f64>();
-    with_image(root).map(angle).sum::<f64>() * root.multiplicity as f64
+    // lest the product of small or large distances leave the range of the type
+    let unit = |from: Complex<T>| from * T::from_f64(from.size().recip());
+    let mut angle = 0.0;
+    for root in with_image(root) {
+        let mut before: Option<Complex<T>> = None;
+        for direction in polygon.clone().map(|corner| unit(corner - root.lambda)) {
+            if let Some(before) = before.replace(direction) {
+                let turn = direction * before.conj();
+                angle += argument(turn.re.to_f64(), turn.im.to_f64());
+            }
+        }
+    }
+    angle * root.multiplicity as f64
 }
