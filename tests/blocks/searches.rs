@@ -1,5 +1,4 @@
 //! Counts, Δ and certified roots of models on every instruction set.
-#![expect(clippy::unwrap_used, reason = "the models here are valid")]
 
 use crate::undamped_models::for_each_undamped;
 use crate::values::{assert_counts, assert_values, frequencies};
@@ -15,12 +14,17 @@ fn check<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(system: Y) {
     assert_values(&system, &omegas);
     assert_counts(&system, &omegas);
     InstructionSet::Target.limit();
-    let alone = system.first_frequencies::<2>().unwrap();
+    let alone = system.first_frequencies::<2>();
     for set in InstructionSet::ALL {
         let set = set.limit();
-        let found = system.first_frequencies::<2>().unwrap();
+        let found = system.first_frequencies::<2>();
+        // a tree without beams may have too few
+        let (Ok(found), Ok(alone)) = (&found, &alone) else {
+            assert_eq!(found.is_err(), alone.is_err(), "{set:?}: {found:?} and {alone:?}");
+            continue;
+        };
         assert_eq!(found.len(), alone.len(), "{set:?}");
-        for (root, same) in found.iter().zip(&alone) {
+        for (root, same) in found.iter().zip(alone) {
             assert_eq!(root.multiplicity, same.multiplicity, "{set:?}: {root}");
             assert!(root.omega >= same.lower && root.omega <= same.upper, "{set:?}: {root:?} and {same:?}");
         }

@@ -34,7 +34,7 @@ pub(crate) fn lanes<T: InLanes, Y: System + ?Sized>() -> usize {
 pub(crate) struct Block<T> {
     /// The frequencies [rad/s].
     pub(crate) omega: [T; MOST],
-    /// Δ over a power of two that is the same for all; NaN where the frequency has to be evaluated alone.
+    /// Δ over a power of two that is the same for all.
     pub(crate) value: [T; MOST],
     /// The number of natural frequencies below.
     pub(crate) below: [f64; MOST],
@@ -42,6 +42,8 @@ pub(crate) struct Block<T> {
     pub(crate) phase: [f64; MOST],
     /// A bit per lane: whether Δ is not known, or zero, or smaller, compared with its terms, than near a well-conditioned root.
     pub(crate) unknown: u32,
+    /// Whether some lane has no value: it takes a branch that numbers in lanes have not, or Δ is out of the range.
+    is_lost: bool,
     /// The power of two of all values; none before the first evaluation.
     exponent: Option<i64>,
 }
@@ -56,6 +58,7 @@ impl<T: InLanes> Block<T> {
             below: [0.0; MOST],
             phase: [0.0; MOST],
             unknown: 0,
+            is_lost: false,
             exponent: None,
         }
     }
@@ -63,15 +66,22 @@ impl<T: InLanes> Block<T> {
     /// Evaluates Δ alone at the first so many frequencies.
     #[inline]
     pub(crate) fn values<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize) {
-        evaluate(Values { system, block: self, count: count.min(MOST) });
+        let count = count.min(MOST);
+        self.is_lost = false;
+        evaluate(Values { system, block: self, count });
+        if self.is_lost {
+            Values { system, block: self, count }.alone();
+        }
     }
 
-    /// Keeps Δ of some lanes.
+    /// Keeps Δ of some lanes. Returns it over the power of two of all values, and whether it is in the range.
     #[inline(always)]
-    fn keep<S: Packed<T>>(&mut self, delta: Scaled<S>, lanes: Range<usize>) -> S {
+    fn keep<S: Packed<T>>(&mut self, delta: Scaled<S>, lanes: Range<usize>) -> (S, S::Truth) {
         let value = delta.over_power(*self.exponent.get_or_insert(delta.exponent()));
+        let is_known = value.size().is_below(S::Size::of(f64::INFINITY));
+        self.is_lost |= !is_known.all();
         value.store(&mut self.value[lanes]);
-        value
+        (value, is_known)
     }
 }
 
@@ -79,7 +89,23 @@ impl<T: InLanes + Real> Block<T> {
     /// Evaluates Δ, counts and for that purpose phases at the first so many frequencies.
     #[inline]
     pub(crate) fn counts<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize, purpose: Purpose) {
-        evaluate(Counts { system, block: self, count: count.min(MOST), purpose });
+        let count = count.min(MOST);
+        for is_alone in [false, true] {
+            if purpose == Purpose::Phases {
+                // a new window: Δ grows along the frequencies
+                self.exponent = None;
+            }
+            (self.is_lost, self.unknown) = (false, 0);
+            let counts = Counts { system, block: self, count, purpose };
+            if is_alone {
+                counts.alone()
+            } else {
+                evaluate(counts)
+            }
+            if !self.is_lost {
+                break;
+            }
+        }
     }
 
     /// The count on which a lane and the next one agree, if they are neither at a root nor doubtful.
@@ -107,7 +133,6 @@ impl<Y: InBlocks<T> + ?Sized, T: InLanes + Real> ManyAtOnce<T> for Counts<'_, Y,
         Y: Characteristic<S>,
     {
         let Counts { system, block, count, purpose } = self;
-        block.unknown = 0;
         let mut from = 0;
         while from < count {
             let lanes = from..count.min(from + S::LANES);
@@ -118,10 +143,9 @@ impl<Y: InBlocks<T> + ?Sized, T: InLanes + Real> ManyAtOnce<T> for Counts<'_, Y,
             if purpose == Purpose::Phases {
                 S::store_size(counter.phase(delta), &mut block.phase[lanes.clone()]);
             }
-            let value = block.keep(delta, lanes);
-            let is_known = value.size().is_below(S::Size::of(f64::INFINITY)) & !value.vanishes();
+            let (value, is_known) = block.keep(delta, lanes);
             let is_doubtful = cancelled.at_root | S::Truth::of(cancelled.any());
-            block.unknown |= u32::from(S::bits(is_doubtful | !is_known)) << from;
+            block.unknown |= u32::from(S::bits(is_doubtful | !is_known | value.vanishes())) << from;
             from += S::LANES;
         }
     }

@@ -11,7 +11,7 @@ pub(super) const ROOTS: usize = 8;
 const SETTLED: f64 = 5e-17;
 
 /// Factor on the error of the first round, whose points lie far apart.
-const FIRST_ERROR: f64 = 30.0;
+const FIRST_ERROR: f64 = 3.0;
 
 /// Difference between the linear and the cubic start, as a part of the bracket, beyond which phases do not grow evenly.
 const UNEVEN: f64 = 0.3;
@@ -86,11 +86,11 @@ pub(super) struct Approaches<const POINTS: usize> {
     pub(super) last_values: [PerRoot; 2],
     /// The bracket.
     ends: [PerRoot; 2],
-    /// 1 where Δ is positive at the lower end of the bracket, else -1.
-    sign: PerRoot,
+    /// The inverse of the larger Δ at the ends of the bracket, with the sign of that at the lower end: products of Δ would leave the range.
+    scale: PerRoot,
     /// Distances of the next points from each other.
     width: PerRoot,
-    /// Errors of the estimates as the last round predicted them, relative to the roots; 1 before the first one.
+    /// Errors of the estimates as the last round predicted them; infinite before the first one.
     predicted: PerRoot,
 }
 
@@ -116,9 +116,9 @@ impl<const POINTS: usize> Approaches<POINTS> {
             last: [ones; 2],
             last_values: [ones; 2],
             ends: [ones; 2],
-            sign: ones,
+            scale: ones,
             width: ones,
-            predicted: ones,
+            predicted: [f64::INFINITY; ROOTS],
         }
     }
 
@@ -150,7 +150,7 @@ impl<const POINTS: usize> Approaches<POINTS> {
         (self.last[0][k], self.last[1][k]) = (from, end.point.s);
         (self.last_values[0][k], self.last_values[1][k]) = (begin.point.value, end.point.value);
         (self.ends[0][k], self.ends[1][k]) = (from, end.point.s);
-        self.sign[k] = if begin.point.value > 0.0 { 1.0 } else { -1.0 };
+        self.scale[k] = begin.point.value.abs().max(end.point.value.abs()).recip().copysign(begin.point.value);
         for (point, s) in self.s.iter_mut().enumerate() {
             s[k] = from + start + width * (point as f64 - (POINTS - 1) as f64 * 0.5);
         }
@@ -202,10 +202,13 @@ struct Round<S: Real, const POINTS: usize> {
     last: [S; 2],
     last_values: [S; 2],
     ends: [S; 2],
-    sign: S,
+    scale: S,
     width: S,
     predicted: S,
+    /// An eighth of the growth.
     growth: S,
+    /// The length over which a wave turns by 1.
+    wave: S,
 }
 
 impl<S: Real, const POINTS: usize> Round<S, POINTS> {
@@ -227,10 +230,11 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
             last: [S::load(&all.last[0][lanes.clone()]), S::load(&all.last[1][lanes.clone()])],
             last_values: [S::load(&all.last_values[0][lanes.clone()]), S::load(&all.last_values[1][lanes.clone()])],
             ends: [S::load(&all.ends[0][lanes.clone()]), S::load(&all.ends[1][lanes.clone()])],
-            sign: S::load(&all.sign[lanes.clone()]),
+            scale: S::load(&all.scale[lanes.clone()]),
             width: S::load(&all.width[lanes.clone()]),
             predicted: S::load(&all.predicted[lanes]),
             growth: <S as Size>::of(all.growth * 0.125),
+            wave: <S as Size>::of(1.0 / all.growth),
         }
     }
 
@@ -240,7 +244,7 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
         let ([mut lower, mut upper], zero) = (self.ends, S::zero());
         let mut k = 0;
         while k < POINTS {
-            let is_below = zero.is_below(self.values[k] * self.sign);
+            let is_below = zero.is_below(self.values[k] * self.scale);
             lower = S::choose(is_below & lower.is_below(self.s[k]), self.s[k], lower);
             upper = S::choose(!is_below & self.s[k].is_below(upper), self.s[k], upper);
             k += 1;
@@ -270,7 +274,7 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
         let eighth = one - y * (one - y * <S as Size>::of(0.5));
         let quarter = eighth * eighth;
         let half = quarter * quarter;
-        (x, value * (half * half))
+        (x, value * (half * half * self.scale))
     }
 
     /// The next round; what has settled stays.
@@ -282,17 +286,20 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
         let (estimate, [before, behind]) = (self.estimate + moved, self.last);
         let margin = self.estimate * number(OUTSIDE);
         let is_inside = (lower - margin).is_below(estimate) & estimate.is_below(upper + margin);
-        // the error falls as the product of the distances of the points
-        let (moved, unit) = (Scalar::size(moved), one / estimate);
+        // the error falls as the product of the distances of the points, over the length in which Δ bends
+        let moved = Scalar::size(moved);
+        let length = estimate.or_smaller(self.wave);
+        let unit = one / length;
         let distance = moved.or_larger(self.width) * unit;
         let far = Scalar::size((before - estimate) * (behind - estimate)) * (unit * unit);
-        let product = far * distance * distance * if POINTS > 2 { distance } else { one };
-        let change = (moved * unit / self.predicted).or_larger(one);
-        let error = product * S::choose(self.predicted.is_below(one), change, number(FIRST_ERROR));
-        let settles = error.is_below(number(SETTLED)) & moved.is_below(number(3.0) * self.width) & is_inside;
+        let product = length * far * distance * distance * if POINTS > 2 { distance } else { one };
+        let change = (moved / self.predicted).or_larger(one);
+        let error = product * S::choose(self.predicted.is_below(estimate), change, number(FIRST_ERROR));
+        let is_good = error.is_below(estimate * number(SETTLED));
+        let settles = is_good & moved.is_below(number(3.0) * self.width) & is_inside;
         let spread = (upper - lower) * number(Approaches::<POINTS>::SPREAD);
-        let least = number(Approaches::<POINTS>::LEAST_WIDTH);
-        let width = (estimate * (error + error).or_larger(least)).or_smaller(spread);
+        let least = estimate * number(Approaches::<POINTS>::LEAST_WIDTH);
+        let width = (error + error).or_larger(least).or_smaller(spread);
         // what has left its bracket starts anew from the middle
         let estimate = S::choose(is_inside, estimate, (lower + upper) * number(0.5));
         let width = S::choose(is_inside, width, spread);
@@ -316,7 +323,7 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
             ],
             ends: [lower, upper],
             width,
-            predicted: S::choose(is_inside, product, one),
+            predicted: S::choose(is_inside, product, number(f64::INFINITY)),
             ..self
         }
     }

@@ -1,6 +1,7 @@
 //! Natural frequencies of undamped systems: certified by counts.
 
 pub(crate) mod approach;
+pub(crate) mod confirm;
 pub(crate) mod found;
 pub(crate) mod isolation;
 pub(crate) mod natural;

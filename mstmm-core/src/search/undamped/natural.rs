@@ -39,8 +39,8 @@ impl<Y> Undamped for Y where
 
 /// The certified searches of undamped systems.
 ///
-/// A search whose result is doubtful (roots coincide or nearly do, slopes do not fit, sums cancel) is made again in extended
-/// precision: double-double for `f64`. Without the feature `judge` a doubtful result is refused.
+/// A result that is doubtful (roots coincide or nearly do, slopes do not fit, sums cancel) is confirmed by counts in extended
+/// precision, double-double for `f64`, or the search is made again there. Without the feature `judge` a doubtful result is refused.
 ///
 /// A thread of 128 kB is enough, of 384 kB in debug builds.
 pub trait NaturalFrequencies: System {
@@ -92,10 +92,7 @@ pub trait NaturalFrequencies: System {
             return Ok(found);
         }
         let found = plain.in_range(*range.start(), *range.end());
-        judged::<Self, CAP>(found, plain.is_doubtful, || {
-            let [start, end] = [range.start(), range.end()].map(|end| Scalar::from_f64(end.to_f64()));
-            Isolation::<Self, <Self::Parameter as Real>::Extended>::new(self).in_range(start, end)
-        })
+        judged(self, found, plain.is_doubtful, Some(range))
     }
 
     /// The lowest natural frequencies, rigid-body modes at ω = 0 included: the fewest entries whose multiplicities add up
@@ -113,9 +110,7 @@ pub trait NaturalFrequencies: System {
             return Ok(found);
         }
         let found = plain.first();
-        judged::<Self, N>(found, plain.is_doubtful, || {
-            Isolation::<Self, <Self::Parameter as Real>::Extended>::new(self).first()
-        })
+        judged(self, found, plain.is_doubtful, None)
     }
 }
 
@@ -179,12 +174,14 @@ where
     Err(SearchError::Unresolved { near: omega.to_f64() })
 }
 
-/// The result of a search, or where that is doubtful the result in extended precision.
+/// The result of a search in a range or of the lowest frequencies. Where it is doubtful, extended precision confirms it by counts, or
+/// searches anew.
 #[inline]
-fn judged<Y: System + ?Sized, const CAP: usize>(
+fn judged<Y: Undamped + ?Sized, const CAP: usize>(
+    system: &Y,
     found: Result<FrequencyList<Y::Parameter, CAP>, SearchError>,
     is_doubtful: bool,
-    judge: impl FnOnce() -> Result<FrequencyList<<Y::Parameter as Real>::Extended, CAP>, SearchError>,
+    range: Option<RangeInclusive<Y::Parameter>>,
 ) -> Result<FrequencyList<Y::Parameter, CAP>, SearchError> {
     if !is_doubtful {
         return found;
@@ -196,13 +193,24 @@ fn judged<Y: System + ?Sized, const CAP: usize>(
         };
         return found.and_then(refused);
     }
-    let plain = found.map_or(0, |found| found.evaluations);
-    let judged = judge()?;
+    let mut judge = Isolation::<Y, <Y::Parameter as Real>::Extended>::new(system);
+    let range = range.map(|range| [*range.start(), *range.end()].map(Frequency::from_parameter));
+    if let Ok(found) = &found {
+        judge.evaluations = found.evaluations;
+        // where counts fail, a search says why
+        if judge.confirms(found, range).unwrap_or(false) {
+            return Ok(FrequencyList { evaluations: judge.evaluations, ..*found });
+        }
+    }
+    let judged = match range {
+        Some([start, end]) => judge.in_range::<CAP>(start, end)?,
+        None => judge.first()?,
+    };
     let mut frequencies = List::new();
     for root in &judged {
         let [omega, lower, upper] = [root.omega, root.lower, root.upper].map(|x| Scalar::from_f64(x.to_f64()));
         let root = NaturalFrequency { omega, lower, upper, multiplicity: root.multiplicity };
         frequencies.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
     }
-    Ok(FrequencyList { frequencies, evaluations: plain + judged.evaluations })
+    Ok(FrequencyList { frequencies, evaluations: judged.evaluations })
 }
