@@ -5,8 +5,7 @@
 
 use crate::number::frequency::{Component, Frequency, RealFrequency};
 use crate::number::kernel::{self, Rounding};
-use crate::number::scalar::Scalar;
-use crate::number::series;
+use crate::number::scalar::{Scalar, short_wave_products};
 use crate::number::truth::{Size, Truth};
 use crate::number::wave_functions::WaveFunctions;
 use mstmm_lanes::{Eight, Four, Lanes, Part, Truths, Vector};
@@ -103,7 +102,7 @@ struct ShortWaves<'a, V>(&'a Lanes<V>, &'a mut [Lanes<V>; 5]);
 impl<V: Waving> Part for ShortWaves<'_, V> {
     #[inline(always)]
     fn run(self) {
-        *self.1 = series::short_wave_products(*self.0);
+        *self.1 = short_wave_products(*self.0);
     }
 }
 

@@ -18,7 +18,6 @@ pub(crate) mod packed;
 pub(crate) mod partials;
 pub(crate) mod scalar;
 pub(crate) mod scaled;
-pub(crate) mod series;
 #[cfg(test)]
 pub(crate) mod tolerance;
 pub(crate) mod truth;
@@ -43,9 +42,8 @@ pub(crate) use frequency::{
 pub(crate) use frequency_powers::FrequencyPowers;
 pub(crate) use packed::{InLanes, Packed, Task, run};
 pub(crate) use partials::Partials;
-pub(crate) use scalar::{Scalar, Single};
+pub(crate) use scalar::{Scalar, Single, series};
 pub(crate) use scaled::{Magnitude, Scaled};
-pub(crate) use series::series;
 #[cfg(test)]
 pub(crate) use tolerance::assert_close;
 pub(crate) use truth::{Size, Truth};

@@ -3,7 +3,6 @@
 use crate::number::{InLanes, Packed, Real, Scaled, Size, Task, Truth, run};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::pass::phase::PhaseCounter;
-pub(crate) use crate::pass::phase::Purpose;
 use crate::subspace::NoCount;
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -27,6 +26,17 @@ pub(crate) fn lanes<T: InLanes, Y: System + ?Sized>() -> usize {
         mstmm_lanes::InstructionSet::Target => {}
     }
     <T as Packed<T>>::LANES
+}
+
+/// What a system is counted for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// The number of roots.
+    Counts,
+    /// That number with a share of the next one.
+    Phases,
+    /// The number beside a root, where the terms of Δ are examined.
+    Certificates,
 }
 
 /// Several frequencies with what was computed there.
@@ -136,7 +146,7 @@ impl<Y: InBlocks<T> + ?Sized, T: InLanes + Real> ManyAtOnce<T> for Counts<'_, Y,
         let mut from = 0;
         while from < count {
             let lanes = from..count.min(from + S::LANES);
-            let mut counter = PhaseCounter::new(purpose);
+            let mut counter = PhaseCounter::new(purpose == Purpose::Certificates, purpose == Purpose::Phases);
             let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut counter);
             let cancelled = counter.counter().cancelled();
             S::store_size(counter.counter().count(), &mut block.below[lanes.clone()]);

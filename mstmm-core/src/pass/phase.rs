@@ -25,17 +25,6 @@ fn quarter_ahead<S: Scalar>(plane: &Plane<S>, [factors, inverses]: &[[S; 4]; 2])
     Plane::unscaled(minors, plane.exponent)
 }
 
-/// What a system is counted for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Purpose {
-    /// The number of roots.
-    Counts,
-    /// That number with a share of the next one.
-    Phases,
-    /// The number beside a root, where the terms of Δ are examined.
-    Certificates,
-}
-
 /// A counter that also keeps Δ with the wave of the last beam a quarter of a turn ahead.
 pub(crate) struct PhaseCounter<S: Scalar> {
     counter: WittrickWilliams<S::Size>,
@@ -48,13 +37,13 @@ pub(crate) struct PhaseCounter<S: Scalar> {
 }
 
 impl<S: Scalar> PhaseCounter<S> {
-    /// A counter for some purpose.
+    /// A counter; beside a root it also examines the terms of Δ, and the phase is kept if it is wanted.
     #[inline(always)]
-    pub(crate) fn new(purpose: Purpose) -> Self {
+    pub(crate) fn new(is_at_root: bool, wants_phase: bool) -> Self {
         let ones = [S::one(); 4];
         PhaseCounter {
-            counter: WittrickWilliams::new(purpose == Purpose::Certificates),
-            wants_phase: purpose == Purpose::Phases,
+            counter: WittrickWilliams::new(is_at_root),
+            wants_phase,
             ahead: Scaled::new(S::one(), 0),
             units: [ones; 2],
             end: Plane::of_tip(Support::Free),
