@@ -28,14 +28,20 @@ where
         let mut roots = self.sample(from)?.below;
         let width = (self.half_width + self.half_width) * T::from_f64(WIDEST);
         for root in list {
-            let [lower, upper] = [T::from_parameter(root.lower), T::from_parameter(root.upper)];
             if root.omega.is_zero() {
                 if roots != root.multiplicity {
                     return Ok(false);
                 }
                 continue;
             }
-            if upper - lower > upper * width || lower <= from || self.sample(lower)?.below != roots {
+            let [lower, upper] = [T::from_parameter(root.lower), T::from_parameter(root.upper)];
+            if upper - lower > upper * width {
+                return Ok(false);
+            }
+            // inside, as for every certificate: the rest is room for the rounding of parameters
+            let inner = upper * self.half_width * T::from_f64(0.5);
+            let [lower, upper] = [lower + inner, upper - inner];
+            if lower <= from || self.sample(lower)?.below != roots {
                 return Ok(false);
             }
             roots += root.multiplicity;
