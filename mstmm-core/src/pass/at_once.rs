@@ -31,6 +31,8 @@ pub(crate) fn lanes<T: InLanes, Y: System + ?Sized>() -> usize {
 /// What a system is counted for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Purpose {
+    /// Nothing: Δ alone is wanted.
+    Values,
     /// The number of roots.
     Counts,
     /// That number with a share of the next one.
@@ -146,7 +148,11 @@ impl<Y: InBlocks<T> + ?Sized, T: InLanes + Real> ManyAtOnce<T> for Counts<'_, Y,
         let mut from = 0;
         while from < count {
             let lanes = from..count.min(from + S::LANES);
-            let mut counter = PhaseCounter::new(purpose == Purpose::Certificates, purpose == Purpose::Phases);
+            let mut counter = PhaseCounter::new(
+                purpose != Purpose::Values,
+                purpose == Purpose::Certificates,
+                purpose == Purpose::Phases,
+            );
             let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut counter);
             let cancelled = counter.counter().cancelled();
             S::store_size(counter.counter().count(), &mut block.below[lanes.clone()]);

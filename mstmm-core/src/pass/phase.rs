@@ -28,6 +28,8 @@ fn quarter_ahead<S: Scalar>(plane: &Plane<S>, [factors, inverses]: &[[S; 4]; 2])
 /// A counter that also keeps Δ with the wave of the last beam a quarter of a turn ahead.
 pub(crate) struct PhaseCounter<S: Scalar> {
     counter: WittrickWilliams<S::Size>,
+    /// Whether roots are counted: else Δ alone is wanted, of the same code.
+    counts: bool,
     wants_phase: bool,
     ahead: Scaled<S>,
     /// Units of minors and their inverses at the wave number of the last beam.
@@ -37,12 +39,13 @@ pub(crate) struct PhaseCounter<S: Scalar> {
 }
 
 impl<S: Scalar> PhaseCounter<S> {
-    /// A counter; beside a root it also examines the terms of Δ, and the phase is kept if it is wanted.
+    /// A counter; beside a root it also examines the terms of Δ, and count and phase are kept if they are wanted.
     #[inline(always)]
-    pub(crate) fn new(is_at_root: bool, wants_phase: bool) -> Self {
+    pub(crate) fn new(counts: bool, is_at_root: bool, wants_phase: bool) -> Self {
         let ones = [S::one(); 4];
         PhaseCounter {
             counter: WittrickWilliams::new(is_at_root),
+            counts,
             wants_phase,
             ahead: Scaled::new(S::one(), 0),
             units: [ones; 2],
@@ -85,26 +88,34 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
 
     #[inline(always)]
     fn line(&mut self, before: &Line<S>, after: &Line<S>, held: S::Size, is_negative: S::Truth) {
-        self.counter.line(before, after, held, is_negative);
+        if self.counts {
+            self.counter.line(before, after, held, is_negative);
+        }
     }
 
     #[inline(always)]
     fn plane(&mut self, before: &Plane<S>, after: &Plane<S>, held: Held<S>) {
-        if let Some(units) = held.units {
-            (self.units, self.end) = (units, *after);
+        if self.counts {
+            if let Some(units) = held.units {
+                (self.units, self.end) = (units, *after);
+            }
+            self.counter.plane(before, after, held);
         }
-        self.counter.plane(before, after, held);
     }
 
     #[inline(always)]
     fn narrowing(&mut self, plane: &Plane<S>, space: Space) {
-        self.counter.narrowing(plane, space);
+        if self.counts {
+            self.counter.narrowing(plane, space);
+        }
     }
 
     /// Δ with the wave of the last beam a quarter of a turn ahead, held by the stiffnesses that were joined behind it.
     #[inline(always)]
     fn plane_root(&mut self, plane: &Plane<S>, support: Support) {
-        self.counter.plane_root(plane, support);
+        if self.counts {
+            self.counter.plane_root(plane, support);
+        }
         if !self.wants_phase {
             return;
         }
@@ -129,7 +140,9 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
 
     #[inline(always)]
     fn line_root(&mut self, line: &Line<S>, support: Support) {
-        self.counter.line_root(line, support);
+        if self.counts {
+            self.counter.line_root(line, support);
+        }
         let ahead = if support == Support::Fixed { -line.q } else { line.y };
         self.ahead = Scaled::new(ahead, i64::from(line.exponent));
     }

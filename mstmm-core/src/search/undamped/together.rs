@@ -198,8 +198,8 @@ where
             if count == 0 {
                 return self.certify(&approaches, found);
             }
-            self.single.evaluations += count;
-            self.block.values(self.single.system, count);
+            // of the same code as counts: another one would take as long to compile
+            self.evaluate(count, Purpose::Values)?;
             let mut values = self.block.value.iter();
             for root in 0..approaches.count {
                 if approaches.settled[root] == 0.0 {
