@@ -18,14 +18,16 @@ const fn has_lanes<S: InLanes, Y: System + ?Sized>() -> bool {
 /// Number of lanes of the instruction set in use, in which a system is evaluated.
 #[inline]
 pub(crate) fn lanes<T: InLanes, Y: System + ?Sized>() -> usize {
+    if const { !has_lanes::<T, Y>() } {
+        return 1;
+    }
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     match mstmm_lanes::InstructionSet::in_use() {
-        _ if !const { has_lanes::<T, Y>() } => {}
         mstmm_lanes::InstructionSet::Avx512 => return T::OnAvx512::LANES,
         mstmm_lanes::InstructionSet::Avx2 => return T::OnAvx2::LANES,
         mstmm_lanes::InstructionSet::Target => {}
     }
-    <T as Packed<T>>::LANES
+    1
 }
 
 /// What a system is counted for.
