@@ -2,9 +2,10 @@
 
 use crate::model::SearchError;
 use crate::number::{Frequency, InLanes, Scaled};
-use crate::pass::at_once::{Block, InBlocks, MOST, Purpose, characteristics};
+use crate::pass::at_once::{Block, InBlocks, MOST, characteristics};
 use crate::pass::characteristic::System;
 use crate::search::undamped::natural::{NaturalFrequencies, Undamped, count_margin};
+use crate::subspace::Purpose;
 use num_traits::Zero;
 
 /// Evaluations at many frequencies: each value takes a fraction of the time.

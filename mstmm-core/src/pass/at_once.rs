@@ -3,9 +3,8 @@
 use crate::number::{InLanes, Packed, Real, Scaled, Size, Task, Truth, run};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::pass::phase::PhaseCounter;
-use crate::subspace::NoCount;
+use crate::subspace::{NoCount, Purpose};
 use core::marker::PhantomData;
-use core::ops::Range;
 
 /// Most frequencies of a block.
 pub(crate) const MOST: usize = 16;
@@ -30,19 +29,6 @@ pub(crate) fn lanes<T: InLanes, Y: System + ?Sized>() -> usize {
     1
 }
 
-/// What a system is counted for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Purpose {
-    /// Nothing: Δ alone is wanted.
-    Values,
-    /// The number of roots.
-    Counts,
-    /// That number with a share of the next one.
-    Phases,
-    /// The number beside a root, where the terms of Δ are examined.
-    Certificates,
-}
-
 /// Several frequencies with what was computed there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Block<T> {
@@ -62,7 +48,7 @@ pub(crate) struct Block<T> {
     exponent: Option<i64>,
 }
 
-impl<T: InLanes> Block<T> {
+impl<T: InLanes + Real> Block<T> {
     /// Room for frequencies.
     #[inline]
     pub(crate) fn new() -> Self {
@@ -77,49 +63,25 @@ impl<T: InLanes> Block<T> {
         }
     }
 
-    /// Evaluates Δ alone at the first so many frequencies.
-    #[inline]
-    pub(crate) fn values<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize) {
-        let count = count.min(MOST);
-        self.is_lost = false;
-        evaluate(Values { system, block: self, count });
-        if self.is_lost {
-            Values { system, block: self, count }.alone();
-        }
-    }
-
-    /// Keeps Δ of some lanes. Returns it over the power of two of all values, and whether it is in the range.
-    #[inline(always)]
-    fn keep<S: Packed<T>>(&mut self, delta: Scaled<S>, lanes: Range<usize>) -> (S, S::Truth) {
-        let value = delta.over_power(*self.exponent.get_or_insert(delta.exponent()));
-        let is_known = value.size().is_below(S::Size::of(f64::INFINITY));
-        self.is_lost |= !is_known.all();
-        value.store(&mut self.value[lanes]);
-        (value, is_known)
-    }
-}
-
-impl<T: InLanes + Real> Block<T> {
     /// Evaluates Δ, counts and for that purpose phases at the first so many frequencies.
     #[inline]
     pub(crate) fn counts<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize, purpose: Purpose) {
         let count = count.min(MOST);
-        for is_alone in [false, true] {
-            if purpose == Purpose::Phases {
-                // a new window: Δ grows along the frequencies
-                self.exponent = None;
-            }
-            (self.is_lost, self.unknown) = (false, 0);
-            let counts = Counts { system, block: self, count, purpose };
-            if is_alone {
-                counts.alone()
-            } else {
-                evaluate(counts)
-            }
-            if !self.is_lost {
-                break;
-            }
+        evaluate(self.begun(system, count, purpose));
+        if self.is_lost && lanes::<T, Y>() > 1 {
+            self.begun(system, count, purpose).alone();
         }
+    }
+
+    /// An evaluation that begins.
+    #[inline]
+    fn begun<'a, Y: ?Sized>(&'a mut self, system: &'a Y, count: usize, purpose: Purpose) -> Counts<'a, Y, T> {
+        if purpose == Purpose::Phases {
+            // a new window: Δ grows along the frequencies
+            self.exponent = None;
+        }
+        (self.is_lost, self.unknown) = (false, 0);
+        Counts { system, block: self, count, purpose }
     }
 
     /// The count on which a lane and the next one agree, if they are neither at a root nor doubtful.
@@ -150,51 +112,19 @@ impl<Y: InBlocks<T> + ?Sized, T: InLanes + Real> ManyAtOnce<T> for Counts<'_, Y,
         let mut from = 0;
         while from < count {
             let lanes = from..count.min(from + S::LANES);
-            let mut counter = PhaseCounter::new(
-                purpose != Purpose::Values,
-                purpose == Purpose::Certificates,
-                purpose == Purpose::Phases,
-            );
+            let mut counter = PhaseCounter::new(purpose);
             let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut counter);
             let cancelled = counter.counter().cancelled();
             S::store_size(counter.counter().count(), &mut block.below[lanes.clone()]);
             if purpose == Purpose::Phases {
                 S::store_size(counter.phase(delta), &mut block.phase[lanes.clone()]);
             }
-            let (value, is_known) = block.keep(delta, lanes);
+            let value = delta.over_power(*block.exponent.get_or_insert(delta.exponent()));
+            let is_known = value.size().is_below(S::Size::of(f64::INFINITY));
+            block.is_lost |= !is_known.all();
             let is_doubtful = cancelled.at_root | S::Truth::of(cancelled.any());
             block.unknown |= u32::from(S::bits(is_doubtful | !is_known | value.vanishes())) << from;
-            from += S::LANES;
-        }
-    }
-
-    #[inline(never)]
-    fn alone(self) {
-        self.in_lanes::<T>();
-    }
-}
-
-/// The evaluation of Δ alone.
-struct Values<'a, Y: ?Sized, T> {
-    system: &'a Y,
-    block: &'a mut Block<T>,
-    count: usize,
-}
-
-impl<Y: InBlocks<T> + ?Sized, T: InLanes> ManyAtOnce<T> for Values<'_, Y, T> {
-    type System = Y;
-
-    #[inline(always)]
-    fn in_lanes<S: Packed<T>>(self)
-    where
-        Y: Characteristic<S>,
-    {
-        let Values { system, block, count } = self;
-        let mut from = 0;
-        while from < count {
-            let lanes = from..count.min(from + S::LANES);
-            let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut NoCount);
-            block.keep(delta, lanes);
+            value.store(&mut block.value[lanes]);
             from += S::LANES;
         }
     }
@@ -214,17 +144,42 @@ pub(crate) fn characteristics<S: InLanes, Y: InBlocks<S> + ?Sized>(
     frequencies: &[S],
     values: &mut [Scaled<S>],
 ) {
-    let mut block = Block::new();
-    for (some, values) in frequencies.chunks(MOST).zip(values.chunks_mut(MOST)) {
-        let count = if lanes::<S, Y>() > 1 { some.len() } else { 0 };
-        block.omega[..count].copy_from_slice(&some[..count]);
-        block.values(system, count);
-        for (lane, (value, &x)) in values.iter_mut().zip(some).enumerate() {
-            let is_taken = lane < count && block.value[lane].size() > TAKEN.0 && block.value[lane].size() < TAKEN.1;
-            *value = match block.exponent {
-                Some(exponent) if is_taken => Scaled::new(block.value[lane], exponent),
-                _ => counted_pass(system, x, NoCount).1,
-            };
+    evaluate(Values { system, frequencies, values });
+}
+
+/// The evaluation of Δ alone.
+struct Values<'a, Y: ?Sized, S> {
+    system: &'a Y,
+    frequencies: &'a [S],
+    values: &'a mut [Scaled<S>],
+}
+
+impl<S: InLanes, Y: InBlocks<S> + ?Sized> ManyAtOnce<S> for Values<'_, Y, S> {
+    type System = Y;
+
+    #[inline(always)]
+    fn in_lanes<L: Packed<S>>(self)
+    where
+        Y: Characteristic<L>,
+    {
+        for (some, values) in self.frequencies.chunks(L::LANES).zip(self.values.chunks_mut(L::LANES)) {
+            let delta = self.system.pass(L::load(some), &mut NoCount);
+            let mut lanes = [S::zero(); 8];
+            delta.mantissa().store(&mut lanes[..some.len()]);
+            for ((value, &lane), &x) in values.iter_mut().zip(&lanes).zip(some) {
+                let is_taken = lane.size() > TAKEN.0 && lane.size() < TAKEN.1;
+                *value = if is_taken {
+                    Scaled::new(lane, delta.exponent())
+                } else {
+                    counted_pass(self.system, x, NoCount).1
+                };
+            }
+        }
+    }
+
+    fn alone(self) {
+        for (value, &x) in self.values.iter_mut().zip(self.frequencies) {
+            *value = counted_pass(self.system, x, NoCount).1;
         }
     }
 }

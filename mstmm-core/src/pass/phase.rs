@@ -3,7 +3,7 @@
 //! It grows evenly, since the waves of the last beam before the root turn evenly, and is whole at each root. Searches start from it.
 
 use crate::number::{Scalar, Scaled, Size};
-use crate::subspace::{Held, Line, Plane, RootCounter, WittrickWilliams};
+use crate::subspace::{Held, Line, Plane, Purpose, RootCounter, WittrickWilliams};
 use core::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 use mstmm_plan::{Space, Support};
 
@@ -28,9 +28,7 @@ fn quarter_ahead<S: Scalar>(plane: &Plane<S>, [factors, inverses]: &[[S; 4]; 2])
 /// A counter that also keeps Δ with the wave of the last beam a quarter of a turn ahead.
 pub(crate) struct PhaseCounter<S: Scalar> {
     counter: WittrickWilliams<S::Size>,
-    /// Whether roots are counted: else Δ alone is wanted, of the same code.
-    counts: bool,
-    wants_phase: bool,
+    purpose: Purpose,
     ahead: Scaled<S>,
     /// Units of minors and their inverses at the wave number of the last beam.
     units: [[S; 4]; 2],
@@ -39,14 +37,13 @@ pub(crate) struct PhaseCounter<S: Scalar> {
 }
 
 impl<S: Scalar> PhaseCounter<S> {
-    /// A counter; beside a root it also examines the terms of Δ, and count and phase are kept if they are wanted.
+    /// A counter for a purpose.
     #[inline(always)]
-    pub(crate) fn new(counts: bool, is_at_root: bool, wants_phase: bool) -> Self {
+    pub(crate) fn new(purpose: Purpose) -> Self {
         let ones = [S::one(); 4];
         PhaseCounter {
-            counter: WittrickWilliams::new(is_at_root),
-            counts,
-            wants_phase,
+            counter: WittrickWilliams::new(purpose == Purpose::Certificates),
+            purpose,
             ahead: Scaled::new(S::one(), 0),
             units: [ones; 2],
             end: Plane::of_tip(Support::Free),
@@ -88,14 +85,14 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
 
     #[inline(always)]
     fn line(&mut self, before: &Line<S>, after: &Line<S>, held: S::Size, is_negative: S::Truth) {
-        if self.counts {
+        if self.purpose != Purpose::Values {
             self.counter.line(before, after, held, is_negative);
         }
     }
 
     #[inline(always)]
     fn plane(&mut self, before: &Plane<S>, after: &Plane<S>, held: Held<S>) {
-        if self.counts {
+        if self.purpose != Purpose::Values {
             if let Some(units) = held.units {
                 (self.units, self.end) = (units, *after);
             }
@@ -105,7 +102,7 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
 
     #[inline(always)]
     fn narrowing(&mut self, plane: &Plane<S>, space: Space) {
-        if self.counts {
+        if self.purpose != Purpose::Values {
             self.counter.narrowing(plane, space);
         }
     }
@@ -113,10 +110,10 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
     /// Δ with the wave of the last beam a quarter of a turn ahead, held by the stiffnesses that were joined behind it.
     #[inline(always)]
     fn plane_root(&mut self, plane: &Plane<S>, support: Support) {
-        if self.counts {
+        if self.purpose != Purpose::Values {
             self.counter.plane_root(plane, support);
         }
-        if !self.wants_phase {
+        if self.purpose != Purpose::Phases {
             return;
         }
         let end = self.end;
@@ -130,7 +127,7 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
 
     #[inline(always)]
     fn turned(&self, before: &Plane<S>) -> Option<Plane<S>> {
-        self.wants_phase.then(|| quarter_ahead(before, &self.units))
+        (self.purpose == Purpose::Phases).then(|| quarter_ahead(before, &self.units))
     }
 
     #[inline(always)]
@@ -140,7 +137,7 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
 
     #[inline(always)]
     fn line_root(&mut self, line: &Line<S>, support: Support) {
-        if self.counts {
+        if self.purpose != Purpose::Values {
             self.counter.line_root(line, support);
         }
         let ahead = if support == Support::Fixed { -line.q } else { line.y };

@@ -9,6 +9,19 @@ use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use mstmm_plan::{Space, Support};
 
+/// What a system is counted for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// Nothing: Δ alone is wanted, of the same code, which is compiled once.
+    Values,
+    /// The number of roots.
+    Counts,
+    /// That number with a share of the next one.
+    Phases,
+    /// The number beside a root, where the terms of Δ are examined.
+    Certificates,
+}
+
 /// A bending element with both its ends held: its clamped count, and the sign and stiffness for the rule of a plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Held<S: Scalar> {

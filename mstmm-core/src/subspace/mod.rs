@@ -6,7 +6,7 @@ pub(crate) mod minors;
 pub(crate) mod remainder;
 
 pub(crate) use connecting::{Connecting, connection};
-pub(crate) use count::{Cancelled, Held, NoCount, RootCounter, Watch, WittrickWilliams};
+pub(crate) use count::{Cancelled, Held, NoCount, Purpose, RootCounter, Watch, WittrickWilliams};
 pub(crate) use minors::covector::Covector;
 pub(crate) use minors::join::in_parallel;
 pub(crate) use minors::line::Line;

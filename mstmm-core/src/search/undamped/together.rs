@@ -4,11 +4,12 @@
 //! or waves have to be scaled, is left to the search that goes from root to root.
 
 use crate::number::{Dual, InLanes, List, Real, is_straight};
-use crate::pass::at_once::{Block, MOST, Purpose, lanes};
+use crate::pass::at_once::{Block, InBlocks, MOST, lanes};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::approach::{Approaches, GoesOn, Point, ROOTS, Sample};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;
+use crate::subspace::Purpose;
 use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 
@@ -46,13 +47,7 @@ pub(super) struct Together<'a, 's, Y: System + ?Sized, T: Real> {
 impl<'a, 's, T, Y> Together<'a, 's, Y, T>
 where
     T: InLanes + Real,
-    Y: System<Parameter = T>
-        + Characteristic<T>
-        + Characteristic<T::OnAvx512>
-        + Characteristic<T::OnAvx2>
-        + Characteristic<Dual<T>>
-        + Characteristic<T::Extended>
-        + ?Sized,
+    Y: System<Parameter = T> + InBlocks<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
 {
     /// A search beside another; none for numbers that are no `f64`, without waves, which space roots evenly, and without `std`, where
     /// there are no vectors and size counts.
