@@ -36,6 +36,7 @@
 //! | the response to a harmonic load, at rest too, on grids and curves | [`frequency_response`] |
 //! | the response in time to an impulse, a step, a history of forces | [`modal_response`] |
 //! | how a root moves with each field of the model | [`sensitivity`] |
+//! | the first n natural frequencies of many models | [`Sweep::first_frequencies`](search::Sweep::first_frequencies) |
 //! | Δ and counts at many frequencies at once | [`characteristics`], [`counts_below`] |
 //! | the overall transfer matrix of the paper and its determinant | [`overall_matrix`], [`overall_determinant`] |
 //! | a tree whose size is known when the program runs | [`list`] |
@@ -65,8 +66,25 @@ pub use mstmm_core::{Complex, elements};
 
 /// Roots, counts and determinants: the searches, their results, and the functions that they search.
 pub mod search {
+    /// ```
+    /// use mstmm::prelude::*;
+    ///
+    /// system! {
+    ///     pub struct Cantilever { length: f64 }
+    ///     fixed -> beam 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
+    /// }
+    ///
+    /// let models = (1..=100).map(|k| Cantilever { length: f64::from(k) });
+    /// for (k, roots) in (1..).zip(models.first_frequencies::<3>()) {
+    ///     let first = roots?[0].omega;
+    ///     assert!((first * f64::from(k * k) - 3.516015).abs() < 1e-6);
+    /// }
+    /// # Ok::<(), mstmm::search::SweepError>(())
+    /// ```
+    ///
+    pub use mstmm_core::search::Sweep;
     pub use mstmm_core::search::*;
-    pub use mstmm_core::{Characteristic, Evaluate, InBlocks, ManyFrequencies, SearchError, System};
+    pub use mstmm_core::{Characteristic, Evaluate, InBlocks, Lanewise, ManyFrequencies, Model, SearchError, System};
 }
 
 /// What an element is, how it transfers subspaces and states, and its energies: for elements of one's own.
@@ -87,7 +105,7 @@ pub mod element {
 pub mod number {
     pub use mstmm_core::{
         Complex, ComplexEigenvalue, ComplexFrequency, Component, DoubleDouble, Dual, Frequency, InLanes, Magnitude,
-        MayDecay, Oscillation, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, WaveFunctions,
+        MayDecay, Oscillation, Parameter, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, WaveFunctions,
     };
 }
 
@@ -104,7 +122,7 @@ pub mod prelude {
     pub use crate::motion::ModalAnalysis;
     pub use crate::search::{
         Characteristic, Eigenvalue, Eigenvalues, Evaluate, ManyFrequencies, NaturalFrequencies, NaturalFrequency,
-        Region, Spectrum, Undamped, fmin1d, fmin2d,
+        Region, Spectrum, Sweep, Undamped, fmin1d, fmin2d,
     };
     pub use crate::{Complex, system};
 }

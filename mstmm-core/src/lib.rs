@@ -53,7 +53,8 @@ pub use number::double_double::DoubleDouble;
 pub use number::dual::Dual;
 pub use number::fixed_list::List;
 pub use number::frequency::{
-    ComplexEigenvalue, ComplexFrequency, Component, ExtendedOf, Frequency, MayDecay, Oscillation, Real, RealFrequency,
+    ComplexEigenvalue, ComplexFrequency, Component, ExtendedOf, Frequency, MayDecay, Oscillation, Parameter, Real,
+    RealFrequency,
 };
 pub use number::frequency_powers::FrequencyPowers;
 pub use number::packed::InLanes;
@@ -65,10 +66,12 @@ pub use number::wave_functions::{WaveFunctions, WaveProducts};
 pub use pass::at_once::InBlocks;
 pub use pass::characteristic::{Characteristic, System};
 pub use pass::inlining::{coefficients, join, root, step};
+pub use pass::model::Model;
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;
 pub use pass::overall::evaluate::Evaluate;
 pub use pass::planned_list::{InList, ListParameter, PerParameter, PlannedList, Room};
+pub use pass::side_by_side::Lanewise;
 pub use pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 pub use pass::tree::{ExtendedTree, Planned, Tree};
 pub use subspace::connecting::Connecting;

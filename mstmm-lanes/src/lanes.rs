@@ -1,5 +1,9 @@
 //! A number of several lanes with the operators and traits of numbers.
 
+#[cfg(target_arch = "x86_64")]
+use crate::avx512::Eight;
+#[cfg(target_arch = "x86_64")]
+use crate::plain::Plain;
 use crate::vector::Vector;
 use core::fmt::{self, Debug};
 use core::ops::{Add, AddAssign, BitAnd, BitOr, BitXor, Div, DivAssign, Mul, MulAssign, Neg, Not, Rem, RemAssign};
@@ -75,6 +79,16 @@ impl<V: Vector> Mul<f64> for Lanes<V> {
     #[inline(always)]
     fn mul(self, factor: f64) -> Self {
         self * Lanes::splat(factor)
+    }
+}
+
+/// The product with plain numbers, a lane with a lane.
+#[cfg(target_arch = "x86_64")]
+impl Mul<Lanes<Plain>> for Lanes<Eight> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, factor: Lanes<Plain>) -> Self {
+        self * Lanes(Eight::load(factor.0.numbers()))
     }
 }
 

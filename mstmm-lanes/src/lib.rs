@@ -8,6 +8,7 @@
 //! instruction set may be called only where the machine has it. The crate needs `std` to detect that.
 
 mod lanes;
+mod plain;
 mod vector;
 
 #[cfg(target_arch = "x86_64")]
@@ -20,6 +21,7 @@ pub use avx2::Four;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Eight;
 pub use lanes::{Lanes, Truths};
+pub use plain::Plain;
 pub use vector::{Part, Vector};
 
 use std::sync::atomic::{AtomicU8, Ordering};

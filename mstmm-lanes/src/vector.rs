@@ -5,7 +5,7 @@ use core::fmt::Debug;
 /// A vector of `f64` in a register of some instruction set. All operations round as those of one `f64` do; none is fused.
 ///
 /// A value may exist only in code that runs since the machine was found to have the instruction set, as
-/// [`Task`](crate::Task) does: elsewhere its operations are undefined.
+/// [`Task`](crate::Task) does: elsewhere its operations are undefined. [`Plain`](crate::Plain) numbers may exist everywhere.
 pub trait Vector: Copy + Debug + 'static {
     /// Number of lanes.
     const LANES: usize;

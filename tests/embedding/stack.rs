@@ -75,6 +75,15 @@ fn searches_of_undamped_systems() {
     on_a_stack_of(REAL, || assert!(star().natural_frequencies::<32>(0.0..=300.0).is_ok()));
 }
 
+/// Seven frequencies each of models in step, and of models that do not keep it.
+#[test]
+fn sweeps() {
+    on_a_stack_of(GRID, || {
+        let models = (0..20).map(|k| Star { l: 1.0 + f64::from(k) });
+        assert!(models.first_frequencies::<7>().all(|roots| roots.is_ok()));
+    });
+}
+
 #[test]
 fn searches_of_damped_systems() {
     on_a_stack_of(COMPLEX, || assert!(absorber().first_eigenvalues::<4>().is_ok()));

@@ -8,7 +8,7 @@ use mstmm::element::{
     BackTransfer, Covector, Element, Ends, Energies, FrequencyPowers, InvalidParameter, PlaneStep, RootCounter,
     Subspace, Translation,
 };
-use mstmm::number::{Frequency, Real};
+use mstmm::number::{Frequency, Parameter};
 use mstmm::search::System;
 
 mod probe {
@@ -21,7 +21,7 @@ mod probe {
 }
 use probe::Probe;
 
-impl<T: Real> Element for Probe<T> {
+impl<T: Parameter> Element for Probe<T> {
     type State = Translation;
     type Built = Self;
 
@@ -30,7 +30,7 @@ impl<T: Real> Element for Probe<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> PlaneStep<S> for Probe<T> {
+impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for Probe<T> {
     type Coefficients = ();
 
     fn coefficients(_built: &Self, _at: &FrequencyPowers<S>) {}
@@ -41,7 +41,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Probe<T> {
 }
 
 /// Made up: `∂L/∂first` is the input's Y, `∂L/∂second` the output's.
-impl<T: Real, S: Frequency<T>> BackTransfer<S> for Probe<T> {
+impl<T: Parameter, S: Frequency<T>> BackTransfer<S> for Probe<T> {
     type BackCoefficients = ();
     const SYMMETRIC: bool = true;
 
@@ -56,7 +56,7 @@ impl<T: Real, S: Frequency<T>> BackTransfer<S> for Probe<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> Energies<S> for Probe<T> {
+impl<T: Parameter, S: Frequency<T>> Energies<S> for Probe<T> {
     type Gradient = Probe<S>;
 
     fn units(_built: &Self, _at: &FrequencyPowers<S>) -> [f64; 2] {

@@ -12,7 +12,7 @@ use mstmm::element::Support;
 use mstmm::elements::{Damper, Mass, Spring, SpringDamper};
 use mstmm::list::{InList, ListStep};
 use mstmm::motion::{Entry, Load, ModalAnalysis, MotionError};
-use mstmm::number::{DoubleDouble, Real, Scalar};
+use mstmm::number::{DoubleDouble, Parameter, Real, Scalar};
 use mstmm::search::{Eigenvalues, Region};
 
 type Wide = Complex<DoubleDouble>;

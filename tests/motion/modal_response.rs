@@ -10,7 +10,7 @@ mod transforms;
 
 use crate::support::models;
 use mstmm::motion::MotionError;
-use mstmm::number::{DoubleDouble, Real, Scalar};
+use mstmm::number::{DoubleDouble, Parameter, Real, Scalar};
 use mstmm::prelude::*;
 
 system! {

@@ -8,7 +8,7 @@ use mstmm::element::Support;
 use mstmm::elements::{Beam, Mass, Spring};
 use mstmm::list::{AnyUndamped, InList, ListStep, StepList};
 use mstmm::motion::{Entry, Load, ModalAnalysis};
-use mstmm::number::{DoubleDouble, Real};
+use mstmm::number::{DoubleDouble, Parameter};
 use mstmm::search::{Eigenvalue, NaturalFrequencies};
 
 /// The load and the displacement in which a point moves, by the space there.

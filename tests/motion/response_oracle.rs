@@ -12,7 +12,7 @@ use mstmm::element::{Coordinate, Space};
 use mstmm::elements::{Beam, Body};
 use mstmm::list::{InList, ListStep};
 use mstmm::motion::{Entry, Load, ModalAnalysis, Point};
-use mstmm::number::Real;
+use mstmm::number::{Parameter, Real};
 use mstmm_core::Step;
 
 /// Frequencies of 24 bits: undamped, decaying, growing, real, high.

@@ -2,9 +2,9 @@
 
 use crate::support::models::*;
 use mstmm::motion::MotionError;
-use mstmm::number::{DoubleDouble, Dual, Frequency, Oscillation, Real};
+use mstmm::number::{DoubleDouble, Dual, Frequency, Oscillation, Parameter};
 use mstmm::prelude::*;
-use mstmm::search::NaturalFrequency;
+use mstmm::search::{NaturalFrequency, System};
 
 /// Relative steps of the differences: extrapolated to zero, what is left is of the sixth order. With fields of 24 bits these are
 /// exact, and so are the differences of positions in the formulas of the models.
@@ -25,7 +25,7 @@ fn root_near<S, Y>(system: &Y, near: S) -> S
 where
     S: Oscillation<DoubleDouble>,
     Dual<S>: Frequency<DoubleDouble>,
-    Y: Characteristic<Dual<S>, Parameter = DoubleDouble>,
+    Y: System<Parameter = DoubleDouble> + Characteristic<Dual<S>>,
 {
     let mut x = near;
     for _ in 0..60 {

@@ -10,7 +10,7 @@ use core::ops::Range;
 use mstmm::Complex;
 use mstmm::list::ListStep;
 use mstmm::motion::ModalAnalysis;
-use mstmm::number::Real;
+use mstmm::number::Parameter;
 use mstmm::search::{Eigenvalue, Eigenvalues, Region};
 
 /// Eigenvalues above zero, of beams whose waves the equations follow.

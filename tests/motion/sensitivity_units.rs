@@ -1,7 +1,7 @@
 //! Sensitivities of a model of shared elements, `let` lines and fields used twice, in all arithmetics: what units demand.
 #![allow(missing_docs, reason = "models of a test")]
 
-use mstmm::number::{DoubleDouble, Real, Scalar};
+use mstmm::number::{DoubleDouble, Parameter, Scalar};
 use mstmm::prelude::*;
 
 system! {
@@ -70,10 +70,10 @@ macro_rules! assert_units {
         for root in &roots {
             let sensitivities = system.sensitivity(root).unwrap();
             let found: Vec<(&str, f64)> =
-                sensitivities.iter().map(|(name, value)| (name, Real::to_f64(value))).collect();
+                sensitivities.iter().map(|(name, value)| (name, Parameter::to_f64(value))).collect();
             assert!(found.iter().map(|(name, _)| *name).eq(UNITS.iter().map(|(name, _)| *name)), "{found:?}");
             assert_eq!(found[7].1, 0.0);
-            let omega = Real::to_f64(root.omega);
+            let omega = Parameter::to_f64(root.omega);
             for (unit, expected) in [0.5, -0.5, -0.5].into_iter().enumerate() {
                 let terms: Vec<f64> = (0..8).map(|k| UNITS[k].1[unit] * fields[k] * found[k].1).collect();
                 let sum: f64 = terms.iter().sum();

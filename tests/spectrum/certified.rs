@@ -6,7 +6,7 @@ use core::ops::RangeInclusive;
 use mstmm::element::Support;
 use mstmm::elements::Beam;
 use mstmm::list::{AnyUndamped, ListStep, StepList};
-use mstmm::number::{DoubleDouble, Real, Scalar, Scaled, Single};
+use mstmm::number::{DoubleDouble, Parameter, Scalar, Scaled, Single};
 use mstmm::prelude::*;
 use mstmm::search::System;
 use proptest::prelude::*;

@@ -12,7 +12,7 @@ use mstmm::Complex;
 use mstmm::element::Support;
 use mstmm::elements::{Beam, Body, Damper, Mass, PointMass, Spring};
 use mstmm::list::ListStep;
-use mstmm::number::{DoubleDouble, Real, Scalar};
+use mstmm::number::{DoubleDouble, Parameter, Scalar};
 use mstmm::search::{Eigenvalue, NaturalFrequency};
 
 fn double(value: f64) -> DoubleDouble {

@@ -15,6 +15,7 @@ mod scaled_trees;
 mod strips;
 #[path = "../support/mod.rs"]
 pub mod support;
+mod sweeps;
 mod tree_corners;
 #[path = "../support/undamped_models.rs"]
 mod undamped_models;

@@ -2,6 +2,7 @@
 
 use indicatif::ProgressBar;
 use mstmm::prelude::*;
+use mstmm::search::SweepError;
 use parquet::data_type::DoubleType;
 use parquet::file::{properties::WriterProperties, writer::SerializedFileWriter};
 use rayon::prelude::*;
@@ -25,6 +26,8 @@ const SCHEMA: &str = "message sweep { required double spring_at; required double
     required double mass; required double omega_1; required double omega_2; required double omega_3; }";
 /// Models that are solved before they are written.
 const BLOCK: u64 = 1 << 16;
+/// Models that a thread solves in a row.
+const ROW: usize = 256;
 
 /// A model of the sweep: points that fill the ranges evenly, by steps of irrational numbers.
 pub fn model(index: u64) -> SpringAndMass {
@@ -33,13 +36,15 @@ pub fn model(index: u64) -> SpringAndMass {
     SpringAndMass { spring_at, mass_at, stiffness: 1.0 + 99.0 * part(5_f64.sqrt()), mass: part(7_f64.sqrt()) }
 }
 
-/// A row of the file; an error where there is no certified list of frequencies.
-pub fn row(model: &SpringAndMass) -> Result<[f64; 7], Box<dyn Error>> {
-    let roots = model.build()?.first_frequencies::<3>()?;
-    let omegas = roots.iter().flat_map(|root| iter::repeat_n(root.omega, root.multiplicity as usize));
-    let mut row = [model.spring_at, model.mass_at, model.stiffness, model.mass, 0.0, 0.0, 0.0];
-    row[4..].iter_mut().zip(omegas).for_each(|(place, omega)| *place = omega);
-    Ok(row)
+/// Rows of the file; an error where there is no certified list of frequencies.
+pub fn rows(models: &[SpringAndMass]) -> impl Iterator<Item = Result<[f64; 7], SweepError>> {
+    models.iter().first_frequencies::<3>().zip(models).map(|(roots, model)| {
+        let roots = roots?;
+        let omegas = roots.iter().flat_map(|root| iter::repeat_n(root.omega, root.multiplicity as usize));
+        let mut row = [model.spring_at, model.mass_at, model.stiffness, model.mass, 0.0, 0.0, 0.0];
+        row[4..].iter_mut().zip(omegas).for_each(|(place, omega)| *place = omega);
+        Ok(row)
+    })
 }
 
 /// Solves as many models, writes their rows in order, and counts those without a certified list, which are left out.
@@ -51,7 +56,8 @@ pub fn sweep(count: u64, file: &Path, progress: &ProgressBar) -> Result<u64, Box
     let mut errors = 0;
     for start in (0..count).step_by(BLOCK as usize) {
         let block = start..count.min(start + BLOCK);
-        let rows: Vec<_> = block.clone().into_par_iter().map(|index| row(&model(index)).ok()).collect();
+        let models: Vec<_> = block.clone().map(model).collect();
+        let rows: Vec<_> = models.par_chunks(ROW).flat_map_iter(|models| rows(models).map(Result::ok)).collect();
         errors += rows.iter().filter(|row| row.is_none()).count() as u64;
         let (mut group, mut index) = (writer.next_row_group()?, 0);
         while let Some(mut column) = group.next_column()? {

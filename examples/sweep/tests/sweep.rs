@@ -6,15 +6,20 @@
 pub mod main;
 
 use indicatif::ProgressBar;
-use main::{model, row, sweep};
+use main::{model, rows, sweep};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use std::f64::consts::PI;
 use std::fs::File;
 use std::path::Path;
 
+/// The row of a model.
+fn row(index: u64) -> [f64; 7] {
+    rows(&[model(index)]).next().unwrap().unwrap()
+}
+
 /// The rows of a file, block after block.
-fn rows(file: &Path) -> Vec<[f64; 7]> {
+fn rows_of(file: &Path) -> Vec<[f64; 7]> {
     let reader = SerializedFileReader::new(File::open(file).unwrap()).unwrap();
     let rows = reader.get_row_iter(None).unwrap().map(Result::unwrap);
     rows.map(|row| std::array::from_fn(|column| row.get_double(column).unwrap())).collect()
@@ -25,10 +30,13 @@ fn rows(file: &Path) -> Vec<[f64; 7]> {
 fn the_file_reads_back_as_the_models_in_their_order() {
     let (count, file) = (70_001, Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep.parquet"));
     assert_eq!(sweep(count, &file, &ProgressBar::hidden()).unwrap(), 0);
-    let rows = rows(&file);
+    let rows = rows_of(&file);
     assert_eq!(rows.len() as u64, count);
     for index in (0..count).step_by(997).chain([65_535, 65_536, 70_000]) {
-        assert_eq!(rows[index as usize], row(&model(index)).unwrap(), "{index}");
+        // a model beside others and one alone are searched in two ways
+        for (found, alone) in rows[index as usize].iter().zip(row(index)) {
+            assert!((found - alone).abs() <= 1e-14 * alone, "{index}: {found} and {alone}");
+        }
     }
 }
 
@@ -36,7 +44,7 @@ fn the_file_reads_back_as_the_models_in_their_order() {
 #[test]
 fn frequencies_are_those_of_a_bare_beam_with_a_spring_and_a_mass() {
     for index in [1, 17, 4711] {
-        let [spring_at, mass_at, stiffness, mass, omegas @ ..] = row(&model(index)).unwrap();
+        let [spring_at, mass_at, stiffness, mass, omegas @ ..] = row(index);
         for omega in omegas {
             let [below, above] =
                 [1.0 - 1e-9, 1.0 + 1e-9].map(|factor| residual(factor * omega, [spring_at, mass_at, stiffness, mass]));

@@ -3,7 +3,7 @@
 use crate::answer::states::SystemStates;
 use crate::element::Inside;
 use crate::model::{Label, State};
-use crate::number::{Oscillation, Real, Scalar};
+use crate::number::{Oscillation, Parameter, Real, Scalar};
 use crate::pass::tree::Tree;
 
 /// Samples per half wave; a deflection between two of them is monotonic or has one extremum.

@@ -3,7 +3,7 @@
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::root::Root;
 use crate::model::MotionError;
-use crate::number::{List, Oscillation, Real, Scalar};
+use crate::number::{List, Oscillation, Parameter, Scalar};
 use crate::pass::tree::{Planned, Tree};
 use core::ops::RangeInclusive;
 

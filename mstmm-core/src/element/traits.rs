@@ -17,7 +17,7 @@ pub type MatrixOf<E, S> = <<E as Element>::State as StateSpace>::Matrix<S>;
     message = "`{Self}` is not an element: it does not implement `Element`",
     label = "not an element",
     note = "an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element` and `mstmm::element::TransferMatrix<S>` \
-            for every `T: mstmm::Real`"
+            for every `T: mstmm::number::Parameter`"
 )]
 pub trait Element: Sized {
     /// Space of the states at both ends.
@@ -43,7 +43,7 @@ pub trait Element: Sized {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no transfer matrix at a frequency of type `{S}`",
     label = "no `TransferMatrix<{S}>` for this element",
-    note = "an element of your own implements `mstmm::element::TransferMatrix<S>` for every `S: mstmm::Frequency<T>`"
+    note = "an element of your own implements `mstmm::element::TransferMatrix<S>` for every `S: mstmm::number::Frequency<T>`"
 )]
 pub trait TransferMatrix<S: Scalar>: Element {
     /// The transfer matrix `U`.

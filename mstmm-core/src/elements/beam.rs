@@ -4,7 +4,9 @@ use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::bending_matrix;
 use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Real, Scaled, Single, Size, Truth, WaveProducts, binary_exponent};
+use crate::number::{
+    Frequency, FrequencyPowers, Parameter, Scaled, Single, Size, Truth, WaveProducts, binary_exponent,
+};
 use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
@@ -48,7 +50,7 @@ pub struct BuiltBeam<T> {
     length_units: Units<T>,
 }
 
-impl<T: Real> Element for Beam<T> {
+impl<T: Parameter> Element for Beam<T> {
     type State = Bending;
     type Built = BuiltBeam<T>;
 
@@ -86,14 +88,14 @@ impl<T: Real> Element for Beam<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for Beam<T> {
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for Beam<T> {
     fn transfer_matrix(built: &BuiltBeam<T>, x: S) -> Matrix4<S> {
         let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
         bending_matrix(length, bending_stiffness, mass_per_length, x.lambda_squared())
     }
 }
 
-impl<T: Real> Beam<T> {
+impl<T: Parameter> Beam<T> {
     /// The parameter farthest from 1, where their products leave the range of the type.
     fn most_extreme(&self) -> InvalidParameter {
         let parameters = [
@@ -111,7 +113,7 @@ impl<T: Real> Beam<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
+impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     const WAVES: bool = true;
     type Coefficients = BendingCoefficients<S>;
 
@@ -145,7 +147,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for Beam<T> {
     }
 }
 
-impl<T: Real> BuiltBeam<T> {
+impl<T: Parameter> BuiltBeam<T> {
     /// The coefficients for `|z| > 1`.
     #[inline(always)]
     fn waving<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
@@ -235,7 +237,7 @@ impl<T: Real> BuiltBeam<T> {
 
 /// The products of powers of the frequency with their factors.
 #[inline(always)]
-fn products<T: Real, S: Frequency<T>>([a, b, c, d]: [S; 4], [e, f, g, h]: [T; 4]) -> [S; 4] {
+fn products<T: Parameter, S: Frequency<T>>([a, b, c, d]: [S; 4], [e, f, g, h]: [T; 4]) -> [S; 4] {
     [a * e, b * f, c * g, d * h]
 }
 

@@ -3,7 +3,7 @@
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::half;
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled, Single};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single};
 use crate::subspace::{Connecting, Covector, Plane, RootCounter, Subspace};
 use lever::{Beside, Lever, Levers};
 use mstmm_plan::Support;
@@ -50,7 +50,7 @@ pub struct BuiltBody<T> {
     centre_to_output: Lever<T>,
 }
 
-impl<T: Real> Body<T> {
+impl<T: Parameter> Body<T> {
     /// `J_I - m c1²`. The product must be exact, since for a mass on a long arm the difference may be rounding alone.
     fn central_inertia(&self) -> T {
         let Body { mass, inertia, centre_x, .. } = *self;
@@ -58,7 +58,7 @@ impl<T: Real> Body<T> {
     }
 }
 
-impl<T: Real> Element for Body<T> {
+impl<T: Parameter> Element for Body<T> {
     type State = Bending;
     type Built = BuiltBody<T>;
 
@@ -83,11 +83,11 @@ impl<T: Real> Element for Body<T> {
         estimates.moment_of_inertia(built.central_inertia.abs().to_f64());
         estimates.lever(output.length.to_f64());
         estimates.lever(centre.length.to_f64());
-        estimates.moment_of_inertia((built.central_inertia + centre.times(centre.times(built.mass))).to_f64());
+        estimates.moment_of_inertia((built.central_inertia + built.mass * centre.length * centre.length).to_f64());
     }
 }
 
-impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for Body<T> {
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for Body<T> {
     #[rustfmt::skip]
     fn transfer_matrix(built: &BuiltBody<T>, x: S) -> Matrix4<S> {
         let (zero, one) = (S::zero(), S::one());
@@ -113,7 +113,7 @@ pub struct BodyCoefficients<T, S> {
     levers: Levers<T>,
 }
 
-impl<T: Real, S: Frequency<T>> PlaneStep<S> for Body<T> {
+impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for Body<T> {
     type Coefficients = BodyCoefficients<T, S>;
 
     #[inline(always)]
@@ -158,7 +158,7 @@ struct Behind<S> {
     m_q: S,
 }
 
-impl<T: Real, S: Frequency<T>> BodyCoefficients<T, S> {
+impl<T: Parameter, S: Frequency<T>> BodyCoefficients<T, S> {
     #[inline(always)]
     fn new(built: &BuiltBody<T>, lambda_squared: S) -> Self {
         let BuiltBody { mass, central_inertia, levers, centre_to_output } = *built;

@@ -3,7 +3,7 @@
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{elongations, half};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Scaled, Single, Size, Truth};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single, Size, Truth};
 use crate::subspace::{Connecting, Covector, Held, Plane, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Support};
 use nalgebra::Matrix4;
@@ -22,7 +22,7 @@ pub struct ElasticHinge<T> {
     pub stiffness_theta: T,
 }
 
-impl<T: Real> Element for ElasticHinge<T> {
+impl<T: Parameter> Element for ElasticHinge<T> {
     type State = Bending;
     type Built = Self;
 
@@ -38,7 +38,7 @@ impl<T: Real> Element for ElasticHinge<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for ElasticHinge<T> {
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for ElasticHinge<T> {
     #[inline(always)]
     fn transfer_matrix(built: &Self, _x: S) -> Matrix4<S> {
         let mut u = Matrix4::identity();
@@ -57,7 +57,7 @@ pub struct HingeCoefficients<T, S> {
     product: S,
 }
 
-impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
+impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
     type Coefficients = HingeCoefficients<T, S>;
 
     #[inline(always)]
@@ -96,7 +96,7 @@ impl<T: Real, S: Frequency<T>> PlaneStep<S> for ElasticHinge<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> HingeCoefficients<T, S> {
+impl<T: Parameter, S: Frequency<T>> HingeCoefficients<T, S> {
     /// Takes a plane through the hinge.
     #[inline(always)]
     fn through(&self, p: &Plane<S>) -> Plane<S> {

@@ -7,7 +7,7 @@ use crate::elements::shared::line_forms::{displacements, elongations, half, unit
 use crate::elements::shared::line_step::{back_through_stiffness, through_inertia, through_stiffness};
 use crate::elements::shared::massless::Massless;
 use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement, Rotation, StateSpace, Translation};
-use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real, Single};
+use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
@@ -27,7 +27,7 @@ macro_rules! line_elements {
             $($(#[$field_doc])* pub $field: T,)*
         }
 
-        impl<T: Real> Element for $element<T> {
+        impl<T: Parameter> Element for $element<T> {
             type State = $space;
             type Built = Self;
 
@@ -78,7 +78,7 @@ macro_rules! slope {
 /// Implements a massless element: its force is its dynamic stiffness times its elongation.
 macro_rules! massless {
     ($element:ident, $coordinate:ident, $frequency:ident, $($field:ident)*) => {
-        impl<T: Real, S: $frequency<T> + Single> TransferMatrix<S> for $element<T> {
+        impl<T: Parameter, S: $frequency<T> + Single> TransferMatrix<S> for $element<T> {
             #[inline(always)]
             fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
                 let compliance = parts!(built, $($field)*).compliance(x);
@@ -92,7 +92,7 @@ macro_rules! massless {
             }
         }
 
-        impl<T: Real, S: $frequency<T>> PlaneStep<S> for $element<T> {
+        impl<T: Parameter, S: $frequency<T>> PlaneStep<S> for $element<T> {
             type Coefficients = S;
 
             #[inline(always)]
@@ -156,7 +156,7 @@ macro_rules! massless {
 /// Implements an element with inertia alone: its force is the inertia times λ² times its displacement.
 macro_rules! inertial {
     ($element:ident, $coordinate:ident, $frequency:ident, $inertia:ident) => {
-        impl<T: Real, S: $frequency<T> + Single> TransferMatrix<S> for $element<T> {
+        impl<T: Parameter, S: $frequency<T> + Single> TransferMatrix<S> for $element<T> {
             #[inline(always)]
             fn transfer_matrix(built: &Self, x: S) -> Matrix2<S> {
                 let inertia = x.lambda_squared() * built.$inertia;
@@ -165,7 +165,7 @@ macro_rules! inertial {
             }
         }
 
-        impl<T: Real, S: $frequency<T>> PlaneStep<S> for $element<T> {
+        impl<T: Parameter, S: $frequency<T>> PlaneStep<S> for $element<T> {
             type Coefficients = S;
 
             #[inline(always)]

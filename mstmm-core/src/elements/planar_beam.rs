@@ -3,7 +3,7 @@
 use crate::element::{Element, TransferMatrix};
 use crate::elements::shared::krylov::{bending_matrix, cosine_and_sinc};
 use crate::model::{InvalidParameter, Planar, Requirement};
-use crate::number::{Frequency, Real, Single};
+use crate::number::{Frequency, Parameter, Single};
 use nalgebra::Matrix6;
 
 /// Uniform Euler-Bernoulli beam with exact longitudinal vibration; the two motions do not couple along a beam.
@@ -31,7 +31,7 @@ pub struct PlanarBeam<T> {
     pub mass_per_length: T,
 }
 
-impl<T: Real> Element for PlanarBeam<T> {
+impl<T: Parameter> Element for PlanarBeam<T> {
     type State = Planar;
     type Built = Self;
 
@@ -44,7 +44,7 @@ impl<T: Real> Element for PlanarBeam<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for PlanarBeam<T> {
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PlanarBeam<T> {
     fn transfer_matrix(built: &Self, x: S) -> Matrix6<S> {
         let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = *built;
         let lambda_squared = x.lambda_squared();

@@ -2,7 +2,7 @@
 
 use crate::element::{Element, TransferMatrix};
 use crate::model::{InvalidParameter, Planar, Requirement};
-use crate::number::{Frequency, Real, Single};
+use crate::number::{Frequency, Parameter, Single};
 use nalgebra::Matrix6;
 
 /// Rigid body with one input and one output end in planar motion; small rotations.
@@ -36,7 +36,7 @@ pub struct PlanarBody<T> {
     pub centre_y: T,
 }
 
-impl<T: Real> Element for PlanarBody<T> {
+impl<T: Parameter> Element for PlanarBody<T> {
     type State = Planar;
     type Built = Self;
 
@@ -53,7 +53,7 @@ impl<T: Real> Element for PlanarBody<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for PlanarBody<T> {
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PlanarBody<T> {
     #[rustfmt::skip]
     fn transfer_matrix(built: &Self, x: S) -> Matrix6<S> {
         let (o, i) = (S::zero(), S::one());

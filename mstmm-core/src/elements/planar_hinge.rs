@@ -2,7 +2,7 @@
 
 use crate::element::{Element, TransferMatrix};
 use crate::model::{InvalidParameter, Planar, Requirement};
-use crate::number::{Frequency, Real, Single};
+use crate::number::{Frequency, Parameter, Single};
 use nalgebra::Matrix6;
 
 /// Massless elastic hinge in planar motion: three springs side by side.
@@ -22,7 +22,7 @@ pub struct PlanarHinge<T> {
     pub stiffness_theta: T,
 }
 
-impl<T: Real> Element for PlanarHinge<T> {
+impl<T: Parameter> Element for PlanarHinge<T> {
     type State = Planar;
     type Built = Self;
 
@@ -34,7 +34,7 @@ impl<T: Real> Element for PlanarHinge<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for PlanarHinge<T> {
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PlanarHinge<T> {
     fn transfer_matrix(built: &Self, _x: S) -> Matrix6<S> {
         let mut u = Matrix6::identity();
         u[(0, 4)] = -S::from_parameter(T::one() / built.stiffness_x);

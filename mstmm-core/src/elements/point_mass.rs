@@ -3,7 +3,7 @@
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{displacements, half};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Oscillation, Real, Single};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::subspace::{Covector, Plane, RootCounter, Subspace, in_parallel};
 use mstmm_plan::{Coordinate, Support};
 use nalgebra::Matrix4;
@@ -22,7 +22,7 @@ pub struct PointMass<T> {
     pub inertia: T,
 }
 
-impl<T: Real> Element for PointMass<T> {
+impl<T: Parameter> Element for PointMass<T> {
     type State = Bending;
     type Built = Self;
 
@@ -38,7 +38,7 @@ impl<T: Real> Element for PointMass<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for PointMass<T> {
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PointMass<T> {
     #[inline(always)]
     fn transfer_matrix(built: &Self, x: S) -> Matrix4<S> {
         let mut u = Matrix4::identity();
@@ -55,7 +55,7 @@ pub struct PointMassCoefficients<S> {
     j: S,
 }
 
-impl<T: Real, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
+impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for PointMass<T> {
     type Coefficients = PointMassCoefficients<S>;
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! Errors: each carries the numbers that caused it.
 
-use crate::number::Real;
+use crate::number::Parameter;
 use core::fmt;
 
 /// The range that a parameter must satisfy.
@@ -73,7 +73,7 @@ impl InvalidParameter {
 
 impl Requirement {
     /// At least `bound`, which comes from `formula`.
-    pub fn at_least<T: Real>(bound: T, formula: &'static str) -> Self {
+    pub fn at_least<T: Parameter>(bound: T, formula: &'static str) -> Self {
         Requirement::AtLeast { bound: bound.to_f64(), formula }
     }
 
@@ -87,21 +87,25 @@ impl Requirement {
     /// assert!(Requirement::Positive.check("length", 1.5).is_ok());
     /// assert!(Requirement::NonNegative.check("damping", f64::NAN).is_err());
     /// ```
-    pub fn check<T: Real>(self, parameter: &'static str, value: T) -> Result<(), InvalidParameter> {
-        let reciprocal = (T::one() / value).to_f64();
-        let value = value.to_f64();
-        let valid = match self {
-            Requirement::Finite => true,
-            Requirement::Positive | Requirement::Rescale => value > 0.0,
-            Requirement::Invertible => value > 0.0 && reciprocal.is_finite(),
-            Requirement::NonNegative => value >= 0.0,
-            // see `AtLeast`: three roundings of each of two numbers of the size of the bound
-            Requirement::AtLeast { bound, .. } => value >= bound - rounding(3, 2.0 * bound.abs()),
-        };
-        if valid && value.is_finite() {
+    pub fn check<T: Parameter>(self, parameter: &'static str, value: T) -> Result<(), InvalidParameter> {
+        if T::IN_LANES {
+            // each model was built alone before
             return Ok(());
         }
-        Err(InvalidParameter { parameter, value, requirement: self })
+        let reciprocal = || (T::one() / value).to_f64();
+        let number = value.to_f64();
+        let valid = match self {
+            Requirement::Finite => true,
+            Requirement::Positive | Requirement::Rescale => number > 0.0,
+            Requirement::Invertible => number > 0.0 && reciprocal().is_finite(),
+            Requirement::NonNegative => number >= 0.0,
+            // see `AtLeast`: three roundings of each of two numbers of the size of the bound
+            Requirement::AtLeast { bound, .. } => number >= bound - rounding(3, 2.0 * bound.abs()),
+        };
+        if valid && number.abs() < f64::INFINITY {
+            return Ok(());
+        }
+        Err(InvalidParameter { parameter, value: number, requirement: self })
     }
 }
 

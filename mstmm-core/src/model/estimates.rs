@@ -32,12 +32,13 @@ struct Range {
 impl Range {
     const EMPTY: Range = Range { least: f64::INFINITY, greatest: 0.0 };
 
-    // not inlined: it is called at many places, and speed does not matter
-    #[inline(never)]
+    // called at many places: in line where a sweep builds many models, not where size counts
+    #[cfg_attr(feature = "std", inline)]
+    #[cfg_attr(not(feature = "std"), inline(never))]
     fn include(&mut self, value: f64) {
-        if value > 0.0 && value.is_finite() {
-            self.least = self.least.min(value);
-            self.greatest = self.greatest.max(value);
+        if value > 0.0 && value < f64::INFINITY {
+            self.least = if value < self.least { value } else { self.least };
+            self.greatest = if value > self.greatest { value } else { self.greatest };
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Dual numbers: a value and its derivative with respect to the frequency.
 
-use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Real, RealFrequency};
+use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Parameter, Real, RealFrequency};
 use crate::number::scalar::Scalar;
 use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
@@ -312,13 +312,15 @@ impl<T: Real> Num for Dual<T> {
     }
 }
 
-impl<T: Real> Real for Dual<T> {
-    type Extended = Self;
-
+impl<T: Real> Parameter for Dual<T> {
     #[inline]
     fn to_f64(self) -> f64 {
         self.value.to_f64()
     }
+}
+
+impl<T: Real> Real for Dual<T> {
+    type Extended = Self;
 
     #[inline]
     fn exp(self) -> Self {

@@ -37,6 +37,7 @@ fn series<T: Real>(z: Complex<T>, first: usize) -> Complex<T> {
 mod tests {
     use super::*;
     use crate::number::double_double::DoubleDouble;
+    use crate::number::frequency::Parameter;
     use crate::number::tolerance::assert_close;
 
     fn wide(z: Complex<f64>) -> Complex<DoubleDouble> {

@@ -1,7 +1,7 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
 use crate::number::double_double::DoubleDouble;
-use crate::number::frequency::{Component, Frequency, Real, RealFrequency};
+use crate::number::frequency::{Component, Frequency, Parameter, Real, RealFrequency};
 use crate::number::kernel;
 use crate::number::scalar::{Scalar, single};
 use crate::number::wave_functions::WaveFunctions;
@@ -88,7 +88,7 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
 
 /// Implements the real scalars for a primitive type, given its functions in `libm`.
 macro_rules! real {
-    ($type:ty, $judge:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, $($kernel:item)*)?) => {
+    ($type:ty, $judge:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, { $($exact:item)* } { $($kernel:item)* })?) => {
         impl Scalar for $type {
             single!();
             const EPSILON: f64 = <$type>::EPSILON as f64;
@@ -159,15 +159,19 @@ macro_rules! real {
             }
         }
 
-        impl Real for $type {
-            type Extended = $judge;
-
-            $($($kernel)*)?
-
+        impl Parameter for $type {
             #[inline]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }
+
+            $($($exact)*)?
+        }
+
+        impl Real for $type {
+            type Extended = $judge;
+
+            $($($kernel)*)?
 
             #[inline]
             fn exp(self) -> Self {
@@ -185,8 +189,7 @@ type ExtendedOfDouble = f64;
 
 real! {
     f64, ExtendedOfDouble, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
-    const HAS_EXTENDED: bool = cfg!(feature = "judge");
-
+    {
     #[inline]
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
         let product = DoubleDouble::from_product(a, b) * DoubleDouble::from_f64(c);
@@ -194,6 +197,19 @@ real! {
         // parts of a product leave the range earlier than the product
         if exact.is_finite() { exact } else { self - a * b * c }
     }
+
+    #[inline]
+    fn difference(self, other: Self) -> [Self; 2] {
+        let difference = self - other;
+        if !Self::HAS_EXTENDED {
+            return [difference, 0.0];
+        }
+        let exact = DoubleDouble::from_f64(self) - DoubleDouble::from_f64(other);
+        [difference, (exact - DoubleDouble::from_f64(difference)).to_f64()]
+    }
+    }
+    {
+    const HAS_EXTENDED: bool = cfg!(feature = "judge");
 
     #[inline(always)]
     fn circular_and_hyperbolic(self) -> [Self; 4] {
@@ -206,6 +222,7 @@ real! {
         }
         let (sin, cos) = Scalar::sin_cos(self);
         [sin, cos]
+    }
     }
 }
 real! { f32, f32, 4, 20.0, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf }

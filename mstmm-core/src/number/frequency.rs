@@ -18,22 +18,37 @@ pub trait Component: Scalar + NumAssign {
     }
 }
 
-/// A real scalar: the type of parameters and of natural frequencies.
-pub trait Real: Component + Single + PartialOrd {
-    /// The nearest `f64`.
+/// A parameter of an element: a real number, or, in sweeps, those of several models in lanes.
+///
+/// It has no order: what holds for one model need not hold for another. [`check`](crate::Requirement::check) compares it with the range
+/// that it must satisfy.
+pub trait Parameter: Component {
+    /// The nearest `f64`; of numbers in lanes the first.
     fn to_f64(self) -> f64;
-
-    /// The extended precision of this type; the type itself where there is none.
-    type Extended: Real<Extended = Self::Extended> + Oscillation<Self>;
-
-    /// Whether there is an extended precision.
-    const HAS_EXTENDED: bool = false;
 
     /// `self - a b c`, rounded once where there is an extended precision. The difference may be far smaller than the product.
     #[inline]
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
         self - a * b * c
     }
+
+    /// `self - other`, and what rounding takes from it, where there is an extended precision.
+    #[inline]
+    fn difference(self, other: Self) -> [Self; 2] {
+        [self - other, Self::zero()]
+    }
+}
+
+/// A real scalar: the type of parameters and of natural frequencies.
+#[diagnostic::on_unimplemented(
+    note = "an element of your own is generic over `T: mstmm::number::Parameter`, since a sweep has the parameters of several models in one"
+)]
+pub trait Real: Parameter + Single + PartialOrd {
+    /// The extended precision of this type; the type itself where there is none.
+    type Extended: Real<Extended = Self::Extended> + Oscillation<Self>;
+
+    /// Whether there is an extended precision.
+    const HAS_EXTENDED: bool = false;
 
     /// Exponential function.
     fn exp(self) -> Self;

@@ -3,12 +3,12 @@
 //! Each lane has the bits of a number alone, or is NaN where that would need a branch: where waves have to be scaled, entries
 //! shifted into the range, or sums cancel. Such a frequency is evaluated alone.
 
-use crate::number::frequency::{Component, Frequency, RealFrequency};
+use crate::number::frequency::{Component, Frequency, Parameter, RealFrequency};
 use crate::number::kernel::{self, Rounding};
 use crate::number::scalar::{Scalar, short_wave_products};
 use crate::number::truth::{Size, Truth};
 use crate::number::wave_functions::WaveFunctions;
-use mstmm_lanes::{Eight, Four, Lanes, Part, Truths, Vector};
+use mstmm_lanes::{Eight, Four, Lanes, Part, Plain, Truths, Vector};
 use num_traits::One;
 
 impl<V: Vector> Truth for Truths<V> {
@@ -121,7 +121,7 @@ macro_rules! waving {
         }
     )*};
 }
-waving!(Eight, Four);
+waving!(Eight, Four, Plain);
 
 impl<V: Waving> Scalar for Lanes<V> {
     type Truth = Truths<V>;
@@ -218,21 +218,61 @@ impl<V: Waving> Component for Lanes<V> {
     }
 }
 
-impl<V: Waving> Frequency<f64> for Lanes<V> {
-    type Meaning = RealFrequency;
+/// Frequencies of systems with such parameters, given how these become numbers in lanes.
+macro_rules! frequency {
+    ($([$($generic:tt)*] $vector:ty, $parameter:ty, $load:expr;)*) => {$(
+        impl<$($generic)*> Frequency<$parameter> for Lanes<$vector> {
+            type Meaning = RealFrequency;
 
-    #[inline(always)]
-    fn lambda_squared(self) -> Self {
-        -(self * self)
+            #[inline(always)]
+            fn lambda_squared(self) -> Self {
+                -(self * self)
+            }
+
+            #[inline(always)]
+            fn omega(self) -> Self {
+                Lanes(self.0.magnitude())
+            }
+
+            #[inline(always)]
+            fn from_parameter(parameter: $parameter) -> Self {
+                $load(parameter)
+            }
+        }
+    )*};
+}
+frequency! {
+    // those of one system
+    [V: Waving] V, f64, Lanes::splat;
+    // those of a system per lane
+    [] Eight, Lanes<Plain>, |parameter: Lanes<Plain>| Lanes(Eight::load(parameter.0.numbers()));
+}
+
+/// What a function makes of the numbers in each lane.
+fn each<const FROM: usize, const TO: usize>(
+    numbers: [Lanes<Plain>; FROM],
+    of: impl Fn([f64; FROM]) -> [f64; TO],
+) -> [Lanes<Plain>; TO] {
+    let mut results = [[0.0; Plain::LANES]; TO];
+    for lane in 0..Plain::LANES {
+        for (result, number) in results.iter_mut().zip(of(numbers.map(|number| number.0.numbers()[lane]))) {
+            result[lane] = number;
+        }
+    }
+    results.map(|result| Lanes(Plain::load(&result)))
+}
+
+impl Parameter for Lanes<Plain> {
+    fn to_f64(self) -> f64 {
+        self.0.numbers()[0]
     }
 
-    #[inline(always)]
-    fn omega(self) -> Self {
-        Lanes(self.0.magnitude())
+    fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
+        let [difference] = each([self, a, b, c], |[number, a, b, c]| [number.minus_product([a, b, c])]);
+        difference
     }
 
-    #[inline(always)]
-    fn from_parameter(parameter: f64) -> Self {
-        Lanes::splat(parameter)
+    fn difference(self, other: Self) -> [Self; 2] {
+        each([self, other], |[number, other]| number.difference(other))
     }
 }

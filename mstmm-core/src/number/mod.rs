@@ -36,11 +36,11 @@ pub(crate) use exponentials::{exponential, phi_1, phi_2};
 pub(crate) use fixed_list::List;
 pub(crate) use floats::{argument, elementary};
 pub(crate) use frequency::{
-    ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, Oscillation, Real, RealFrequency, larger, modulus,
-    smaller,
+    ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, Oscillation, Parameter, Real, RealFrequency, larger,
+    modulus, smaller,
 };
 pub(crate) use frequency_powers::FrequencyPowers;
-pub(crate) use packed::{InLanes, Packed, Task, run};
+pub(crate) use packed::{InLanes, Packed, Parameters, Task, run};
 pub(crate) use partials::Partials;
 pub(crate) use scalar::{Scalar, Single, series};
 pub(crate) use scaled::{Magnitude, Scaled};

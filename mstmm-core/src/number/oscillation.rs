@@ -1,6 +1,6 @@
 //! Plain real and complex numbers as frequencies at which motions are computed.
 
-use crate::number::frequency::{Frequency, Oscillation, Real};
+use crate::number::frequency::{Frequency, Oscillation, Parameter, Real};
 use crate::number::scalar::Scalar;
 use num_complex::Complex;
 

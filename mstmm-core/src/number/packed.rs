@@ -114,7 +114,16 @@ mod vectors {
         type OnAvx512 = Lanes<mstmm_lanes::Eight>;
         type OnAvx2 = Lanes<mstmm_lanes::Four>;
     }
+
+    /// Parameters of as many models as AVX-512 has lanes.
+    pub(crate) type Parameters = Lanes<mstmm_lanes::Plain>;
 }
+#[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
+pub(crate) use vectors::Parameters;
+
+/// Parameters of one model, where none stand in lanes.
+#[cfg(not(all(feature = "std", target_arch = "x86_64", not(debug_assertions))))]
+pub(crate) type Parameters = f64;
 
 /// Numbers that stand in no lanes: each is evaluated alone.
 macro_rules! alone {

@@ -5,6 +5,7 @@ use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::pass::phase::PhaseCounter;
 use crate::subspace::{NoCount, Purpose};
 use core::marker::PhantomData;
+use core::ops::Range;
 
 /// Most frequencies of a block.
 pub(crate) const MOST: usize = 16;
@@ -80,8 +81,37 @@ impl<T: InLanes + Real> Block<T> {
             // a new window: Δ grows along the frequencies
             self.exponent = None;
         }
-        (self.is_lost, self.unknown) = (false, 0);
+        self.begin();
         Counts { system, block: self, count, purpose }
+    }
+
+    /// Forgets what was known of the lanes.
+    #[inline]
+    pub(crate) fn begin(&mut self) {
+        (self.is_lost, self.unknown) = (false, 0);
+    }
+
+    /// Evaluates some lanes, as many as a number has.
+    #[inline(always)]
+    pub(crate) fn evaluate<S: Packed<T>>(
+        &mut self,
+        system: &(impl Characteristic<S> + ?Sized),
+        lanes: Range<usize>,
+        purpose: Purpose,
+    ) {
+        let mut counter = PhaseCounter::new(purpose);
+        let delta = system.pass(S::load(&self.omega[lanes.clone()]), &mut counter);
+        let cancelled = counter.counter().cancelled();
+        S::store_size(counter.counter().count(), &mut self.below[lanes.clone()]);
+        if purpose == Purpose::Phases {
+            S::store_size(counter.phase(delta), &mut self.phase[lanes.clone()]);
+        }
+        let value = delta.over_power(*self.exponent.get_or_insert(delta.exponent()));
+        let is_known = value.size().is_below(S::Size::of(f64::INFINITY));
+        self.is_lost |= !is_known.all();
+        let is_doubtful = cancelled.at_root | S::Truth::of(cancelled.any());
+        self.unknown |= u32::from(S::bits(is_doubtful | !is_known | value.vanishes())) << lanes.start;
+        value.store(&mut self.value[lanes]);
     }
 
     /// The count on which a lane and the next one agree, if they are neither at a root nor doubtful.
@@ -111,20 +141,7 @@ impl<Y: InBlocks<T> + ?Sized, T: InLanes + Real> ManyAtOnce<T> for Counts<'_, Y,
         let Counts { system, block, count, purpose } = self;
         let mut from = 0;
         while from < count {
-            let lanes = from..count.min(from + S::LANES);
-            let mut counter = PhaseCounter::new(purpose);
-            let delta = system.pass(S::load(&block.omega[lanes.clone()]), &mut counter);
-            let cancelled = counter.counter().cancelled();
-            S::store_size(counter.counter().count(), &mut block.below[lanes.clone()]);
-            if purpose == Purpose::Phases {
-                S::store_size(counter.phase(delta), &mut block.phase[lanes.clone()]);
-            }
-            let value = delta.over_power(*block.exponent.get_or_insert(delta.exponent()));
-            let is_known = value.size().is_below(S::Size::of(f64::INFINITY));
-            block.is_lost |= !is_known.all();
-            let is_doubtful = cancelled.at_root | S::Truth::of(cancelled.any());
-            block.unknown |= u32::from(S::bits(is_doubtful | !is_known | value.vanishes())) << from;
-            value.store(&mut block.value[lanes]);
+            block.evaluate::<S>(system, from..count.min(from + S::LANES), purpose);
             from += S::LANES;
         }
     }
@@ -190,12 +207,15 @@ impl<S: InLanes, Y: InBlocks<S> + ?Sized> ManyAtOnce<S> for Values<'_, Y, S> {
     note = "a real ω is a frequency of undamped systems only; planar elements take no part in the plane method; an element of your \
             own implements `mstmm::element::PlaneStep<S>` for every `S`"
 )]
-pub trait InBlocks<S: InLanes>: Characteristic<S> + Characteristic<S::OnAvx512> + Characteristic<S::OnAvx2> {}
+pub trait InBlocks<S: InLanes>:
+    System + Characteristic<S> + Characteristic<S::OnAvx512> + Characteristic<S::OnAvx2>
+{
+}
 
 impl<S, Y> InBlocks<S> for Y
 where
     S: InLanes,
-    Y: Characteristic<S> + Characteristic<S::OnAvx512> + Characteristic<S::OnAvx2> + ?Sized,
+    Y: System + Characteristic<S> + Characteristic<S::OnAvx512> + Characteristic<S::OnAvx2> + ?Sized,
 {
 }
 

@@ -20,7 +20,7 @@ pub trait System {
 
 /// A system that the plane method can evaluate at a frequency `x`: ω for a real scalar (undamped systems only), λ for a
 /// complex one.
-pub trait Characteristic<S: Scalar>: System {
+pub trait Characteristic<S: Scalar> {
     /// Δ by the plane method, in one pass with a counter.
     #[doc(hidden)]
     fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S>;

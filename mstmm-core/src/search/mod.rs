@@ -12,3 +12,4 @@ pub use minima::fmin2d::{MAX_MOVES, MAX_ROW, Minimum2d, fmin2d};
 pub use minima::grid::{MAX_POINTS, Minima};
 pub use undamped::found::{FrequencyList, NaturalFrequency};
 pub use undamped::natural::{NaturalFrequencies, Undamped};
+pub use undamped::sweep::{FirstFrequencies, Sweep, SweepError};

@@ -56,5 +56,5 @@ pub(super) fn evaluate(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let mut bounds = bounds("TransferMatrix", plan, names);
     // pivots are chosen for one number at a time
     bounds.push(quote_spanned!(names.here=> #frequency: #private::Single));
-    implement("Evaluate", bounds, &body, names)
+    implement("Evaluate", "Real", bounds, &body, names)
 }

@@ -86,15 +86,15 @@ fn bounds(of_elements: &str, plan: &Plan<'_>, names: &Names) -> Vec<TokenStream>
     first_of_each_type(plan, names).into_iter().map(bound).collect()
 }
 
-/// Implements a trait for the built system, with bounds of its elements.
-fn implement(of: &str, bounds: Vec<TokenStream>, body: &TokenStream, names: &Names) -> TokenStream {
+/// Implements a trait for the built system over a kind of parameters, with bounds of its elements.
+fn implement(of: &str, over: &str, bounds: Vec<TokenStream>, body: &TokenStream, names: &Names) -> TokenStream {
     let Names { private, system, parameter, frequency, .. } = names;
-    let header = names.trait_at(of, names.here);
+    let (header, over) = (names.trait_at(of, names.here), Ident::new(over, names.here));
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter, #frequency> #header for #system<#parameter>
         where
-            #parameter: #private::Real,
+            #parameter: #private::#over,
             #frequency: #private::Frequency<#parameter>,
             #(#bounds),*
         {

@@ -32,7 +32,7 @@ pub(super) fn characteristic(plan: &Plan<'_>, names: &Names) -> TokenStream {
             #(#steps)*
         }
     };
-    implement("Characteristic", bounds("PlaneStep", plan, names), &body, names)
+    implement("Characteristic", "Parameter", bounds("PlaneStep", plan, names), &body, names)
 }
 
 /// One step of the pass: `let s3 = ..`, or at the end Δ.

@@ -81,7 +81,7 @@ fn chain(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives, names: &Name
         }
     };
     let elements = first_of_each_type(plan, names).into_iter().map(|element| bound(element, names)).collect();
-    implement("Chain", elements, &body, names)
+    implement("Chain", "Real", elements, &body, names)
 }
 
 /// `Type<T>: Energies<S, Gradient = Type<S>>`

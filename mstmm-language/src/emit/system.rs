@@ -7,15 +7,17 @@ use crate::plan::Plan;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
-/// The struct of elements, the function that makes it from the parameters, and what all systems have.
+/// The struct of elements, the functions that make it from the parameters, and what all systems have.
 pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let definition = definition(model, plan, keeps_fields, names);
-    let build = build(model, plan, keeps_fields, names);
+    let build = build(model, plan, names);
+    let of_numbers = of_numbers(model, plan, keeps_fields, names);
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
     let steps = plan.steps.len();
     quote_spanned! {names.here=>
         #definition
         #build
+        #of_numbers
 
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
@@ -51,7 +53,7 @@ fn definition(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
     quote_spanned! {names.here=>
         #(#[doc = #doc])*
         #[derive(::core::clone::Clone, ::core::fmt::Debug)]
-        #visibility struct #system<#parameter: #private::Real = f64> {
+        #visibility struct #system<#parameter: #private::Parameter = f64> {
             #(#fields,)*
             #(#kept,)*
             estimates: #private::FrequencyEstimates,
@@ -60,18 +62,10 @@ fn definition(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
     }
 }
 
-/// `build()`: from the parameters to the struct of elements.
-fn build(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
+/// `build()`: from the parameters to the struct of elements and the estimates of the searches.
+fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
-    let (visibility, name, lets) = (&model.parameters.vis, &model.parameters.ident, &model.lets);
-    let bindings = model
-        .fields()
-        .map(|Field { name, conditions, .. }| quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;));
-    let kept = model.fields().filter(|_| keeps_fields).map(|field| {
-        let (member, Field { name, conditions, .. }) = (member(&field, names), field);
-        quote_spanned!(names.here=> #(#conditions)* #member: self.#name)
-    });
-    let values = plan.elements.iter().map(|element| value(element, names));
+    let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
     let estimates = plan.elements.iter().enumerate().map(|(index, element)| {
         let (span, element_field, kind) =
             (names.at_element(element), element_field(element, names), names.element_as(element, "Element"));
@@ -99,14 +93,8 @@ fn build(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> T
             #visibility fn build_as<#parameter: #private::Real>(
                 &self,
             ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
-                #(#bindings)*
-                #(#lets)*
-                let mut system = #system {
-                    #(#values,)*
-                    #(#kept,)*
-                    estimates: ::core::default::Default::default(),
-                    parameter: ::core::marker::PhantomData,
-                };
+                let numbers = #private::Model::numbers(self);
+                let mut system = #private::Model::of_numbers(self, |k| #private::Scalar::from_f64(numbers[k]))?;
                 #(#estimates)*
                 system.estimates.finish();
                 ::core::result::Result::Ok(system)
@@ -115,26 +103,76 @@ fn build(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> T
     }
 }
 
-/// The built element, `field: build::<Type<T>>(Type { parameter: expression, .. }, name)?`.
-fn value(element: &Element, names: &Names) -> TokenStream {
+/// `impl Model`: the numbers of all elements, and the struct of elements from numbers of any type.
+fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let (name, lets) = (&model.parameters.ident, &model.lets);
+    let bindings = model
+        .fields()
+        .map(|Field { name, conditions, .. }| quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;));
+    let kept = model.fields().filter(|_| keeps_fields).map(|field| {
+        let (member, Field { name, conditions, .. }) = (member(&field, names), field);
+        quote_spanned!(names.here=> #(#conditions)* #member: self.#name)
+    });
+    let numbers: Vec<_> = plan.elements.iter().flat_map(|element| element.parameters()).collect();
+    let (count, numbers) = (numbers.len(), numbers.into_iter().map(|parameter| number(parameter, names)));
+    let mut place = 0_usize;
+    let elements = plan.elements.iter().map(|element| built(element, &mut place, names));
+    quote_spanned! {names.here=>
+        // not marked as derived: rustc would be silent about a field that nothing uses
+        impl #private::Model for #name {
+            type System<#parameter: #private::Parameter> = #system<#parameter>;
+            type Numbers = [::core::primitive::f64; #count];
+
+            fn numbers(&self) -> [::core::primitive::f64; #count] {
+                #(#bindings)*
+                #(#lets)*
+                [#(#numbers),*]
+            }
+
+            fn of_numbers<#parameter: #private::Parameter>(
+                &self,
+                number: impl ::core::ops::Fn(::core::primitive::usize) -> #parameter,
+            ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
+                ::core::result::Result::Ok(#system {
+                    #(#elements,)*
+                    #(#kept,)*
+                    estimates: ::core::default::Default::default(),
+                    parameter: ::core::marker::PhantomData,
+                })
+            }
+
+            fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
+                self.build_as()
+            }
+        }
+    }
+}
+
+/// The built element, `field: build::<Type<T>>(Type { parameter: number(3), .. }, name)?`, with the numbers from a place on.
+fn built(element: &Element, place: &mut usize, names: &Names) -> TokenStream {
     let (span, field, name) = (names.at_element(element), element_field(element, names), element.to_string());
     let (build, of_system) = (names.function_at("build", span), names.element(element));
-    let parameters = element.parameters().map(|parameter| parameter_value(parameter, names));
+    let parameters = element.parameters().map(|parameter| {
+        let (name, of_place) = (&parameter.name, *place);
+        *place += 1;
+        quote_spanned!(names.at(name.span())=> #name: number(#of_place))
+    });
     let kind = names.element_type(element);
     // all at the keyword, where rustc then shows what is missing
     let literal = quote_spanned!(element.kind.place().last=> #kind { #(#parameters),* });
     quote_spanned!(span=> #field: #build::<#of_system>(#literal, #name)?)
 }
 
-/// `name: expression`, converted; a type that is not `f64` is shown at the expression.
-fn parameter_value(parameter: &Parameter, names: &Names) -> TokenStream {
+/// A parameter as a number; a type that is not `f64` is shown at the expression.
+fn number(parameter: &Parameter, names: &Names) -> TokenStream {
     let (name, span) = (&parameter.name, names.at(parameter.name.span()));
     let value = parameter.value.as_ref().map_or_else(|| name.to_token_stream(), ToTokens::to_token_stream);
-    let (scalar, number) = (names.function_at("Scalar", span), Ident::new("number", span));
+    let number = Ident::new("number", span);
     // the user's own token, so that rustc shows what it expects and nothing of the code around it
     let float = quote_spanned!(name.span()=> ::core::primitive::f64);
-    quote_spanned!(span=> #name: #scalar::from_f64({
+    quote_spanned!(span=> {
         let #number: #float = #value;
         #number
-    }))
+    })
 }

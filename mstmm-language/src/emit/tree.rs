@@ -106,5 +106,5 @@ pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
             })
         }
     };
-    implement("Tree", bounds("Moving", plan, names), &body, names)
+    implement("Tree", "Real", bounds("Moving", plan, names), &body, names)
 }

@@ -42,7 +42,7 @@ pub struct DampedMass {
 /// fixed -> damper 3 -> conn 2
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
-pub struct DampedMassSystem<T: mstmm::__private::Real = f64> {
+pub struct DampedMassSystem<T: mstmm::__private::Parameter = f64> {
     /// `spring 1`
     element_1: <mstmm::__private::elements::Spring<
         T,
@@ -79,49 +79,11 @@ impl DampedMass {
     pub fn build_as<T: mstmm::__private::Real>(
         &self,
     ) -> ::core::result::Result<DampedMassSystem<T>, mstmm::__private::ParameterError> {
-        let stiffness = self.stiffness;
-        let damping = self.damping;
-        let mass = self.mass;
-        let mut system = DampedMassSystem {
-            element_1: mstmm::__private::build::<
-                mstmm::__private::elements::Spring<T>,
-            >(
-                mstmm::__private::elements::Spring {
-                    stiffness: mstmm::__private::Scalar::from_f64({
-                        let number: ::core::primitive::f64 = stiffness;
-                        number
-                    }),
-                },
-                "spring 1",
-            )?,
-            element_3: mstmm::__private::build::<
-                mstmm::__private::elements::Damper<T>,
-            >(
-                mstmm::__private::elements::Damper {
-                    damping: mstmm::__private::Scalar::from_f64({
-                        let number: ::core::primitive::f64 = damping;
-                        number
-                    }),
-                },
-                "damper 3",
-            )?,
-            element_4: mstmm::__private::build::<
-                mstmm::__private::elements::Mass<T>,
-            >(
-                mstmm::__private::elements::Mass {
-                    mass: mstmm::__private::Scalar::from_f64({
-                        let number: ::core::primitive::f64 = mass;
-                        number
-                    }),
-                },
-                "mass 4",
-            )?,
-            field_stiffness: self.stiffness,
-            field_damping: self.damping,
-            field_mass: self.mass,
-            estimates: ::core::default::Default::default(),
-            parameter: ::core::marker::PhantomData,
-        };
+        let numbers = mstmm::__private::Model::numbers(self);
+        let mut system = mstmm::__private::Model::of_numbers(
+            self,
+            |k| mstmm::__private::Scalar::from_f64(numbers[k]),
+        )?;
         <mstmm::__private::elements::Spring<
             T,
         > as mstmm::__private::Element>::estimate(
@@ -142,6 +104,70 @@ impl DampedMass {
         );
         system.estimates.finish();
         ::core::result::Result::Ok(system)
+    }
+}
+impl mstmm::__private::Model for DampedMass {
+    type System<T: mstmm::__private::Parameter> = DampedMassSystem<T>;
+    type Numbers = [::core::primitive::f64; 3usize];
+    fn numbers(&self) -> [::core::primitive::f64; 3usize] {
+        let stiffness = self.stiffness;
+        let damping = self.damping;
+        let mass = self.mass;
+        [
+            {
+                let number: ::core::primitive::f64 = stiffness;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = damping;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = mass;
+                number
+            },
+        ]
+    }
+    fn of_numbers<T: mstmm::__private::Parameter>(
+        &self,
+        number: impl ::core::ops::Fn(::core::primitive::usize) -> T,
+    ) -> ::core::result::Result<DampedMassSystem<T>, mstmm::__private::ParameterError> {
+        ::core::result::Result::Ok(DampedMassSystem {
+            element_1: mstmm::__private::build::<
+                mstmm::__private::elements::Spring<T>,
+            >(
+                mstmm::__private::elements::Spring {
+                    stiffness: number(0usize),
+                },
+                "spring 1",
+            )?,
+            element_3: mstmm::__private::build::<
+                mstmm::__private::elements::Damper<T>,
+            >(
+                mstmm::__private::elements::Damper {
+                    damping: number(1usize),
+                },
+                "damper 3",
+            )?,
+            element_4: mstmm::__private::build::<
+                mstmm::__private::elements::Mass<T>,
+            >(
+                mstmm::__private::elements::Mass {
+                    mass: number(2usize),
+                },
+                "mass 4",
+            )?,
+            field_stiffness: self.stiffness,
+            field_damping: self.damping,
+            field_mass: self.mass,
+            estimates: ::core::default::Default::default(),
+            parameter: ::core::marker::PhantomData,
+        })
+    }
+    fn build(
+        &self,
+    ) -> ::core::result::Result<DampedMassSystem, mstmm::__private::ParameterError> {
+        self.build_as()
     }
 }
 #[automatically_derived]
@@ -335,7 +361,7 @@ const _: () = {
     #[automatically_derived]
     impl<T, S> mstmm::__private::Characteristic<S> for DampedMassSystem<T>
     where
-        T: mstmm::__private::Real,
+        T: mstmm::__private::Parameter,
         S: mstmm::__private::Frequency<T>,
         mstmm::__private::elements::Damper<T>: mstmm::__private::PlaneStep<S>,
         mstmm::__private::elements::Mass<T>: mstmm::__private::PlaneStep<S>,

@@ -7,7 +7,7 @@ use mstmm::element::{
     Element, FrequencyEstimates, FrequencyPowers, InvalidParameter, Line, PlaneStep, Requirement, RootCounter, SMatrix,
     Subspace, TransferMatrix, Translation,
 };
-use mstmm::number::{Frequency, Real, Single, Size};
+use mstmm::number::{Frequency, Parameter, Single, Size};
 
 /// A uniform string in tension, exact at every frequency.
 ///
@@ -29,7 +29,7 @@ pub struct Cable<T> {
     pub mass_per_length: T,
 }
 
-impl<T: Real> Element for Cable<T> {
+impl<T: Parameter> Element for Cable<T> {
     type State = Translation;
     type Built = Self;
 
@@ -48,7 +48,7 @@ impl<T: Real> Element for Cable<T> {
     }
 }
 
-impl<T: Real> Cable<T> {
+impl<T: Parameter> Cable<T> {
     /// `cos φ` and `sin φ/φ`, entire in `φ² = -mλ²l²/H`, and φ.
     fn waves<S: Frequency<T>>(&self, lambda_squared: S) -> (S, S, S) {
         let phi = (-lambda_squared * (self.mass_per_length / self.tension * self.length * self.length)).sqrt();
@@ -57,7 +57,7 @@ impl<T: Real> Cable<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T> + Single> TransferMatrix<S> for Cable<T> {
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for Cable<T> {
     fn transfer_matrix(cable: &Self, x: S) -> SMatrix<S, 2, 2> {
         let (cos, sinc, phi) = cable.waves(x.lambda_squared());
         let flexibility = cable.length / cable.tension;
@@ -74,7 +74,7 @@ pub struct CableCoefficients<S> {
     phi: S,
 }
 
-impl<T: Real, S: Frequency<T>> PlaneStep<S> for Cable<T> {
+impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for Cable<T> {
     type Coefficients = CableCoefficients<S>;
 
     fn coefficients(cable: &Self, at: &FrequencyPowers<S>) -> CableCoefficients<S> {

@@ -83,14 +83,14 @@ mod ballast {
     use mstmm::element::{
         Element, FrequencyPowers, InvalidParameter, PlaneStep, Requirement, RootCounter, Subspace, Translation,
     };
-    use mstmm::number::{Frequency, Real};
+    use mstmm::number::{Frequency, Parameter};
 
     #[derive(Clone, Copy, Debug)]
     pub(crate) struct Ballast<T> {
         pub(crate) mass: T,
     }
 
-    impl<T: Real> Element for Ballast<T> {
+    impl<T: Parameter> Element for Ballast<T> {
         type State = Translation;
         type Built = Self;
 
@@ -100,7 +100,7 @@ mod ballast {
         }
     }
 
-    impl<T: Real, S: Frequency<T>> PlaneStep<S> for Ballast<T> {
+    impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for Ballast<T> {
         type Coefficients = S;
 
         fn coefficients(built: &Self, at: &FrequencyPowers<S>) -> S {

@@ -5,7 +5,7 @@ use super::{
     Step, assert_counts, assert_same, at_lambda, at_omega, behind_pinned_tip, from_pin_to_pin, functions,
     into_pinned_root, models,
 };
-use mstmm::number::Real;
+use mstmm::number::Parameter;
 use mstmm::prelude::*;
 
 /// Counts at frequencies where all beams have `1 < |z| < 100`: below there are series, above one exponent more.

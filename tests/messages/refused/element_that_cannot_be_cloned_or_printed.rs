@@ -1,12 +1,12 @@
 use mstmm::prelude::*;
 use mstmm::element::{Element, InvalidParameter, SMatrix, TransferMatrix, Translation};
-use mstmm::number::{Frequency, Real};
+use mstmm::number::{Frequency, Parameter};
 
 struct Rope<T> {
     length: T,
 }
 
-impl<T: Real> Element for Rope<T> {
+impl<T: Parameter> Element for Rope<T> {
     type State = Translation;
     type Built = Self;
 //               ^^^^ the trait bound `Rope<T>: Clone` is not satisfied
@@ -17,7 +17,7 @@ impl<T: Real> Element for Rope<T> {
     }
 }
 
-impl<T: Real, S: Frequency<T>> TransferMatrix<S> for Rope<T> {
+impl<T: Parameter, S: Frequency<T>> TransferMatrix<S> for Rope<T> {
     fn transfer_matrix(_: &Self, _: S) -> SMatrix<S, 2, 2> {
         SMatrix::identity()
     }

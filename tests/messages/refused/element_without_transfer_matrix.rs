@@ -1,13 +1,13 @@
 use mstmm::prelude::*;
 use mstmm::element::{Element, InvalidParameter, Translation};
-use mstmm::number::Real;
+use mstmm::number::Parameter;
 
 #[derive(Clone, Debug)]
 struct Rope<T> {
     length: T,
 }
 
-impl<T: Real> Element for Rope<T> {
+impl<T: Parameter> Element for Rope<T> {
     type State = Translation;
     type Built = Self;
 

@@ -14,6 +14,7 @@ system! {
 //           ^^^^^^^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element`
 //           ^^^^^^^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element`
 //           ^^^^^^^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element`
+//           ^^^^^^^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element`
 //                 ^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element`
 //                 ^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element`
 //                 ^^^^ an element of your own is a struct `Cable<T>` that implements `mstmm::element::Element`

@@ -10,7 +10,7 @@ use mstmm::Complex;
 use mstmm::element::Coordinate;
 use mstmm::list::StepList;
 use mstmm::motion::{ModalAnalysis, MotionError};
-use mstmm::number::{Real, Scalar};
+use mstmm::number::{Parameter, Scalar};
 use mstmm::search::{Eigenvalues, Region};
 
 /// Near rest, beside frequencies of trees of unit parameters; its fourth power is far below eps.

@@ -17,7 +17,7 @@ use beam_matrix::{BeamMatrix, Field};
 use constraints::Independent;
 use freedoms::{Parts, sum};
 use mstmm::elements::Beam;
-use mstmm::number::{DoubleDouble, Real};
+use mstmm::number::{DoubleDouble, Parameter};
 use std::cell::RefCell;
 use std::rc::Rc;
 

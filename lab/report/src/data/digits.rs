@@ -1,7 +1,7 @@
 //! Digits that the determinant and the certified search keep, against mode number and against stiffness.
 
 use crate::error::ReportError;
-use mstmm::number::{DoubleDouble, Real, Scalar};
+use mstmm::number::{DoubleDouble, Parameter, Scalar};
 use mstmm::prelude::*;
 use mstmm::search::System;
 use std::f64::consts::PI;

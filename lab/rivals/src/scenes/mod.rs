@@ -13,7 +13,7 @@ use core::f64::consts::PI;
 use core::fmt;
 use core::ops::RangeInclusive;
 use extremes::{FreeFixed, SoftAndStiff, Twins};
-use mstmm::number::{DoubleDouble, Real, Scalar};
+use mstmm::number::{DoubleDouble, Parameter, Scalar};
 use mstmm::prelude::*;
 use paper::models;
 

@@ -1,6 +1,6 @@
 //! Levers of rigid bodies: exact differences of lengths, and planes seen from the far end.
 
-use crate::number::{Frequency, Oscillation, ROUNDINGS, Real, Scalar, Size, Truth, largest_loss, may_be_lost};
+use crate::number::{Frequency, Parameter, ROUNDINGS, Scalar, Size, Truth, largest_loss, may_be_lost};
 use crate::subspace::{Plane, Remainder, RootCounter};
 
 /// The two levers of a body, to its output end and to its mass centre.
@@ -12,10 +12,10 @@ pub(super) struct Levers<T> {
     reach: T,
 }
 
-impl<T: Real> Levers<T> {
+impl<T: Parameter> Levers<T> {
     pub(super) fn new(output: Lever<T>, centre: Lever<T>) -> Self {
         let [one, other] = [output, centre].map(|lever| lever.length.abs());
-        Levers { output, centre, reach: if one > other { one } else { other } }
+        Levers { output, centre, reach: T::select(other.size().is_below(one.size()), one, other) }
     }
 
     /// `p_YM` and `w` of a plane at the far end of either lever. `beside` has the size, in the unit of `p_YM`, of the number to which
@@ -81,7 +81,7 @@ pub(super) struct Lever<T> {
     rest: T,
 }
 
-impl<T: Real> Lever<T> {
+impl<T: Parameter> Lever<T> {
     /// A lever of a length.
     pub(super) fn new(length: T) -> Self {
         Lever { length, rest: T::zero() }
@@ -89,12 +89,8 @@ impl<T: Real> Lever<T> {
 
     /// The lever from one point to another, given their coordinates.
     pub(super) fn between(from: T, to: T) -> Self {
-        let length = to - from;
-        if !T::HAS_EXTENDED {
-            return Lever::new(length);
-        }
-        let exact = |parameter: T| <T::Extended as Frequency<T>>::from_parameter(parameter);
-        Lever { length, rest: T::from_extended(exact(to) - exact(from) - exact(length)) }
+        let [length, rest] = to.difference(from);
+        Lever { length, rest }
     }
 
     /// The product with the lever; in extended precision with its rounding error, too.

@@ -1,6 +1,6 @@
 //! The steps of beam-like elements on planes, given the second compound of their transfer matrix.
 
-use crate::number::{Scalar, Scaled, Single, Size};
+use crate::number::{Scalar, Scaled, Size, Truth};
 use crate::subspace::{Connecting, Held, Plane, RootCounter, Subspace};
 use mstmm_plan::Support;
 
@@ -23,11 +23,15 @@ impl<T: Scalar> Units<T> {
     }
 }
 
-impl<T: Single> Units<T> {
+impl<T: Scalar> Units<T> {
     /// Whether all units are finite and not zero.
     pub(crate) fn are_in_range(&self) -> bool {
-        let is_number = |x: &T| x.size() > 0.0 && x.size().is_finite();
-        self.factors.iter().chain(&self.inverses).all(is_number)
+        let mut all = T::Truth::of(true);
+        for (&factor, &inverse) in self.factors.iter().zip(&self.inverses) {
+            // about 1, unless one of both is out of the range
+            all = all & (factor * inverse).size().is_below(T::Size::of(2.0));
+        }
+        all.all()
     }
 }
 

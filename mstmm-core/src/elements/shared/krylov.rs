@@ -1,6 +1,6 @@
 //! The entire functions of the exact beam, for bending and for longitudinal vibration.
 
-use crate::number::{Frequency, Real, Single, series};
+use crate::number::{Frequency, Parameter, Single, series};
 use nalgebra::Matrix4;
 
 /// Krylov functions `[S, T/z, U/z², V/z³]` of `x = z⁴`, with `S = (ch z + cos z)/2`, `T = (sh z + sin z)/2`,
@@ -37,7 +37,7 @@ fn is_nearly_negative<S: Single>(x: S) -> bool {
 
 /// Transfer matrix of a beam in bending, eq. (19) of the paper, written in `z⁴` and the normalised functions.
 #[rustfmt::skip]
-pub(crate) fn bending_matrix<T: Real, S: Frequency<T> + Single>(l: T, ei: T, m: T, lambda_squared: S) -> Matrix4<S> {
+pub(crate) fn bending_matrix<T: Parameter, S: Frequency<T> + Single>(l: T, ei: T, m: T, lambda_squared: S) -> Matrix4<S> {
     let z4 = -lambda_squared * (m / ei * l * l * l * l);
     let [s, t, u, v] = krylov(z4);
     let flexibility = l / ei;

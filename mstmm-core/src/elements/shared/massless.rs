@@ -1,6 +1,6 @@
 //! Massless springs and dampers in parallel, and their dynamic stiffness.
 
-use crate::number::{Frequency, Real, Single, binary_exponent};
+use crate::number::{Frequency, Parameter, Single, binary_exponent};
 
 /// A spring and a damper in parallel, or one of them.
 pub(crate) struct Massless<T> {
@@ -10,7 +10,7 @@ pub(crate) struct Massless<T> {
     pub(crate) damping: Option<T>,
 }
 
-impl<T: Real> Massless<T> {
+impl<T: Parameter> Massless<T> {
     /// The dynamic stiffness `κ = K + Cλ`.
     #[inline(always)]
     pub(crate) fn dynamic_stiffness<S: Frequency<T>>(&self, x: S) -> S {

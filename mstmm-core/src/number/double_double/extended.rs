@@ -2,7 +2,7 @@
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::frequency::Oscillation;
-use crate::number::frequency::Real;
+use crate::number::frequency::Parameter;
 use crate::number::scalar::Scalar;
 use num_complex::Complex;
 

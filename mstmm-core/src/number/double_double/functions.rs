@@ -2,7 +2,7 @@
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::dual::Dual;
-use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Real, RealFrequency};
+use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Parameter, Real, RealFrequency};
 use crate::number::scalar::{Scalar, single};
 use crate::number::wave_functions::WaveFunctions;
 use core::f64::consts;
@@ -162,13 +162,15 @@ impl Scalar for DoubleDouble {
     }
 }
 
-impl Real for DoubleDouble {
-    type Extended = Self;
-
+impl Parameter for DoubleDouble {
     #[inline]
     fn to_f64(self) -> f64 {
         self.hi
     }
+}
+
+impl Real for DoubleDouble {
+    type Extended = Self;
 
     fn exp(self) -> Self {
         if self.hi.is_nan() || self.hi.abs() >= EXP_LIMIT {

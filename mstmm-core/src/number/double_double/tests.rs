@@ -3,7 +3,7 @@
 use crate::elements::shared::krylov::krylov;
 use crate::number::double_double::DoubleDouble;
 use crate::number::dual::Dual;
-use crate::number::frequency::{ComplexFrequency, Frequency, Real};
+use crate::number::frequency::{ComplexFrequency, Frequency, Parameter, Real};
 use crate::number::scalar::Scalar;
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;

@@ -1,7 +1,7 @@
 //! Eigenvalues in regions of the complex plane: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Frequency, List, Real, Scalar};
+use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::found::{Eigenvalue, EigenvalueList, Region};
 use crate::search::damped::session::EigenvalueSearch;

@@ -2,7 +2,7 @@
 
 use crate::model::SearchError;
 use crate::number::{
-    Dual, Frequency, Real, Scalar, Scaled, UNPROVEN_WIDTH, is_extended, is_last, modulus, refuses_doubt,
+    Dual, Frequency, Parameter, Real, Scalar, Scaled, UNPROVEN_WIDTH, is_extended, is_last, modulus, refuses_doubt,
 };
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::search::damped::point::Point;

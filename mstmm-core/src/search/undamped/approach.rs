@@ -63,7 +63,7 @@ fn at_zero<S: Real, const N: usize>(x: [S; N], y: [S; N]) -> S {
 }
 
 /// A number for each root.
-type PerRoot = [f64; ROOTS];
+pub(super) type PerRoot = [f64; ROOTS];
 
 /// Single roots on their way, with `POINTS` points for each in a round.
 #[derive(Clone, Copy, Debug)]
@@ -71,10 +71,10 @@ pub(super) struct Approaches<const POINTS: usize> {
     /// Number of roots.
     pub(super) count: usize,
     /// Δ grows as `exp(growth s)`, where waves are long.
-    growth: f64,
+    pub(super) growth: PerRoot,
     /// Estimates of the square roots of the frequencies.
     pub(super) estimate: PerRoot,
-    /// Number of roots below each.
+    /// Number of roots below each; negative where none is approached.
     pub(super) below: PerRoot,
     /// 1 for a root that has settled, else 0.
     pub(super) settled: PerRoot,
@@ -82,8 +82,8 @@ pub(super) struct Approaches<const POINTS: usize> {
     pub(super) s: [PerRoot; POINTS],
     pub(super) values: [PerRoot; POINTS],
     /// The outermost of the last points, and Δ there.
-    pub(super) last: [PerRoot; 2],
-    pub(super) last_values: [PerRoot; 2],
+    last: [PerRoot; 2],
+    last_values: [PerRoot; 2],
     /// The bracket.
     ends: [PerRoot; 2],
     /// The inverse of the larger Δ at the ends of the bracket, with the sign of that at the lower end: products of Δ would leave the range.
@@ -107,9 +107,9 @@ impl<const POINTS: usize> Approaches<POINTS> {
         let ones = [1.0; ROOTS];
         Approaches {
             count: 0,
-            growth,
+            growth: [growth; ROOTS],
             estimate: ones,
-            below: ones,
+            below: [-1.0; ROOTS],
             settled: ones,
             s: [ones; POINTS],
             values: [ones; POINTS],
@@ -123,7 +123,7 @@ impl<const POINTS: usize> Approaches<POINTS> {
     }
 
     /// Starts from a bracket of two samples, beside which there are others: from the inverse cubic through the phases of four.
-    pub(super) fn start(&mut self, near: &[Sample; 4], [begin, end]: [Sample; 2], is_lowest: bool) {
+    pub(super) fn start(&mut self, k: usize, near: &[Sample; 4], [begin, end]: [Sample; 2], is_lowest: bool) {
         let (root, from) = (begin.below + 1.0, begin.point.s);
         let step = end.point.s - from;
         let linear = step * ((root - begin.phase) / (end.phase - begin.phase));
@@ -143,8 +143,7 @@ impl<const POINTS: usize> Approaches<POINTS> {
         } else {
             (start, width)
         };
-        let k = self.count;
-        self.count += 1;
+        self.count = self.count.max(k + 1);
         (self.estimate[k], self.width[k]) = (from + start, width);
         (self.below[k], self.settled[k]) = (begin.below, 0.0);
         (self.last[0][k], self.last[1][k]) = (from, end.point.s);
@@ -154,6 +153,13 @@ impl<const POINTS: usize> Approaches<POINTS> {
         for (point, s) in self.s.iter_mut().enumerate() {
             s[k] = from + start + width * (point as f64 - (POINTS - 1) as f64 * 0.5);
         }
+    }
+
+    /// The slope of Δ along s between the outermost of the last points.
+    #[inline]
+    pub(super) fn slope(&self, k: usize) -> f64 {
+        let ([first, second], [at_first, at_second]) = (self.last, self.last_values);
+        (at_second[k] - at_first[k]) / (second[k] - first[k])
     }
 
     /// Goes on in the lanes of a number.
@@ -232,9 +238,9 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
             ends: [S::load(&all.ends[0][lanes.clone()]), S::load(&all.ends[1][lanes.clone()])],
             scale: S::load(&all.scale[lanes.clone()]),
             width: S::load(&all.width[lanes.clone()]),
-            predicted: S::load(&all.predicted[lanes]),
-            growth: <S as Size>::of(all.growth * 0.125),
-            wave: <S as Size>::of(1.0 / all.growth),
+            predicted: S::load(&all.predicted[lanes.clone()]),
+            growth: S::load(&all.growth[lanes.clone()]) * <S as Size>::of(0.125),
+            wave: S::one() / S::load(&all.growth[lanes]),
         }
     }
 

@@ -1,10 +1,13 @@
 //! Natural frequencies of undamped systems: certified by counts.
 
 pub(crate) mod approach;
+pub(crate) mod certificate;
 pub(crate) mod confirm;
 pub(crate) mod found;
+pub(crate) mod in_step;
 pub(crate) mod isolation;
 pub(crate) mod natural;
 pub(crate) mod polish;
 pub(crate) mod sampling;
+pub(crate) mod sweep;
 pub(crate) mod together;

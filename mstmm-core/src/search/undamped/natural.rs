@@ -1,7 +1,7 @@
 //! Natural frequencies of undamped systems: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Frequency, InLanes, List, Real, Scalar, Scaled, refuses_doubt};
+use crate::number::{Dual, Frequency, InLanes, List, Parameter, Real, Scalar, Scaled, refuses_doubt};
 use crate::pass::characteristic::{Characteristic, System, count_and_value};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;

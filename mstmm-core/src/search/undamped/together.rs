@@ -3,10 +3,11 @@
 //! Evaluations that do not wait for each other share the lanes of a vector. What does not hold here, since roots coincide, sums cancel
 //! or waves have to be scaled, is left to the search that goes from root to root.
 
-use crate::number::{Dual, InLanes, List, Real, is_straight};
+use crate::number::{Dual, InLanes, List, Real};
 use crate::pass::at_once::{Block, InBlocks, MOST, lanes};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::approach::{Approaches, GoesOn, Point, ROOTS, Sample};
+use crate::search::undamped::certificate::Sides;
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;
 use crate::subspace::Purpose;
@@ -17,16 +18,13 @@ use core::ops::RangeInclusive;
 const ROOTS_PER_WINDOW: f64 = 6.0;
 
 /// Roots by which a window reaches beyond those that are wanted, since supports and masses move them by about one.
-const BEYOND: f64 = 0.75;
+pub(super) const BEYOND: f64 = 0.75;
 
 /// Rounds within which roots settle.
 const ROUNDS: usize = 8;
 
 /// Times that a root is counted.
-const TRIES: usize = 2;
-
-/// Distance of the zero of Δ beside a certificate that failed, in its half widths, within which another one is tried.
-const NEARBY: f64 = 8.0;
+pub(super) const TRIES: usize = 2;
 
 /// The square root of a frequency.
 fn root<T: Real>(omega: T) -> f64 {
@@ -177,10 +175,10 @@ where
         Approaches<POINTS>: GoesOn,
     {
         let mut approaches = Approaches::<POINTS>::new(self.waves);
-        for &lower in brackets {
+        for (k, &lower) in brackets.iter().enumerate() {
             let first = lower.saturating_sub(1).min(self.samples.len().checked_sub(4)?);
             let near = self.samples[first..].first_chunk()?;
-            approaches.start(near, [self.samples[lower], self.samples[lower + 1]], lower == 0);
+            approaches.start(k, near, [self.samples[lower], self.samples[lower + 1]], lower == 0);
         }
         for _ in 0..ROUNDS {
             let mut count = 0;
@@ -234,7 +232,12 @@ where
             self.evaluate(count, Purpose::Certificates)?;
             let mut lower = 0;
             for (k, root) in roots.iter_mut().enumerate().filter(|(_, root)| root.multiplicity == 0) {
-                *root = self.certificate(approaches, k, lower, root.omega)?;
+                let sides = Sides {
+                    omega: [self.block.omega[lower], self.block.omega[lower + 1]],
+                    value: [self.block.value[lower], self.block.value[lower + 1]],
+                    below: [self.block.below[lower], self.block.below[lower + 1]],
+                };
+                *root = sides.certificate(approaches, k, root.omega, root.omega * self.inner())?;
                 lower += 2;
             }
         }
@@ -251,32 +254,5 @@ where
     #[inline]
     fn inner(&self) -> T {
         self.single.half_width * T::from_f64(0.5)
-    }
-
-    /// A root with its interval, if the samples in a lane and the next one count it between them; else the zero of Δ beside them without
-    /// one. None where neither is near.
-    #[inline]
-    fn certificate<const POINTS: usize>(
-        &self,
-        approaches: &Approaches<POINTS>,
-        k: usize,
-        lane: usize,
-        omega: T,
-    ) -> Option<NaturalFrequency<T>> {
-        let [below, above] = [self.block.value[lane], self.block.value[lane + 1]];
-        let [start, end] = [self.block.omega[lane], self.block.omega[lane + 1]];
-        let ([first, second], [at_first, at_second]) = (approaches.last, approaches.last_values);
-        // dω = 2s ds
-        let slope = (at_second[k] - at_first[k]) / (second[k] - first[k]);
-        let growth = ((above - below) / (end - start)).to_f64() * 2.0 * approaches.estimate[k];
-        let counts = [self.block.below[lane], self.block.below[lane + 1]];
-        let inner = omega * self.inner();
-        if counts == [approaches.below[k], approaches.below[k] + 1.0] {
-            let root = NaturalFrequency { omega, lower: start - inner, upper: end + inner, multiplicity: 1 };
-            return is_straight(growth / slope).then_some(root);
-        }
-        let zero = start + (end - start) * (below / (below - above));
-        let is_near = (zero - omega).abs() < inner * T::from_f64(NEARBY);
-        is_near.then_some(NaturalFrequency { omega: zero, ..NaturalFrequency::default() })
     }
 }

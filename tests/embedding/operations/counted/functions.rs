@@ -2,7 +2,7 @@
 
 use super::Counted;
 use super::tape::{self, Operation, Origin};
-use mstmm::number::{Component, Real, Scalar, WaveFunctions};
+use mstmm::number::{Component, Parameter, Real, Scalar, WaveFunctions};
 
 impl Counted {
     /// A function of one number.
@@ -76,13 +76,15 @@ impl Scalar for Counted {
     }
 }
 
-impl Real for Counted {
-    type Extended = Self;
-
+impl Parameter for Counted {
     fn to_f64(self) -> f64 {
         tape::look_at(self.origin);
         self.value
     }
+}
+
+impl Real for Counted {
+    type Extended = Self;
 
     fn exp(self) -> Self {
         self.unary(Operation::Exponential, self.value.exp())

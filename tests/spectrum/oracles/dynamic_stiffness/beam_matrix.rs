@@ -2,7 +2,7 @@
 
 use mstmm::Complex;
 use mstmm::elements::Beam;
-use mstmm::number::{DoubleDouble, Real, Scalar, Single};
+use mstmm::number::{DoubleDouble, Parameter, Real, Scalar, Single};
 
 /// Below this size of `z`, the functions are summed up: their differences cancel. The static stiffness is kept apart, that of
 /// the bending, which leaves no rigid motion to rounding.

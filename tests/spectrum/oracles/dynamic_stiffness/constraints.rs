@@ -1,7 +1,7 @@
 //! Linear constraints are eliminated: each takes one degree of freedom, of those it holds one that weighs least.
 
 use super::Form;
-use mstmm::number::{DoubleDouble, Real};
+use mstmm::number::{DoubleDouble, Parameter};
 
 /// Part of its terms below which the rest of a sum is their rounding.
 const FOLLOWS: f64 = 1e-28;

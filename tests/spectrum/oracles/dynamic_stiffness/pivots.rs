@@ -1,7 +1,7 @@
 //! Negative pivots of a symmetric matrix, with a bound of the rounding of each entry beside it.
 
 use super::{Assembled, UNIT};
-use mstmm::number::{DoubleDouble, Real, Scalar};
+use mstmm::number::{DoubleDouble, Parameter, Scalar};
 
 /// Where the growth of the entries is least: Bunch and Parlett's `(1 + sqrt 17)/8`.
 const THRESHOLD: f64 = 0.640_388_203_202_207_6;

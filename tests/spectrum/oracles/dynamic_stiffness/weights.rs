@@ -3,7 +3,7 @@
 
 use super::beam_matrix::SERIES;
 use mstmm::elements::Beam;
-use mstmm::number::{DoubleDouble, Real};
+use mstmm::number::{DoubleDouble, Parameter};
 
 /// What holds or slows a degree of freedom down, all else at rest.
 #[derive(Clone, Copy, Debug)]

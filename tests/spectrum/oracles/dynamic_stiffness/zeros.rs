@@ -4,7 +4,7 @@ use super::beam_matrix::BeamMatrix;
 use super::determinant::{Determinant, determinant};
 use super::{Reduced, Stiffness, Verdict};
 use mstmm::Complex;
-use mstmm::number::{DoubleDouble, Real};
+use mstmm::number::{DoubleDouble, Parameter};
 use mstmm::search::Eigenvalue;
 
 type C = Complex<DoubleDouble>;

@@ -2,7 +2,7 @@
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::double_double::tests::{Exact, PRODUCT, SUM, UNIT, assert_equal, exact, sizes};
-use crate::number::frequency::Real;
+use crate::number::frequency::Parameter;
 use num_traits::{Num, One, Zero};
 use proptest::prelude::*;
 use std::format;

@@ -1,7 +1,7 @@
 //! Connections against the addition of stiffnesses: of a plane `[[p_ΘQ, -w], [-w, p_YM]]/p_YΘ`, of a line `-q/y`.
 
 use super::*;
-use crate::number::{DoubleDouble, Real, Scaled, assert_close};
+use crate::number::{DoubleDouble, Parameter, Scaled, assert_close};
 use crate::subspace::connecting::{Connecting, connection};
 use crate::subspace::count::{NoCount, WittrickWilliams};
 use mstmm_plan::Support;
@@ -222,7 +222,7 @@ proptest! {
         };
         let (p, r) = (exact(1.0, ratio, 1e-9 * a, 1e-9 * b), exact(factor, ratio + 1e-9 * offset, 1e-9 * c, 1e-9 * d));
         let rounded = |p: Plane<DoubleDouble>| {
-            Plane::unscaled([p.y_theta, p.y_m, p.w, p.theta_q, p.m_q].map(Real::to_f64), 0)
+            Plane::unscaled([p.y_theta, p.y_m, p.w, p.theta_q, p.m_q].map(Parameter::to_f64), 0)
         };
         let expected = p.with_plane(r, &mut NoCount).m_q.to_f64();
         // the offset of 1e-9 is known to 1e-7 of itself
