@@ -5,7 +5,7 @@ use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::bending_matrix;
 use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{
-    Frequency, FrequencyPowers, Parameter, Scaled, Single, Size, Truth, WaveProducts, binary_exponent,
+    Frequency, FrequencyPowers, Parameter, Scaled, Single, Size, Truth, WaveProducts, binary_exponent, twice,
 };
 use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
@@ -217,8 +217,8 @@ impl<T: Parameter> BuiltBeam<T> {
         let Units { factors, inverses } = self.short_units();
         BendingCoefficients {
             z,
-            a: S::one() + c * S::from_f64(0.5),
-            c,
+            a: S::one() + c,
+            c: twice(c),
             b,
             f,
             d,

@@ -1,7 +1,7 @@
 //! Dual numbers: a value and its derivative with respect to the frequency.
 
 use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Parameter, Real, RealFrequency};
-use crate::number::scalar::Scalar;
+use crate::number::scalar::{Scalar, short_wave_products_and_slopes};
 use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 use num_complex::Complex;
@@ -211,6 +211,13 @@ impl<S: Scalar> Scalar for Dual<S> {
     }
 
     #[inline(always)]
+    fn short_wave_products(self) -> [Self; 5] {
+        let [c, b, f, d, e] = short_wave_products_and_slopes(self.value);
+        let number = |[value, slope]: [S; 2]| self.chain(value, slope);
+        [number(c), number(b), number(f), number(d), number(e)]
+    }
+
+    #[inline(always)]
     fn select(truth: S::Truth, first: Self, second: Self) -> Self {
         Dual {
             value: S::select(truth, first.value, second.value),
@@ -333,5 +340,24 @@ impl<T: Real> Component for Dual<T> {
     #[inline]
     fn abs(self) -> Self {
         if self.value < T::zero() { -self } else { self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::scalar::short_wave_products;
+    use crate::number::tolerance::assert_close;
+
+    /// Oracle: the same series in dual arithmetic, whose product rule knows nothing of the slope of a polynomial.
+    #[test]
+    fn slopes_of_short_waves_are_those_of_dual_arithmetic() {
+        for z_fourth in [0.0, 1e-9, 0.3, -0.7, 1.0] {
+            let x = Dual { value: z_fourth, derivative: 1.7 };
+            for (found, expected) in x.short_wave_products().into_iter().zip(short_wave_products(x)) {
+                assert_eq!(found.value, expected.value, "{z_fourth}");
+                assert_close(found.derivative, expected.derivative, 1.0, 4.0);
+            }
+        }
     }
 }

@@ -42,7 +42,7 @@ pub(crate) use frequency::{
 pub(crate) use frequency_powers::FrequencyPowers;
 pub(crate) use packed::{InLanes, Packed, Parameters, Task, run};
 pub(crate) use partials::Partials;
-pub(crate) use scalar::{Scalar, Single, series};
+pub(crate) use scalar::{Scalar, Single, series, twice};
 pub(crate) use scaled::{Magnitude, Scaled};
 #[cfg(test)]
 pub(crate) use tolerance::assert_close;

@@ -74,7 +74,7 @@ pub trait Scalar:
         WaveProducts::of(self.wave_functions())
     }
 
-    /// The same products of `z`, given `z⁴`, for `|z| <= 1`: 2 ch c, (ch s + sh c)/z, sh s/z², (ch s - sh c)/z³, (1 - ch c)/z⁴.
+    /// The same products of `z`, given `z⁴`, for `|z| <= 1`: ch c, (ch s + sh c)/z, sh s/z², (ch s - sh c)/z³, (1 - ch c)/z⁴.
     #[inline(always)]
     fn short_wave_products(self) -> [Self; 5] {
         short_wave_products(self)
@@ -126,13 +126,12 @@ fn shifted<S: Scalar, const N: usize>(mut entries: [S; N], exponent: i32) -> [S;
     entries
 }
 
-/// `2 [C, B, F, D, E]` of a beam's second compound as entire functions of `x = z⁴`, for `|x| <= 1`:
-/// `2 ch c, (ch s + sh c)/z, sh s/z², (ch s - sh c)/z³, (1 - ch c)/z⁴`.
+/// `[C, 2B, 2F, 2D, 2E]` of a beam's second compound as entire functions of `x = z⁴`, for `|x| <= 1`:
+/// `ch c, (ch s + sh c)/z, sh s/z², (ch s - sh c)/z³, (1 - ch c)/z⁴`.
 #[inline(always)]
 pub(crate) fn short_wave_products<S: Scalar>(x: S) -> [S; 5] {
-    let (two, four) = (S::from_f64(2.0), S::from_f64(4.0));
-    let y = -(four * x);
-    let mut series_of = [two; 5];
+    let y = -twice(twice(x));
+    let mut series_of = [y; 5];
     let mut first = 0;
     // a loop and no closure, which would stand in another function than the lanes of vectors need
     while first < 5 {
@@ -140,7 +139,33 @@ pub(crate) fn short_wave_products<S: Scalar>(x: S) -> [S; 5] {
         first += 1;
     }
     let [c, b, f, d, e] = series_of;
-    [two * c, two * b, two * f, four * d, four * e]
+    [c, twice(b), twice(f), twice(twice(d)), twice(twice(e))]
+}
+
+/// [`short_wave_products`], each with its derivative, which costs a product per term where a dual number would take two.
+#[inline(always)]
+pub(crate) fn short_wave_products_and_slopes<S: Scalar>(x: S) -> [[S; 2]; 5] {
+    let y = -twice(twice(x));
+    let mut all = [[y; 2]; 5];
+    for (first, both) in all.iter_mut().enumerate() {
+        let last = S::SERIES_TERMS - 1;
+        let mut slope = S::reciprocal_factorial(4 * last + first);
+        let mut sum = slope * y + S::reciprocal_factorial(4 * (last - 1) + first);
+        for k in (0..last - 1).rev() {
+            slope = slope * y + sum;
+            sum = sum * y + S::reciprocal_factorial(4 * k + first);
+        }
+        *both = [sum, -twice(twice(slope))];
+    }
+    let [c, b, f, d, e] = all;
+    let doubled = |[value, slope]: [S; 2]| [twice(value), twice(slope)];
+    [c, doubled(b), doubled(f), doubled(doubled(d)), doubled(doubled(e))]
+}
+
+/// `2x`, exact, and for a complex number less than a product.
+#[inline(always)]
+pub(crate) fn twice<S: Scalar>(x: S) -> S {
+    x + x
 }
 
 /// `Σ_k x^k / (stride·k + first)!` by Horner's rule, from the last term that counts.
