@@ -5,7 +5,6 @@ use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::pass::phase::PhaseCounter;
 use crate::subspace::{NoCount, Purpose};
 use core::marker::PhantomData;
-use core::ops::Range;
 
 /// Most frequencies of a block.
 pub(crate) const MOST: usize = 16;
@@ -68,6 +67,9 @@ impl<T: InLanes + Real> Block<T> {
     #[inline]
     pub(crate) fn counts<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize, purpose: Purpose) {
         let count = count.min(MOST);
+        // idle lanes follow the last one
+        let (used, idle) = self.omega.split_at_mut(count);
+        idle.fill(used.last().copied().unwrap_or(T::one()));
         evaluate(self.begun(system, count, purpose));
         if self.is_lost && lanes::<T, Y>() > 1 {
             self.begun(system, count, purpose).alone();
@@ -91,14 +93,15 @@ impl<T: InLanes + Real> Block<T> {
         (self.is_lost, self.unknown) = (false, 0);
     }
 
-    /// Evaluates some lanes, as many as a number has.
+    /// Evaluates the lanes from one on, as many as a number has.
     #[inline(always)]
     pub(crate) fn evaluate<S: Packed<T>>(
         &mut self,
         system: &(impl Characteristic<S> + ?Sized),
-        lanes: Range<usize>,
+        from: usize,
         purpose: Purpose,
     ) {
+        let lanes = from..from + S::LANES;
         let mut counter = PhaseCounter::new(purpose);
         let delta = system.pass(S::load(&self.omega[lanes.clone()]), &mut counter);
         let cancelled = counter.counter().cancelled();
@@ -110,7 +113,7 @@ impl<T: InLanes + Real> Block<T> {
         let is_known = value.size().is_below(S::Size::of(f64::INFINITY));
         self.is_lost |= !is_known.all();
         let is_doubtful = cancelled.at_root | S::Truth::of(cancelled.any());
-        self.unknown |= u32::from(S::bits(is_doubtful | !is_known | value.vanishes())) << lanes.start;
+        self.unknown |= u32::from(S::bits(is_doubtful | !is_known | value.vanishes())) << from;
         value.store(&mut self.value[lanes]);
     }
 
@@ -141,7 +144,7 @@ impl<Y: InBlocks<T> + ?Sized, T: InLanes + Real> ManyAtOnce<T> for Counts<'_, Y,
         let Counts { system, block, count, purpose } = self;
         let mut from = 0;
         while from < count {
-            block.evaluate::<S>(system, from..count.min(from + S::LANES), purpose);
+            block.evaluate::<S>(system, from, purpose);
             from += S::LANES;
         }
     }
@@ -161,14 +164,23 @@ pub(crate) fn characteristics<S: InLanes, Y: InBlocks<S> + ?Sized>(
     frequencies: &[S],
     values: &mut [Scaled<S>],
 ) {
-    evaluate(Values { system, frequencies, values });
+    for (frequencies, values) in frequencies.chunks(MOST).zip(values.chunks_mut(MOST)) {
+        // what is not evaluated in lanes stays zero, which is not taken
+        let (mut lanes, mut exponents) = ([S::zero(); MOST], [0; MOST]);
+        evaluate(Values { system, frequencies, lanes: &mut lanes, exponents: &mut exponents });
+        for (((value, &x), &lane), &exponent) in values.iter_mut().zip(frequencies).zip(&lanes).zip(&exponents) {
+            let is_taken = lane.size() > TAKEN.0 && lane.size() < TAKEN.1;
+            *value = if is_taken { Scaled::new(lane, exponent) } else { counted_pass(system, x, NoCount).1 };
+        }
+    }
 }
 
-/// The evaluation of Δ alone.
+/// The evaluation of Δ alone at up to so many frequencies.
 struct Values<'a, Y: ?Sized, S> {
     system: &'a Y,
     frequencies: &'a [S],
-    values: &'a mut [Scaled<S>],
+    lanes: &'a mut [S; MOST],
+    exponents: &'a mut [i64; MOST],
 }
 
 impl<S: InLanes, Y: InBlocks<S> + ?Sized> ManyAtOnce<S> for Values<'_, Y, S> {
@@ -179,26 +191,18 @@ impl<S: InLanes, Y: InBlocks<S> + ?Sized> ManyAtOnce<S> for Values<'_, Y, S> {
     where
         Y: Characteristic<L>,
     {
-        for (some, values) in self.frequencies.chunks(L::LANES).zip(self.values.chunks_mut(L::LANES)) {
-            let delta = self.system.pass(L::load(some), &mut NoCount);
-            let mut lanes = [S::zero(); 8];
-            delta.mantissa().store(&mut lanes[..some.len()]);
-            for ((value, &lane), &x) in values.iter_mut().zip(&lanes).zip(some) {
-                let is_taken = lane.size() > TAKEN.0 && lane.size() < TAKEN.1;
-                *value = if is_taken {
-                    Scaled::new(lane, delta.exponent())
-                } else {
-                    counted_pass(self.system, x, NoCount).1
-                };
-            }
+        let mut from = 0;
+        while from < self.frequencies.len() {
+            let lanes = from..self.frequencies.len().min(from + L::LANES);
+            let delta = self.system.pass(L::load(&self.frequencies[lanes.clone()]), &mut NoCount);
+            delta.mantissa().store(&mut self.lanes[lanes.clone()]);
+            self.exponents[lanes].fill(delta.exponent());
+            from += L::LANES;
         }
     }
 
-    fn alone(self) {
-        for (value, &x) in self.values.iter_mut().zip(self.frequencies) {
-            *value = counted_pass(self.system, x, NoCount).1;
-        }
-    }
+    #[inline]
+    fn alone(self) {}
 }
 
 /// A system that can be evaluated at a frequency of type `S`, and at several of them at once.

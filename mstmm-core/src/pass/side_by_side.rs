@@ -77,7 +77,7 @@ impl<Y: Characteristic<Frequencies>> Task for Evaluation<'_, Y> {
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx512(self) {
-        self.block.evaluate::<Frequencies>(self.system, 0..Frequencies::LANES, self.purpose);
+        self.block.evaluate::<Frequencies>(self.system, 0, self.purpose);
     }
 
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
