@@ -118,6 +118,11 @@ impl FrequencyEstimates {
         self.wave_sum
     }
 
+    /// Largest `z/sqrt(ω)` of a continuous element; zero if there is none.
+    pub(crate) fn longest_wave(&self) -> f64 {
+        elementary!(f64::sqrt, libm::sqrt, self.waves.least.recip())
+    }
+
     /// Whether some element has infinitely many frequencies.
     pub(crate) fn is_continuous(&self) -> bool {
         self.waves.greatest > 0.0

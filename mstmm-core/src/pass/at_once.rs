@@ -72,8 +72,14 @@ impl<T: InLanes + Real> Block<T> {
         idle.fill(used.last().copied().unwrap_or(T::one()));
         evaluate(self.begun(system, count, purpose));
         if self.is_lost && lanes::<T, Y>() > 1 {
-            self.begun(system, count, purpose).alone();
+            self.counts_alone(system, count, purpose);
         }
+    }
+
+    /// Evaluates Δ and counts one frequency at a time, as where waves are known to be scaled.
+    #[inline]
+    pub(crate) fn counts_alone<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize, purpose: Purpose) {
+        self.begun(system, count.min(MOST), purpose).alone();
     }
 
     /// An evaluation that begins.

@@ -40,6 +40,8 @@ pub(super) struct Together<'a, 's, Y: System + ?Sized, T: Real> {
     samples: List<Sample, MOST>,
     /// Sum of `z/sqrt(ω)` of all waves.
     waves: f64,
+    /// Numbers that are evaluated at once in the window: one where waves have to be scaled.
+    lanes: usize,
 }
 
 impl<'a, 's, T, Y> Together<'a, 's, Y, T>
@@ -53,7 +55,7 @@ where
     pub(super) fn new(single: &'s mut Isolation<'a, Y, T>) -> Option<Self> {
         let waves = single.estimates.wave_sum();
         let suits = cfg!(feature = "std") && T::IS_DOUBLE && waves > 0.0;
-        suits.then(|| Together { single, block: Block::new(), samples: List::new(), waves })
+        suits.then(|| Together { single, block: Block::new(), samples: List::new(), waves, lanes: 1 })
     }
 
     /// The lowest frequencies, if all of them are certified.
@@ -109,13 +111,19 @@ where
     #[inline]
     fn evaluate(&mut self, count: usize, purpose: Purpose) -> Option<()> {
         self.single.evaluations += count;
-        self.block.counts(self.single.system, count, purpose);
+        if self.lanes > 1 {
+            self.block.counts(self.single.system, count, purpose);
+        } else {
+            self.block.counts_alone(self.single.system, count, purpose);
+        }
         (self.block.unknown == 0).then_some(())
     }
 
     /// Samples a window evenly in the square root of the frequency.
     fn window(&mut self, from: f64, to: f64, roots: f64) -> Option<()> {
-        let lanes = lanes::<T, Y>();
+        let is_scaled = to * self.single.estimates.longest_wave() >= T::WAVE_LIMIT;
+        let lanes = if is_scaled { 1 } else { lanes::<T, Y>() };
+        self.lanes = lanes;
         // a sample costs little beside others in the lanes of a vector
         let per_root = if lanes > 1 { 3.0 } else { 2.0 };
         let points = ((per_root * roots) as usize + 2).next_multiple_of(lanes).clamp(4, MOST);
@@ -156,8 +164,7 @@ where
             }
         }
         // lanes that would be idle take a third point of each root
-        let lanes = lanes::<T, Y>();
-        let vectors = |points: usize| (points * brackets.len()).div_ceil(lanes);
+        let vectors = |points: usize| (points * brackets.len()).div_ceil(self.lanes);
         if vectors(3) == vectors(2) {
             self.polish::<3, N>(&brackets, found)
         } else {
