@@ -1,5 +1,6 @@
 //! Counts, Δ and certified roots of models on every instruction set.
 
+use crate::support::roots::assert_same_intervals;
 use crate::undamped_models::for_each_undamped;
 use crate::values::{assert_counts, assert_values, frequencies};
 use mstmm::element::ParameterError;
@@ -23,11 +24,7 @@ fn check<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(system: Y) {
             assert_eq!(found.is_err(), alone.is_err(), "{set:?}: {found:?} and {alone:?}");
             continue;
         };
-        assert_eq!(found.len(), alone.len(), "{set:?}");
-        for (root, same) in found.iter().zip(alone) {
-            assert_eq!(root.multiplicity, same.multiplicity, "{set:?}: {root}");
-            assert!(root.omega >= same.lower && root.omega <= same.upper, "{set:?}: {root:?} and {same:?}");
-        }
+        assert_same_intervals(found, alone, &set);
     }
 }
 

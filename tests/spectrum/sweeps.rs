@@ -2,9 +2,11 @@
 //!
 //! In release builds with AVX-512 eight models share the lanes of a vector; `.ci/long` runs these tests there, too.
 
+use crate::support::random_tree::Random;
+use crate::support::roots::assert_same_intervals;
 use core::f64::consts::PI;
 use mstmm::prelude::*;
-use mstmm::search::{FrequencyList, Lanewise, Model, SweepError};
+use mstmm::search::{Lanewise, Model, SweepError};
 
 system! {
     /// A beam on two pins.
@@ -73,33 +75,8 @@ system! {
 
 /// Random numbers, even in their logarithms over so many powers of ten to both sides of 1.
 fn numbers() -> impl FnMut(f64) -> f64 {
-    let mut state = 0_u64;
-    move |powers| {
-        // splitmix64
-        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (state ^ state >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        let part = (mixed ^ mixed >> 31) as f64 / u64::MAX as f64;
-        10_f64.powf(powers * (2.0 * part - 1.0))
-    }
-}
-
-/// Asserts that two lists are about the same roots: their intervals meet, and their multiplicities are equal.
-fn assert_same<const N: usize>(
-    found: Result<FrequencyList<f64, N>, SweepError>,
-    alone: Result<FrequencyList<f64, N>, SweepError>,
-    model: &impl core::fmt::Debug,
-) {
-    let (Ok(found), Ok(alone)) = (&found, &alone) else {
-        assert_eq!(found.err(), alone.err(), "{model:?}");
-        return;
-    };
-    assert_eq!(found.len(), alone.len(), "{model:?}: {found:?} and {alone:?}");
-    for (root, same) in found.iter().zip(alone) {
-        assert_eq!(root.multiplicity, same.multiplicity, "{model:?}: {root:?} and {same:?}");
-        assert!(root.lower <= same.upper && same.lower <= root.upper, "{model:?}: {root:?} and {same:?}");
-        assert!(root.lower <= root.omega && root.omega <= root.upper, "{model:?}: {root:?}");
-    }
+    let mut random = Random(0);
+    move |powers| 10_f64.powf(powers * (2.0 * random.unit() - 1.0))
 }
 
 /// Searches models beside each other and one by one.
@@ -111,7 +88,10 @@ where
     for (found, model) in models.iter().first_frequencies::<N>().zip(models) {
         let alone = Model::build(model).map_err(SweepError::Parameter);
         let alone = alone.and_then(|system| system.first_frequencies::<N>().map_err(SweepError::Search));
-        assert_same(found, alone, model);
+        match (&found, &alone) {
+            (Ok(found), Ok(alone)) => assert_same_intervals(found, alone, model),
+            _ => assert_eq!(found.err(), alone.err(), "{model:?}"),
+        }
         count += 1;
     }
     assert_eq!(count, models.len());

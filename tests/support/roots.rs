@@ -3,7 +3,7 @@
 
 use core::ops::RangeInclusive;
 use mstmm::number::Scaled;
-use mstmm::search::fmin1d;
+use mstmm::search::{FrequencyList, fmin1d};
 
 /// Room for the roots of one search.
 const CAPACITY: usize = 32;
@@ -38,5 +38,21 @@ pub(crate) fn assert_same_roots(actual: &[f64], expected: &[f64], tolerance: f64
     for (actual, expected) in actual.iter().zip(expected) {
         let error = (actual - expected).abs() / expected;
         assert!(error <= tolerance, "{actual} differs from {expected} by {error:e} of it");
+    }
+}
+
+/// Asserts that two certified lists hold the same roots: each is within the interval that the other list has for it, and as often.
+pub(crate) fn assert_same_intervals<const N: usize>(
+    found: &FrequencyList<f64, N>,
+    others: &FrequencyList<f64, N>,
+    of: &impl core::fmt::Debug,
+) {
+    assert_eq!(found.len(), others.len(), "{of:?}: {found:?} and {others:?}");
+    for (root, other) in found.iter().zip(others) {
+        assert_eq!(root.multiplicity, other.multiplicity, "{of:?}: {root:?} and {other:?}");
+        for omega in [root.omega, other.omega] {
+            assert!(root.lower <= omega && omega <= root.upper, "{of:?}: {root:?} and {other:?}");
+            assert!(other.lower <= omega && omega <= other.upper, "{of:?}: {root:?} and {other:?}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::model::SearchError;
 use crate::number::{Frequency, InLanes, Scaled};
-use crate::pass::at_once::{Block, InBlocks, MOST, characteristics};
+use crate::pass::at_once::{Block, InBlocks, MOST, characteristics, lanes};
 use crate::pass::characteristic::System;
 use crate::search::undamped::natural::{NaturalFrequencies, Undamped, count_margin};
 use crate::subspace::Purpose;
@@ -70,7 +70,7 @@ pub trait ManyFrequencies: System {
                 let away = omega * margin;
                 sides.copy_from_slice(&[omega - away, omega + away]);
             }
-            block.counts(self, 2 * omegas.len(), Purpose::Counts);
+            block.counts(self, 2 * omegas.len(), lanes::<Self::Parameter, Self>(), Purpose::Counts);
             for (k, (count, &omega)) in counts.iter_mut().zip(omegas).enumerate() {
                 *count = match block.agreed_count(2 * k) {
                     Some(below) if omega > Self::Parameter::zero() => Ok(below),

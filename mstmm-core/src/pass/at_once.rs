@@ -63,34 +63,27 @@ impl<T: InLanes + Real> Block<T> {
         }
     }
 
-    /// Evaluates Δ, counts and for that purpose phases at the first so many frequencies.
+    /// Evaluates Δ, counts and for that purpose phases at the first so many frequencies, in lanes if there are several of them; where a
+    /// lane has no value all are evaluated one by one.
     #[inline]
-    pub(crate) fn counts<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize, purpose: Purpose) {
+    pub(crate) fn counts<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize, lanes: usize, purpose: Purpose) {
         let count = count.min(MOST);
-        // idle lanes follow the last one
-        let (used, idle) = self.omega.split_at_mut(count);
-        idle.fill(used.last().copied().unwrap_or(T::one()));
-        evaluate(self.begun(system, count, purpose));
-        if self.is_lost && lanes::<T, Y>() > 1 {
-            self.counts_alone(system, count, purpose);
-        }
-    }
-
-    /// Evaluates Δ and counts one frequency at a time, as where waves are known to be scaled.
-    #[inline]
-    pub(crate) fn counts_alone<Y: InBlocks<T> + ?Sized>(&mut self, system: &Y, count: usize, purpose: Purpose) {
-        self.begun(system, count.min(MOST), purpose).alone();
-    }
-
-    /// An evaluation that begins.
-    #[inline]
-    fn begun<'a, Y: ?Sized>(&'a mut self, system: &'a Y, count: usize, purpose: Purpose) -> Counts<'a, Y, T> {
         if purpose == Purpose::Phases {
             // a new window: Δ grows along the frequencies
             self.exponent = None;
         }
+        if lanes > 1 {
+            // idle lanes follow the last one
+            let (used, idle) = self.omega.split_at_mut(count);
+            idle.fill(used.last().copied().unwrap_or(T::one()));
+            self.begin();
+            evaluate(Counts { system, block: self, count, purpose });
+            if !self.is_lost {
+                return;
+            }
+        }
         self.begin();
-        Counts { system, block: self, count, purpose }
+        Counts { system, block: self, count, purpose }.alone();
     }
 
     /// Forgets what was known of the lanes.

@@ -58,7 +58,6 @@ impl<T: Parameter> Levers<T> {
     }
 }
 
-/// A length and its rounding error.
 /// What is added to `p_YM` at the far ends: the inertia about the output end times `p_YΘ` at that end, `p_MQ` and the turning of the inertia
 /// about the mass centre, over `a = mλ²`, at that centre.
 pub(super) struct Beside<S> {
@@ -75,6 +74,7 @@ impl<S: Scalar> Beside<S> {
     }
 }
 
+/// A length and its rounding error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lever<T> {
     pub(super) length: T,

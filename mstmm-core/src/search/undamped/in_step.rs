@@ -14,6 +14,9 @@ use crate::search::undamped::together::{BEYOND, TRIES};
 use crate::subspace::Purpose;
 use core::f64::consts::PI;
 
+/// Fewest models that are searched in step: fewer take less time one by one.
+const FEWEST: usize = 3;
+
 /// Most samples of a window, and with them most frequencies.
 const MOST_SAMPLES: usize = 42;
 
@@ -45,17 +48,22 @@ pub(super) struct InStep<'a, M: Lanewise<System<f64>: Undamped>> {
 }
 
 impl<'a, M: Lanewise<System<f64>: Undamped<Parameter = f64>>> InStep<'a, M> {
-    /// The lowest frequencies of models, given the searches of each alone; none of one that does not keep step. None do without waves,
-    /// which space roots evenly, without vectors, and for more frequencies than a window has samples.
+    /// The lowest frequencies of the models that have a search of their own, but of those that do not keep step. None of them does
+    /// without vectors, without waves, which space roots evenly, or if a window has too few samples for so many frequencies.
     pub(super) fn first<const N: usize>(
-        models: &[Option<&M>; MODELS],
+        models: &[Option<M>; MODELS],
         alone: &'a [Option<Alone<'a, M>>; MODELS],
     ) -> [Option<FrequencyList<f64, N>>; MODELS] {
+        let is_worth_it = alone.iter().flatten().count() >= FEWEST;
         let has_waves = alone.iter().flatten().all(|one| one.estimates.wave_sum() > 0.0);
-        if !has_waves || PER_ROOT * N + 2 > MOST_SAMPLES {
+        if !is_worth_it || !has_waves || PER_ROOT * N + 2 > MOST_SAMPLES {
             return [None; MODELS];
         }
-        let Some(systems) = SideBySide::new(models) else { return [None; MODELS] };
+        let mut built = [None; MODELS];
+        for ((place, model), alone) in built.iter_mut().zip(models).zip(alone) {
+            *place = model.as_ref().filter(|_| alone.is_some());
+        }
+        let Some(systems) = SideBySide::new(&built) else { return [None; MODELS] };
         InStep { systems: &systems, alone, block: Block::new(), evaluations: 0, idle: [1.0; MODELS], lost: 0 }.search()
     }
 

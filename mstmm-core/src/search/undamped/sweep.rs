@@ -1,16 +1,12 @@
 //! Sweeps: the lowest frequencies of many models of one topology.
 
 use crate::model::{ParameterError, SearchError};
-
 use crate::pass::side_by_side::{Lanewise, MODELS};
 use crate::search::undamped::found::FrequencyList;
 use crate::search::undamped::in_step::InStep;
 use crate::search::undamped::natural::{NaturalFrequencies, Undamped};
 use crate::search::undamped::sampling::Isolation;
 use core::fmt;
-
-/// Fewest models that are searched at once: fewer take less time one by one.
-const FEWEST: usize = 3;
 
 /// Why a model of a sweep has no certified frequencies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,46 +96,21 @@ where
     }
 }
 
-/// The lowest frequencies of up to eight models.
+/// The lowest frequencies of up to eight models: of each in step with the others, else alone.
 fn frequencies<M, const N: usize>(models: &[Option<M>; MODELS]) -> [Option<Found<N>>; MODELS]
 where
     M: Lanewise<System<f64>: Undamped<Parameter = f64>>,
 {
-    let mut systems = [const { None }; MODELS];
-    for (place, model) in systems.iter_mut().zip(models.iter().flatten()) {
-        *place = Some(model.build());
-    }
-    let mut in_step = in_step::<M, N>(models, &systems).into_iter();
+    let systems = models.each_ref().map(|model| model.as_ref().map(M::build));
+    let alone = systems.each_ref().map(|system| system.as_ref()?.as_ref().ok().map(Isolation::new));
+    let in_step = InStep::first(models, &alone);
     let mut found = [const { None }; MODELS];
-    for (place, system) in found.iter_mut().zip(systems.iter().flatten()) {
-        *place = Some(match system {
-            Err(error) => Err(SweepError::Parameter(*error)),
-            Ok(system) => match in_step.next().flatten() {
-                Some(found) => Ok(found),
-                None => system.first_frequencies().map_err(SweepError::Search),
-            },
+    for ((found, system), in_step) in found.iter_mut().zip(&systems).zip(in_step) {
+        *found = system.as_ref().map(|system| match (system, in_step) {
+            (_, Some(found)) => Ok(found),
+            (Ok(system), None) => system.first_frequencies().map_err(SweepError::Search),
+            (Err(error), None) => Err(SweepError::Parameter(*error)),
         });
     }
     found
-}
-
-/// The frequencies of the models that have been built, in step; none for those that do not keep it.
-fn in_step<M, const N: usize>(
-    models: &[Option<M>; MODELS],
-    systems: &[Option<Result<M::System<f64>, ParameterError>>; MODELS],
-) -> [Option<FrequencyList<f64, N>>; MODELS]
-where
-    M: Lanewise<System<f64>: Undamped<Parameter = f64>>,
-{
-    let (mut built, mut alone, mut count) = ([const { None }; MODELS], [const { None }; MODELS], 0);
-    for (model, system) in models.iter().flatten().zip(systems.iter().flatten()) {
-        if let Ok(system) = system {
-            (built[count], alone[count]) = (Some(model), Some(Isolation::new(system)));
-            count += 1;
-        }
-    }
-    if count < FEWEST {
-        return [None; MODELS];
-    }
-    InStep::first(&built, &alone)
 }

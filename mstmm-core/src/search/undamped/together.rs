@@ -111,11 +111,7 @@ where
     #[inline]
     fn evaluate(&mut self, count: usize, purpose: Purpose) -> Option<()> {
         self.single.evaluations += count;
-        if self.lanes > 1 {
-            self.block.counts(self.single.system, count, purpose);
-        } else {
-            self.block.counts_alone(self.single.system, count, purpose);
-        }
+        self.block.counts(self.single.system, count, self.lanes, purpose);
         (self.block.unknown == 0).then_some(())
     }
 
