@@ -6,6 +6,11 @@ use crate::number::Parameter;
 /// The parameters of a model, from which systems are built, over one type of number or another.
 ///
 /// `system!` implements it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a model",
+    label = "not a model that `system!` declares",
+    note = "a sweep takes models with their parameters, or references to them, and builds each itself: leave out `build()`"
+)]
 pub trait Model {
     /// The built system over parameters of a type.
     type System<T: Parameter>;
