@@ -53,8 +53,7 @@ pub use number::double_double::DoubleDouble;
 pub use number::dual::Dual;
 pub use number::fixed_list::List;
 pub use number::frequency::{
-    ComplexEigenvalue, ComplexFrequency, Component, ExtendedOf, Frequency, MayDecay, Oscillation, Parameter, Real,
-    RealFrequency,
+    ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, MayDecay, Oscillation, Parameter, Real, RealFrequency,
 };
 pub use number::frequency_powers::FrequencyPowers;
 pub use number::packed::InLanes;

@@ -6,9 +6,9 @@ use crate::avx512::Eight;
 use crate::plain::Plain;
 use crate::vector::Vector;
 use core::fmt::{self, Debug};
-use core::ops::{Add, AddAssign, BitAnd, BitOr, BitXor, Div, DivAssign, Mul, MulAssign, Neg, Not, Rem, RemAssign};
+use core::ops::{Add, AddAssign, BitAnd, BitOr, BitXor, Div, DivAssign, Mul, MulAssign, Neg, Not};
 use core::ops::{Sub, SubAssign};
-use num_traits::{Num, One, Zero};
+use num_traits::{One, Zero};
 
 /// Numbers in lanes, each computed with the bits that it has alone.
 #[derive(Clone, Copy)]
@@ -100,24 +100,6 @@ impl<V: Vector> Neg for Lanes<V> {
     }
 }
 
-/// The remainder of each lane alone: complex numbers ask for it, and no formula here does.
-impl<V: Vector> Rem for Lanes<V> {
-    type Output = Self;
-    fn rem(self, other: Self) -> Self {
-        let (mut numbers, others) = (self.to_array(), other.to_array());
-        for (number, other) in numbers.iter_mut().zip(others) {
-            *number %= other;
-        }
-        Lanes(V::load(&numbers))
-    }
-}
-
-impl<V: Vector> RemAssign for Lanes<V> {
-    fn rem_assign(&mut self, other: Self) {
-        *self = *self % other;
-    }
-}
-
 impl<V: Vector> Zero for Lanes<V> {
     #[inline(always)]
     fn zero() -> Self {
@@ -133,13 +115,6 @@ impl<V: Vector> One for Lanes<V> {
     #[inline(always)]
     fn one() -> Self {
         Lanes::splat(1.0)
-    }
-}
-
-impl<V: Vector> Num for Lanes<V> {
-    type FromStrRadixErr = <f64 as Num>::FromStrRadixErr;
-    fn from_str_radix(digits: &str, radix: u32) -> Result<Self, Self::FromStrRadixErr> {
-        f64::from_str_radix(digits, radix).map(Lanes::splat)
     }
 }
 

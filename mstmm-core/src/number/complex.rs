@@ -1,16 +1,14 @@
 //! Complex scalars over any real one.
 
-use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Real};
-use crate::number::scalar::Scalar;
-use crate::number::truth::{Size, Truth};
+use crate::number::frequency::{ComplexEigenvalue, Frequency, Real};
+use crate::number::scalar::{Scalar, single};
+use crate::number::truth::Size;
 use crate::number::wave_functions::WaveFunctions;
 use num_complex::Complex;
 use num_traits::Zero;
 
-impl<T: Component> Scalar for Complex<T> {
-    type Truth = T::Truth;
-    type Size = T::Size;
-    const IN_LANES: bool = T::IN_LANES;
+impl<T: Real> Scalar for Complex<T> {
+    single!();
     const EPSILON: f64 = T::EPSILON;
     const WAVE_LIMIT: f64 = T::WAVE_LIMIT;
     const SERIES_TERMS: usize = T::SERIES_TERMS;
@@ -30,9 +28,6 @@ impl<T: Component> Scalar for Complex<T> {
     fn sqrt(self) -> Self {
         if self.is_zero() {
             return self;
-        }
-        if T::IN_LANES {
-            return moderate_root(self).valid_if(is_plain(self));
         }
         // the modulus squares the parts, which overflows or vanishes at half the range: the root is taken near 1
         let half_exponent = self.size().exponent().unwrap_or(0) / 2;
@@ -59,30 +54,20 @@ impl<T: Component> Scalar for Complex<T> {
     }
 
     #[inline(always)]
-    fn select(truth: T::Truth, first: Self, second: Self) -> Self {
-        Complex::new(T::select(truth, first.re, second.re), T::select(truth, first.im, second.im))
+    fn is_negative(self) -> bool {
+        false
     }
 
     #[inline(always)]
-    fn is_negative(self) -> T::Truth {
-        T::Truth::of(false)
-    }
-
-    #[inline(always)]
-    fn vanishes(self) -> T::Truth {
+    fn vanishes(self) -> bool {
         self.re.vanishes() & self.im.vanishes()
     }
 
     #[inline]
-    fn size(self) -> T::Size {
+    fn size(self) -> f64 {
         let (re, im) = (self.re.size(), self.im.size());
         // a comparison is false for a NaN on either side, and a NaN must come through
-        T::Size::choose(im.is_below(re) | !T::Size::of(-1.0).is_below(re), re, im)
-    }
-
-    #[inline(always)]
-    fn valid_if(self, condition: T::Truth) -> Self {
-        Complex::new(self.re.valid_if(condition), self.im)
+        if im < re || re.is_nan() { re } else { im }
     }
 
     #[inline]
@@ -93,7 +78,7 @@ impl<T: Component> Scalar for Complex<T> {
 
 /// The principal root of a number whose parts have squares in the range.
 #[inline(always)]
-fn moderate_root<T: Component>(number: Complex<T>) -> Complex<T> {
+fn moderate_root<T: Real>(number: Complex<T>) -> Complex<T> {
     let half = T::from_f64(0.5);
     let modulus = (number.re * number.re + number.im * number.im).sqrt();
     let larger = ((number.re.abs() + modulus) * half).sqrt();
@@ -101,16 +86,6 @@ fn moderate_root<T: Component>(number: Complex<T>) -> Complex<T> {
     let is_left = number.re.is_negative();
     let (re, im) = (T::select(is_left, smaller, larger), T::select(is_left, larger, smaller));
     Complex::new(re, T::select(number.im.is_negative(), -im, im))
-}
-
-/// Whether squares of all parts that are not zero are far from the ends of the range.
-#[inline(always)]
-fn is_plain<T: Component>(number: Complex<T>) -> T::Truth {
-    let limit = T::Size::of(1e100);
-    let least = T::Size::of(1e-100);
-    let (re, im) = (number.re.size(), number.im.size());
-    let is_fine = (least.is_below(re) | number.re.vanishes()) & (least.is_below(im) | number.im.vanishes());
-    is_fine & !number.vanishes() & (re + im).is_below(limit)
 }
 
 impl<T: Real> Frequency<T> for Complex<T> {

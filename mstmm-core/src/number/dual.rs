@@ -1,6 +1,6 @@
 //! Dual numbers: a value and its derivative with respect to the frequency.
 
-use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Parameter, Real, RealFrequency};
+use crate::number::frequency::{ComplexEigenvalue, Frequency, Parameter, Real, RealFrequency};
 use crate::number::scalar::{Scalar, short_wave_products_and_slopes};
 use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
@@ -321,6 +321,11 @@ impl<T: Real> Num for Dual<T> {
 
 impl<T: Real> Parameter for Dual<T> {
     #[inline]
+    fn abs(self) -> Self {
+        if self.value < T::zero() { -self } else { self }
+    }
+
+    #[inline]
     fn to_f64(self) -> f64 {
         self.value.to_f64()
     }
@@ -333,13 +338,6 @@ impl<T: Real> Real for Dual<T> {
     fn exp(self) -> Self {
         let exp = self.value.exp();
         self.chain(exp, exp)
-    }
-}
-
-impl<T: Real> Component for Dual<T> {
-    #[inline]
-    fn abs(self) -> Self {
-        if self.value < T::zero() { -self } else { self }
     }
 }
 

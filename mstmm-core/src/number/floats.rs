@@ -1,7 +1,7 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
 use crate::number::double_double::DoubleDouble;
-use crate::number::frequency::{Component, Frequency, Parameter, Real, RealFrequency};
+use crate::number::frequency::{Frequency, Parameter, Real, RealFrequency};
 use crate::number::kernel;
 use crate::number::scalar::{Scalar, single};
 use crate::number::wave_functions::WaveFunctions;
@@ -147,19 +147,12 @@ macro_rules! real {
             }
         }
 
-        impl Component for $type {
+        impl Parameter for $type {
             #[inline]
             fn abs(self) -> Self {
                 <$type>::abs(self)
             }
 
-            #[inline(always)]
-            fn waves_of_part(self) -> WaveFunctions<Self> {
-                WaveFunctions::of_real(self)
-            }
-        }
-
-        impl Parameter for $type {
             #[inline]
             fn to_f64(self) -> f64 {
                 f64::from(self)
@@ -176,6 +169,11 @@ macro_rules! real {
             #[inline]
             fn exp(self) -> Self {
                 elementary!(<$type>::exp, $exp, self)
+            }
+
+            #[inline(always)]
+            fn waves_of_part(self) -> WaveFunctions<Self> {
+                WaveFunctions::of_real(self)
             }
         }
     };

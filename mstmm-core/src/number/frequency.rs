@@ -6,23 +6,14 @@ use core::ops::Mul;
 use num_complex::Complex;
 use num_traits::NumAssign;
 
-/// A real number, alone or in lanes: what complex numbers are made of.
-pub trait Component: Scalar + NumAssign {
-    /// Absolute value.
-    fn abs(self) -> Self;
-
-    /// The wave functions of this number as a part of a complex one.
-    #[inline(always)]
-    fn waves_of_part(self) -> WaveFunctions<Self> {
-        self.wave_functions()
-    }
-}
-
 /// A parameter of an element: a real number, or, in sweeps, those of several models in lanes.
 ///
 /// It has no order: what holds for one model need not hold for another. [`check`](crate::Requirement::check) compares it with the range
 /// that it must satisfy.
-pub trait Parameter: Component {
+pub trait Parameter: Scalar {
+    /// Absolute value.
+    fn abs(self) -> Self;
+
     /// The nearest `f64`; of numbers in lanes the first.
     fn to_f64(self) -> f64;
 
@@ -43,7 +34,7 @@ pub trait Parameter: Component {
 #[diagnostic::on_unimplemented(
     note = "an element of your own is generic over `T: mstmm::number::Parameter`, since a sweep has the parameters of several models in one"
 )]
-pub trait Real: Parameter + Single + PartialOrd {
+pub trait Real: Parameter + Single + PartialOrd + NumAssign {
     /// The extended precision of this type; the type itself where there is none.
     type Extended: Real<Extended = Self::Extended> + Oscillation<Self>;
 
@@ -52,6 +43,12 @@ pub trait Real: Parameter + Single + PartialOrd {
 
     /// Exponential function.
     fn exp(self) -> Self;
+
+    /// The wave functions of this number as a part of a complex one.
+    #[inline(always)]
+    fn waves_of_part(self) -> WaveFunctions<Self> {
+        self.wave_functions()
+    }
 
     /// `[sin, cos]` of an argument of any size.
     #[inline]

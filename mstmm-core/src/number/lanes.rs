@@ -3,7 +3,7 @@
 //! Each lane has the bits of a number alone, or is NaN where that would need a branch: where waves have to be scaled, entries
 //! shifted into the range, or sums cancel. Such a frequency is evaluated alone.
 
-use crate::number::frequency::{Component, Frequency, Parameter, RealFrequency};
+use crate::number::frequency::{Frequency, Parameter, RealFrequency};
 use crate::number::kernel::{self, Rounding};
 use crate::number::scalar::{Scalar, short_wave_products};
 use crate::number::truth::{Size, Truth};
@@ -211,13 +211,6 @@ fn is_short_of_limit<V: Waving>(number: Lanes<V>) -> Truths<V> {
     number.size().is_less(Lanes::splat(<f64 as Scalar>::WAVE_LIMIT))
 }
 
-impl<V: Waving> Component for Lanes<V> {
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Lanes(self.0.magnitude())
-    }
-}
-
 /// Frequencies of systems with such parameters, given how these become numbers in lanes.
 macro_rules! frequency {
     ($([$($generic:tt)*] $vector:ty, $parameter:ty, $load:expr;)*) => {$(
@@ -263,6 +256,10 @@ fn each<const FROM: usize, const TO: usize>(
 }
 
 impl Parameter for Lanes<Plain> {
+    fn abs(self) -> Self {
+        Lanes(self.0.magnitude())
+    }
+
     fn to_f64(self) -> f64 {
         self.0.numbers()[0]
     }

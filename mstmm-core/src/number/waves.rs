@@ -1,6 +1,6 @@
 //! How the functions of bending waves are computed, of real and of complex arguments.
 
-use crate::number::frequency::{Component, Real};
+use crate::number::frequency::Real;
 use crate::number::wave_functions::WaveFunctions;
 use num_complex::Complex;
 
@@ -35,7 +35,7 @@ impl<T: Real> WaveFunctions<T> {
     }
 }
 
-impl<T: Component> WaveFunctions<Complex<T>> {
+impl<T: Real> WaveFunctions<Complex<T>> {
     /// Wave functions of a complex argument, from those of its real and its imaginary part. Both kinds oscillate and grow.
     #[inline(always)]
     pub(crate) fn of_parts(re: &WaveFunctions<T>, im: &WaveFunctions<T>) -> Self {

@@ -2,7 +2,7 @@
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::dual::Dual;
-use crate::number::frequency::{ComplexEigenvalue, Component, Frequency, Parameter, Real, RealFrequency};
+use crate::number::frequency::{ComplexEigenvalue, Frequency, Parameter, Real, RealFrequency};
 use crate::number::scalar::{Scalar, single};
 use crate::number::wave_functions::WaveFunctions;
 use core::f64::consts;
@@ -164,6 +164,11 @@ impl Scalar for DoubleDouble {
 
 impl Parameter for DoubleDouble {
     #[inline]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    #[inline]
     fn to_f64(self) -> f64 {
         self.hi
     }
@@ -180,13 +185,6 @@ impl Real for DoubleDouble {
         let x = self.minus_multiple(exponent, &LN_2);
         let e = DoubleDouble::ONE + (x + x * (x * taylor(x, 2, EVERY)));
         e.times_power_of_two(exponent as i32)
-    }
-}
-
-impl Component for DoubleDouble {
-    #[inline]
-    fn abs(self) -> Self {
-        self.abs()
     }
 }
 

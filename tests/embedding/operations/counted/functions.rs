@@ -2,7 +2,7 @@
 
 use super::Counted;
 use super::tape::{self, Operation, Origin};
-use mstmm::number::{Component, Parameter, Real, Scalar, WaveFunctions};
+use mstmm::number::{Parameter, Real, Scalar, WaveFunctions};
 
 impl Counted {
     /// A function of one number.
@@ -77,6 +77,10 @@ impl Scalar for Counted {
 }
 
 impl Parameter for Counted {
+    fn abs(self) -> Self {
+        self.unary(Operation::Free, self.value.abs())
+    }
+
     fn to_f64(self) -> f64 {
         tape::look_at(self.origin);
         self.value
@@ -88,11 +92,5 @@ impl Real for Counted {
 
     fn exp(self) -> Self {
         self.unary(Operation::Exponential, self.value.exp())
-    }
-}
-
-impl Component for Counted {
-    fn abs(self) -> Self {
-        self.unary(Operation::Free, self.value.abs())
     }
 }
