@@ -154,8 +154,11 @@ impl<Y: InBlocks<T> + ?Sized, T: InLanes + Real> ManyAtOnce<T> for Counts<'_, Y,
     }
 }
 
-/// Least and largest size of Δ in a lane that is taken: beyond, entries may have left the range.
-const TAKEN: (f64, f64) = (1e-250, 1e250);
+/// Exponent up to which Δ in a lane is taken: beyond, entries may have left the range.
+const TAKEN: u32 = 830;
+
+/// Values of Δ that are evaluated in one task.
+const VALUES: usize = 64;
 
 /// Δ at each of some frequencies, with the bits that it has alone.
 pub(crate) fn characteristics<S: InLanes, Y: InBlocks<S> + ?Sized>(
@@ -163,12 +166,12 @@ pub(crate) fn characteristics<S: InLanes, Y: InBlocks<S> + ?Sized>(
     frequencies: &[S],
     values: &mut [Scaled<S>],
 ) {
-    for (frequencies, values) in frequencies.chunks(MOST).zip(values.chunks_mut(MOST)) {
+    for (frequencies, values) in frequencies.chunks(VALUES).zip(values.chunks_mut(VALUES)) {
         // what is not evaluated in lanes stays zero, which is not taken
-        let (mut lanes, mut exponents) = ([S::zero(); MOST], [0; MOST]);
+        let (mut lanes, mut exponents) = ([S::zero(); VALUES], [0; VALUES]);
         evaluate(Values { system, frequencies, lanes: &mut lanes, exponents: &mut exponents });
         for (((value, &x), &lane), &exponent) in values.iter_mut().zip(frequencies).zip(&lanes).zip(&exponents) {
-            let is_taken = lane.size() > TAKEN.0 && lane.size() < TAKEN.1;
+            let is_taken = lane.size().exponent().is_some_and(|own| own.unsigned_abs() < TAKEN);
             *value = if is_taken { Scaled::new(lane, exponent) } else { counted_pass(system, x, NoCount).1 };
         }
     }
@@ -178,8 +181,8 @@ pub(crate) fn characteristics<S: InLanes, Y: InBlocks<S> + ?Sized>(
 struct Values<'a, Y: ?Sized, S> {
     system: &'a Y,
     frequencies: &'a [S],
-    lanes: &'a mut [S; MOST],
-    exponents: &'a mut [i64; MOST],
+    lanes: &'a mut [S; VALUES],
+    exponents: &'a mut [i64; VALUES],
 }
 
 impl<S: InLanes, Y: InBlocks<S> + ?Sized> ManyAtOnce<S> for Values<'_, Y, S> {
