@@ -248,3 +248,49 @@ fn discs_hold_beside_the_critical_damping() {
         }
     }
 }
+
+system! {
+    /// Two cantilevers, whose tips a spring joins so loosely that rounding cannot tell their frequencies apart.
+    struct Pair { other: f64 }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a -> spring 2 { stiffness: 1e-30 } -> conn b;
+    fixed -> beam 3 { length: other, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b -> free;
+}
+
+/// Closed form: each frequency of a cantilever, twice, wherever the list ends or the range begins or ends.
+#[test]
+fn an_interval_at_the_end_of_a_list_counts_both_roots_of_a_pair() {
+    fn assert_pairs(found: &[NaturalFrequency], of: &str) {
+        assert!(found.iter().all(|root| root.multiplicity == 2), "{of}: {found:?}");
+    }
+    for other in [1.0, 1.0 + 2.0 * f64::EPSILON, 1.0 - f64::EPSILON, 1.0 + f64::EPSILON, 1.0 - 3.0 * f64::EPSILON] {
+        let system = Pair { other }.build().unwrap();
+        assert_pairs(&system.first_frequencies::<1>().unwrap(), "the first one");
+        assert_pairs(&system.first_frequencies::<3>().unwrap(), "the first three");
+        assert_pairs(&system.first_frequencies::<5>().unwrap(), "the first five");
+        let second = system.first_frequencies::<4>().unwrap()[1].omega;
+        for end in [second * (1.0 - f64::EPSILON), second, second * (1.0 + f64::EPSILON)] {
+            assert_pairs(&system.natural_frequencies::<4>(1.0..=end).unwrap(), "up to the second");
+            assert_pairs(&system.natural_frequencies::<4>(end..=70.0).unwrap(), "from the second on");
+        }
+    }
+}
+
+system! {
+    /// A beam in the air.
+    struct InTheAir {}
+    free -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
+}
+
+/// Two motions of a rigid body belong to each range that starts at zero.
+#[test]
+fn a_range_that_ends_just_above_zero_has_the_motions_of_the_rigid_body() {
+    let system = InTheAir {}.build().unwrap();
+    for end in [1e-300, 1e-20, 1e-10, 1e-9, 1e-3, 1.0] {
+        let found = system.natural_frequencies::<4>(0.0..=end).unwrap();
+        assert_eq!(
+            found.iter().map(|root| (root.omega, root.multiplicity)).collect::<Vec<_>>(),
+            [(0.0, 2)],
+            "up to {end:e}"
+        );
+    }
+}

@@ -27,6 +27,7 @@ where
         let [first, last] = self.enclosing(start, end)?;
         let mut found = List::new();
         let mut lower = self.sample(first)?;
+        let bottom = lower;
         if start.is_zero() {
             Self::push(&mut found, self.rigid_body_modes(lower.below))?;
         }
@@ -40,6 +41,7 @@ where
                 Self::push(&mut found, Some(root))?;
             }
         }
+        self.complete(found.as_mut_slice(), &bottom, &lower)?;
         Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
     }
 
@@ -51,7 +53,7 @@ where
         let mut found = List::new();
         let mut lower = self.sample(self.just_above_zero)?;
         Self::push(&mut found, self.rigid_body_modes(lower.below))?;
-        let mut settled = lower.below;
+        let (bottom, mut settled) = (lower, lower.below);
         // upper ends in ascending order first, to be turned round
         let mut waiting = List::<Sample<T>, WAITING>::new();
         let mut exponent = estimates.lowest_exponent() + 1;
@@ -71,7 +73,35 @@ where
             settled += root.multiplicity;
             Self::push(&mut found, Some(root))?;
         }
+        self.complete(found.as_mut_slice(), &bottom, &lower)?;
         Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
+    }
+
+    /// Counts the roots that intervals hold beyond the first and the last sample of a search, where a pair that rounding cannot tell
+    /// apart was cut.
+    #[inline]
+    fn complete(
+        &mut self,
+        found: &mut [NaturalFrequency<T>],
+        bottom: &Sample<T>,
+        top: &Sample<T>,
+    ) -> Result<(), SearchError> {
+        let mut more = 0;
+        if let Some(first) = found.iter_mut().find(|root| !root.omega.is_zero())
+            && first.lower < bottom.omega
+        {
+            more += bottom.below.saturating_sub(self.sample(first.lower)?.below);
+            first.multiplicity += more;
+        }
+        if let Some(last) = found.last_mut().filter(|root| !root.omega.is_zero())
+            && last.upper > top.omega
+        {
+            let beyond = self.sample(last.upper)?.below.saturating_sub(top.below);
+            last.multiplicity += beyond;
+            more += beyond;
+        }
+        self.is_doubtful |= more > 0;
+        Ok(())
     }
 
     /// The frequencies beside a range between which the frequencies that meet it lie; an error for a range that is none.

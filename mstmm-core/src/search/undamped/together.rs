@@ -81,6 +81,10 @@ where
     pub(super) fn in_range<const CAP: usize>(mut self, range: &RangeInclusive<T>) -> Option<FrequencyList<T, CAP>> {
         let (start, end) = (*range.start(), *range.end());
         let [mut from, last] = self.single.enclosing(start, end).ok()?.map(root);
+        if from >= last {
+            // nothing but what is zero
+            return None;
+        }
         let mut found = List::<NaturalFrequency<T>, CAP>::new();
         let mut is_first = start.is_zero();
         while from < last {
