@@ -249,6 +249,7 @@ trait ManyAtOnce<T: InLanes> {
     type System: InBlocks<T> + ?Sized;
 
     /// The work in lanes.
+    #[cfg_attr(not(all(feature = "std", target_arch = "x86_64")), expect(dead_code, reason = "there are no vectors"))]
     fn in_lanes<S: Packed<T>>(self)
     where
         Self::System: Characteristic<S>;
