@@ -87,7 +87,8 @@ where
         top: &Sample<T>,
     ) -> Result<(), SearchError> {
         let mut more = 0;
-        if let Some(first) = found.iter_mut().find(|root| !root.omega.is_zero())
+        // motions of rigid bodies have an entry of their own
+        if let Some(first) = found.first_mut().filter(|root| !root.omega.is_zero())
             && first.lower < bottom.omega
         {
             more += bottom.below.saturating_sub(self.sample(first.lower)?.below);
