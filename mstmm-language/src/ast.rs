@@ -1,12 +1,16 @@
 //! The syntax tree of a model, as the user wrote it.
 
+mod coordinates;
+
+pub(crate) use coordinates::{Coordinates, place_of, tuple_parts};
+
 use crate::diagnostics::Place;
-use crate::keywords::{Keyword, element_of};
+use crate::keywords::{Keyword, LocatedKeyword, element_of, located_of};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
 use std::fmt;
-use syn::{Attribute, Expr, Ident, ItemStruct, Lit, Local, Path};
+use syn::{Attribute, Expr, ExprPath, Ident, ItemStruct, Lit, Local, Path};
 
 /// A whole model.
 pub(crate) struct Model {
@@ -59,6 +63,26 @@ impl Model {
             Node::Support(_) | Node::Connection(_) => None,
         })
     }
+
+    /// All arrows in the order of the source.
+    pub(crate) fn arrows(&self) -> impl Iterator<Item = &Arrow> {
+        self.paths.iter().flat_map(|path| path.rest.iter().map(|(arrow, _)| arrow))
+    }
+
+    /// Whether a point has a location: the model then is a network of points in the plane, and else a tree of paths.
+    pub(crate) fn is_located(&self) -> bool {
+        self.nodes().any(|node| node.location().is_some())
+    }
+
+    /// All places, then all directions.
+    pub(crate) fn coordinates(&self) -> impl Iterator<Item = &Coordinates> {
+        let of_supports = self.nodes().filter_map(|node| match node {
+            Node::Support(support) => support.direction.as_ref(),
+            Node::Connection(_) | Node::Element(_) => None,
+        });
+        let of_paths = self.arrows().filter_map(|arrow| arrow.along.as_ref());
+        self.nodes().filter_map(Node::location).chain(of_supports).chain(of_paths)
+    }
 }
 
 /// `node (arrow node)* ;`
@@ -71,19 +95,31 @@ pub(crate) struct TransferPath {
 pub(crate) struct Arrow {
     pub(crate) forward: bool,
     pub(crate) place: Place,
+    /// The direction in the middle of the arrow, `-> along (dx, dy) ->`, in which a path acts on a connection.
+    pub(crate) along: Option<Coordinates>,
 }
 
 /// A node of the sketch, between arrows.
 pub(crate) enum Node {
-    Support(Ident),
+    Support(Support),
     Connection(Connection),
     Element(Box<Element>),
 }
 
-/// A mention of a connection, `conn 2`.
+/// A mention of a support, `pinned` or `roller at (x, y) along (dx, dy)`.
+pub(crate) struct Support {
+    pub(crate) keyword: Ident,
+    /// The freedoms in the parentheses of `held(x, rz)`.
+    pub(crate) held: Option<Vec<Ident>>,
+    pub(crate) location: Option<Coordinates>,
+    pub(crate) direction: Option<Coordinates>,
+}
+
+/// A mention of a connection, `conn 2` or `conn 2 at (x, y)`.
 pub(crate) struct Connection {
     pub(crate) keyword: Ident,
     pub(crate) label: Label,
+    pub(crate) location: Option<Coordinates>,
 }
 
 /// An element with its label and parameters.
@@ -92,6 +128,8 @@ pub(crate) struct Element {
     pub(crate) label: Label,
     /// `None` where there are no braces: a mistake that `check` explains.
     pub(crate) parameters: Option<Vec<Parameter>>,
+    /// A mistake that `check` explains: points have locations, elements have none.
+    pub(crate) location: Option<Coordinates>,
 }
 
 /// The kind of an element: a keyword of the language or a type of the user.
@@ -111,6 +149,16 @@ pub(crate) enum Label {
     Name(Ident),
     /// A number; `check` refuses other literals.
     Literal(Lit),
+}
+
+impl Node {
+    pub(crate) fn location(&self) -> Option<&Coordinates> {
+        match self {
+            Node::Support(support) => support.location.as_ref(),
+            Node::Connection(connection) => connection.location.as_ref(),
+            Node::Element(element) => element.location.as_ref(),
+        }
+    }
 }
 
 impl Connection {
@@ -149,6 +197,14 @@ impl Kind {
         }
     }
 
+    /// The row of the element's keyword in models with locations.
+    pub(crate) fn located(&self) -> Option<&'static LocatedKeyword> {
+        match self {
+            Kind::Keyword(keyword) => located_of(&keyword.to_string()),
+            Kind::Type(_) => None,
+        }
+    }
+
     pub(crate) fn place(&self) -> Place {
         let last = self.name().span();
         match self {
@@ -161,7 +217,23 @@ impl Kind {
     }
 }
 
+impl Parameter {
+    /// The value, which for the shorthand is the variable of that name.
+    pub(crate) fn expression(&self) -> Expr {
+        let variable = || ExprPath { attrs: Vec::new(), qself: None, path: self.name.clone().into() };
+        self.value.clone().unwrap_or_else(|| Expr::Path(variable()))
+    }
+}
+
 impl Label {
+    /// Whether it is a name, or a decimal number without leading zero or suffix.
+    pub(crate) fn is_well_formed(&self) -> bool {
+        let Label::Literal(literal) = self else { return true };
+        let text = self.to_string();
+        let is_plain = text.bytes().all(|b| b.is_ascii_digit()) && (text == "0" || !text.starts_with('0'));
+        is_plain && matches!(literal, Lit::Int(_))
+    }
+
     pub(crate) fn span(&self) -> Span {
         match self {
             Label::Name(name) => name.span(),

@@ -2,13 +2,15 @@
 
 mod derivatives;
 mod fields;
+mod network;
 mod parameters;
 mod tree;
 mod words;
 
 pub(crate) use derivatives::{Derivatives, derivatives};
+pub(crate) use network::{dimension, located_words, network};
 pub(crate) use tree::{Tree, topology};
-pub(crate) use words::{is_doubtful, words};
+pub(crate) use words::{is_doubtful, tree_words, words};
 
 /// Words for a message: `a`, `b` and `c`.
 fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {

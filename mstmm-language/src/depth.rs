@@ -22,8 +22,20 @@ const MESSAGE: &str = "this is too long or nested too deeply: write a part of it
 /// # Errors
 /// The first token that lies too deep.
 pub(crate) fn check(model: TokenStream) -> syn::Result<()> {
+    walk(model, Nesting::default())
+}
+
+/// Checks an expression of the sketch, in which braces behind a name end no element.
+///
+/// # Errors
+/// The first token that lies too deep.
+pub(crate) fn check_expression(expression: TokenStream) -> syn::Result<()> {
+    walk(expression, Nesting { in_expression: true, ..Nesting::default() })
+}
+
+fn walk(tokens: TokenStream, nesting: Nesting) -> syn::Result<()> {
     let mut open: Vec<Row> = Vec::new();
-    let mut row = Row { tokens: model.into_iter(), is_invisible: false, nesting: Nesting::default() };
+    let mut row = Row { tokens: tokens.into_iter(), is_invisible: false, nesting };
     loop {
         match row.tokens.next() {
             Some(token) => {
@@ -76,7 +88,8 @@ struct Nesting {
     lasting: usize,
     /// Whether the last token may end an operand, so that no operator in front of one follows.
     after_operand: bool,
-    in_let: bool,
+    /// Whether this is a `let` line or another expression between those of elements.
+    in_expression: bool,
 }
 
 impl Nesting {
@@ -100,18 +113,18 @@ impl Nesting {
                 '=' => self.passing += LEVEL,
                 _ => self.passing += if self.after_operand { 1 } else { LEVEL },
             },
-            // an element of the sketch ends, and only `let` lines have braces behind a name that go on
+            // an element of the sketch ends: expressions alone have braces behind a name that go on
             TokenTree::Group(group) if in_sketch && self.ends_element(group) => {
                 (self.passing, self.lasting) = (0, 0);
             }
             _ => self.passing += if is_operand { 1 } else { LEVEL },
         }
-        self.in_let |= in_sketch && matches!(token, TokenTree::Ident(word) if word == "let");
+        self.in_expression |= in_sketch && matches!(token, TokenTree::Ident(word) if word == "let");
         self.after_operand = is_operand;
     }
 
     fn ends_element(&self, group: &Group) -> bool {
-        group.delimiter() == Delimiter::Brace && self.after_operand && !self.in_let
+        group.delimiter() == Delimiter::Brace && self.after_operand && !self.in_expression
     }
 }
 

@@ -1,9 +1,11 @@
 //! The pipeline: tokens, syntax tree, graph, checked tree, plan, code.
 
+use crate::ast::Model;
 use crate::diagnostics::Errors;
-use crate::groups::made_visible;
+use crate::groups::{in_braces, made_visible};
+use crate::network::{self, Network, Paths, Points};
 use crate::{check, depth, emit, parse, plan::Plan, topology::Graph};
-use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use proc_macro2::TokenStream;
 
 /// Expands `(path to mstmm) model` into its code, or into its errors.
 pub fn expand(input: TokenStream) -> TokenStream {
@@ -15,27 +17,38 @@ pub fn expand(input: TokenStream) -> TokenStream {
 
 /// Expands a model into its code, or returns all errors of syntax, words and graph at once.
 pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
-    depth::check(input.clone())?;
     let mut errors = Errors::default();
-    let model = parse::model(in_braces(made_visible(input)), &mut errors)?;
+    let model = read(input, &mut errors)?;
     check::words(&model, &mut errors);
     let derivatives = check::derivatives(&model, &mut errors);
+    if model.is_located() {
+        let _network = network(&model, errors)?;
+        let message = "points with places are read and checked, but a model with them cannot be evaluated yet";
+        return Err(syn::Error::new(model.parameters.ident.span(), message));
+    }
+    check::tree_words(&model, &mut errors);
     let graph = Graph::of(&model, &mut errors);
     let tree = check::topology(&model, &graph, errors)?;
     let plan = Plan::of(&tree);
     Ok(emit::model(&model, &plan, &derivatives))
 }
 
-/// Puts the input into braces that stand at its last token: there, and not at the whole macro, belongs what is missing at
-/// the end.
-fn in_braces(input: TokenStream) -> TokenStream {
-    let last = input.clone().into_iter().last();
-    let mut braces = Group::new(Delimiter::Brace, input);
-    if let Some(last) = last {
-        braces.set_span(match &last {
-            TokenTree::Group(group) => group.span_close(),
-            other => other.span(),
-        });
-    }
-    TokenTree::Group(braces).into()
+/// Reads the tokens of a model.
+pub(crate) fn read(input: TokenStream, errors: &mut Errors) -> syn::Result<Model> {
+    depth::check(input.clone())?;
+    parse::model(in_braces(made_visible(input)), errors)
+}
+
+/// The network of a model with locations, or all errors in it.
+pub(crate) fn network(model: &Model, mut errors: Errors) -> syn::Result<Network<'_>> {
+    let dimension = match check::dimension(model, &mut errors) {
+        Ok(dimension) => dimension,
+        Err(space) => return Err(errors.and(space)),
+    };
+    check::located_words(model, dimension, &mut errors);
+    let graph = network::Graph::of(model, &mut errors);
+    let points = Points::of(&graph);
+    let paths = Paths::of(&graph, &points);
+    check::network(model, &graph, &points, &paths, dimension, errors)?;
+    Ok(Network::of(&graph, &points, &paths, dimension))
 }

@@ -1,4 +1,4 @@
-//! Makes invisible groups visible.
+//! Groups of tokens: makes invisible ones visible, and puts tokens into braces.
 //!
 //! A fragment that a `macro_rules!` passes on, `$e` in `{ stiffness: $e * 2.0 }`, arrives in a group without delimiters.
 //! rustc forgets such a group when it is emitted again, and `1.0 + 1.0` times 2 would be 3.
@@ -42,6 +42,20 @@ fn is_compound(content: &TokenStream) -> bool {
         Ok(expression) => !matches!(expression, Expr::Path(_) | Expr::Lit(_) | Expr::Paren(_) | Expr::Tuple(_)),
         Err(_) => false,
     }
+}
+
+/// Puts tokens into braces that stand at the last of them: there, and not at the whole macro, belongs what is missing at
+/// the end.
+pub(crate) fn in_braces(input: TokenStream) -> TokenStream {
+    let last = input.clone().into_iter().last();
+    let mut braces = Group::new(Delimiter::Brace, input);
+    if let Some(last) = last {
+        braces.set_span(match &last {
+            TokenTree::Group(group) => group.span_close(),
+            other => other.span(),
+        });
+    }
+    TokenTree::Group(braces).into()
 }
 
 #[cfg(test)]

@@ -1,5 +1,8 @@
 //! The keywords of the language: one line per element, support and connection.
 
+mod located;
+
+pub(crate) use located::{ALONG, AT, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, Role, freedom_of, located_of};
 use mstmm_plan::{Space, Support};
 
 /// What the language knows of an element of the core: a test compares it with the core.
@@ -58,6 +61,11 @@ pub(crate) fn element_of(keyword: &str) -> Option<&'static Keyword> {
     ELEMENTS.iter().find(|element| element.name == keyword)
 }
 
+/// Whether a word is the keyword of an element, in models with locations or without.
+pub(crate) fn is_element(keyword: &str) -> bool {
+    element_of(keyword).is_some() || located_of(keyword).is_some()
+}
+
 /// The support behind a keyword.
 pub(crate) fn support_of(keyword: &str) -> Option<Support> {
     SUPPORTS.iter().find(|(name, _)| *name == keyword).map(|(_, support)| *support)
@@ -66,7 +74,7 @@ pub(crate) fn support_of(keyword: &str) -> Option<Support> {
 /// A keyword and a label that were written as one word, `beam1`, apart.
 pub(crate) fn apart(word: &str) -> Option<String> {
     let keyword = word.trim_end_matches(|c: char| c.is_ascii_digit());
-    let is_keyword = keyword == CONNECTION || element_of(keyword).is_some();
+    let is_keyword = keyword == CONNECTION || is_element(keyword);
     (is_keyword && keyword != word).then(|| format!("{keyword} {}", &word[keyword.len()..]))
 }
 

@@ -12,6 +12,7 @@ mod emit;
 mod expand;
 mod groups;
 mod keywords;
+mod network;
 mod parse;
 mod plan;
 mod spans;

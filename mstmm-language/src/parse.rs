@@ -1,12 +1,15 @@
 //! Parses a model. This file knows the grammar and no element.
 
 mod node;
+mod suffix;
 
 use crate::ast::{Arrow, Model, TransferPath};
 use crate::diagnostics::{Errors, Place};
+use crate::keywords::ALONG;
 use proc_macro2::{Group, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::collections::BTreeSet;
 use std::fmt::Display;
+use suffix::{ALONG_STANDS, is_arrow, is_word, parse_coordinates};
 use syn::parse::{Parse, ParseStream, Parser, Result};
 use syn::{
     Attribute, Error, ItemStruct, Local, LocalInit, LocalModifiers, Pat, PatType, Token, Visibility, braced, token,
@@ -132,20 +135,41 @@ impl Parse for TransferPath {
 
 impl Parse for Arrow {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
-        let forward = input.peek(Token![->]);
-        if input.peek(token::Paren) {
-            return Err(error_at(input, "parameters stand in braces, `{ name: value, .. }`, and nodes between arrows"));
+        let (forward, place) = parse_arrow(input)?;
+        if !is_word(input, ALONG) {
+            return Ok(Arrow { forward, place, along: None });
         }
-        if !forward && !input.peek(Token![<-]) {
-            return Err(error_at(
-                input,
-                "expected an arrow, `->` or `<-`; where a new path begins, end the one before it with `;`",
-            ));
+        let along = parse_coordinates(input.parse()?, input)?;
+        if !is_arrow(input) {
+            return Err(Error::new(along.keyword.span(), ALONG_STANDS));
         }
-        let [first, last] =
-            if forward { input.parse::<Token![->]>()?.spans } else { input.parse::<Token![<-]>()?.spans };
-        Ok(Arrow { forward, place: Place { first, last } })
+        let ahead = input.fork();
+        if parse_arrow(input)?.0 != forward {
+            let message =
+                "the arrows on both sides of `along` are one: turn one of them round, so that both point one way";
+            return Err(error_at(&ahead, message));
+        }
+        if is_word(input, ALONG) {
+            return Err(error_at(input, "the path has its direction already: remove this `along`"));
+        }
+        Ok(Arrow { forward, place, along: Some(along) })
     }
+}
+
+/// `->` or `<-`: whether it points forward, and its tokens.
+fn parse_arrow(input: ParseStream<'_>) -> Result<(bool, Place)> {
+    let forward = input.peek(Token![->]);
+    if input.peek(token::Paren) {
+        return Err(error_at(input, "parameters stand in braces, `{ name: value, .. }`, and nodes between arrows"));
+    }
+    if !forward && !input.peek(Token![<-]) {
+        return Err(error_at(
+            input,
+            "expected an arrow, `->` or `<-`; where a new path begins, end the one before it with `;`",
+        ));
+    }
+    let [first, last] = if forward { input.parse::<Token![->]>()?.spans } else { input.parse::<Token![<-]>()?.spans };
+    Ok((forward, Place { first, last }))
 }
 
 /// An error at the next token: at all characters of an arrow, at the opening brace of a block.

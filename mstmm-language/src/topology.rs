@@ -1,6 +1,6 @@
 //! The graph of a model: vertices and directed edges, labels resolved.
 
-use crate::ast::{Connection, Element, Model, Node};
+use crate::ast::{Connection, Element, Label, Model, Node, Support};
 use crate::diagnostics::{Errors, Place};
 use std::collections::{BTreeMap, BTreeSet};
 use syn::Ident;
@@ -73,7 +73,7 @@ impl<'a> Graph<'a> {
     fn vertex(&mut self, node: &'a Node, labels: &mut BTreeMap<String, usize>, errors: &mut Errors) -> usize {
         let new = self.vertices.len();
         let (label, vertex) = match node {
-            Node::Support(keyword) => {
+            Node::Support(Support { keyword, .. }) => {
                 self.vertices.push(Vertex::Support(keyword));
                 return new;
             }
@@ -91,13 +91,7 @@ impl<'a> Graph<'a> {
         }
         // an element named again without its parameters has a message of its own
         if !(first.is_mention() || vertex.is_mention()) {
-            let message = format!(
-                "label `{label}` is taken by `{}`: elements and connections share one set of labels, and an element is \
-                 written once",
-                first.name()
-            );
-            errors.push(label.span(), message);
-            errors.push(first.place(), format!("label `{label}` is first used here"));
+            refuse_label(label, &first.name(), first.place(), errors);
         }
         self.vertices.push(vertex);
         self.ambiguous.extend([known, new]);
@@ -133,4 +127,14 @@ impl<'a> Graph<'a> {
         }
         reached[self.edges[edge].to]
     }
+}
+
+/// Reports a label that another vertex has.
+pub(crate) fn refuse_label(label: &Label, taken_by: &str, first: Place, errors: &mut Errors) {
+    let message = format!(
+        "label `{label}` is taken by `{taken_by}`: elements and connections share one set of labels, and an element is \
+         written once"
+    );
+    errors.push(label.span(), message);
+    errors.push(first, format!("label `{label}` is first used here"));
 }

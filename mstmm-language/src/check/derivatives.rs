@@ -20,7 +20,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::Scope;
 use std::collections::BTreeMap;
-use syn::{Expr, ExprPath, Ident, Local};
+use syn::{Expr, Ident, Local};
 
 /// The formulas of a model over numbers with derivatives.
 #[derive(Default)]
@@ -48,6 +48,9 @@ pub(crate) fn derivatives(model: &Model, errors: &mut Errors) -> Derivatives {
         let dependent = element.parameters().filter_map(|parameter| formulas.parameter(parameter));
         parameters.entry(element.label.to_string()).or_default().extend(dependent);
     }
+    for part in model.coordinates().flat_map(|coordinates| &coordinates.parts) {
+        formulas.expression(&mut part.clone());
+    }
     if parameters.values().any(|parameters| !parameters.is_empty()) {
         exits::exits(model, errors);
     }
@@ -64,7 +67,7 @@ struct Formulas<'a> {
 impl Formulas<'_> {
     /// The name and the value of a parameter that depends on fields.
     fn parameter(&mut self, parameter: &Parameter) -> Option<(Ident, Expr)> {
-        let mut value = parameter.value.clone().unwrap_or_else(|| named(&parameter.name));
+        let mut value = parameter.expression();
         let dependence = self.expression(&mut value);
         matches!(dependence, Dependence::Number(_)).then(|| (parameter.name.clone(), value))
     }
@@ -86,9 +89,4 @@ impl Formulas<'_> {
     fn at(&self, token: Span) -> Span {
         crate::spans::emitted_at(self.facade, token)
     }
-}
-
-/// The value of a name.
-fn named(name: &Ident) -> Expr {
-    Expr::Path(ExprPath { attrs: Vec::new(), qself: None, path: name.clone().into() })
 }

@@ -7,8 +7,13 @@ use crate::keywords::nearest;
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
-/// Checks the parameters of one element. For a type of the user it only checks that each is given once, since rustc knows which.
-pub(super) fn parameters(element: &Element, errors: &mut Errors) {
+/// Checks the parameters of one element against those that it must have, and one that it may have. For a type of the user it
+/// only checks that each is given once, since rustc knows which.
+pub(super) fn parameters(
+    element: &Element,
+    known: Option<(&'static [&'static str], Option<&'static str>)>,
+    errors: &mut Errors,
+) {
     let mut given = BTreeSet::new();
     for parameter in element.parameters() {
         if !given.insert(parameter.name.unraw().to_string()) {
@@ -18,9 +23,10 @@ pub(super) fn parameters(element: &Element, errors: &mut Errors) {
             );
         }
     }
-    let Some(known) = element.kind.known() else { return };
-    let mut missing: Vec<&str> = known.parameters.iter().copied().filter(|name| !given.contains(*name)).collect();
-    let is_unknown = |name: &str| !known.parameters.contains(&name);
+    let Some((known, optional)) = known else { return };
+    let is_missing = |name: &&str| !given.contains(*name) && optional != Some(*name);
+    let mut missing: Vec<&str> = known.iter().copied().filter(is_missing).collect();
+    let is_unknown = |name: &str| !known.contains(&name);
     let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;
     for parameter in element.parameters() {
         let name = parameter.name.unraw().to_string();
@@ -33,9 +39,9 @@ pub(super) fn parameters(element: &Element, errors: &mut Errors) {
                 missing.retain(|other| *other != meant);
                 format!("did you mean `{meant}`?")
             }
-            None => format!("it has {}", listed(known.parameters.iter().copied())),
+            None => format!("it has {}", listed(known.iter().copied())),
         };
-        errors.push(parameter.name.span(), format!("`{}` has no parameter `{name}`: {hint}", known.name));
+        errors.push(parameter.name.span(), format!("`{}` has no parameter `{name}`: {hint}", element.kind.name()));
     }
     if !missing.is_empty() {
         errors.push(element.place(), format!("`{element}` lacks {}", listed(missing)));

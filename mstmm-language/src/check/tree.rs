@@ -50,7 +50,7 @@ fn ends_fault(graph: &Graph<'_>, index: usize) -> Option<(Place, &'static str)> 
 }
 
 /// A support ends a path.
-fn support_fault(arrows: usize) -> Option<&'static str> {
+pub(super) fn support_fault(arrows: usize) -> Option<&'static str> {
     match arrows {
         1 => None,
         0 => Some("holds nothing: join it to an element or a connection by an arrow"),
@@ -62,7 +62,7 @@ fn support_fault(arrows: usize) -> Option<&'static str> {
 }
 
 /// An element stands in one path, so it has an arrow on either side at most: one leads in, the other on.
-fn element_fault(place: Place, inputs: &[Place], outputs: &[Place]) -> Option<(Place, &'static str)> {
+pub(super) fn element_fault(place: Place, inputs: &[Place], outputs: &[Place]) -> Option<(Place, &'static str)> {
     match (inputs, outputs) {
         ([], []) => Some((place, "is joined to nothing: begin and end its path with a support or a connection")),
         ([], [_]) => Some((place, "has no input: begin its path with a support or a connection")),

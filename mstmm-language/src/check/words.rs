@@ -1,23 +1,25 @@
 //! Rules that need no graph: keywords, labels, and the parts of an element.
 
 use super::{fields, listed, parameters};
-use crate::ast::{Element, Kind, Label, Model, Node};
+use crate::ast::{Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::Errors;
-use crate::keywords::{CONNECTION, ELEMENTS, SUPPORTS, apart, element_of, nearest, support_of};
+use crate::keywords::{
+    ALONG, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, is_element, located_of, nearest, support_of,
+};
 use crate::topology::Vertex;
-use syn::{Ident, Lit};
+use syn::Ident;
 
-/// Checks each node and each field by itself.
+/// Advice for a word that only models with locations have.
+const NEEDS_PLACES: &str = "stands in models whose points have places: say where they are, `conn a at (x, y)`";
+
+/// Checks each field and each label by itself, and whether there is an element.
 pub(crate) fn words(model: &Model, errors: &mut Errors) {
     fields::fields(&model.parameters, errors);
     for node in model.nodes() {
         match node {
-            Node::Support(keyword) => check_support(keyword, errors),
+            Node::Support(_) => {}
             Node::Connection(connection) => check_label(&connection.label, errors),
-            Node::Element(element) => {
-                check_label(&element.label, errors);
-                check_element(element, model, errors);
-            }
+            Node::Element(element) => check_label(&element.label, errors),
         }
     }
     if model.is_whole && model.elements().next().is_none() {
@@ -26,12 +28,40 @@ pub(crate) fn words(model: &Model, errors: &mut Errors) {
     }
 }
 
+/// Checks each node of a model without locations by itself.
+pub(crate) fn tree_words(model: &Model, errors: &mut Errors) {
+    for node in model.nodes() {
+        match node {
+            Node::Support(support) => check_tree_support(support, errors),
+            Node::Connection(_) => {}
+            Node::Element(element) => check_element(element, model, errors),
+        }
+    }
+    for direction in model.coordinates().filter(|coordinates| coordinates.keyword == ALONG) {
+        errors.push(direction.keyword.span(), format!("`along` {NEEDS_PLACES}"));
+    }
+}
+
+/// A support without a place holds freedoms by its keyword alone.
+fn check_tree_support(support: &Support, errors: &mut Errors) {
+    if support.held.is_some() {
+        errors.push(support.keyword.span(), format!("`{HELD}` {NEEDS_PLACES}"));
+    } else {
+        check_support(&support.keyword, &support_names(), errors);
+    }
+}
+
+/// The keywords of supports.
+pub(super) fn support_names() -> Vec<&'static str> {
+    SUPPORTS.iter().map(|(name, _)| *name).collect()
+}
+
 /// Whether the meaning of a vertex is unknown, so that its arrows are not checked.
 pub(crate) fn is_doubtful(vertex: &Vertex<'_>) -> bool {
     match vertex {
         Vertex::Support(keyword) => support_of(&keyword.to_string()).is_none(),
-        Vertex::Connection(connection) => !is_well_formed(&connection.label),
-        Vertex::Element(element) => !(is_well_formed(&element.label) && is_known(&element.kind)),
+        Vertex::Connection(connection) => !connection.label.is_well_formed(),
+        Vertex::Element(element) => !(element.label.is_well_formed() && is_known(&element.kind)),
     }
 }
 
@@ -40,35 +70,26 @@ fn is_known(kind: &Kind) -> bool {
     matches!(kind, Kind::Type(_)) || kind.known().is_some()
 }
 
-/// A label is a name, or a decimal number without leading zero or suffix.
-fn is_well_formed(label: &Label) -> bool {
-    let Label::Literal(literal) = label else { return true };
-    let text = label.to_string();
-    let is_plain = text.bytes().all(|b| b.is_ascii_digit()) && (text == "0" || !text.starts_with('0'));
-    is_plain && matches!(literal, Lit::Int(_))
-}
-
 /// A word that stands alone is a support.
-fn check_support(keyword: &Ident, errors: &mut Errors) {
+pub(super) fn check_support(keyword: &Ident, supports: &[&str], errors: &mut Errors) {
     let text = keyword.to_string();
-    if support_of(&text).is_some() {
+    if supports.contains(&text.as_str()) {
         return;
     }
-    if element_of(&text).is_some() {
+    if is_element(&text) {
         errors.push(keyword.span(), format!("`{text}` needs a label and parameters, `{text} 1 {{ .. }}`"));
         return;
     }
-    let supports = || SUPPORTS.iter().map(|(name, _)| *name);
-    let hint = match (apart(&text), nearest(supports(), &text)) {
+    let hint = match (apart(&text), nearest(supports.iter().copied(), &text)) {
         (Some(apart), _) => format!("put a space before the label, `{apart}`"),
         (None, Some(name)) => format!("did you mean `{name}`?"),
-        (None, None) => format!("the supports are {}", listed(supports())),
+        (None, None) => format!("the supports are {}", listed(supports.iter().copied())),
     };
     errors.push(keyword.span(), format!("`{text}` is not a support: {hint}"));
 }
 
 fn check_label(label: &Label, errors: &mut Errors) {
-    if !is_well_formed(label) {
+    if !label.is_well_formed() {
         let advice = "a label is a name or a decimal number without leading zero or suffix, such as `arm` or `12`";
         errors.push(label.span(), format!("`{label}` is not a label: {advice}"));
     }
@@ -77,23 +98,29 @@ fn check_label(label: &Label, errors: &mut Errors) {
 /// An element has a known keyword and its parameters.
 fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
     if !is_known(&element.kind) {
-        errors.push(element.kind.place(), unknown_keyword(&element.kind.name().to_string()));
+        let text = element.kind.name().to_string();
+        let message = match located_of(&text) {
+            Some(_) => format!("`{text}` {NEEDS_PLACES}"),
+            None => unknown_keyword(&text, &ELEMENTS.iter().map(|element| element.name).collect::<Vec<_>>()),
+        };
+        errors.push(element.kind.place(), message);
     } else if element.parameters.is_none() {
         errors.push(element.place(), without_parameters(element, model));
     } else {
-        parameters::parameters(element, errors);
+        let known = element.kind.known().map(|known| (known.parameters, None));
+        parameters::parameters(element, known, errors);
     }
 }
 
 /// The message for an unknown keyword of an element.
-fn unknown_keyword(text: &str) -> String {
+pub(super) fn unknown_keyword(text: &str, elements: &[&str]) -> String {
     if support_of(text).is_some() {
         return format!("the support `{text}` takes no label and no parameters: write `{text}` alone");
     }
     if text.starts_with(char::is_uppercase) {
         return format!("`{text}` is not an element: a type of your own is written with its path, `self::{text}`");
     }
-    let elements = || ELEMENTS.iter().map(|element| element.name);
+    let elements = || elements.iter().copied();
     let hint = match nearest(elements().chain([CONNECTION]), text) {
         Some(name) => format!("did you mean `{name}`?"),
         None => format!("the elements are {}, or a type of your own by a path with `::`", listed(elements())),
@@ -102,7 +129,7 @@ fn unknown_keyword(text: &str) -> String {
 }
 
 /// Advice for an element without braces: it may have been written before.
-fn without_parameters(element: &Element, model: &Model) -> String {
+pub(super) fn without_parameters(element: &Element, model: &Model) -> String {
     let label = element.label.to_string();
     if model.elements().any(|other| other.parameters.is_some() && other.label.to_string() == label) {
         format!(

@@ -1,10 +1,11 @@
 //! Parses the nodes between arrows: supports, connections, elements.
 
 use super::error_at;
-use crate::ast::{Connection, Element, Kind, Label, Node, Parameter};
+use super::suffix::{ALONG_STANDS, Suffixes, held, is_suffix, is_word};
+use crate::ast::{Connection, Element, Kind, Label, Node, Parameter, Support};
 use crate::depth::is_keyword;
 use crate::diagnostics::Place;
-use crate::keywords::{CONNECTION, apart, support_of};
+use crate::keywords::{ALONG, AT, CONNECTION, HELD, apart, support_of};
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Result};
 use syn::{Error, Ident, Lit, LitInt, Path, Token, braced, token};
@@ -32,10 +33,21 @@ impl Parse for Node {
             if input.peek(token::Brace) {
                 return Err(error_at(input, format!("`{keyword} {label}` joins paths: it takes no parameters")));
             }
-            return Ok(Node::Connection(Connection { keyword, label }));
+            let owner = format!("{keyword} {label}");
+            let location = Suffixes::parse(input, &owner)?.location_alone(&owner)?;
+            return Ok(Node::Connection(Connection { keyword, label, location }));
         }
-        if ends_here(&keyword, input) {
-            return Ok(Node::Support(keyword));
+        if keyword == ALONG {
+            return Err(Error::new(keyword.span(), ALONG_STANDS));
+        }
+        if keyword == AT {
+            let message = "`at` stands behind a connection or a support, whose place it says: remove the arrow between";
+            return Err(Error::new(keyword.span(), message));
+        }
+        if keyword == HELD || ends_here(&keyword, input) {
+            let held = if keyword == HELD { Some(held(&keyword, input)?) } else { None };
+            let Suffixes { location, direction } = Suffixes::parse(input, &keyword.to_string())?;
+            return Ok(Node::Support(Support { keyword, held, location, direction }));
         }
         parse_element(Kind::Keyword(keyword), input)
     }
@@ -48,9 +60,9 @@ impl Parse for Node {
 fn ends_here(keyword: &Ident, input: ParseStream<'_>) -> bool {
     if support_of(&keyword.to_string()).is_some() {
         let takes_label = input.peek(LitInt) || (input.peek(Ident) && input.peek2(token::Brace));
-        return !takes_label;
+        return !takes_label || is_word(input, AT) || is_word(input, ALONG);
     }
-    input.is_empty() || input.peek(Token![->]) || input.peek(Token![<-]) || input.peek(Token![;])
+    is_suffix(input) || input.is_empty() || input.peek(Token![->]) || input.peek(Token![<-]) || input.peek(Token![;])
 }
 
 /// `label { parameters }`, behind the kind of an element.
@@ -60,7 +72,9 @@ fn parse_element(kind: Kind, input: ParseStream<'_>) -> Result<Node> {
     }
     let label = parse_label(input, kind.name(), kind.place(), " { .. }")?;
     let parameters = if input.peek(token::Brace) { Some(parse_parameters(input)?) } else { None };
-    Ok(Node::Element(Box::new(Element { kind, label, parameters })))
+    let owner = format!("{} {label}", kind.name());
+    let location = if is_suffix(input) { Suffixes::parse(input, &owner)?.location_alone("conn a")? } else { None };
+    Ok(Node::Element(Box::new(Element { kind, label, parameters, location })))
 }
 
 /// `{ name: value, name, .. }`

@@ -89,6 +89,18 @@ fn what_is_accepted_fits_the_stack() {
     std::thread::Builder::new().stack_size(STACK).spawn(test).unwrap().join().unwrap();
 }
 
+/// Behind `at`, braces end no element, and assignments nest to their right.
+#[test]
+fn a_place_that_lies_too_deep_is_refused() {
+    let place = |depth: usize| {
+        let text =
+            format!("struct M; fixed at {} 1.0 -> spring 1 {{ stiffness: 1.0 }} -> fixed", "a {} = ".repeat(depth));
+        super::messages(&text)
+    };
+    let is_refused = |depth| place(depth).contains("nested too deeply");
+    assert!(!is_refused(ALLOWED) && is_refused(100) && is_refused(100_000));
+}
+
 /// Long sketches are not deep ones.
 #[test]
 fn a_model_may_be_long() {
@@ -97,6 +109,10 @@ fn a_model_may_be_long() {
     let fields: String = (0..500).map(|field| format!("/// A field\n pub(crate) f{field}: f64,")).collect();
     let model = format!("/// Documented\n struct M {{ {fields} length: f64 }} fixed {chain} -> free;");
     assert!(expand_checked(input(&model)).is_ok());
+    let beam = |label| format!("-> planar_beam {label} {{ a, b: c::D }} -> conn c{label} at (length * {label}.0, 0.0)");
+    let chain: String = (0..500).map(beam).collect();
+    let model = format!("struct M {{ length: f64 }} fixed at (0.0, 0.0) {chain}");
+    assert!(!super::messages(&model).contains("too deeply"));
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod derivatives;
 mod editors;
 mod grammar;
 mod graph;
+mod network;
 mod words;
 
 use crate::expand::expand_checked;

@@ -12,6 +12,7 @@ pub(super) fn exits(model: &Model, errors: &mut Errors) {
     model.lets.iter().for_each(|line| exits.visit_local(line));
     let values =
         model.elements().flat_map(|element| element.parameters()).filter_map(|parameter| parameter.value.as_ref());
+    let values = values.chain(model.coordinates().flat_map(|coordinates| &coordinates.parts));
     values.for_each(|value| exits.visit_expr(value));
 }
 

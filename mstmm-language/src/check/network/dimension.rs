@@ -1,0 +1,73 @@
+//! The dimension of a model with locations: the number of coordinates of its points.
+
+use crate::ast::{Coordinates, Model, Node};
+use crate::diagnostics::Errors;
+use crate::keywords::Dimension;
+
+/// Finds the dimension, and reports places and directions that do not fit it.
+///
+/// The first place decides. Where none has a number of coordinates that there is, which is an error, it is the plane.
+///
+/// # Errors
+/// The first place is one of space.
+pub(crate) fn dimension(model: &Model, errors: &mut Errors) -> syn::Result<Dimension> {
+    let places: Vec<(String, &Coordinates)> = model.nodes().filter_map(named_place).collect();
+    for (_, place) in &places {
+        if place.is_tuple && !matches!(place.parts.len(), 2 | 3) {
+            errors.push(place.value, wrong_number(place.parts.len()));
+        }
+    }
+    let Some((first, decisive)) = places.iter().find(|(_, place)| has_dimension(place)) else {
+        return Ok(Dimension::Plane);
+    };
+    let count = decisive.parts.len();
+    if count == 3 {
+        let message = "space is not supported yet: a model has places with one coordinate, or with two, `at (x, y)`";
+        return Err(syn::Error::new_spanned(decisive.value, message));
+    }
+    for (name, place) in places.iter().filter(|(_, place)| has_dimension(place) && place.parts.len() != count) {
+        let message = format!(
+            "the place of `{name}` has {}, that of `{first}` {}: all points of a model have equally many",
+            number(place.parts.len()),
+            counted(count)
+        );
+        errors.push(place.value, message);
+    }
+    Ok(if count == 1 { Dimension::Line } else { Dimension::Plane })
+}
+
+/// The place of a point, with the name of the point.
+fn named_place(node: &Node) -> Option<(String, &Coordinates)> {
+    let name = match node {
+        Node::Support(support) => support.keyword.to_string(),
+        Node::Connection(connection) => connection.to_string(),
+        Node::Element(_) => return None,
+    };
+    Some((name, node.location()?))
+}
+
+fn has_dimension(place: &Coordinates) -> bool {
+    !place.is_tuple || matches!(place.parts.len(), 2 | 3)
+}
+
+fn wrong_number(count: usize) -> String {
+    let cure = "a point of the plane has two, `at (x, y)`, and one coordinate is written without parentheses, `at x`";
+    format!("a tuple of {} is no place: {cure}", counted(count))
+}
+
+/// `two coordinates`
+fn number(count: usize) -> String {
+    format!("{} {}", counted(count), if count == 1 { "coordinate" } else { "coordinates" })
+}
+
+pub(super) fn counted(count: usize) -> String {
+    let words = ["none", "one", "two", "three", "four"];
+    words.get(count).map_or_else(|| count.to_string(), |&word| word.to_owned())
+}
+
+/// Checks the number of parts of a direction in the plane, `along (dx, dy)`.
+pub(super) fn direction(direction: &Coordinates, errors: &mut Errors) {
+    if !(direction.is_tuple && direction.parts.len() == 2) {
+        errors.push(direction.value, "a direction of the plane has two parts, `along (dx, dy)`");
+    }
+}

@@ -1,0 +1,166 @@
+//! The keywords of models with locations: what each element is between points.
+
+use mstmm_plan::Freedoms;
+
+/// What a node of the sketch is in a network of points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    Connection,
+    Support,
+    /// A mass at a point.
+    PointMass,
+    /// An element with extent between two points.
+    Member,
+    /// A mass with extent that ties points rigidly.
+    RigidBody,
+    /// An element between two points at one place.
+    Joint,
+    /// A part of a path of translation or rotation, with one motion.
+    Path,
+    /// A node of unknown meaning, about which another message speaks.
+    Unknown,
+}
+
+impl Role {
+    /// Whether the node is a point, or a part of one.
+    pub(crate) fn is_point(self) -> bool {
+        matches!(self, Role::Connection | Role::Support | Role::PointMass)
+    }
+}
+
+/// The number of coordinates of all points of a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Dimension {
+    /// One coordinate: beams along a line, which move across it.
+    Line,
+    /// Two coordinates.
+    Plane,
+}
+
+impl Dimension {
+    pub(crate) fn coordinates(self) -> usize {
+        match self {
+            Dimension::Line => 1,
+            Dimension::Plane => 2,
+        }
+    }
+
+    /// The freedoms that a point can have.
+    pub(crate) fn freedoms(self) -> Freedoms {
+        match self {
+            Dimension::Line => Freedoms::Y.union(Freedoms::RZ),
+            Dimension::Plane => Freedoms::ALL,
+        }
+    }
+
+    /// A place, as advice shows it.
+    pub(crate) fn example(self) -> &'static str {
+        match self {
+            Dimension::Line => "at x",
+            Dimension::Plane => "at (x, y)",
+        }
+    }
+}
+
+/// What the language knows of an element in models with locations.
+#[derive(Debug)]
+pub(crate) struct LocatedKeyword {
+    pub(crate) name: &'static str,
+    pub(crate) role: Role,
+    pub(crate) parameters: &'static [&'static str],
+    /// A parameter that may be left out.
+    pub(crate) optional: Option<&'static str>,
+    /// The parameter that has as many parts as points have coordinates.
+    pub(crate) vector: Option<&'static str>,
+    /// The freedoms that it brings to a point.
+    pub(crate) brings: Freedoms,
+    /// The keyword to take instead with one coordinate, and with two.
+    instead: [Option<&'static str>; 2],
+}
+
+impl LocatedKeyword {
+    /// The keyword to take instead in a model of some dimension; `None` where this one is right.
+    pub(crate) fn instead(&self, dimension: Dimension) -> Option<&'static str> {
+        self.instead[dimension.coordinates() - 1]
+    }
+}
+
+const XY: Freedoms = Freedoms::X.union(Freedoms::Y);
+
+const fn keyword(
+    name: &'static str,
+    role: Role,
+    brings: Freedoms,
+    parameters: &'static [&'static str],
+) -> LocatedKeyword {
+    LocatedKeyword { name, role, parameters, optional: None, vector: None, brings, instead: [None, None] }
+}
+
+const fn refused(name: &'static str) -> LocatedKeyword {
+    let instead = [Some("rigid_body"), Some("rigid_body")];
+    LocatedKeyword { instead, ..keyword(name, Role::Unknown, Freedoms::NONE, &[]) }
+}
+
+#[rustfmt::skip]
+pub(crate) const LOCATED: &[LocatedKeyword] = &[
+    keyword("spring", Role::Path, XY, &["stiffness"]),
+    keyword("torsion_spring", Role::Path, Freedoms::RZ, &["stiffness"]),
+    keyword("damper", Role::Path, XY, &["damping"]),
+    keyword("torsion_damper", Role::Path, Freedoms::RZ, &["damping"]),
+    keyword("spring_damper", Role::Path, XY, &["stiffness", "damping"]),
+    keyword("torsion_spring_damper", Role::Path, Freedoms::RZ, &["stiffness", "damping"]),
+    keyword("mass", Role::Path, XY, &["mass"]),
+    keyword("inertia", Role::Path, Freedoms::RZ, &["inertia"]),
+    LocatedKeyword {
+        optional: Some("inertia"),
+        ..keyword("point_mass", Role::PointMass, XY, &["mass", "inertia"])
+    },
+    LocatedKeyword {
+        instead: [None, Some("planar_hinge")],
+        ..keyword("elastic_hinge", Role::Joint, Freedoms::ALL, &["stiffness_y", "stiffness_theta"])
+    },
+    refused("body"),
+    LocatedKeyword {
+        instead: [None, Some("planar_beam")],
+        ..keyword("beam", Role::Member, Freedoms::ALL, &["bending_stiffness", "mass_per_length"])
+    },
+    refused("planar_body"),
+    LocatedKeyword {
+        instead: [Some("beam"), None],
+        ..keyword("planar_beam", Role::Member, Freedoms::ALL, &["axial_stiffness", "bending_stiffness", "mass_per_length"])
+    },
+    LocatedKeyword {
+        instead: [Some("elastic_hinge"), None],
+        ..keyword("planar_hinge", Role::Joint, Freedoms::ALL, &["stiffness_x", "stiffness_y", "stiffness_theta"])
+    },
+    LocatedKeyword {
+        vector: Some("centre"),
+        ..keyword("rigid_body", Role::RigidBody, Freedoms::ALL, &["mass", "inertia", "centre"])
+    },
+    keyword("pin", Role::Joint, XY, &[]),
+    LocatedKeyword {
+        vector: Some("along"),
+        instead: [Some("elastic_hinge"), None],
+        ..keyword("slider", Role::Joint, Freedoms::ALL, &["along"])
+    },
+];
+
+/// The support that names what it holds.
+pub(crate) const HELD: &str = "held";
+
+/// The words in front of the coordinates of a place, and of a direction.
+pub(crate) const AT: &str = "at";
+pub(crate) const ALONG: &str = "along";
+
+/// The freedoms that [`HELD`] may name.
+pub(crate) const FREEDOMS: &[(&str, Freedoms)] = &[("x", Freedoms::X), ("y", Freedoms::Y), ("rz", Freedoms::RZ)];
+
+/// The row of a keyword in models with locations.
+pub(crate) fn located_of(keyword: &str) -> Option<&'static LocatedKeyword> {
+    LOCATED.iter().find(|row| row.name == keyword)
+}
+
+/// The freedom of a name.
+pub(crate) fn freedom_of(name: &str) -> Option<Freedoms> {
+    FREEDOMS.iter().find(|(known, _)| *known == name).map(|(_, freedom)| *freedom)
+}

@@ -1,0 +1,200 @@
+//! Assembles the network from a graph without errors.
+
+use super::freedoms::freedoms;
+use super::graph::{Graph, Named};
+use super::hand_over::{
+    Direction, Holds, Joint, Member, Network, PathContact, PathElement, PathNode, Point, PointMass, RigidBody, Support,
+    TransferPath,
+};
+use super::paths::{Contact, Path, Paths};
+use super::points::Points;
+use crate::ast::{self, Connection, Element, tuple_parts};
+use crate::keywords::{Dimension, Role, freedom_of, support_of};
+use mstmm_plan::Freedoms;
+use mstmm_plan::Support::{Fixed, Guided, Roller};
+use syn::Expr;
+use syn::ext::IdentExt;
+
+impl<'a> Network<'a> {
+    /// The network of a graph that `check` has found right.
+    pub(crate) fn of(graph: &Graph<'a>, points: &Points, paths: &Paths, dimension: Dimension) -> Self {
+        let located: Vec<usize> = points.all(graph).into_iter().filter(|&point| points.is_located(point)).collect();
+        let assembly = Assembly { graph, points, paths, dimension, located };
+        Network {
+            dimension,
+            places: graph.locations.iter().map(|location| location.at.parts.as_slice()).collect(),
+            points: assembly.points(),
+            supports: assembly.supports(),
+            members: assembly.between(Role::Member).map(|(element, ends)| Member { element, ends }).collect(),
+            joints: assembly
+                .between(Role::Joint)
+                .map(|(element, ends)| Joint { element, ends, along: vector(element) })
+                .collect(),
+            bodies: assembly.bodies(),
+            masses: assembly.masses(),
+            paths: paths.all.iter().map(|path| assembly.path(path)).collect(),
+        }
+    }
+}
+
+/// What the parts of a network are made from.
+struct Assembly<'g, 'a> {
+    graph: &'g Graph<'a>,
+    points: &'g Points,
+    paths: &'g Paths,
+    dimension: Dimension,
+    /// The representatives of points with places, in the order of the network.
+    located: Vec<usize>,
+}
+
+impl<'a> Assembly<'_, 'a> {
+    /// The index of a point with a place.
+    fn index(&self, point: usize) -> usize {
+        position(&self.located, &point)
+    }
+
+    fn points(&self) -> Vec<Point<'a>> {
+        let freedoms = freedoms(self.graph, self.points, self.paths, self.dimension);
+        let places: Vec<usize> =
+            self.graph.locations.iter().map(|location| self.points.place(location.vertex)).collect();
+        let point = |&point: &usize| Point {
+            place: position(&places, &self.points.place(point)),
+            connections: self.connections(self.points.vertices_at(self.graph, point)),
+            freedoms: freedoms[point],
+        };
+        self.located.iter().map(point).collect()
+    }
+
+    fn connections(&self, vertices: impl Iterator<Item = usize>) -> Vec<&'a Connection> {
+        let connection = |vertex: usize| match self.graph.vertices[vertex].node {
+            Named::Connection(connection) => Some(connection),
+            Named::Support(_) | Named::Element(_) => None,
+        };
+        vertices.filter_map(connection).collect()
+    }
+
+    fn supports(&self) -> Vec<Support<'a>> {
+        let support = |vertex: usize| {
+            let point = self.points.point(vertex);
+            match self.graph.vertices[vertex].node {
+                Named::Support(support) if self.points.is_located(point) => {
+                    Some(Support { support, point: self.index(point), holds: holds(support, self.dimension) })
+                }
+                _ => None,
+            }
+        };
+        self.graph.with_role(Role::Support).filter_map(support).collect()
+    }
+
+    /// The elements of a role, each with the points at its input and at its output.
+    fn between(&self, role: Role) -> impl Iterator<Item = (&'a Element, [usize; 2])> {
+        self.graph.elements(role).map(|(vertex, element)| {
+            (element, self.points.input_output(self.graph, vertex).map(|point| self.index(point)))
+        })
+    }
+
+    fn bodies(&self) -> Vec<RigidBody<'a>> {
+        let body = |(vertex, element): (usize, &'a Element)| {
+            let mut points: Vec<usize> = Vec::new();
+            for point in self.points.ends(self.graph, vertex).into_iter().map(|point| self.index(point)) {
+                if !points.contains(&point) {
+                    points.push(point);
+                }
+            }
+            RigidBody { element, centre: vector(element), points }
+        };
+        self.graph.elements(Role::RigidBody).map(body).collect()
+    }
+
+    fn masses(&self) -> Vec<PointMass<'a>> {
+        let masses = self.graph.elements(Role::PointMass);
+        masses.map(|(vertex, element)| PointMass { element, point: self.index(self.points.point(vertex)) }).collect()
+    }
+
+    fn path(&self, path: &Path) -> TransferPath<'a> {
+        let graph = self.graph;
+        let mut nodes: Vec<usize> = path.contacts.iter().map(|contact| contact.node).collect();
+        let ends_of = |&element: &usize| {
+            let node = |edge| self.paths.node(graph, self.points, edge, element);
+            graph.edges_of(element).map(|(edge, arrow)| (arrow.from == element, node(edge))).collect::<Vec<_>>()
+        };
+        nodes.extend(path.elements.iter().flat_map(ends_of).map(|(_, node)| node));
+        nodes.sort_unstable();
+        nodes.dedup();
+        let elements = path.elements.iter().filter_map(|vertex| {
+            let mut ends = ends_of(vertex);
+            // the input first
+            ends.sort_unstable();
+            let ends = [ends.first()?.1, ends.last()?.1].map(|node| position(&nodes, &node));
+            Some(PathElement { element: graph.vertices[*vertex].as_element()?, ends })
+        });
+        TransferPath {
+            is_rotation: path.is_rotation(graph),
+            elements: elements.collect(),
+            contacts: path.contacts.iter().map(|contact| self.contact(path, contact, &nodes)).collect(),
+            nodes: nodes.iter().map(|&node| self.node(node)).collect(),
+        }
+    }
+
+    fn node(&self, node: usize) -> PathNode<'a> {
+        let is_of_node = |&vertex: &usize| {
+            let role = self.graph.role(vertex);
+            role.is_point()
+                && !self.points.is_located(vertex)
+                && self.paths.node_of_point(self.points.point(vertex)) == node
+        };
+        let vertices: Vec<usize> = (0..self.graph.vertices.len()).filter(is_of_node).collect();
+        let is_held = |&vertex: &usize| match self.graph.vertices[vertex].node {
+            Named::Support(support) => support_of(&support.keyword.to_string()) == Some(Fixed),
+            Named::Connection(_) | Named::Element(_) => false,
+        };
+        PathNode { is_held: vertices.iter().any(is_held), connections: self.connections(vertices.into_iter()) }
+    }
+
+    fn contact(&self, path: &Path, contact: &Contact, nodes: &[usize]) -> PathContact<'a> {
+        let direction = match self.graph.edges[contact.edge].along() {
+            _ if path.is_rotation(self.graph) => Direction::Z,
+            _ if self.dimension == Dimension::Line => Direction::Y,
+            Some(along) => Direction::Along(&along.parts),
+            // without `along` a path has two contacts
+            None => {
+                let end = |contact: Option<&Contact>| contact.map_or(0, |contact| self.index(contact.point));
+                Direction::FromTo([end(path.contacts.first()), end(path.contacts.last())])
+            }
+        };
+        PathContact { node: position(nodes, &contact.node), point: self.index(contact.point), direction }
+    }
+}
+
+/// What a support holds.
+fn holds(support: &ast::Support, dimension: Dimension) -> Holds<'_> {
+    if let Some(held) = &support.held {
+        let freedoms = held.iter().filter_map(|name| freedom_of(&name.unraw().to_string()));
+        return Holds::Freedoms(freedoms.fold(Freedoms::NONE, Freedoms::union));
+    }
+    let keyword = support_of(&support.keyword.to_string());
+    match (keyword, &support.direction) {
+        (Some(Roller), Some(direction)) => Holds::Across(&direction.parts, Freedoms::NONE),
+        (Some(Guided), Some(direction)) => Holds::Across(&direction.parts, Freedoms::RZ),
+        (keyword, _) => {
+            let held = keyword.map_or(Freedoms::NONE, mstmm_plan::Support::holds);
+            Holds::Freedoms(held.intersection(dimension.freedoms()))
+        }
+    }
+}
+
+/// The parts of the parameter that is a place or a direction; empty for an element without one.
+fn vector(element: &Element) -> Vec<Expr> {
+    let name = element.kind.located().and_then(|row| row.vector);
+    let mut named = element.parameters().filter(|parameter| name.is_some_and(|name| parameter.name.unraw() == name));
+    let value = named.next().map(|parameter| parameter.expression());
+    value.map_or_else(Vec::new, |value| match tuple_parts(&value) {
+        Some(parts) => parts.into_iter().cloned().collect(),
+        None => vec![value],
+    })
+}
+
+/// The index of a thing in a list, which has it.
+fn position<T: PartialEq>(list: &[T], thing: &T) -> usize {
+    list.iter().position(|other| other == thing).unwrap_or(0)
+}

@@ -1,0 +1,122 @@
+//! The types of a network: what `check` hands over to the emission.
+#![cfg_attr(not(test), expect(dead_code, reason = "the emission of networks, which reads all of it, is the next step"))]
+
+use crate::ast::{self, Connection, Element};
+use crate::keywords::Dimension;
+use mstmm_plan::Freedoms;
+use syn::Expr;
+
+/// A checked network. Every list is in source order, and every index leads into one of the lists.
+pub(crate) struct Network<'a> {
+    pub(crate) dimension: Dimension,
+    /// The coordinates of each place, as many as the dimension has.
+    pub(crate) places: Vec<&'a [Expr]>,
+    pub(crate) points: Vec<Point<'a>>,
+    pub(crate) supports: Vec<Support<'a>>,
+    pub(crate) members: Vec<Member<'a>>,
+    pub(crate) joints: Vec<Joint<'a>>,
+    pub(crate) bodies: Vec<RigidBody<'a>>,
+    pub(crate) masses: Vec<PointMass<'a>>,
+    pub(crate) paths: Vec<TransferPath<'a>>,
+}
+
+/// A point with a place.
+pub(crate) struct Point<'a> {
+    /// Index into [`Network::places`]: points on both sides of a joint have one place.
+    pub(crate) place: usize,
+    /// The connections of this point: none where an arrow leads from element to element, or from a support to one.
+    pub(crate) connections: Vec<&'a Connection>,
+    /// The freedoms that its neighbours bring.
+    pub(crate) freedoms: Freedoms,
+}
+
+/// A support of a point.
+pub(crate) struct Support<'a> {
+    pub(crate) support: &'a ast::Support,
+    pub(crate) point: usize,
+    pub(crate) holds: Holds<'a>,
+}
+
+/// What a support holds.
+pub(crate) enum Holds<'a> {
+    /// Freedoms of the axes.
+    Freedoms(Freedoms),
+    /// The displacement across a direction, along which the point moves, and these other freedoms.
+    Across(&'a [Expr], Freedoms),
+}
+
+/// An element with extent.
+pub(crate) struct Member<'a> {
+    pub(crate) element: &'a Element,
+    /// The points at its input and at its output; local x leads from the first to the second.
+    pub(crate) ends: [usize; 2],
+}
+
+/// An element between two points at one place.
+pub(crate) struct Joint<'a> {
+    pub(crate) element: &'a Element,
+    /// The points at its input and at its output.
+    pub(crate) ends: [usize; 2],
+    /// The direction along which a slider moves; empty for other joints.
+    pub(crate) along: Vec<Expr>,
+}
+
+/// A mass with extent, which ties points rigidly.
+pub(crate) struct RigidBody<'a> {
+    /// The mention with the parameters.
+    pub(crate) element: &'a Element,
+    /// The coordinates of its mass centre.
+    pub(crate) centre: Vec<Expr>,
+    pub(crate) points: Vec<usize>,
+}
+
+/// A mass at a point.
+pub(crate) struct PointMass<'a> {
+    pub(crate) element: &'a Element,
+    pub(crate) point: usize,
+}
+
+/// A path of translation or of rotation.
+pub(crate) struct TransferPath<'a> {
+    pub(crate) is_rotation: bool,
+    /// The motions of the path: one at each end of each element, shared where elements meet.
+    pub(crate) nodes: Vec<PathNode<'a>>,
+    pub(crate) elements: Vec<PathElement<'a>>,
+    pub(crate) contacts: Vec<PathContact<'a>>,
+}
+
+/// A motion of a path.
+pub(crate) struct PathNode<'a> {
+    /// Its connections, which have no place.
+    pub(crate) connections: Vec<&'a Connection>,
+    /// Whether `fixed` holds it; of a free end, or without a support, it does not.
+    pub(crate) is_held: bool,
+}
+
+/// An element of a path.
+pub(crate) struct PathElement<'a> {
+    pub(crate) element: &'a Element,
+    /// The motions at its input and at its output: indices into [`TransferPath::nodes`].
+    pub(crate) ends: [usize; 2],
+}
+
+/// Where a path acts on a point: its motion there is that of the point in a direction.
+pub(crate) struct PathContact<'a> {
+    /// Index into [`TransferPath::nodes`].
+    pub(crate) node: usize,
+    /// Index into [`Network::points`].
+    pub(crate) point: usize,
+    pub(crate) direction: Direction<'a>,
+}
+
+/// The direction of a path at a contact.
+pub(crate) enum Direction<'a> {
+    /// Two parts of any length, `along (dx, dy)`.
+    Along(&'a [Expr]),
+    /// From the place of one point to that of another: of a path between two points, from the first contact to the second.
+    FromTo([usize; 2]),
+    /// Across a line of one coordinate.
+    Y,
+    /// About the axis of rotation.
+    Z,
+}

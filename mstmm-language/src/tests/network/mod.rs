@@ -1,0 +1,24 @@
+//! Models with locations: their messages, and the networks that they are.
+
+mod accepted;
+mod contacts;
+mod grammar;
+mod joints;
+mod places;
+mod supports;
+mod words;
+
+use super::{assert_refused, input};
+use crate::diagnostics::Errors;
+use crate::expand::{network, read};
+
+/// The network of a model, as text.
+#[track_caller]
+fn described(model: &str) -> String {
+    let mut errors = Errors::default();
+    let model = read(input(model), &mut errors).unwrap();
+    match network(&model, errors) {
+        Ok(network) => network.to_string(),
+        Err(error) => error.into_iter().map(|error| format!("{error}\n")).collect(),
+    }
+}

@@ -1,0 +1,145 @@
+//! Messages about keywords and parameters of models with places.
+
+use super::assert_refused;
+
+#[test]
+fn each_dimension_has_its_keywords() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at (0.0, 0.0) -> beam 1 { bending_stiffness: l, mass_per_length: l } -> conn a at (l, 0.0)
+                               ^^^^ `beam` does not say what happens along it, which counts in the plane: take
+                               | `planar_beam`
+            -> body 2 { mass: l, inertia: l, output_x: l, centre_x: l } -> conn b at (l, l)
+               ^^^^ `body` has its points by offsets, which places replace: take `rigid_body`
+            -> elastic_hinge 3 { stiffness_y: l, stiffness_theta: l } -> fixed;
+               ^^^^^^^^^^^^^ `elastic_hinge` does not say what happens along x, which counts in the plane:
+               | take `planar_hinge`
+        conn b -> planar_body 4 { } -> fixed;
+                  ^^^^^^^^^^^ `planar_body` has its points by offsets, which places replace: take `rigid_body`
+        conn a -> spatial_beam 5 { } -> crate::Cable 6 { } -> plnar_beam 7 { } -> pin8 -> conn b;
+                  ^^^^^^^^^^^^ `spatial_beam` is not an element: did you mean `planar_beam`?
+                                        ^^^^^^^^^^^^ `Cable` is a type of your own, which models with places
+                                        | do not take yet
+                                                              ^^^^^^^^^^ `plnar_beam` is not an element: did
+                                                              | you mean `planar_beam`?
+                                                                                  ^^^^ `pin8` is not a
+                                                                                  | support: put a space
+                                                                                  | before the label, `pin 8`
+        ",
+    );
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at 0.0 -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at l
+                        ^^^^^^^^^^^ `planar_beam` moves in the plane, but points have one coordinate here:
+                        | take `beam`
+            -> planar_hinge 2 { stiffness_x: l, stiffness_y: l, stiffness_theta: l } -> fixed;
+               ^^^^^^^^^^^^ `planar_hinge` moves in the plane, but points have one coordinate here: take
+               | `elastic_hinge`
+        ",
+    );
+}
+
+#[test]
+fn a_length_follows_from_places() {
+    assert_refused(
+        "
+        struct M { length: f64, ea: f64 }
+        fixed at (0.0, 0.0) -> planar_beam 1 { length, axial_stiffness: ea, bending_stiffness: ea, mass_per_length: ea }
+                                               ^^^^^^ `planar_beam 1` takes no `length`, which follows from
+                                               | the places of its ends: remove it
+            -> conn a at (length, 0.0) -> planar_beam 2 { axial: ea, bending_stiffness: ea, mass_per_length: ea }
+                                                          ^^^^^ `planar_beam` has no parameter `axial`: did
+                                                          | you mean `axial_stiffness`?
+            -> conn b at (length, ea) -> point_mass 3 { inertia: ea } -> pin 4 -> fixed;
+                                         ^^^^^^^^^^^^ `point_mass 3` lacks `mass`
+                                                                         ^^^^^ `pin 4` lacks its braces, `pin
+                                                                         | 4 {}`
+        ",
+    );
+}
+
+#[test]
+fn labels_are_checked() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+                               ^^^^^^^^^^^^^ label `1` is first used here
+                               ^^^^^^^^^^^^^ label `1` is first used here
+            -> conn 1 at (l, 0.0) -> planar_beam 02 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+                                                 ^^ `02` is not a label: a label is a name or a decimal number
+                                                 | without leading zero or suffix, such as `arm` or `12`
+                    ^ label `1` is taken by `planar_beam 1`: elements and connections share one set of labels,
+                    | and an element is written once
+            -> conn b at (l, l) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+                                               ^ label `1` is taken by `planar_beam 1`: elements and
+                                               | connections share one set of labels, and an element is
+                                               | written once
+            -> fixed at (0.0, l);
+        ",
+    );
+}
+
+/// A line that cannot be read hides what is wrong with the graph, and nothing else.
+#[test]
+fn words_are_shown_beside_lines_that_cannot_be_read() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at (0.0, 0.0) -> planar_beam 1 { length: l } -> conn a;
+                                               ^^^^^^ `planar_beam 1` takes no `length`, which follows from
+                                               | the places of its ends: remove it
+        conn a at -> conn b;
+               ^^ `at` says where a point is: write its coordinates behind, `at (x, y)`
+        ",
+    );
+}
+
+/// Without a place, a model is a tree of paths.
+#[test]
+fn words_of_models_with_places_need_places() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed -> planar_beam 1 { length: l, axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+            -> rigid_body 2 { } -> pin 3 { } -> roller along (1.0, 0.0);
+               ^^^^^^^^^^ `rigid_body` stands in models whose points have places: say where they are, `conn a
+               | at (x, y)`
+                                   ^^^ `pin` stands in models whose points have places: say where they are,
+                                   | `conn a at (x, y)`
+                                                       ^^^^^ `along` stands in models whose points have
+                                                       | places: say where they are, `conn a at (x, y)`
+        free -> mass 6 { mass: l } -> conn 4 -> along (1.0, 0.0) -> spring 5 { stiffness: l }
+                                                ^^^^^ `along` stands in models whose points have places: say
+                                                | where they are, `conn a at (x, y)`
+            -> held(x);
+               ^^^^ `held` stands in models whose points have places: say where they are, `conn a at (x, y)`
+        ",
+    );
+}
+
+/// Formulas of places are formulas of the fields like any others.
+#[test]
+fn places_have_derivatives() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+            -> conn a at (table(l), 0.0) <- roller along (1.0, l as f32 as f64);
+                          ^^^^^ `table` has no derivative that mstmm knows: write the formula here, or mark
+                          | `l` with `#[no_sensitivity]`
+                                                                 ^^ a cast has no derivative that mstmm knows:
+                                                                 | write the formula without it, or mark `l`
+                                                                 | with `#[no_sensitivity]`
+        conn a <- along (l % 2.0, 1.0) <- spring 2 { stiffness: l } <- fixed;
+                           ^ `%` has no derivative that mstmm knows: write the formula without it, or mark `l`
+                           | with `#[no_sensitivity]`
+        conn a -> rigid_body 3 { mass: l, inertia: l, centre: (table(l), 0.0) };
+                                                               ^^^^^ `table` has no derivative that mstmm
+                                                               | knows: write the formula here, or mark `l`
+                                                               | with `#[no_sensitivity]`
+        ",
+    );
+}
