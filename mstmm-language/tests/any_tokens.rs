@@ -17,7 +17,7 @@ use proptest::sample::select;
 use words::words;
 
 /// Beginnings of a model, so that random tokens come where they are read as a field, a line, a node or a parameter.
-const BEGINNINGS: [&str; 7] = [
+const BEGINNINGS: [&str; 10] = [
     "",
     "struct M;",
     "struct M { k: f64 } let a = ",
@@ -25,6 +25,9 @@ const BEGINNINGS: [&str; 7] = [
     "struct M; fixed -> spring",
     "struct M; fixed -> spring 1 { stiffness: 1.0 } -> conn 2; conn 2",
     "#[derive(Clone)] struct M",
+    "struct M; fixed at",
+    "struct M; fixed at (0.0, 0.0) -> pin 1 {} -> conn 2 <- along",
+    "struct M; held(x) at (0.0, 0.0) -> conn 1; conn 1",
 ];
 
 /// Places for a group of random tokens in an otherwise valid model.

@@ -3,6 +3,22 @@
 
 use proc_macro2::{TokenStream, TokenTree};
 
+/// Words of models with locations.
+const LOCATED: [&str; 12] = [
+    "at",
+    "at 1.0",
+    "at (0.0, 1.0)",
+    "along",
+    "along (1.0, 0.0)",
+    "held",
+    "held(x, rz)",
+    "rigid_body",
+    "rigid_body 1",
+    "pin",
+    "slider",
+    "rz",
+];
+
 /// The tokens of each word.
 ///
 /// # Panics
@@ -12,7 +28,10 @@ pub(crate) fn words() -> Vec<Vec<TokenTree>> {
     let words = lines.filter(|line| !line.is_empty() && !line.starts_with('#')).map(word);
     let of_elements = mstmm_language::elements()
         .flat_map(|(keyword, _, parameters)| [keyword].into_iter().chain(parameters.iter().copied()));
-    words.chain(of_elements.map(|name| word(&format!("\"{name}\"")))).collect()
+    words
+        .chain(LOCATED.iter().map(|name| word(&format!("\"{name}\""))))
+        .chain(of_elements.map(|name| word(&format!("\"{name}\""))))
+        .collect()
 }
 
 fn word(line: &str) -> Vec<TokenTree> {
