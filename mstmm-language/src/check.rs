@@ -10,7 +10,7 @@ mod words;
 pub(crate) use derivatives::{Derivatives, derivatives};
 pub(crate) use network::{dimension, located_words, network};
 pub(crate) use tree::{Tree, topology};
-pub(crate) use words::{is_doubtful, tree_words, words};
+pub(crate) use words::{is_doubtful, words};
 
 /// Words for a message: `a`, `b` and `c`.
 fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {

@@ -26,7 +26,6 @@ pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
         let message = "points with places are read and checked, but a model with them cannot be evaluated yet";
         return Err(syn::Error::new(model.parameters.ident.span(), message));
     }
-    check::tree_words(&model, &mut errors);
     let graph = Graph::of(&model, &mut errors);
     let tree = check::topology(&model, &graph, errors)?;
     let plan = Plan::of(&tree);

@@ -12,33 +12,29 @@ use syn::Ident;
 /// Advice for a word that only models with locations have.
 const NEEDS_PLACES: &str = "stands in models whose points have places: say where they are, `conn a at (x, y)`";
 
-/// Checks each field and each label by itself, and whether there is an element.
+/// Checks each field and each node by itself. What a node of a model with locations may be depends on their dimension.
 pub(crate) fn words(model: &Model, errors: &mut Errors) {
     fields::fields(&model.parameters, errors);
+    let is_tree = !model.is_located();
     for node in model.nodes() {
         match node {
+            Node::Support(support) if is_tree => check_tree_support(support, errors),
             Node::Support(_) => {}
             Node::Connection(connection) => check_label(&connection.label, errors),
-            Node::Element(element) => check_label(&element.label, errors),
+            Node::Element(element) => {
+                check_label(&element.label, errors);
+                if is_tree {
+                    check_element(element, model, errors);
+                }
+            }
         }
+    }
+    for direction in model.coordinates().filter(|coordinates| is_tree && coordinates.keyword == ALONG) {
+        errors.push(direction.keyword.span(), format!("`along` {NEEDS_PLACES}"));
     }
     if model.is_whole && model.elements().next().is_none() {
         let message = "this model has no element: write a path such as `fixed -> beam 1 { .. } -> free;`";
         errors.push(model.parameters.ident.span(), message);
-    }
-}
-
-/// Checks each node of a model without locations by itself.
-pub(crate) fn tree_words(model: &Model, errors: &mut Errors) {
-    for node in model.nodes() {
-        match node {
-            Node::Support(support) => check_tree_support(support, errors),
-            Node::Connection(_) => {}
-            Node::Element(element) => check_element(element, model, errors),
-        }
-    }
-    for direction in model.coordinates().filter(|coordinates| coordinates.keyword == ALONG) {
-        errors.push(direction.keyword.span(), format!("`along` {NEEDS_PLACES}"));
     }
 }
 

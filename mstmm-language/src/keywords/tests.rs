@@ -33,6 +33,40 @@ fn the_grammar_has_a_row_for_each_element() {
     }
 }
 
+/// The rows of models with locations, `beam` without the length that follows from its points.
+#[test]
+fn each_keyword_is_known_in_models_with_locations() {
+    for keyword in ELEMENTS {
+        let row = located_of(keyword.name).unwrap_or_else(|| panic!("no row for {} in LOCATED", keyword.name));
+        if row.role == Role::Unknown {
+            continue;
+        }
+        let expected = keyword.parameters.iter().filter(|name| row.role != Role::Member || **name != "length");
+        assert!(row.parameters.iter().eq(expected), "{}", keyword.name);
+    }
+    for row in LOCATED {
+        let is_right = [Dimension::Line, Dimension::Plane].map(|dimension| row.instead(dimension).is_none());
+        assert_eq!(is_right == [false, false], row.role == Role::Unknown, "{}", row.name);
+        assert!(row.optional.is_none_or(|name| row.parameters.contains(&name)), "{}", row.name);
+        assert!(row.vector.is_none_or(|name| row.parameters.contains(&name)), "{}", row.name);
+    }
+}
+
+#[test]
+fn the_grammar_has_a_row_for_each_element_of_models_with_locations() {
+    let grammar = include_str!("../../../docs/grammar.md");
+    let (_, section) = grammar.split_once("### Elements of located models").unwrap();
+    let right = LOCATED.iter().filter(|row| !matches!(row.role, Role::Unknown | Role::Path));
+    for row in right {
+        let start = format!("| `{}` |", row.name);
+        let line = section.lines().find(|line| line.starts_with(&start));
+        let line = line.unwrap_or_else(|| panic!("no row for {} in docs/grammar.md", row.name));
+        for parameter in row.parameters {
+            assert!(line.contains(&format!("`{parameter}`")), "no `{parameter}` in docs/grammar.md: {line}");
+        }
+    }
+}
+
 #[test]
 fn a_slip_of_the_pen_finds_its_keyword() {
     let elements = || ELEMENTS.iter().map(|element| element.name);

@@ -1,4 +1,5 @@
 //! Models with locations: every node that they have.
+#![expect(clippy::unwrap_used, reason = "what is written here lexes")]
 
 use proc_macro2::TokenStream;
 

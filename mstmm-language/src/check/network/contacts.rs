@@ -119,7 +119,12 @@ fn example(graph: &Graph<'_>, points: &Points, contact: &Contact) -> String {
 
 /// Reports points with places that one path alone moves: across it they have neither mass nor stiffness.
 fn loose_points(graph: &Graph<'_>, points: &Points, paths: &Paths, errors: &mut Errors) {
-    for vertex in graph.with_role(Role::Connection).filter(|&vertex| points.is_located(vertex)) {
+    let is_free_end = |&vertex: &usize| {
+        leaves_all(graph, vertex)
+            && graph.edges_of(vertex).all(|(_, edge)| graph.role(edge.other(vertex)) == Role::Path)
+    };
+    let free_ends = graph.with_role(Role::Support).filter(is_free_end);
+    for vertex in graph.with_role(Role::Connection).chain(free_ends).filter(|&vertex| points.is_located(vertex)) {
         let point = points.point(vertex);
         let moved = paths.all.iter().filter(|path| !path.is_rotation(graph)).flat_map(|path| {
             path.contacts.iter().filter(|contact| contact.point == point).map(move |_| path.elements[0])

@@ -109,6 +109,10 @@ fn a_point_is_held_across_its_path() {
                                                ^^^^^^ nothing holds `conn c` across the path of `spring 3`:
                                                | remove its place, so that it moves along the path alone, or
                                                | hold it by a support
+        conn a -> spring 4 { stiffness: l } -> free at (3.0, l);
+                                               ^^^^ nothing holds `free` across the path of `spring 4`: remove
+                                               | its place, so that it moves along the path alone, or hold it
+                                               | by a support
         ",
     );
 }
