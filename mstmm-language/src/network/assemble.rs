@@ -19,12 +19,13 @@ impl<'a> Network<'a> {
     /// The network of a graph that `check` has found right.
     pub(crate) fn of(graph: &Graph<'a>, points: &Points, paths: &Paths, dimension: Dimension) -> Self {
         let located: Vec<usize> = points.all(graph).into_iter().filter(|&point| points.is_located(point)).collect();
-        let assembly = Assembly { graph, points, paths, dimension, located };
+        let freedoms = freedoms(graph, points, paths, dimension);
+        let assembly = Assembly { graph, points, paths, dimension, located, freedoms };
         Network {
             dimension,
             places: graph.locations.iter().map(|location| location.at.parts.as_slice()).collect(),
-            points: assembly.points(),
             supports: assembly.supports(),
+            points: assembly.points(),
             members: assembly.between(Role::Member).map(|(element, ends)| Member { element, ends }).collect(),
             joints: assembly
                 .between(Role::Joint)
@@ -45,6 +46,8 @@ struct Assembly<'g, 'a> {
     dimension: Dimension,
     /// The representatives of points with places, in the order of the network.
     located: Vec<usize>,
+    /// The freedoms of each point, by its representative.
+    freedoms: Vec<Freedoms>,
 }
 
 impl<'a> Assembly<'_, 'a> {
@@ -54,13 +57,12 @@ impl<'a> Assembly<'_, 'a> {
     }
 
     fn points(&self) -> Vec<Point<'a>> {
-        let freedoms = freedoms(self.graph, self.points, self.paths, self.dimension);
         let places: Vec<usize> =
             self.graph.locations.iter().map(|location| self.points.place(location.vertex)).collect();
         let point = |&point: &usize| Point {
             place: position(&places, &self.points.place(point)),
             connections: self.connections(self.points.vertices_at(self.graph, point)),
-            freedoms: freedoms[point],
+            freedoms: self.freedoms[point],
         };
         self.located.iter().map(point).collect()
     }
@@ -78,7 +80,7 @@ impl<'a> Assembly<'_, 'a> {
             let point = self.points.point(vertex);
             match self.graph.vertices[vertex].node {
                 Named::Support(support) if self.points.is_located(point) => {
-                    Some(Support { support, point: self.index(point), holds: holds(support, self.dimension) })
+                    Some(Support { support, point: self.index(point), holds: holds(support, self.freedoms[point]) })
                 }
                 _ => None,
             }
@@ -166,19 +168,19 @@ impl<'a> Assembly<'_, 'a> {
     }
 }
 
-/// What a support holds.
-fn holds(support: &ast::Support, dimension: Dimension) -> Holds<'_> {
+/// What a support holds of the freedoms that its point has.
+fn holds(support: &ast::Support, freedoms: Freedoms) -> Holds<'_> {
     if let Some(held) = &support.held {
-        let freedoms = held.iter().filter_map(|name| freedom_of(&name.unraw().to_string()));
-        return Holds::Freedoms(freedoms.fold(Freedoms::NONE, Freedoms::union));
+        let held = held.iter().filter_map(|name| freedom_of(&name.unraw().to_string()));
+        return Holds::Freedoms(held.fold(Freedoms::NONE, Freedoms::union).intersection(freedoms));
     }
     let keyword = support_of(&support.keyword.to_string());
     match (keyword, &support.direction) {
         (Some(Roller), Some(direction)) => Holds::Across(&direction.parts, Freedoms::NONE),
-        (Some(Guided), Some(direction)) => Holds::Across(&direction.parts, Freedoms::RZ),
+        (Some(Guided), Some(direction)) => Holds::Across(&direction.parts, Freedoms::RZ.intersection(freedoms)),
         (keyword, _) => {
             let held = keyword.map_or(Freedoms::NONE, mstmm_plan::Support::holds);
-            Holds::Freedoms(held.intersection(dimension.freedoms()))
+            Holds::Freedoms(held.intersection(freedoms))
         }
     }
 }

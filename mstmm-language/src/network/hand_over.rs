@@ -37,7 +37,7 @@ pub(crate) struct Support<'a> {
     pub(crate) holds: Holds<'a>,
 }
 
-/// What a support holds.
+/// What a support holds of the freedoms that its point has.
 pub(crate) enum Holds<'a> {
     /// Freedoms of the axes.
     Freedoms(Freedoms),

@@ -18,14 +18,16 @@ pub(super) fn contacts(graph: &Graph<'_>, points: &Points, paths: &Paths, dimens
     }
 }
 
-/// Whether a path may have other contacts: a node of unknown meaning stands at it, or a point whose place is missing.
+/// Whether a path may have other contacts: one of its ends is missing, a node of unknown meaning stands at it, or a point
+/// whose place is missing.
 fn is_doubtful(graph: &Graph<'_>, points: &Points, path: &Path) -> bool {
     let edges = path.elements.iter().flat_map(|&element| graph.edges_of(element).map(move |edge| (element, edge)));
     let is_doubtful = |(element, (index, edge)): (usize, (usize, &Edge<'_>))| {
         let end = points.end(graph, index, element);
         graph.role(edge.other(element)) == Role::Unknown || points.is_doubtful(end) || points.lacks_place(end)
     };
-    edges.into_iter().any(is_doubtful)
+    let has_ends = |&element: &usize| graph.edges_of(element).count() == 2;
+    edges.into_iter().any(is_doubtful) || !path.elements.iter().all(has_ends)
 }
 
 /// Reports elements of translation and of rotation in one path.

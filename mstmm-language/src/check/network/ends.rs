@@ -49,8 +49,25 @@ fn connection_fault(graph: &Graph<'_>, index: usize, arrows: usize) -> Option<(P
     if let Some((_, edge)) = graph.edges_of(index).find(|(_, edge)| edge.from == edge.to) {
         return Some((edge.arrow.place, "is joined to itself: lead this arrow on to an element"));
     }
-    let joins_none = graph
-        .edges_of(index)
-        .all(|(_, edge)| matches!(graph.role(edge.other(index)), Role::Support | Role::Connection));
-    joins_none.then_some((here, "joins no element: let the path of an element end in it"))
+    joins_none(graph, index).then_some((here, "joins no element: let the path of an element end in it"))
+}
+
+/// Whether arrows lead from a connection to supports and other connections alone, and it is the first of these connections.
+fn joins_none(graph: &Graph<'_>, index: usize) -> bool {
+    let mut reached = vec![index];
+    let mut next = 0;
+    while let Some(&connection) = reached.get(next) {
+        next += 1;
+        for (_, edge) in graph.edges_of(connection) {
+            let other = edge.other(connection);
+            match graph.role(other) {
+                Role::Support => {}
+                Role::Connection if other < index => return false,
+                Role::Connection if reached.contains(&other) => {}
+                Role::Connection => reached.push(other),
+                _ => return false,
+            }
+        }
+    }
+    true
 }

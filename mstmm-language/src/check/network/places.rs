@@ -11,7 +11,7 @@ pub(super) fn places(graph: &Graph<'_>, points: &Points, dimension: Dimension, e
     let mut places: Vec<usize> = points.all(graph).into_iter().map(|point| points.place(point)).collect();
     places.sort_unstable();
     places.dedup();
-    for place in places.into_iter().filter(|&place| !(points.is_located(place) || points.is_doubtful(place))) {
+    for place in places.into_iter().filter(|&place| points.lacks_place(place) && !points.is_doubtful(place)) {
         never_said(graph, points, place, dimension, errors);
     }
 }
@@ -101,8 +101,15 @@ fn never_said(graph: &Graph<'_>, points: &Points, place: usize, dimension: Dimen
             format!("`{needs}` stands in a path, whose points have no places: write `mass` there, not `point_mass`");
         return errors.push(graph.vertices[user].place(), message);
     }
-    let message = match graph.role(target) {
-        Role::Connection | Role::Support => {
+    let located = graph.edges_of(target).map(|(_, edge)| edge.other(target)).find(|&other| {
+        (graph.role(target), graph.role(other)) == (Role::Connection, Role::Connection) && points.is_located(other)
+    });
+    let message = match (graph.role(target), located) {
+        (_, Some(located)) => format!(
+            "`{here}` is at the place of `{0}`, since an arrow has no extent: write `{0}` in both paths",
+            graph.vertices[located].name()
+        ),
+        (Role::Connection | Role::Support, None) => {
             format!("`{here}` has no place, which `{needs}` needs there: write `{here} {example}`")
         }
         _ => format!("`{here}` stands at no place: put a connection beside it, `-> conn a {example} -> {here}`"),

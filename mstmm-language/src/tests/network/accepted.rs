@@ -41,7 +41,7 @@ fn portal_frame() {
             point 6: place 3, moves x y rz
             fixed of point 0: holds x y rz
             pinned of point 4: holds x y
-            fixed of point 5: holds x y rz
+            fixed of point 5: holds x y
             planar_beam 1: from point 0 to point 1
             planar_beam 2: from point 1 to point 2
             planar_beam 3: from point 2 to point 3

@@ -17,6 +17,7 @@ use crate::expand::{network, read};
 fn described(model: &str) -> String {
     let mut errors = Errors::default();
     let model = read(input(model), &mut errors).unwrap();
+    crate::check::words(&model, &mut errors);
     match network(&model, errors) {
         Ok(network) => network.to_string(),
         Err(error) => error.into_iter().map(|error| format!("{error}\n")).collect(),

@@ -185,6 +185,26 @@ fn an_element_leads_from_one_point_to_another() {
     );
 }
 
+/// A connection beside one with a place is no point of its own, unless a path of one motion begins there.
+#[test]
+fn an_arrow_to_a_point_with_a_place_is_that_point() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+            -> conn a at (l, 0.0) -> conn b
+                                     ^^^^^^ `conn b` is at the place of `conn a`, since an arrow has no
+                                     | extent: write `conn a` in both paths
+            -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> fixed at (l, l);
+        conn a <- along (1.0, 0.0) <- conn u -> spring 3 { stiffness: l } -> fixed;
+        conn a -> spring 4 { stiffness: l };
+                  ^^^^^^^^ `spring 4` has no output: end its path with a support or a connection
+        fixed -> conn c -> conn d;
+                 ^^^^^^ `conn c` joins no element: let the path of an element end in it
+        ",
+    );
+}
+
 #[test]
 fn an_element_has_no_place() {
     assert_refused(
