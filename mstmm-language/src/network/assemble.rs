@@ -23,7 +23,7 @@ impl<'a> Network<'a> {
         let assembly = Assembly { graph, points, paths, dimension, located, freedoms };
         Network {
             dimension,
-            places: graph.locations.iter().map(|location| location.at.parts.as_slice()).collect(),
+            places: graph.locations.iter().map(|location| location.at).collect(),
             supports: assembly.supports(),
             points: assembly.points(),
             members: assembly.between(Role::Member).map(|(element, ends)| Member { element, ends }).collect(),
@@ -157,7 +157,7 @@ impl<'a> Assembly<'_, 'a> {
         let direction = match self.graph.edges[contact.edge].along() {
             _ if path.is_rotation(self.graph) => Direction::Z,
             _ if self.dimension == Dimension::Line => Direction::Y,
-            Some(along) => Direction::Along(&along.parts),
+            Some(along) => Direction::Along(along),
             // without `along` a path has two contacts
             None => {
                 let end = |contact: Option<&Contact>| contact.map_or(0, |contact| self.index(contact.point));
@@ -176,8 +176,8 @@ fn holds(support: &ast::Support, freedoms: Freedoms) -> Holds<'_> {
     }
     let keyword = support_of(&support.keyword.to_string());
     match (keyword, &support.direction) {
-        (Some(Roller), Some(direction)) => Holds::Across(&direction.parts, Freedoms::NONE),
-        (Some(Guided), Some(direction)) => Holds::Across(&direction.parts, Freedoms::RZ.intersection(freedoms)),
+        (Some(Roller), Some(direction)) => Holds::Across(direction, Freedoms::NONE),
+        (Some(Guided), Some(direction)) => Holds::Across(direction, Freedoms::RZ.intersection(freedoms)),
         (keyword, _) => {
             let held = keyword.map_or(Freedoms::NONE, mstmm_plan::Support::holds);
             Holds::Freedoms(held.intersection(freedoms))

@@ -1,16 +1,17 @@
 //! The types of a network: what `check` hands over to the emission.
 #![cfg_attr(not(test), expect(dead_code, reason = "the emission of networks, which reads all of it, is the next step"))]
 
-use crate::ast::{self, Connection, Element};
+use crate::ast::{self, Connection, Coordinates, Element};
 use crate::keywords::Dimension;
 use mstmm_plan::Freedoms;
 use syn::Expr;
 
-/// A checked network. Every list is in source order, and every index leads into one of the lists.
+/// A checked network. Its lists are in source order, and its indices lead into them.
 pub(crate) struct Network<'a> {
     pub(crate) dimension: Dimension,
-    /// The coordinates of each place, as many as the dimension has.
-    pub(crate) places: Vec<&'a [Expr]>,
+    /// The `at` of each place, with as many parts as the dimension has.
+    pub(crate) places: Vec<&'a Coordinates>,
+    /// Connections, supports and masses first, then the points that are an arrow between two elements.
     pub(crate) points: Vec<Point<'a>>,
     pub(crate) supports: Vec<Support<'a>>,
     pub(crate) members: Vec<Member<'a>>,
@@ -42,7 +43,7 @@ pub(crate) enum Holds<'a> {
     /// Freedoms of the axes.
     Freedoms(Freedoms),
     /// The displacement across a direction, along which the point moves, and these other freedoms.
-    Across(&'a [Expr], Freedoms),
+    Across(&'a Coordinates, Freedoms),
 }
 
 /// An element with extent.
@@ -112,7 +113,7 @@ pub(crate) struct PathContact<'a> {
 /// The direction of a path at a contact.
 pub(crate) enum Direction<'a> {
     /// Two parts of any length, `along (dx, dy)`.
-    Along(&'a [Expr]),
+    Along(&'a Coordinates),
     /// From the place of one point to that of another: of a path between two points, from the first contact to the second.
     FromTo([usize; 2]),
     /// Across a line of one coordinate.

@@ -12,7 +12,7 @@ impl Display for Network<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(f, "{:?}", self.dimension)?;
         for (index, place) in self.places.iter().enumerate() {
-            writeln!(f, "place {index}: {}", listed(place))?;
+            writeln!(f, "place {index}: {}", listed(&place.parts))?;
         }
         for (index, point) in self.points.iter().enumerate() {
             let (names, freedoms) = (named(&point.connections), names_of(point.freedoms));
@@ -60,7 +60,7 @@ impl Display for TransferPath<'_> {
 impl Display for Direction<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
-            Direction::Along(parts) => write!(f, "along {}", listed(parts)),
+            Direction::Along(along) => write!(f, "along {}", listed(&along.parts)),
             Direction::FromTo([from, to]) => write!(f, "from point {from} to point {to}"),
             Direction::Y => f.write_str("along y"),
             Direction::Z => f.write_str("about z"),
@@ -73,7 +73,7 @@ impl Display for Holds<'_> {
         match self {
             Holds::Freedoms(freedoms) => f.write_str(&names_of(*freedoms)),
             Holds::Across(direction, freedoms) => {
-                write!(f, "across {}, and {}", listed(direction), names_of(*freedoms))
+                write!(f, "across {}, and {}", listed(&direction.parts), names_of(*freedoms))
             }
         }
     }
