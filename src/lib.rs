@@ -117,6 +117,18 @@ pub mod list {
     };
 }
 
+#[doc = include_str!("../docs/networks.md")]
+pub mod network {
+    pub use mstmm_core::elements::{
+        AnyMember, Damper, Section, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper,
+        UndampedMember,
+    };
+    pub use mstmm_core::{
+        Chart, Charted, End, Freedoms, Member, MemberChart, MemberElement, Network, NetworkError, NetworkRoom as Room,
+        Node, Support,
+    };
+}
+
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {
     pub use crate::motion::ModalAnalysis;
