@@ -7,7 +7,7 @@ use mstmm::number::{DoubleDouble, Parameter, Scalar};
 const THRESHOLD: f64 = 0.640_388_203_202_207_6;
 
 /// Roundings in an entry: the wave number of a beam, its functions, the quotient and the sum.
-pub(super) const ROUNDINGS: f64 = 16.0;
+pub(crate) const ROUNDINGS: f64 = 16.0;
 
 /// An entry and a bound of its rounding.
 type Entry = (DoubleDouble, f64);
@@ -38,7 +38,7 @@ fn is_sure(entry: Entry) -> bool {
 
 /// Number of negative pivots by elimination with complete pivoting, in which a pivot of two rows has one; `None` if the
 /// sign of one is not sure.
-pub(super) fn negative(matrix: &Assembled<DoubleDouble>) -> Option<u64> {
+pub(crate) fn negative(matrix: &Assembled<DoubleDouble>) -> Option<u64> {
     let mut a = in_units(matrix);
     let mut negative = 0;
     while !a.is_empty() {
@@ -69,7 +69,7 @@ pub(super) fn negative(matrix: &Assembled<DoubleDouble>) -> Option<u64> {
 }
 
 /// Powers of two for rows and columns that make the terms of the diagonal about one.
-pub(super) fn units<S>(matrix: &Assembled<S>) -> Vec<i32> {
+pub(crate) fn units<S>(matrix: &Assembled<S>) -> Vec<i32> {
     let exponent = |i: usize| {
         let size = matrix.sizes[i][i];
         if size > 0.0 && size.is_finite() { -(size.log2() / 2.0).round() as i32 } else { 0 }
