@@ -11,7 +11,7 @@ mod weights;
 mod zeros;
 
 use crate::stiffness_matrix::beam_matrix::{BeamMatrix, Field};
-use crate::stiffness_matrix::{Assembled, Form, UNIT, pivots};
+use crate::stiffness_matrix::{Assembled, Form, pivots};
 use crate::support::tree::Tree;
 use constraints::Independent;
 use freedoms::{Parts, sum};
