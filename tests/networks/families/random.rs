@@ -42,6 +42,9 @@ pub(crate) fn random_structure(seed: u64, spread: Spread) -> Structure {
         generator.beam(from, to, hub);
     }
     (0..nodes).for_each(|node| generator.furnish(node));
+    if generator.random.chance(0.3) {
+        generator.spring_between(nodes);
+    }
     if generator.random.chance(0.2) {
         generator.lone_mass(nodes);
     }
@@ -171,6 +174,22 @@ impl Generator {
         } else {
             let direction = self.direction();
             self.structure.spring_along(from, ground, direction, stiffness);
+        }
+    }
+
+    /// A spring between two nodes, along a line, in a direction or between their rotations.
+    fn spring_between(&mut self, nodes: usize) {
+        let from = self.random.below(nodes);
+        let to = (from + 1 + self.random.below(nodes - 1)) % nodes;
+        let stiffness = self.stiffness();
+        match self.random.below(3) {
+            0 => self.structure.torsion_spring(from, to, stiffness),
+            1 => {
+                let direction = self.direction();
+                let [from, to] = [from, to].map(|node| self.end(node, false));
+                self.structure.spring_along(from, to, direction, stiffness);
+            }
+            _ => self.structure.spring(from, to, stiffness),
         }
     }
 
