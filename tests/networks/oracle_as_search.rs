@@ -41,9 +41,9 @@ fn bisection_finds_the_reference_frequencies() {
 #[test]
 fn bisection_finds_what_the_counts_say() {
     let small = named_structures().into_iter().filter(|(_, structure)| structure.members.len() < 9);
-    let random = [Spread::Moderate, Spread::Stiff].map(|spread| random_structures(0..12, spread));
+    let random = [Spread::Moderate, Spread::Stiff].map(|spread| random_structures(0..6, spread));
     let tally = judge_searches(small.chain(random.into_iter().flatten()), |structure| Ok(first(structure, 4)));
-    assert!(tally.entries > 80 && tally.unsure == 0 && tally.refusals.is_empty(), "{tally:?}");
+    assert!(tally.entries > 60 && tally.unsure == 0 && tally.refusals.is_empty(), "{tally:?}");
 }
 
 #[test]

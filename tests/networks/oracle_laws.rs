@@ -1,4 +1,5 @@
-//! What the oracle must say of structures of which nobody knows the frequencies: it judges other tests.
+//! The oracle obeys laws on structures whose frequencies are unknown, and agrees with finite elements and closed forms.
+#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use crate::equivalents::{in_halves, reversed, turned};
 use crate::families::random::Spread;
@@ -41,17 +42,25 @@ fn compare(seeds: u64, other: impl Fn(&Structure) -> Structure) {
 
 #[test]
 fn halves_of_members_count_as_the_whole() {
-    compare(40, in_halves);
+    compare(25, in_halves);
 }
 
 #[test]
 fn turned_structures_count_the_same() {
-    compare(40, turned);
+    compare(25, turned);
 }
 
 #[test]
 fn order_and_direction_of_members_do_not_count() {
-    compare(40, reversed);
+    compare(25, reversed);
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn many_structures_count_the_same_however_they_are_written() {
+    compare(300, in_halves);
+    compare(300, turned);
+    compare(300, reversed);
 }
 
 /// Forces as unknowns count the same as stiffnesses.
@@ -59,7 +68,7 @@ fn order_and_direction_of_members_do_not_count() {
 fn both_forms_count_the_same() {
     let random = &mut Random(11);
     let mut compared = 0;
-    for (name, structure) in structures(40) {
+    for (name, structure) in structures(25) {
         let oracle = Oracle::of(&structure);
         for omega in frequencies(random) {
             if let [Some(count), Some(other)] = oracle.counts(omega) {
@@ -68,17 +77,19 @@ fn both_forms_count_the_same() {
             }
         }
     }
-    assert!(compared > 300, "{compared}");
+    assert!(compared > 250, "{compared}");
 }
 
-/// The longest waves of finite elements that are good to this part of the frequency.
+/// Relative error from which on a frequency of finite elements is not compared.
 const COARSE: f64 = 0.05;
 
-/// The rounding of finite elements: of a frequency, and where that is all.
+/// Relative rounding of a frequency of finite elements.
 const ROUNDING: f64 = 1e-6;
+
+/// Frequency of finite elements below which rounding may have made it of a rigid motion.
 const AT_REST: f64 = 1e-3;
 
-/// Bound of the relative error of a frequency of finite elements: that of the waves of the softest member.
+/// Bound of the relative error of a frequency of finite elements: that of the member with the most waves.
 fn error(structure: &Structure, omega: f64) -> f64 {
     let of_member = |element: &Element, length: f64| {
         let Element::Beam(Section { axial_stiffness, bending_stiffness, mass_per_length }) = element else {
@@ -101,9 +112,7 @@ fn compare_with_finite_elements(seeds: core::ops::Range<u64>) -> usize {
     let (mut compared, mut rigid) = (0, 0);
     for (name, structure) in random_structures(seeds, Spread::Moderate) {
         let oracle = Oracle::of(&structure);
-        let Some(found) = FiniteElements::of(&structure).frequencies() else {
-            panic!("{name} is a mechanism without mass\n{structure:?}");
-        };
+        let found = FiniteElements::of(&structure).frequencies().unwrap();
         for (below, &omega) in (0..).zip(&found) {
             let error = error(&structure, omega);
             if error > COARSE {

@@ -142,7 +142,7 @@ impl GlobalMatrix {
         }
     }
 
-    /// The count of Wittrick and Williams; an unknown that nothing holds, moves or turns is none.
+    /// The count of Wittrick and Williams. It leaves out unknowns that no element refers to.
     pub(super) fn count(mut self) -> Option<u64> {
         let is_used = |row: &Vec<f64>| row.iter().any(|&size| size != 0.0);
         let used: Vec<bool> = self.sum.sizes.iter().map(is_used).collect();

@@ -59,8 +59,8 @@ impl Oracle {
 
     /// Number of natural frequencies below ω, with repetition; `None` where rounding may have changed the sign of a pivot.
     ///
-    /// Where a structure is far stiffer in one way than in another, the forces of what is stiff are unknowns of their own:
-    /// flexibilities are small numbers, and nothing large is added to what is soft.
+    /// A second form takes over where stiffnesses differ so much that rounding hides the soft ones: the forces of springs and
+    /// members are unknowns there, and flexibilities stand in the matrix.
     pub(crate) fn count_below(&self, omega: DoubleDouble) -> Option<u64> {
         [false, true].into_iter().find_map(|with_forces| self.counted(omega, with_forces))
     }

@@ -1,7 +1,7 @@
 //! Negative eigenvalues of a symmetric matrix where bounds of single entries have grown too large.
 //!
-//! A positive diagonal that is added can only take negative eigenvalues away, one that is subtracted can only bring some. Where
-//! the count is the same with more than all rounding added and subtracted it is that of the matrix.
+//! A positive diagonal matrix that is added takes negative eigenvalues away or leaves them, one that is subtracted brings some or
+//! none (Weyl). A bound of all rounding is added once and subtracted once: two equal counts are the count of the matrix.
 
 use super::double;
 use crate::stiffness_matrix::pivots::ROUNDINGS;
@@ -72,7 +72,8 @@ fn eliminated(mut a: Matrix) -> Option<u64> {
         let beside = pairs.max_by(|&(i, j), &(k, l)| size(a[i][j]).total_cmp(&size(a[k][l])));
         let pivot = size(a[diagonal][diagonal]);
         let largest = beside.map_or(0.0, |(i, j)| size(a[i][j]));
-        if !(pivot.max(largest) < GROWTH) || pivot.max(largest) == 0.0 {
+        // a NaN is in no range
+        if !(f64::MIN_POSITIVE..GROWTH).contains(&pivot.max(largest)) {
             return None;
         }
         let pivots = match beside {
