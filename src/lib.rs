@@ -119,13 +119,9 @@ pub mod list {
 
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
-    pub use mstmm_core::elements::{
-        AnyMember, Damper, Section, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper,
-        UndampedMember,
-    };
     pub use mstmm_core::{
-        Chart, Charted, End, Freedoms, Member, MemberChart, MemberElement, Network, NetworkError, NetworkRoom as Room,
-        Node, Support,
+        AnyMember, Chart, Charted, End, Freedoms, Member, MemberChart, MemberElement, Network, NetworkError,
+        NetworkRoom as Room, Node, Section, Support, UndampedMember,
     };
 }
 

@@ -39,7 +39,8 @@ pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS
 pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use element::visit::{Visit, VisitStep};
-pub use elements::{AnyElement, AnyMember, AnyUndamped, UndampedMember};
+pub use elements::any_member::{AnyMember, BuiltAnyMember, BuiltUndampedMember, Section, UndampedMember};
+pub use elements::{AnyElement, AnyUndamped};
 pub use model::chain_rule::{Chain, ChainRule, Fields, NamedFields};
 pub use model::ends::Ends;
 pub use model::error::{InvalidParameter, ParameterError, Requirement, SearchError};

@@ -34,7 +34,13 @@ pub(crate) fn judge_reference_cases(search: impl Fn(&Structure) -> Result<Vec<Fo
     for case in reference_cases() {
         let found = search(&case.structure).unwrap_or_else(|error| panic!("{}: {error}", case.name));
         assert!(found.len() > 1, "{}: {found:?}", case.name);
+        let mut before = 0;
         for (found, exact) in found.iter().zip(&case.frequencies) {
+            if exact.mode != before + 1 {
+                // the file goes on with single modes far above
+                break;
+            }
+            before += exact.multiplicity;
             if let Err(message) = compared(found, exact) {
                 panic!("{}: {message}: {found:?}, {exact:?}", case.name);
             }

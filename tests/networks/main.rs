@@ -5,6 +5,7 @@ mod equivalents;
 mod families;
 mod finite_elements;
 mod judgement;
+mod library;
 mod oracle;
 mod oracle_against_cases;
 mod oracle_as_search;
@@ -15,3 +16,4 @@ mod stiffness_matrix;
 mod structure;
 #[path = "../support/mod.rs"]
 pub mod support;
+mod through_library;

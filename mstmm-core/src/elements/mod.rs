@@ -4,7 +4,7 @@ use crate::element::space_of;
 use mstmm_plan::Space;
 
 mod any;
-mod any_member;
+pub(crate) mod any_member;
 mod beam;
 mod body;
 mod elastic_hinge;
@@ -18,7 +18,6 @@ mod point_mass;
 pub(crate) mod shared;
 
 pub use any::{AnyElement, AnyUndamped};
-pub use any_member::{AnyMember, BuiltAnyMember, BuiltUndampedMember, Section, UndampedMember};
 pub use beam::Beam;
 pub use body::Body;
 pub use elastic_hinge::ElasticHinge;

@@ -9,6 +9,9 @@ use crate::subspace::{
     Choice, Front, Joint, MOST_FREEDOMS, NodeUnits, Objects, Role, RootCounter, Total, Units, Variable,
 };
 
+/// Number of roundings that add up in the row of a pivot, in units of the largest one.
+const ROUNDINGS: f64 = 4.0;
+
 /// The end of a member to which a variable belongs.
 fn end_of(variable: &Variable) -> usize {
     variable.label / MOST_FREEDOMS
@@ -25,6 +28,8 @@ where
             counter.cancelled(true);
         }
         if counter.looks_at_root() {
+            let [row, error] = total.smallest_row;
+            counter.root_sum(S::Size::of(row), S::Size::of(ROUNDINGS * error));
             // another choice of pivots rounds otherwise: what differs is decided by rounding
             let other = Evaluation::new(self, x).eliminated(Choice::InOrder);
             if other.below != total.below {
@@ -32,7 +37,8 @@ where
             }
         }
         counter.eliminated(total.below);
-        total.delta()
+        // in extended precision a row of rounding alone is zero: there is nothing further that could tell
+        if S::IS_EXTENDED && total.has_vanished { Scaled::new(S::zero(), 0) } else { total.delta() }
     }
 }
 

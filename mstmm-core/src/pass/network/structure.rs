@@ -48,8 +48,7 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
 ///
 /// ```
 /// use mstmm_core::search::NaturalFrequencies;
-/// use mstmm_core::{Member, Network, NetworkRoom, Node, Support, UndampedMember};
-/// use mstmm_core::elements::Section;
+/// use mstmm_core::{Member, Network, NetworkRoom, Node, Section, Support, UndampedMember};
 ///
 /// // a portal frame: two legs and a girder, clamped feet
 /// let nodes = [

@@ -61,6 +61,7 @@ impl<S: Scalar, const W: usize> Objects<S, W> {
         front.begin(0, range.len());
         for (k, row) in range.clone().enumerate() {
             front.variables[k] = self.variables[row];
+            front.errors[k] = self.errors[row];
             front.entries[k][..range.len()].copy_from_slice(&self.entries[row][..range.len()]);
         }
         let own = place - range.start;
@@ -101,6 +102,10 @@ impl<S: Scalar, const W: usize> Front<S, W> {
                 Role::Boundary(unit) => (1, unit),
                 Role::Displacement(row) => {
                     targets[place] = Target::Motions(row);
+                    for (motion, coefficient) in row.iter().enumerate().take(motions) {
+                        let size = coefficient.size().first();
+                        self.note_error(motion, objects.errors[place] * size * size);
+                    }
                     continue;
                 }
                 Role::Absent => continue,
@@ -110,6 +115,7 @@ impl<S: Scalar, const W: usize> Front<S, W> {
             let variable = &objects.variables[place];
             self.variables[at] = Variable { unit, ..*variable };
             targets[place] = Target::Place(at, variable.shift_to(unit));
+            self.note_error(at, objects.errors[place].times_power_of_two(2 * variable.shift_to(unit)));
             if let Role::Force(_, row) = joint.roles[place] {
                 for (motion, coefficient) in row.iter().enumerate().take(motions) {
                     self.add(at, motion, *coefficient);
@@ -162,8 +168,11 @@ impl<S: Scalar, const W: usize> Front<S, W> {
                     self.entries[l][k] += term;
                 }
                 let size = term.size().first();
-                self.note(k, size);
-                self.note(l, size);
+                if k == l {
+                    self.note(k, size);
+                }
+                self.note_error(k, size);
+                self.note_error(l, size);
             }
         }
     }

@@ -11,9 +11,6 @@ const SUFFICIENT: f64 = 0.64;
 /// The size beyond which an entry on the boundary changes the kind of its variable.
 pub(super) const BOUND: f64 = 4.0;
 
-/// Size of a row beside its terms, in units of rounding, below which it is rounding alone.
-const ROUNDING: f64 = 4.0;
-
 /// A choice of pivots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Choice {
@@ -51,15 +48,23 @@ impl<S: Scalar, const W: usize> Front<S, W> {
                     self.swap(next, place);
                     self.pivot_on_two([next, other], [After::Leaves, After::Flips], total);
                 }
-                None => {
-                    // nothing holds an interior variable
-                    total.has_vanished = true;
-                    total.multiply(S::zero(), 0);
-                    self.next = self.interior;
-                }
+                None => self.pivot_on_nothing(total),
             }
         }
         self.bound(total);
+    }
+
+    /// Takes a row that is zero: Δ vanishes, since nothing holds the variable, or its terms have cancelled, and rounding stands for them.
+    #[cold]
+    fn pivot_on_nothing(&mut self, total: &mut Total<S>) {
+        let next = self.next;
+        self.entries[next][next] = S::from_f64(S::EPSILON * self.terms[next]);
+        if self.terms[next] > 0.0 {
+            self.pivot_on_one(next, After::Leaves, total);
+        } else {
+            total.multiply(S::zero(), 0);
+            self.next += 1;
+        }
     }
 
     /// The next pivot; none where the row of an interior variable is zero.
@@ -79,9 +84,7 @@ impl<S: Scalar, const W: usize> Front<S, W> {
             let size = entry.size().first();
             largest = if size > largest { size } else { largest };
         }
-        if largest <= ROUNDING * S::EPSILON * self.terms[place] {
-            total.has_vanished = true;
-        }
+        total.look_at_row(largest, self.terms[place], self.errors[place]);
         if own > 0.0 && own >= SUFFICIENT * largest { Some((place, None)) } else { self.best_pivot() }
     }
 

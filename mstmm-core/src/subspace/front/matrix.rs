@@ -35,8 +35,10 @@ pub(crate) struct Front<S: Scalar, const W: usize> {
     /// The rows of pivots, divided by them.
     pub(super) solved: [[S; W]; 2],
     pub(super) variables: [Variable; W],
-    /// Size of the largest term that was summed into each row.
+    /// Size of the largest term of each diagonal entry here: a row of no more than that times eps is nothing.
     pub(super) terms: [f64; W],
+    /// Error of each row in units of rounding, with what rounding has done to all that it was made of.
+    pub(super) errors: [f64; W],
     /// The number of variables that are eliminated, of interior ones with these, and of all.
     pub(super) next: usize,
     pub(super) interior: usize,
@@ -51,6 +53,7 @@ impl<S: Scalar, const W: usize> Front<S, W> {
             solved: [[S::zero(); W]; 2],
             variables: [Variable::NONE; W],
             terms: [0.0; W],
+            errors: [0.0; W],
             next: 0,
             interior: 0,
             count: 0,
@@ -63,6 +66,7 @@ impl<S: Scalar, const W: usize> Front<S, W> {
             *row = [S::zero(); W];
         }
         self.terms[..count].fill(0.0);
+        self.errors[..count].fill(0.0);
         (self.next, self.interior, self.count) = (0, interior, count);
     }
 
@@ -78,6 +82,7 @@ impl<S: Scalar, const W: usize> Front<S, W> {
         }
         self.variables.swap(one, other);
         self.terms.swap(one, other);
+        self.errors.swap(one, other);
         self.entries.swap(one, other);
         for row in &mut self.entries[self.next..self.count] {
             row.swap(one, other);
@@ -88,19 +93,30 @@ impl<S: Scalar, const W: usize> Front<S, W> {
     #[inline]
     pub(crate) fn add(&mut self, row: usize, column: usize, term: S) {
         self.entries[row][column] += term;
-        if row != column {
-            self.entries[column][row] += term;
-        }
         let size = term.size().first();
-        self.note(row, size);
-        self.note(column, size);
+        if row == column {
+            self.note(row, size);
+        } else {
+            self.entries[column][row] += term;
+            self.note_error(row, size);
+            self.note_error(column, size);
+        }
     }
 
-    /// Notes the size of a term of a row.
+    /// Notes the size of a term on the diagonal.
     #[inline]
     pub(super) fn note(&mut self, row: usize, size: f64) {
         if size > self.terms[row] {
             self.terms[row] = size;
+        }
+        self.note_error(row, size);
+    }
+
+    /// Notes an error of a row, in units of rounding.
+    #[inline]
+    pub(super) fn note_error(&mut self, row: usize, size: f64) {
+        if size > self.errors[row] {
+            self.errors[row] = size;
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Members and fronts that wait for the elimination of a node, one upon the other.
 
-use crate::number::Scalar;
+use crate::number::{Scalar, Size};
 use crate::subspace::front::chart::Chart;
 use crate::subspace::front::matrix::{Front, Variable};
 use crate::subspace::front::total::Total;
@@ -12,6 +12,8 @@ pub(crate) struct Objects<S: Scalar, const W: usize> {
     /// The matrices, one below the other, each from the first column on.
     pub(super) entries: [[S; W]; W],
     pub(crate) variables: [Variable; W],
+    /// Error of each row in units of rounding.
+    pub(super) errors: [f64; W],
     /// The first variable of each object.
     starts: [usize; W],
     objects: usize,
@@ -20,7 +22,14 @@ pub(crate) struct Objects<S: Scalar, const W: usize> {
 
 impl<S: Scalar, const W: usize> Objects<S, W> {
     pub(crate) fn new() -> Self {
-        Objects { entries: [[S::zero(); W]; W], variables: [Variable::NONE; W], starts: [0; W], objects: 0, count: 0 }
+        Objects {
+            entries: [[S::zero(); W]; W],
+            variables: [Variable::NONE; W],
+            errors: [0.0; W],
+            starts: [0; W],
+            objects: 0,
+            count: 0,
+        }
     }
 
     /// The number of objects.
@@ -58,9 +67,11 @@ impl<S: Scalar, const W: usize> Objects<S, W> {
             self.variables[self.count] = Variable { label: label + variable.label, ..variable };
             self.count += 1;
         }
-        for (row, entries) in self.entries[first..self.count].iter_mut().zip(&chart.entries) {
-            for (place, entry) in row.iter_mut().zip(entries) {
+        for (k, entries) in chart.entries.iter().enumerate().take(self.count - first) {
+            self.errors[first + k] = 0.0;
+            for (place, entry) in self.entries[first + k].iter_mut().zip(entries) {
                 *place = *entry;
+                self.errors[first + k] = self.errors[first + k].max(entry.size().first());
             }
         }
         total.multiply(chart.product.mantissa(), chart.product.exponent());
@@ -86,6 +97,7 @@ impl<S: Scalar, const W: usize> Objects<S, W> {
         let sign = |variable: &Variable| if variable.is_force { -shift } else { shift };
         for (k, variable) in front.variables[boundary.clone()].iter().enumerate() {
             self.variables[first + k] = Variable { unit: variable.unit + shift, ..*variable };
+            self.errors[first + k] = front.errors[boundary.start + k].times_power_of_two(2 * sign(variable));
             let entries = &front.entries[boundary.start + k][boundary.clone()];
             for ((place, entry), other) in
                 self.entries[first + k].iter_mut().zip(entries).zip(&front.variables[boundary.clone()])

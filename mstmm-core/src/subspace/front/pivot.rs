@@ -41,14 +41,20 @@ impl<S: Scalar, const W: usize> Front<S, W> {
         for row in from..count {
             let entries = &mut self.entries[row];
             let factors = pivots.map(|pivot| entries[pivot]);
-            let mut term = 0.0;
-            for (factor, largest) in factors.iter().zip(&largest) {
-                term += factor.size().first() * largest;
-            }
-            if term == 0.0 || pivots.contains(&row) {
+            if pivots.contains(&row) || factors.iter().all(S::is_zero) {
                 continue;
             }
+            let (mut term, mut of_row, mut inherited) = (0.0, 0.0, 0.0);
+            for (k, factor) in factors.iter().enumerate() {
+                let (factor, part) = (factor.size().first(), self.solved[k][row].size().first());
+                term += factor * part;
+                of_row += factor * largest[k];
+                // what rounding has done to the pivot comes along
+                inherited += part * part * self.errors[pivots[k]];
+            }
             self.terms[row] = if term > self.terms[row] { term } else { self.terms[row] };
+            let error = if of_row > inherited { of_row } else { inherited };
+            self.errors[row] = if error > self.errors[row] { error } else { self.errors[row] };
             for (factor, solved) in factors.iter().zip(&self.solved) {
                 for (entry, solved) in entries[from..count].iter_mut().zip(&solved[from..count]) {
                     *entry -= *factor * *solved;
@@ -57,8 +63,9 @@ impl<S: Scalar, const W: usize> Front<S, W> {
         }
     }
 
-    /// Writes the row of a pivot as that of the other kind, given which of the solved rows is its own; entries among pivots follow apart.
-    fn flip_row(&mut self, place: usize, own: usize, total: &mut Total<S>) {
+    /// Writes the row of a pivot as that of the other kind, given which of the solved rows is its own, and its error; entries among pivots
+    /// follow apart.
+    fn flip_row(&mut self, place: usize, own: usize, error: f64, total: &mut Total<S>) {
         let mut largest = 0.0_f64;
         for other in self.next..self.count {
             let entry = self.signed(place, self.solved[own][other]);
@@ -66,7 +73,8 @@ impl<S: Scalar, const W: usize> Front<S, W> {
             self.entries[other][place] = entry;
             largest = largest.max(entry.size().first());
         }
-        self.terms[place] = largest;
+        self.terms[place] = 0.0;
+        self.errors[place] = largest.max(error);
         if !self.variables[place].is_force {
             total.count(-1.0);
         }
@@ -84,7 +92,8 @@ impl<S: Scalar, const W: usize> Front<S, W> {
         total.multiply(self.signed(place, pivot), self.unit_power(place));
         total.count_if(pivot.is_negative());
         if after == After::Flips {
-            self.flip_row(place, 0, total);
+            let size = inverse.size().first();
+            self.flip_row(place, 0, size * size * self.errors[place], total);
             self.entries[place][place] = -inverse;
             self.variables[place].is_force ^= true;
         }
@@ -108,17 +117,21 @@ impl<S: Scalar, const W: usize> Front<S, W> {
         total.multiply(signed, self.unit_power(i) + self.unit_power(j));
         let definite = S::Size::choose(a.is_negative(), S::Size::of(2.0), S::Size::of(0.0));
         total.below = total.below + S::Size::choose(determinant.is_negative(), S::Size::of(1.0), definite);
-        let between = -self.signed(i, self.signed(j, between));
+        let flipped = -self.signed(i, self.signed(j, between));
+        let errors = places.map(|place| self.errors[place]);
+        let square = |number: S| number.size().first() * number.size().first();
+        let cross = square(between);
+        let errors = [square(own) * errors[0] + cross * errors[1], cross * errors[0] + square(other) * errors[1]];
         for k in (0..2).filter(|k| after[*k] == After::Flips) {
-            self.flip_row(places[k], k, total);
+            self.flip_row(places[k], k, errors[k], total);
         }
         for (k, diagonal) in [own, other].into_iter().enumerate().filter(|(k, _)| after[*k] == After::Flips) {
             self.entries[places[k]][places[k]] = -diagonal;
             self.variables[places[k]].is_force ^= true;
         }
         if after == [After::Flips; 2] {
-            self.entries[i][j] = between;
-            self.entries[j][i] = between;
+            self.entries[i][j] = flipped;
+            self.entries[j][i] = flipped;
         }
     }
 }

@@ -45,15 +45,20 @@ impl NodeUnits {
         self.wave = Some(self.wave.map_or(wave, |least| least.min(wave)));
     }
 
-    /// The units: in the middle between the stiffest and the softest member, tied by the lever of a wave. Without members those of
-    /// inertias, whose sizes are given, else of the softest connectors.
+    /// The units: in the middle between the stiffest and the softest member, tied by the lever of a wave. Without members they lie between
+    /// that of the softest connector and that of the inertia, whose size is given, like those of a member.
     pub(crate) fn units(&self, inertias: [f64; 2]) -> Units {
-        let of = |kind: usize| match (self.members[kind], self.connectors[kind]) {
-            (Some([least, greatest]), _) => (least + greatest).div_euclid(2),
-            _ if inertias[kind] > 0.0 => unit_of(binary_exponent(inertias[kind])),
-            (None, connector) => connector.unwrap_or(0),
+        let of = |kind: usize| {
+            let inertia = (inertias[kind] > 0.0).then(|| unit_of(binary_exponent(inertias[kind])));
+            match (self.members[kind], self.connectors[kind], inertia) {
+                (Some([least, greatest]), ..) => Some((least + greatest).div_euclid(2)),
+                (None, Some(connector), Some(inertia)) => Some((connector + inertia.max(connector)).div_euclid(2)),
+                (None, connector, inertia) => connector.or(inertia),
+            }
         };
-        let (mut displacement, mut rotation) = (of(0), of(1));
+        let own = [of(0), of(1)];
+        let mut displacement = own[0].or(own[1]).unwrap_or(0);
+        let mut rotation = own[1].unwrap_or(displacement);
         if let Some(wave) = self.wave {
             rotation = rotation.max(displacement + wave);
             displacement = displacement.max(rotation - wave);
