@@ -117,6 +117,14 @@ pub mod list {
     };
 }
 
+#[doc = include_str!("../docs/networks.md")]
+pub mod network {
+    pub use mstmm_core::{
+        AnyMember, Chart, Charted, End, Freedoms, Member, MemberChart, MemberElement, Network, NetworkError,
+        NetworkRoom as Room, Node, Section, Support, UndampedMember,
+    };
+}
+
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {
     pub use crate::motion::ModalAnalysis;

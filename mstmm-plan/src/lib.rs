@@ -7,6 +7,7 @@
 #![forbid(unsafe_code)]
 
 mod coordinate;
+mod elimination;
 mod freedom;
 mod layout;
 mod order;
@@ -18,6 +19,7 @@ mod step;
 mod support;
 
 pub use coordinate::Coordinate;
+pub use elimination::{Elimination, Incidence, eliminated_in_order};
 pub use freedom::Freedoms;
 pub use layout::Layout;
 pub use order::inputs_first;

@@ -12,6 +12,8 @@ mod oracles;
 mod planar_chain;
 mod random_trees;
 mod scaled_trees;
+#[path = "../support/stiffness_matrix/mod.rs"]
+mod stiffness_matrix;
 mod strips;
 #[path = "../support/mod.rs"]
 pub mod support;

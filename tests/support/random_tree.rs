@@ -26,20 +26,20 @@ impl Random {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn below(&mut self, limit: usize) -> usize {
+    pub(crate) fn below(&mut self, limit: usize) -> usize {
         (self.bits() % limit as u64) as usize
     }
 
-    fn chance(&mut self, probability: f64) -> bool {
+    pub(crate) fn chance(&mut self, probability: f64) -> bool {
         self.unit() < probability
     }
 
-    fn pick<V: Copy, const N: usize>(&mut self, values: [V; N]) -> V {
+    pub(crate) fn pick<V: Copy, const N: usize>(&mut self, values: [V; N]) -> V {
         values[self.below(N)]
     }
 
     /// A number from 0.2 to 5 with two decimals: short to read.
-    fn value(&mut self) -> f64 {
+    pub(crate) fn value(&mut self) -> f64 {
         (100.0 * 5f64.powf(2.0 * self.unit() - 1.0)).round() / 100.0
     }
 }

@@ -1,6 +1,7 @@
 //! The traits of elements: transfer matrix, step of the plane method, back transfer and energies.
 
 pub(crate) mod back_transfer;
+pub(crate) mod charted;
 pub(crate) mod energies;
 pub(crate) mod listed;
 pub(crate) mod moving;
@@ -8,6 +9,7 @@ pub(crate) mod traits;
 pub(crate) mod visit;
 
 pub(crate) use back_transfer::BackTransfer;
+pub(crate) use charted::{Charted, MemberChart, MemberElement};
 pub(crate) use energies::{Energies, Inside};
 pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub(crate) use moving::{CoefficientsOf, Moving};

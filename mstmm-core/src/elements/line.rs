@@ -2,13 +2,14 @@
 //!
 //! They differ in their coordinate, in the sign of its force, and in which of stiffness, damping and inertia they have.
 
-use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, Charted, Element, Energies, PlaneStep, TransferMatrix};
+use crate::elements::shared::connector::{along_member, connector};
 use crate::elements::shared::line_forms::{displacements, elongations, half, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_inertia, through_stiffness};
 use crate::elements::shared::massless::Massless;
 use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement, Rotation, StateSpace, Translation};
 use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
-use crate::subspace::{Covector, RootCounter, Subspace};
+use crate::subspace::{Chart, Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
 
@@ -103,6 +104,12 @@ macro_rules! massless {
             #[inline(always)]
             fn step<C: RootCounter<S>>(kappa: &S, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
                 through_stiffness(*kappa, input, counter)
+            }
+        }
+
+        impl<T: Parameter, S: $frequency<T>> Charted<S> for $element<T> {
+            fn chart(built: &Self, at: &FrequencyPowers<S>, _length: S) -> Chart<S> {
+                connector(Self::coefficients(built, at), along_member::<Self>())
             }
         }
 

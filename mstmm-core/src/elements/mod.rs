@@ -4,6 +4,7 @@ use crate::element::space_of;
 use mstmm_plan::Space;
 
 mod any;
+pub(crate) mod any_member;
 mod beam;
 mod body;
 mod elastic_hinge;

@@ -2,9 +2,11 @@
 
 use crate::element::{Element, TransferMatrix};
 use crate::elements::shared::krylov::{bending_matrix, cosine_and_sinc};
-use crate::model::{InvalidParameter, Planar, Requirement};
+use crate::model::{FrequencyEstimates, InvalidParameter, Planar, Requirement};
 use crate::number::{Frequency, Parameter, Single};
 use nalgebra::Matrix6;
+
+mod chart;
 
 /// Uniform Euler-Bernoulli beam with exact longitudinal vibration; the two motions do not couple along a beam.
 ///
@@ -31,22 +33,62 @@ pub struct PlanarBeam<T> {
     pub mass_per_length: T,
 }
 
+/// A beam with its quantities that do not depend on the frequency.
+#[derive(Clone, Copy, Debug)]
+pub struct BuiltPlanarBeam<T> {
+    parameters: PlanarBeam<T>,
+    /// `z / sqrt(ω) = (m/EI)^(1/4) l` and `z⁴ / ω²`.
+    wave: T,
+    wave_fourth: T,
+    /// `ζ / ω = (m/EA)^(1/2) l` and its square.
+    axial_wave: T,
+    axial_wave_squared: T,
+    /// `EI/l³` and `EA/l`.
+    bending: T,
+    longitudinal: T,
+}
+
 impl<T: Parameter> Element for PlanarBeam<T> {
     type State = Planar;
-    type Built = Self;
+    type Built = BuiltPlanarBeam<T>;
 
-    fn build(self) -> Result<Self, InvalidParameter> {
+    fn build(self) -> Result<BuiltPlanarBeam<T>, InvalidParameter> {
         Requirement::Positive.check("length", self.length)?;
         Requirement::Positive.check("axial_stiffness", self.axial_stiffness)?;
         Requirement::Positive.check("bending_stiffness", self.bending_stiffness)?;
         Requirement::Positive.check("mass_per_length", self.mass_per_length)?;
-        Ok(self)
+        let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = self;
+        let square = (mass_per_length / bending_stiffness).sqrt();
+        let axial_wave = (mass_per_length / axial_stiffness).sqrt() * length;
+        let half_fourth = square * length * length;
+        Ok(BuiltPlanarBeam {
+            parameters: self,
+            wave: square.sqrt() * length,
+            wave_fourth: half_fourth * half_fourth,
+            axial_wave,
+            axial_wave_squared: axial_wave * axial_wave,
+            bending: bending_stiffness / (length * length * length),
+            longitudinal: axial_stiffness / length,
+        })
+    }
+
+    fn estimate(built: &BuiltPlanarBeam<T>, estimates: &mut FrequencyEstimates) {
+        let PlanarBeam { length, mass_per_length, .. } = built.parameters;
+        let (l, m) = (length.to_f64(), mass_per_length.to_f64());
+        let [bending, longitudinal] = [built.bending, built.longitudinal].map(T::to_f64);
+        estimates.waves(1.0 / (built.wave * built.wave).to_f64());
+        estimates.translational_stiffness(bending);
+        estimates.translational_stiffness(longitudinal);
+        estimates.torsional_stiffness(bending * l * l);
+        estimates.length(l);
+        estimates.mass(m * l);
+        estimates.moment_of_inertia(m * l * l * l);
     }
 }
 
 impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PlanarBeam<T> {
-    fn transfer_matrix(built: &Self, x: S) -> Matrix6<S> {
-        let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = *built;
+    fn transfer_matrix(built: &BuiltPlanarBeam<T>, x: S) -> Matrix6<S> {
+        let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = built.parameters;
         let lambda_squared = x.lambda_squared();
         let zeta_squared = -lambda_squared * (mass_per_length / axial_stiffness * length * length);
         let (cosine, sinc) = cosine_and_sinc(zeta_squared);

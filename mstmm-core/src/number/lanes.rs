@@ -34,6 +34,10 @@ impl<V: Vector> Size for Lanes<V> {
         Lanes::splat(number)
     }
     #[inline(always)]
+    fn first(self) -> f64 {
+        self.to_array()[0]
+    }
+    #[inline(always)]
     fn is_below(self, limit: Self) -> Truths<V> {
         self.is_less(limit)
     }

@@ -47,6 +47,8 @@ pub trait Size:
 
     /// A number in all lanes.
     fn of(number: f64) -> Self;
+    /// The number itself; of numbers in lanes the first.
+    fn first(self) -> f64;
     /// Whether this is less than a limit; false where one is NaN.
     fn is_below(self, limit: Self) -> Self::Truth;
     /// The first number where the truth holds, else the second.
@@ -95,6 +97,10 @@ impl Size for f64 {
     #[inline(always)]
     fn of(number: f64) -> Self {
         number
+    }
+    #[inline(always)]
+    fn first(self) -> f64 {
+        self
     }
     #[inline(always)]
     fn is_below(self, limit: Self) -> bool {

@@ -13,6 +13,10 @@ pub trait System {
     #[doc(hidden)]
     const STANDS_IN_LINE: bool = false;
 
+    /// Whether a pass reports a phase, from which a search for all roots of a window starts.
+    #[doc(hidden)]
+    const HAS_PHASES: bool = true;
+
     /// Estimates from which the searches take their first steps.
     #[doc(hidden)]
     fn estimates(&self) -> FrequencyEstimates;

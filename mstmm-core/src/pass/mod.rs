@@ -6,6 +6,7 @@ pub(crate) mod characteristic;
 pub(crate) mod inlining;
 pub(crate) mod jump;
 pub(crate) mod model;
+pub(crate) mod network;
 pub(crate) mod overall;
 pub(crate) mod phase;
 pub(crate) mod planned_list;

@@ -145,6 +145,11 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
     }
 
     #[inline(always)]
+    fn eliminated(&mut self, below: S::Size) {
+        RootCounter::<S>::eliminated(&mut self.counter, below);
+    }
+
+    #[inline(always)]
     fn cancelled(&mut self, completely: bool) {
         RootCounter::<S>::cancelled(&mut self.counter, completely);
     }

@@ -58,6 +58,9 @@ pub trait RootCounter<S: Scalar> {
     #[inline(always)]
     fn line_root(&mut self, _line: &Line<S>, _support: Support) {}
 
+    /// The pivots of a network have been taken: its count.
+    #[inline(always)]
+    fn eliminated(&mut self, _below: S::Size) {}
     /// A sum lost more digits to cancellation than a certificate has room for, or all of them: then it was taken for zero.
     #[inline(always)]
     fn cancelled(&mut self, _completely: bool) {}
@@ -254,6 +257,11 @@ impl<S: Scalar, const WATCHES: bool> RootCounter<S> for WittrickWilliams<S::Size
                 self.below = self.below + added;
             }
         }
+    }
+
+    #[inline(always)]
+    fn eliminated(&mut self, below: S::Size) {
+        self.below = self.below + below;
     }
 
     #[inline(always)]

@@ -3,29 +3,22 @@
 //! Every beam has the textbook's matrix for a frequency; a rigid body is its mass at the mass centre and its inertia about
 //! that, on displacements that are forms of those of its input end. Nothing cancels that does not in the model.
 
-mod beam_matrix;
 mod constraints;
 mod determinant;
 mod freedoms;
 mod intervals;
-mod pivots;
 mod weights;
 mod zeros;
 
+use crate::stiffness_matrix::beam_matrix::{BeamMatrix, Field};
+use crate::stiffness_matrix::{Assembled, Form, pivots};
 use crate::support::tree::Tree;
-use beam_matrix::{BeamMatrix, Field};
 use constraints::Independent;
 use freedoms::{Parts, sum};
 use mstmm::elements::Beam;
 use mstmm::number::{DoubleDouble, Parameter};
 use std::cell::RefCell;
 use std::rc::Rc;
-
-/// A linear form of degrees of freedom: index and factor of what is not zero.
-type Form = Vec<(usize, DoubleDouble)>;
-
-/// Bound of the relative error of an operation in double-double arithmetic, `2^-103`: twice that of a quotient.
-const UNIT: f64 = 2.0 * f64::EPSILON * f64::EPSILON;
 
 /// What the model says of a certified root.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +51,11 @@ struct BeamEnds {
     beam: Beam<f64>,
 }
 
+/// Length, bending stiffness and mass per length.
+fn parameters(beam: &Beam<f64>) -> [DoubleDouble; 3] {
+    [beam.length, beam.bending_stiffness, beam.mass_per_length].map(DoubleDouble::from)
+}
+
 /// The degrees of freedom of a tree and what joins them.
 pub(crate) struct Stiffness {
     parts: Parts,
@@ -73,29 +71,6 @@ struct Reduced {
     links: Vec<Link>,
     masses: Vec<Inertia>,
     beams: Vec<BeamEnds>,
-}
-
-/// A symmetric matrix, and for each entry the sum of the sizes of what was added.
-struct Assembled<S> {
-    entries: Vec<Vec<S>>,
-    sizes: Vec<Vec<f64>>,
-}
-
-impl<S: Field> Assembled<S> {
-    fn zero(size: usize) -> Self {
-        Assembled { entries: vec![vec![S::zero(); size]; size], sizes: vec![vec![0.0; size]; size] }
-    }
-
-    /// Adds `factor · a bᵀ`, where the rounding of the factor is that of a number of a `size`.
-    fn add(&mut self, a: &Form, b: &Form, factor: S, size: f64) {
-        for &(i, a) in a {
-            for &(j, b) in b {
-                let product = a * b;
-                self.entries[i][j] += factor * S::of(product);
-                self.sizes[i][j] += size * product.to_f64().abs();
-            }
-        }
-    }
 }
 
 impl Stiffness {
@@ -165,7 +140,7 @@ impl Reduced {
     ) -> (usize, Vec<(BeamEnds, BeamMatrix<S>)>) {
         let (mut size, mut pieces) = (self.size, Vec::new());
         for (index, beam) in self.beams.iter().enumerate() {
-            let matrix = BeamMatrix::of(&beam.beam, x);
+            let matrix = BeamMatrix::of(parameters(&beam.beam), x);
             if !is_cut(&matrix, index) {
                 pieces.push((beam.clone(), matrix));
                 continue;
@@ -174,7 +149,7 @@ impl Reduced {
             let (y_middle, theta_middle) = (vec![(size, one)], vec![(size + 1, one)]);
             size += 2;
             let half = Beam { length: beam.beam.length / 2.0, ..beam.beam };
-            let matrix = BeamMatrix::of(&half, x);
+            let matrix = BeamMatrix::of(parameters(&half), x);
             let [y, theta, y_out, theta_out] = beam.ends.clone();
             for ends in [[y, theta, y_middle.clone(), theta_middle.clone()], [y_middle, theta_middle, y_out, theta_out]]
             {

@@ -2,6 +2,7 @@
 
 pub(crate) mod back_transfer;
 pub(crate) mod compound;
+pub(crate) mod connector;
 pub(crate) mod krylov;
 pub(crate) mod line_forms;
 pub(crate) mod line_step;

@@ -41,13 +41,13 @@ where
             // inside, as for every certificate: the rest is room for the rounding of parameters
             let inner = upper * self.half_width * T::from_f64(0.5);
             let [lower, upper] = [lower + inner, upper - inner];
-            if lower <= from || self.sample(lower)?.below != roots {
+            self.is_at_root = true;
+            let sides = [self.sample(lower)?.below, self.sample(upper)?.below];
+            self.is_at_root = false;
+            if lower <= from || sides != [roots, roots + root.multiplicity] {
                 return Ok(false);
             }
             roots += root.multiplicity;
-            if self.sample(upper)?.below != roots {
-                return Ok(false);
-            }
         }
         match to {
             Some(to) => Ok(self.sample(to)?.below == roots),

@@ -113,10 +113,10 @@ where
         if !value.mantissa().size().is_finite() {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
-        self.look_at(count.cancelled(), omega)?;
         if value.mantissa().is_zero() {
             self.look_for_zeros(omega)?;
         }
+        self.look_at(count.cancelled(), omega)?;
         Ok(Sample { omega, below: count.below(), value })
     }
 

@@ -54,7 +54,7 @@ where
     #[inline]
     pub(super) fn new(single: &'s mut Isolation<'a, Y, T>) -> Option<Self> {
         let waves = single.estimates.wave_sum();
-        let suits = cfg!(feature = "std") && T::IS_DOUBLE && waves > 0.0;
+        let suits = cfg!(feature = "std") && T::IS_DOUBLE && Y::HAS_PHASES && waves > 0.0;
         suits.then(|| Together { single, block: Block::new(), samples: List::new(), waves, lanes: 1 })
     }
 

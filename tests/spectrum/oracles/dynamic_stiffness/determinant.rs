@@ -1,7 +1,7 @@
 //! The determinant of a complex symmetric matrix, with a bound of its rounding.
 
-use super::pivots::{ROUNDINGS, units};
-use super::{Assembled, UNIT};
+use crate::stiffness_matrix::pivots::{ROUNDINGS, units};
+use crate::stiffness_matrix::{Assembled, UNIT};
 use mstmm::Complex;
 use mstmm::number::{DoubleDouble, Scalar};
 

@@ -1,7 +1,7 @@
 //! Stiffness and inertia of single degrees of freedom: those that weigh most are kept, since where they are eliminated
 //! large numbers are left that cancel.
 
-use super::beam_matrix::SERIES;
+use crate::stiffness_matrix::beam_matrix::SERIES;
 use mstmm::elements::Beam;
 use mstmm::number::{DoubleDouble, Parameter};
 

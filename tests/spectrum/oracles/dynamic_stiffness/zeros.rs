@@ -1,8 +1,8 @@
 //! Eigenvalues as zeros of the determinant of the dynamic stiffness: whether a disc holds as many as it says.
 
-use super::beam_matrix::BeamMatrix;
 use super::determinant::{Determinant, determinant};
-use super::{Reduced, Stiffness, Verdict};
+use super::{Reduced, Stiffness, Verdict, parameters};
+use crate::stiffness_matrix::beam_matrix::BeamMatrix;
 use mstmm::Complex;
 use mstmm::number::{DoubleDouble, Parameter};
 use mstmm::search::Eigenvalue;
@@ -38,7 +38,7 @@ fn modulus(z: C) -> f64 {
 impl Reduced {
     /// The beams that nearly vibrate with held ends at λ; their stiffness has poles there, that of their halves has none.
     fn cuts(&self, lambda: C) -> Vec<bool> {
-        self.beams.iter().map(|beam| BeamMatrix::of(&beam.beam, lambda).is_near_a_pole()).collect()
+        self.beams.iter().map(|beam| BeamMatrix::of(parameters(&beam.beam), lambda).is_near_a_pole()).collect()
     }
 
     fn determinant(&self, lambda: C, cuts: &[bool]) -> Determinant {

@@ -7,7 +7,7 @@ use mstmm::number::{DoubleDouble, Parameter, Scalar};
 const THRESHOLD: f64 = 0.640_388_203_202_207_6;
 
 /// Roundings in an entry: the wave number of a beam, its functions, the quotient and the sum.
-pub(super) const ROUNDINGS: f64 = 16.0;
+pub(crate) const ROUNDINGS: f64 = 16.0;
 
 /// An entry and a bound of its rounding.
 type Entry = (DoubleDouble, f64);
@@ -36,9 +36,14 @@ fn is_sure(entry: Entry) -> bool {
     size(entry) > entry.1 && entry.1.is_finite()
 }
 
+/// Whether an entry is not simply zero: most are, in large structures.
+fn is_there(entry: Entry) -> bool {
+    size(entry) != 0.0 || entry.1 != 0.0
+}
+
 /// Number of negative pivots by elimination with complete pivoting, in which a pivot of two rows has one; `None` if the
 /// sign of one is not sure.
-pub(super) fn negative(matrix: &Assembled<DoubleDouble>) -> Option<u64> {
+pub(crate) fn negative(matrix: &Assembled<DoubleDouble>) -> Option<u64> {
     let mut a = in_units(matrix);
     let mut negative = 0;
     while !a.is_empty() {
@@ -69,7 +74,7 @@ pub(super) fn negative(matrix: &Assembled<DoubleDouble>) -> Option<u64> {
 }
 
 /// Powers of two for rows and columns that make the terms of the diagonal about one.
-pub(super) fn units<S>(matrix: &Assembled<S>) -> Vec<i32> {
+pub(crate) fn units<S>(matrix: &Assembled<S>) -> Vec<i32> {
     let exponent = |i: usize| {
         let size = matrix.sizes[i][i];
         if size > 0.0 && size.is_finite() { -(size.log2() / 2.0).round() as i32 } else { 0 }
@@ -100,9 +105,11 @@ fn eliminate_one(a: &mut Vec<Vec<Entry>>, index: usize, pivot: Entry) {
     remove(a, index);
     let column: Vec<Entry> =
         column.into_iter().enumerate().filter(|(i, _)| *i != index).map(|(_, entry)| entry).collect();
-    for (row, &factor) in a.iter_mut().zip(&column).filter(|(_, factor)| size(**factor) + factor.1 > 0.0) {
+    for (row, &factor) in a.iter_mut().zip(&column).filter(|(_, factor)| is_there(**factor)) {
         let factor = quotient(factor, pivot);
-        row.iter_mut().zip(&column).for_each(|(entry, &other)| *entry = difference(*entry, product(factor, other)));
+        for (entry, &other) in row.iter_mut().zip(&column).filter(|(_, other)| is_there(**other)) {
+            *entry = difference(*entry, product(factor, other));
+        }
     }
 }
 
@@ -117,10 +124,12 @@ fn eliminate_two(a: &mut Vec<Vec<Entry>>, i: usize, j: usize, determinant: Entry
         column.into_iter().enumerate().filter(|(k, _)| *k != i && *k != j).map(|(_, entry)| entry).collect()
     };
     let (first, second) = (rest(first), rest(second));
-    for (row, (&x, &y)) in a.iter_mut().zip(first.iter().zip(&second)) {
+    let are_there = |(x, y): &(&Entry, &Entry)| is_there(**x) || is_there(**y);
+    for (row, (&x, &y)) in a.iter_mut().zip(first.iter().zip(&second)).filter(|(_, pair)| are_there(pair)) {
         let u = quotient(difference(product(r, x), product(q, y)), determinant);
         let v = quotient(difference(product(p, y), product(q, x)), determinant);
-        for (entry, (&other_x, &other_y)) in row.iter_mut().zip(first.iter().zip(&second)) {
+        let others = row.iter_mut().zip(first.iter().zip(&second)).filter(|(_, pair)| are_there(pair));
+        for (entry, (&other_x, &other_y)) in others {
             *entry = difference(difference(*entry, product(u, other_x)), product(v, other_y));
         }
     }

@@ -1,12 +1,11 @@
 //! The dynamic stiffness of a beam between the displacements `[Y, Θ]` of its two ends (Kolousek's functions).
 
 use mstmm::Complex;
-use mstmm::elements::Beam;
 use mstmm::number::{DoubleDouble, Parameter, Real, Scalar, Single};
 
 /// Below this size of `z`, the functions are summed up: their differences cancel. The static stiffness is kept apart, that of
 /// the bending, which leaves no rigid motion to rounding.
-pub(super) const SERIES: f64 = 3.0;
+pub(crate) const SERIES: f64 = 3.0;
 
 /// Terms of the sums: the next is below 1e-36 of the first.
 const TERMS: u32 = 13;
@@ -109,11 +108,11 @@ fn series<S: Field>(x: S, first: u32) -> S {
 
 /// A beam at a frequency.
 #[derive(Clone, Copy)]
-pub(super) struct BeamMatrix<S> {
-    pub(super) entries: [[S; 4]; 4],
+pub(crate) struct BeamMatrix<S> {
+    pub(crate) entries: [[S; 4]; 4],
     /// The static stiffness between the deflection and the rotation of the output end, which does not belong to the
     /// entries.
-    pub(super) bending: Option<[[DoubleDouble; 2]; 2]>,
+    pub(crate) bending: Option<[[DoubleDouble; 2]; 2]>,
     z: S,
     /// `(1 - ch cos)/z⁴`, and part of it that its terms are.
     held: S,
@@ -124,8 +123,8 @@ pub(super) struct BeamMatrix<S> {
 }
 
 impl<S: Field> BeamMatrix<S> {
-    pub(super) fn of(beam: &Beam<f64>, x: S) -> Self {
-        let [l, ei, m] = [beam.length, beam.bending_stiffness, beam.mass_per_length].map(double);
+    /// The matrix of a beam of length, bending stiffness and mass per length.
+    pub(crate) fn of([l, ei, m]: [DoubleDouble; 3], x: S) -> Self {
         let z_squared = x.omega() * S::of(l * l * (m / ei).sqrt());
         let z = z_squared.sqrt();
         let is_short = z.size() < SERIES;
@@ -147,11 +146,11 @@ impl<S: Field> BeamMatrix<S> {
         let at_rest = |factor: f64, arms: DoubleDouble| stiffness * arms * double(factor);
         let bending = [[at_rest(12.0, double(1.0)), at_rest(-6.0, l)], [at_rest(-6.0, l), at_rest(4.0, l * l)]];
         let bending = is_short.then_some(bending);
-        BeamMatrix { entries, bending, z, held, share, unit: stiffness.to_f64(), length: beam.length }
+        BeamMatrix { entries, bending, z, held, share, unit: stiffness.to_f64(), length: l.to_f64() }
     }
 
     /// Size of the terms of an entry, with what the argument of sine and cosine adds to their rounding.
-    pub(super) fn size(&self, i: usize, j: usize) -> f64 {
+    pub(crate) fn size(&self, i: usize, j: usize) -> f64 {
         let (z, l) = (self.z.size(), self.length);
         let terms = match (self.bending, i % 2 + j % 2) {
             (Some(_), rotations) => z.powi(4) * l.powi(rotations as i32),
@@ -163,14 +162,14 @@ impl<S: Field> BeamMatrix<S> {
     }
 
     /// Whether it nearly vibrates with held ends.
-    pub(super) fn is_near_a_pole(&self) -> bool {
+    pub(crate) fn is_near_a_pole(&self) -> bool {
         self.share < POLE
     }
 }
 
 impl BeamMatrix<DoubleDouble> {
     /// Number of the beam's frequencies with both ends clamped; `None` where z is no number.
-    pub(super) fn held_frequencies_below(&self) -> Option<u64> {
+    pub(crate) fn held_frequencies_below(&self) -> Option<u64> {
         let waves = self.z.to_f64() / core::f64::consts::PI;
         if !waves.is_finite() || !self.held.to_f64().is_finite() {
             return None;

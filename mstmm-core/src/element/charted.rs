@@ -1,0 +1,47 @@
+//! Charts: what an element is in a front.
+
+use crate::element::traits::Element;
+use crate::model::{FrequencyEstimates, InvalidParameter};
+use crate::number::{FrequencyPowers, Real, Scalar};
+use crate::subspace::Chart;
+use core::fmt::Debug;
+use mstmm_plan::Freedoms;
+
+/// An element as a member of a network.
+///
+/// A chart is the relation of displacements and forces at both ends, written for such variables that all entries are bounded. Along a
+/// translation path the displacement is the one along the member.
+pub trait Charted<S: Scalar>: Element {
+    /// The chart at a frequency, of a member of a length.
+    fn chart(built: &Self::Built, at: &FrequencyPowers<S>, length: S) -> Chart<S>;
+}
+
+/// What stands between two points of a network whose size the program decides.
+pub trait MemberElement: Copy + Debug {
+    /// Scalar of the parameters.
+    type Parameter: Real;
+
+    /// The element with its quantities that do not depend on the frequency.
+    type Built: Copy + Debug;
+
+    /// The element between two points that are so far apart.
+    ///
+    /// # Errors
+    /// [`InvalidParameter`] names the first parameter out of its range, with its value.
+    fn build(self, length: Self::Parameter) -> Result<Self::Built, InvalidParameter>;
+
+    /// Its name in messages.
+    fn name(&self) -> &'static str;
+
+    /// The freedoms of its ends, in its own axes: X is along it.
+    fn freedoms(&self) -> Freedoms;
+
+    /// Adds the element's stiffnesses and masses to the estimates from which searches take their first steps.
+    fn estimate(built: &Self::Built, estimates: &mut FrequencyEstimates);
+}
+
+/// A member at a frequency of type `S`.
+pub trait MemberChart<S: Scalar>: MemberElement {
+    /// Its chart.
+    fn chart(built: &Self::Built, at: &FrequencyPowers<S>, length: S) -> Chart<S>;
+}

@@ -1,0 +1,121 @@
+//! Members of any type, for networks whose size the program decides.
+
+use crate::element::{Charted, Element, MemberChart, MemberElement};
+use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
+use crate::elements::shared::connector::along_member;
+use crate::elements::{Damper, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
+use crate::model::{FrequencyEstimates, InvalidParameter};
+use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Real};
+use crate::subspace::Chart;
+use mstmm_plan::Freedoms;
+
+/// The cross section of a beam between two points, which give its length: a [`PlanarBeam`] without it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Section<T> {
+    /// Axial stiffness EA \[N\], positive.
+    pub axial_stiffness: T,
+    /// Bending stiffness EI [N m²], positive.
+    pub bending_stiffness: T,
+    /// Mass per length m [kg/m], positive.
+    pub mass_per_length: T,
+}
+
+impl<T> Section<T> {
+    fn beam(self, length: T) -> PlanarBeam<T> {
+        let Section { axial_stiffness, bending_stiffness, mass_per_length } = self;
+        PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length }
+    }
+}
+
+/// Declares an enum of members, and one of them built.
+macro_rules! any_member {
+    ($(#[$doc:meta])* $name:ident, $built:ident, $frequency:ident: $($connector:ident)*) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub enum $name<T: Real> {
+            /// A beam with bending and longitudinal vibration.
+            Beam(Section<T>),
+            $(
+                #[doc = concat!("A [`", stringify!($connector), "`]: of a translation along the member, of a rotation about z.")]
+                $connector($connector<T>),
+            )*
+        }
+
+        #[doc = concat!("A built [`", stringify!($name), "`].")]
+        #[derive(Clone, Copy, Debug)]
+        pub enum $built<T: Real> {
+            /// A built beam.
+            Beam(BuiltPlanarBeam<T>),
+            $(
+                #[doc = concat!("A built [`", stringify!($connector), "`].")]
+                $connector($connector<T>),
+            )*
+        }
+
+        impl<T: Real> From<Section<T>> for $name<T> {
+            fn from(section: Section<T>) -> Self {
+                $name::Beam(section)
+            }
+        }
+
+        $(
+            impl<T: Real> From<$connector<T>> for $name<T> {
+                fn from(connector: $connector<T>) -> Self {
+                    $name::$connector(connector)
+                }
+            }
+        )*
+
+        impl<T: Real> MemberElement for $name<T> {
+            type Parameter = T;
+            type Built = $built<T>;
+
+            fn build(self, length: T) -> Result<$built<T>, InvalidParameter> {
+                Ok(match self {
+                    $name::Beam(section) => $built::Beam(section.beam(length).build()?),
+                    $($name::$connector(connector) => $built::$connector(connector.build()?),)*
+                })
+            }
+
+            fn name(&self) -> &'static str {
+                match self {
+                    $name::Beam(_) => "beam",
+                    $($name::$connector(_) => stringify!($connector),)*
+                }
+            }
+
+            fn freedoms(&self) -> Freedoms {
+                match self {
+                    $name::Beam(_) => Freedoms::ALL,
+                    $($name::$connector(_) => along_member::<$connector<T>>(),)*
+                }
+            }
+
+            fn estimate(built: &$built<T>, estimates: &mut FrequencyEstimates) {
+                match built {
+                    $built::Beam(beam) => <PlanarBeam<T> as Element>::estimate(beam, estimates),
+                    $($built::$connector(built) => <$connector<T> as Element>::estimate(built, estimates),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T>> MemberChart<S> for $name<T> {
+            fn chart(built: &$built<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
+                match built {
+                    $built::Beam(beam) => <PlanarBeam<T> as Charted<S>>::chart(beam, at, length),
+                    $($built::$connector(built) => <$connector<T> as Charted<S>>::chart(built, at, length),)*
+                }
+            }
+        }
+    };
+}
+
+any_member!(
+    /// Any member without damping.
+    UndampedMember, BuiltUndampedMember, Frequency: Spring TorsionSpring
+);
+any_member!(
+    /// Any member; a network with a damper has complex eigenvalues only.
+    AnyMember, BuiltAnyMember, ComplexFrequency:
+    Spring TorsionSpring Damper TorsionDamper SpringDamper TorsionSpringDamper
+);

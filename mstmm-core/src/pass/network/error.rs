@@ -1,0 +1,96 @@
+//! Networks that cannot be built.
+
+use crate::model::InvalidParameter;
+use core::fmt;
+
+/// A network that cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum NetworkError {
+    /// The network has no node that could move.
+    Empty,
+    /// A member has an end at a node that there is not.
+    NoSuchNode {
+        /// Index of the member.
+        member: usize,
+        /// Index of the node.
+        node: usize,
+    },
+    /// A place, a mass or a direction is not a finite number, a mass is negative, or a direction is zero.
+    InvalidNode {
+        /// Index of the node.
+        node: usize,
+        /// What is wrong.
+        problem: &'static str,
+    },
+    /// A member has a parameter out of its range.
+    Parameter {
+        /// Index of the member.
+        member: usize,
+        /// What the member is.
+        element: &'static str,
+        /// The parameter.
+        error: InvalidParameter,
+    },
+    /// Both ends of a member are at one place, where it has no length and no direction.
+    SamePlace {
+        /// Index of the member.
+        member: usize,
+        /// Indices of its nodes.
+        nodes: [usize; 2],
+    },
+    /// A member has a direction that is zero or not finite, or that it does not take: beams act between their ends, torsion springs about z.
+    Direction {
+        /// Index of the member.
+        member: usize,
+    },
+    /// Nothing joins a node to the others.
+    Apart {
+        /// Index of the node.
+        node: usize,
+    },
+    /// The room has not enough nodes or members.
+    Room {
+        /// Nodes and members of the network.
+        nodes: usize,
+        /// Members of the network.
+        members: usize,
+    },
+    /// The widest front has more variables than `WIDTH`.
+    Width {
+        /// Number of its variables.
+        needed: usize,
+    },
+}
+
+impl fmt::Display for NetworkError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            NetworkError::Empty => write!(f, "the network has no members"),
+            NetworkError::NoSuchNode { member, node } => {
+                write!(f, "member {member} has an end at node {node}, which is not in the list of nodes")
+            }
+            NetworkError::InvalidNode { node, problem } => write!(f, "node {node}: {problem}"),
+            NetworkError::Parameter { member, element, error } => write!(f, "member {member}, {element}: {error}"),
+            NetworkError::SamePlace { member, nodes: [from, to] } => {
+                write!(f, "member {member} has both ends at one place, at nodes {from} and {to}: ")?;
+                write!(f, "a beam needs a length, a spring between such nodes a direction, `.along(..)`")
+            }
+            NetworkError::Direction { member } => {
+                write!(f, "member {member} has a direction that is zero, not finite, or not its own to choose: ")?;
+                write!(f, "springs and dampers of translations take one")
+            }
+            NetworkError::Apart { node } => {
+                write!(f, "nothing joins node {node} to the rest: a network hangs together; search two networks")
+            }
+            NetworkError::Room { nodes, members } => {
+                write!(f, "the room is too small for {nodes} nodes and {members} members")
+            }
+            NetworkError::Width { needed } => {
+                write!(f, "the widest front has {needed} variables: `Network::<_, {needed}>` has room for them")
+            }
+        }
+    }
+}
+
+impl core::error::Error for NetworkError {}

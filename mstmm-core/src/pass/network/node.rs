@@ -1,0 +1,124 @@
+//! The nodes of a network: points with what holds them and rigid bodies about them.
+
+use crate::number::{Frequency, Parameter};
+use mstmm_plan::Freedoms;
+
+/// A point of a plane network, with the displacements x, y and the rotation about z.
+///
+/// ```
+/// use mstmm_core::{Node, Support};
+/// let foot = Node::at([0.0, 0.0]).held(Support::Pinned.holds());
+/// let machine = Node::at([2.0, 3.0]).with_body(150.0, 12.0, [2.0, 3.4]);
+/// assert!(foot.mass == 0.0 && machine.inertia == 12.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node<T> {
+    /// Its place \[m\].
+    pub position: [T; 2],
+    /// The freedoms that are held.
+    pub held: Freedoms,
+    /// The direction along which the node moves, of any length; it is held across. None where x and y are as `held` says.
+    pub along: Option<[T; 2]>,
+    /// Mass of a rigid body that moves with the node \[kg\], zero or positive.
+    pub mass: T,
+    /// Moment of inertia of the body about its mass centre [kg m²], zero or positive.
+    pub inertia: T,
+    /// Mass centre of the body \[m\].
+    pub centre: [T; 2],
+}
+
+impl<T: Parameter> Node<T> {
+    /// A free point without mass.
+    pub fn at(position: [T; 2]) -> Self {
+        Node { position, held: Freedoms::NONE, along: None, mass: T::zero(), inertia: T::zero(), centre: position }
+    }
+
+    /// The point with freedoms held, such as `Support::Fixed.holds()`.
+    #[must_use]
+    pub fn held(self, held: Freedoms) -> Self {
+        Node { held, ..self }
+    }
+
+    /// The point held across a direction, along which it moves.
+    #[must_use]
+    pub fn along(self, direction: [T; 2]) -> Self {
+        Node { along: Some(direction), ..self }
+    }
+
+    /// The point with a rigid body: its mass, its moment of inertia about its mass centre, and that centre.
+    #[must_use]
+    pub fn with_body(self, mass: T, inertia: T, centre: [T; 2]) -> Self {
+        Node { mass, inertia, centre, ..self }
+    }
+}
+
+/// The motions that its supports leave a node, each by its displacements x and y and its rotation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Motions<T> {
+    directions: [[T; 3]; 3],
+    pub(crate) count: usize,
+    /// Whether the last one is the rotation.
+    has_rotation: bool,
+}
+
+impl<T: Parameter> Motions<T> {
+    /// No motions.
+    pub(crate) fn none() -> Self {
+        Motions { directions: [[T::zero(); 3]; 3], count: 0, has_rotation: false }
+    }
+
+    /// The motions of a node.
+    pub(crate) fn of(node: &Node<T>) -> Self {
+        let (zero, one) = (T::zero(), T::one());
+        let has_rotation = !node.held.contains(Freedoms::RZ);
+        let mut motions = Motions { has_rotation, ..Motions::none() };
+        let mut push = |direction| {
+            motions.directions[motions.count] = direction;
+            motions.count += 1;
+        };
+        match node.along {
+            Some([x, y]) => push([x, y, zero]),
+            None => {
+                if !node.held.contains(Freedoms::X) {
+                    push([one, zero, zero]);
+                }
+                if !node.held.contains(Freedoms::Y) {
+                    push([zero, one, zero]);
+                }
+            }
+        }
+        if has_rotation {
+            push([zero, zero, one]);
+        }
+        motions
+    }
+
+    /// Whether a motion is the rotation.
+    #[inline]
+    pub(crate) fn is_rotation(&self, motion: usize) -> bool {
+        self.has_rotation && motion + 1 == self.count
+    }
+
+    /// What the motions are of a sum of x, y and rotation.
+    #[inline]
+    pub(crate) fn parts_of<S: Frequency<T>>(&self, sum: [S; 3]) -> [S; 3] {
+        self.directions.map(|direction| {
+            let mut part = S::zero();
+            for (term, direction) in sum.iter().zip(direction) {
+                part += *term * direction;
+            }
+            part
+        })
+    }
+}
+
+impl<T: Parameter> Node<T> {
+    /// The mass matrix of the body over x, y and the rotation of the node.
+    pub(crate) fn mass_matrix<S: Frequency<T>>(&self) -> [[S; 3]; 3] {
+        let number = S::from_parameter;
+        let (mass, zero) = (number(self.mass), S::zero());
+        let [x, y] = [0, 1].map(|k| number(self.centre[k]) - number(self.position[k]));
+        let (mx, my) = (mass * x, mass * y);
+        [[mass, zero, -my], [zero, mass, mx], [-my, mx, number(self.inertia) + mx * x + my * y]]
+    }
+}

@@ -1,0 +1,50 @@
+//! Charts of members: their relations between both ends as an element gives them.
+
+use crate::number::{Scalar, Scaled};
+use crate::subspace::front::matrix::Variable;
+use crate::subspace::front::units::Units;
+use mstmm_plan::Freedoms;
+
+/// Most freedoms of an end.
+pub const MOST_FREEDOMS: usize = 3;
+
+/// Most variables of a member.
+pub const MOST_VARIABLES: usize = 2 * MOST_FREEDOMS;
+
+/// A member as a symmetric matrix over displacements and forces of both ends, in its own axes and units.
+///
+/// The variables are the freedoms of the input end and then those of the output end, each a displacement or its force. A kind for each is
+/// chosen with which all entries are bounded.
+#[derive(Clone, Copy, Debug)]
+pub struct Chart<S: Scalar> {
+    /// The freedoms of an end, in the axes of the member.
+    pub freedoms: Freedoms,
+    /// The matrix; the rows of the variables that there are come first.
+    pub entries: [[S; MOST_VARIABLES]; MOST_VARIABLES],
+    /// A bit per variable: whether it is a force.
+    pub forces: u32,
+    /// Logarithms to base 2 of the units of displacements and of rotations.
+    pub(crate) units: Units,
+    /// Logarithm to base 2 of the wave number; none of connectors.
+    pub wave: Option<i32>,
+    /// The minor of the subspace for these variables, without units: an entire function.
+    pub product: Scaled<S>,
+    /// Natural frequencies of the member with its displacement variables held and its force variables free, less the number of forces.
+    pub below: S::Size,
+}
+
+impl<S: Scalar> Chart<S> {
+    /// The variables.
+    pub(crate) fn variables(&self) -> impl Iterator<Item = Variable> {
+        let Chart { freedoms, units, wave, forces, .. } = *self;
+        let own =
+            [Freedoms::X, Freedoms::Y, Freedoms::RZ].into_iter().filter(move |freedom| freedoms.contains(*freedom));
+        let ends = [0, MOST_FREEDOMS].into_iter();
+        let variables =
+            ends.flat_map(move |label| own.clone().enumerate().map(move |(k, freedom)| (label + k, freedom)));
+        variables.enumerate().map(move |(k, (label, freedom))| {
+            let is_rotation = freedom.is(Freedoms::RZ);
+            Variable { label, is_force: forces >> k & 1 == 1, is_rotation, unit: units.of(is_rotation), wave }
+        })
+    }
+}

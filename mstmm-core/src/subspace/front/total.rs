@@ -1,0 +1,61 @@
+//! What is multiplied and counted while a network is evaluated: Δ and its natural frequencies.
+
+use crate::number::{Scalar, Scaled, Size};
+
+/// Size of a row beside its terms, in units of rounding, below which it is rounding alone.
+const ROUNDING: f64 = 4.0;
+
+/// The product of all pivots and charts, which is Δ at the end, and the count.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Total<S: Scalar> {
+    product: S,
+    exponent: i64,
+    /// Negative pivots and natural frequencies of held members, less the number of forces: at the end the frequencies below.
+    pub(crate) below: S::Size,
+    /// Whether a row was nothing but rounding.
+    pub(crate) has_vanished: bool,
+    /// The size of the row of a pivot and its error in units of rounding, where the first is smallest beside the second.
+    pub(crate) smallest_row: [f64; 2],
+}
+
+impl<S: Scalar> Total<S> {
+    pub(crate) fn new() -> Self {
+        Total { product: S::one(), exponent: 0, below: S::Size::of(0.0), has_vanished: false, smallest_row: [1.0; 2] }
+    }
+
+    /// Δ, once all variables are eliminated.
+    pub(crate) fn delta(&self) -> Scaled<S> {
+        Scaled::new(self.product, self.exponent)
+    }
+
+    /// Multiplies Δ by a number and a power of two.
+    #[inline]
+    pub(super) fn multiply(&mut self, factor: S, exponent: i64) {
+        let product = self.product * factor;
+        let ([product], shift) = S::in_range([product], product.size());
+        self.product = product;
+        self.exponent += exponent + i64::from(shift);
+    }
+
+    /// Looks at the row of a pivot, given the sizes of its largest entry and of its largest term, and its error.
+    #[inline]
+    pub(super) fn look_at_row(&mut self, largest: f64, term: f64, error: f64) {
+        let [smallest, of] = self.smallest_row;
+        if largest * of < smallest * error {
+            self.smallest_row = [largest, error];
+        }
+        self.has_vanished |= largest <= ROUNDING * S::EPSILON * term;
+    }
+
+    /// Adds to the count.
+    #[inline]
+    pub(crate) fn count(&mut self, number: f64) {
+        self.below = self.below + S::Size::of(number);
+    }
+
+    /// Adds one to the count where a truth holds.
+    #[inline]
+    pub(super) fn count_if(&mut self, truth: S::Truth) {
+        self.below = self.below + S::Size::one_if(truth);
+    }
+}

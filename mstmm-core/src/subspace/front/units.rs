@@ -1,0 +1,91 @@
+//! Units in which the sizes of entries compare: they decide which pivots are taken, and round nothing.
+
+use crate::number::{Scalar, Size, binary_exponent};
+use crate::subspace::front::matrix::{Front, Variable};
+
+/// Logarithms to base 2 of the units of displacements and of rotations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Units {
+    pub(crate) displacement: i32,
+    pub(crate) rotation: i32,
+}
+
+impl Units {
+    /// The unit of a kind of motion.
+    pub(crate) fn of(&self, is_rotation: bool) -> i32 {
+        if is_rotation { self.rotation } else { self.displacement }
+    }
+}
+
+/// Finds the units of a node from those of the variables of its ports.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NodeUnits {
+    /// The smallest and the largest unit of members, of displacements and of rotations.
+    members: [Option<[i32; 2]>; 2],
+    /// The largest unit of connectors, likewise.
+    connectors: [Option<i32>; 2],
+    /// The smallest wave number of members.
+    wave: Option<i32>,
+}
+
+impl NodeUnits {
+    pub(crate) fn new() -> Self {
+        NodeUnits { members: [None; 2], connectors: [None; 2], wave: None }
+    }
+
+    /// Looks at a variable of a port.
+    pub(crate) fn include(&mut self, variable: &Variable) {
+        let (kind, unit) = (usize::from(variable.is_rotation), variable.unit);
+        let Some(wave) = variable.wave else {
+            self.connectors[kind] = Some(self.connectors[kind].map_or(unit, |largest| largest.max(unit)));
+            return;
+        };
+        let [least, greatest] = self.members[kind].unwrap_or([unit; 2]);
+        self.members[kind] = Some([least.min(unit), greatest.max(unit)]);
+        self.wave = Some(self.wave.map_or(wave, |least| least.min(wave)));
+    }
+
+    /// The units: in the middle between the stiffest and the softest member, tied by the lever of a wave. Without members they lie between
+    /// that of the softest connector and that of the inertia, whose size is given, like those of a member.
+    pub(crate) fn units(&self, inertias: [f64; 2]) -> Units {
+        let of = |kind: usize| {
+            let inertia = (inertias[kind] > 0.0).then(|| unit_of(binary_exponent(inertias[kind])));
+            match (self.members[kind], self.connectors[kind], inertia) {
+                (Some([least, greatest]), ..) => Some((least + greatest).div_euclid(2)),
+                (None, Some(connector), Some(inertia)) => Some((connector + inertia.max(connector)).div_euclid(2)),
+                (None, connector, inertia) => connector.or(inertia),
+            }
+        };
+        let own = [of(0), of(1)];
+        let mut displacement = own[0].or(own[1]).unwrap_or(0);
+        let mut rotation = own[1].unwrap_or(displacement);
+        if let Some(wave) = self.wave {
+            rotation = rotation.max(displacement + wave);
+            displacement = displacement.max(rotation - wave);
+        }
+        Units { displacement, rotation }
+    }
+}
+
+/// The unit of a displacement whose stiffness or impedance has a binary exponent.
+pub(crate) fn unit_of(exponent: i32) -> i32 {
+    -(exponent.div_euclid(2) + 1)
+}
+
+impl<S: Scalar, const W: usize> Front<S, W> {
+    /// Logarithm to base 2 of the factor on the units of the boundary by which its largest stiffness and its largest flexibility agree.
+    pub(crate) fn balance(&self) -> i32 {
+        let mut largest = [0.0_f64; 2];
+        for place in self.boundary() {
+            let kind = usize::from(self.variables[place].is_force);
+            largest[kind] = largest[kind].max(self.entries[place][place].size().first());
+        }
+        let exponent = |size: f64| (size > 0.0 && size < f64::INFINITY).then(|| binary_exponent(size));
+        match largest.map(exponent) {
+            [Some(stiffness), Some(flexibility)] => (flexibility - stiffness).div_euclid(4),
+            [Some(stiffness), None] => -stiffness.div_euclid(2),
+            [None, Some(flexibility)] => flexibility.div_euclid(2),
+            [None, None] => 0,
+        }
+    }
+}

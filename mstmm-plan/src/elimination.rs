@@ -1,0 +1,266 @@
+//! The order in which the nodes of a network are eliminated: greedily by the smallest boundary, then one front upon the other.
+
+/// No node.
+const NONE: usize = usize::MAX;
+
+/// What the search for an order keeps of each node.
+#[derive(Clone, Copy, Debug)]
+pub struct Elimination {
+    /// The node in whose elimination the front of this one is taken up; none of the last one.
+    parent: usize,
+    /// Ends of cut members on the boundary of the front, once the node is eliminated.
+    ends: usize,
+    is_eliminated: bool,
+    /// The first node whose front this one takes up, and the next one that its parent does.
+    first_child: usize,
+    next_sibling: usize,
+}
+
+impl Elimination {
+    /// A node about which nothing is known yet.
+    pub const UNKNOWN: Elimination =
+        Elimination { parent: NONE, ends: 0, is_eliminated: false, first_child: NONE, next_sibling: NONE };
+
+    /// How many fronts a node takes up, once all are in order.
+    pub const fn taken_up(nodes: &[Elimination], node: usize) -> usize {
+        let (mut count, mut child) = (0, nodes[node].first_child);
+        while child != NONE {
+            count += 1;
+            child = nodes[child].next_sibling;
+        }
+        count
+    }
+}
+
+/// The nodes of each member, and the members of each node.
+#[derive(Clone, Copy, Debug)]
+pub struct Incidence<'a> {
+    members: &'a [[usize; 2]],
+    /// Where the ends of each node begin among all.
+    first_end: &'a [usize],
+    /// The ends, node by node: the number of a member twice, and one more for its second end.
+    ends: &'a [usize],
+}
+
+impl<'a> Incidence<'a> {
+    /// Sorts the ends of members by their nodes, into memory for a number per node and for two per member.
+    pub const fn new(members: &'a [[usize; 2]], first_end: &'a mut [usize], ends: &'a mut [usize]) -> Self {
+        let mut node = 0;
+        while node < first_end.len() {
+            first_end[node] = 0;
+            node += 1;
+        }
+        let mut end = 0;
+        while end < 2 * members.len() {
+            first_end[members[end / 2][end % 2]] += 1;
+            end += 1;
+        }
+        let (mut node, mut sum) = (0, 0);
+        while node < first_end.len() {
+            sum += first_end[node];
+            first_end[node] = sum;
+            node += 1;
+        }
+        // from the last one on, so that ends of a node stand in the order of the members
+        while end > 0 {
+            end -= 1;
+            let node = members[end / 2][end % 2];
+            first_end[node] -= 1;
+            ends[first_end[node]] = end;
+        }
+        Incidence { members, first_end, ends }
+    }
+
+    /// The ends at a node.
+    pub const fn ends(&self, node: usize) -> &'a [usize] {
+        let from = self.first_end[node];
+        let to = if node + 1 < self.first_end.len() { self.first_end[node + 1] } else { 2 * self.members.len() };
+        self.ends.split_at(to).0.split_at(from).1
+    }
+
+    /// The node of an end.
+    pub const fn node(&self, end: usize) -> usize {
+        self.members[end / 2][end % 2]
+    }
+
+    /// The node at the other end of the member of an end.
+    pub const fn beyond(&self, end: usize) -> usize {
+        self.members[end / 2][1 - end % 2]
+    }
+}
+
+/// Orders the nodes of a connected network for a memory that holds one front upon the other: when a node is eliminated, the fronts that
+/// it takes up are the last ones.
+///
+/// Each node is chosen such that its front has the fewest ends of members that are cut; among equals one next to an open front, so
+/// that a chain is followed from its end. Returns how many nodes hang together with the first one that was chosen.
+///
+/// ```
+/// use mstmm_plan::{Elimination, Incidence, eliminated_in_order};
+/// let (mut first_end, mut ends, mut order) = ([0; 4], [0; 6], [0; 4]);
+/// let incidence = Incidence::new(&[[2, 0], [0, 3], [3, 1]], &mut first_end, &mut ends);
+/// let count = eliminated_in_order(&incidence, &mut [Elimination::UNKNOWN; 4], &mut order);
+/// assert_eq!((count, order), (4, [1, 3, 0, 2]));
+/// ```
+pub const fn eliminated_in_order(incidence: &Incidence<'_>, nodes: &mut [Elimination], order: &mut [usize]) -> usize {
+    let mut last = NONE;
+    let mut k = 0;
+    while k < nodes.len() {
+        let node = next_node(incidence, nodes);
+        take_up(incidence, nodes, node);
+        last = node;
+        k += 1;
+    }
+    if last == NONE { 0 } else { upon_each_other(nodes, last, order) }
+}
+
+/// The node that is not eliminated yet and has the smallest front.
+const fn next_node(incidence: &Incidence<'_>, nodes: &[Elimination]) -> usize {
+    let (mut best, mut least) = (NONE, (usize::MAX, false));
+    let mut node = 0;
+    while node < nodes.len() {
+        if !nodes[node].is_eliminated {
+            let (ends, is_next) = boundary(incidence, nodes, node);
+            if ends < least.0 || (ends == least.0 && is_next && !least.1) {
+                (best, least) = (node, (ends, is_next));
+            }
+        }
+        node += 1;
+    }
+    best
+}
+
+/// The node that stands for the front of an eliminated one: the last one that was eliminated with it.
+const fn front_of(nodes: &[Elimination], node: usize) -> usize {
+    let mut front = node;
+    while nodes[front].parent != NONE {
+        front = nodes[front].parent;
+    }
+    front
+}
+
+/// Ends of cut members on the boundary of the front of a node, and whether it takes up another front.
+const fn boundary(incidence: &Incidence<'_>, nodes: &[Elimination], node: usize) -> (usize, bool) {
+    let here = incidence.ends(node);
+    let (mut added, mut taken, mut is_next) = (0, 0, false);
+    let mut k = 0;
+    while k < here.len() {
+        let other = incidence.beyond(here[k]);
+        if nodes[other].is_eliminated {
+            is_next = true;
+            taken += 1;
+            if is_first(incidence, nodes, node, k) {
+                added += nodes[front_of(nodes, other)].ends;
+            }
+        } else if other != node {
+            added += 1;
+        }
+        k += 1;
+    }
+    (added - taken, is_next)
+}
+
+/// Whether an end is the first one of a node that leads to its front.
+const fn is_first(incidence: &Incidence<'_>, nodes: &[Elimination], node: usize, end: usize) -> bool {
+    let here = incidence.ends(node);
+    let front = front_of(nodes, incidence.beyond(here[end]));
+    let mut k = 0;
+    while k < end {
+        let other = incidence.beyond(here[k]);
+        if nodes[other].is_eliminated && front_of(nodes, other) == front {
+            return false;
+        }
+        k += 1;
+    }
+    true
+}
+
+/// Eliminates a node: the fronts next to it become its own.
+const fn take_up(incidence: &Incidence<'_>, nodes: &mut [Elimination], node: usize) {
+    let here = incidence.ends(node);
+    nodes[node].ends = boundary(incidence, nodes, node).0;
+    let mut k = 0;
+    while k < here.len() {
+        let other = incidence.beyond(here[k]);
+        if nodes[other].is_eliminated {
+            let front = front_of(nodes, other);
+            if front != node {
+                nodes[front].parent = node;
+                nodes[front].next_sibling = nodes[node].first_child;
+                nodes[node].first_child = front;
+            }
+        }
+        k += 1;
+    }
+    nodes[node].is_eliminated = true;
+}
+
+/// Sorts the nodes below one of them so that each stands behind those whose fronts it takes up, and these stand next to it.
+const fn upon_each_other(nodes: &[Elimination], last: usize, order: &mut [usize]) -> usize {
+    let (mut count, mut node) = (0, deepest(nodes, last));
+    loop {
+        order[count] = node;
+        count += 1;
+        if node == last {
+            return count;
+        }
+        node = match nodes[node].next_sibling {
+            NONE => nodes[node].parent,
+            sibling => deepest(nodes, sibling),
+        };
+    }
+}
+
+/// The first node to be eliminated below one.
+const fn deepest(nodes: &[Elimination], node: usize) -> usize {
+    let mut node = node;
+    while nodes[node].first_child != NONE {
+        node = nodes[node].first_child;
+    }
+    node
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn order<const NODES: usize>(members: &[[usize; 2]]) -> ([usize; NODES], usize) {
+        let (mut order, mut first_end, mut ends) = ([0; NODES], [0; NODES], [0; 16]);
+        let incidence = Incidence::new(members, &mut first_end, &mut ends);
+        let count = eliminated_in_order(&incidence, &mut [Elimination::UNKNOWN; NODES], &mut order);
+        (order, count)
+    }
+
+    #[test]
+    fn a_chain_is_followed_from_one_end_to_the_other() {
+        assert_eq!(order::<5>(&[[3, 1], [1, 4], [4, 0], [0, 2]]), ([2, 0, 4, 1, 3], 5));
+    }
+
+    #[test]
+    fn a_ring_is_followed_around() {
+        let (order, count) = order::<6>(&[[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0]]);
+        assert_eq!(count, 6);
+        for pair in order.windows(2) {
+            let distance = pair[0].abs_diff(pair[1]);
+            assert!(distance == 1 || distance == 5 || order[..2].contains(&pair[0]), "{order:?}");
+        }
+    }
+
+    #[test]
+    fn each_node_stands_behind_the_fronts_that_it_takes_up_and_these_are_the_last_ones() {
+        // a comb of three teeth
+        let members = [[0, 1], [1, 2], [0, 3], [1, 4], [2, 5]];
+        assert_eq!(order::<6>(&members), ([4, 3, 0, 1, 2, 5], 6));
+    }
+
+    #[test]
+    fn several_members_between_two_nodes_and_one_with_both_ends_at_a_node_hold_no_order_up() {
+        assert_eq!(order::<3>(&[[0, 1], [1, 0], [1, 1], [1, 2]]), ([2, 1, 0], 3));
+    }
+
+    #[test]
+    fn parts_that_nothing_joins_are_not_counted() {
+        assert!(order::<4>(&[[0, 1], [2, 3]]).1 < 4);
+        assert_eq!(order::<1>(&[]).1, 1);
+    }
+}

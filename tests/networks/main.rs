@@ -1,0 +1,19 @@
+//! Plane frames: beams at any angle, loops, rigid bodies with many ports, releases, skew supports, springs along directions.
+
+mod checks;
+mod equivalents;
+mod families;
+mod finite_elements;
+mod judgement;
+mod library;
+mod oracle;
+mod oracle_against_cases;
+mod oracle_as_search;
+mod oracle_laws;
+mod reference_cases;
+#[path = "../support/stiffness_matrix/mod.rs"]
+mod stiffness_matrix;
+mod structure;
+#[path = "../support/mod.rs"]
+pub mod support;
+mod through_library;
