@@ -48,7 +48,7 @@ pub use model::estimates::FrequencyEstimates;
 pub use model::label::{Entry, Label, Load, Point};
 pub use model::motion_error::MotionError;
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
-pub use mstmm_plan::{Coordinate, Freedoms, Layout, Place, Scheme, Space, Step, Support};
+pub use mstmm_plan::{Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, Place, Scheme, Space, Step, Support};
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
 pub use number::double_double::DoubleDouble;
@@ -68,7 +68,9 @@ pub use pass::at_once::InBlocks;
 pub use pass::characteristic::{Characteristic, System};
 pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
-pub use pass::network::{End, Member, Network, NetworkError, NetworkRoom, Node};
+pub use pass::network::{
+    End, Member, Motions, Network, NetworkError, NetworkRoom, Node, Placed, PlacedCharts, Placement, network_pass,
+};
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;
 pub use pass::overall::evaluate::Evaluate;

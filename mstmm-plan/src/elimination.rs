@@ -5,7 +5,7 @@ const NONE: usize = usize::MAX;
 
 /// What the search for an order keeps of each node.
 #[derive(Clone, Copy, Debug)]
-pub struct Elimination {
+pub(crate) struct Elimination {
     /// The node in whose elimination the front of this one is taken up; none of the last one.
     parent: usize,
     /// Ends of cut members on the boundary of the front, once the node is eliminated.
@@ -18,11 +18,11 @@ pub struct Elimination {
 
 impl Elimination {
     /// A node about which nothing is known yet.
-    pub const UNKNOWN: Elimination =
+    pub(crate) const UNKNOWN: Elimination =
         Elimination { parent: NONE, ends: 0, is_eliminated: false, first_child: NONE, next_sibling: NONE };
 
     /// How many fronts a node takes up, once all are in order.
-    pub const fn taken_up(nodes: &[Elimination], node: usize) -> usize {
+    pub(crate) const fn taken_up(nodes: &[Elimination], node: usize) -> usize {
         let (mut count, mut child) = (0, nodes[node].first_child);
         while child != NONE {
             count += 1;
@@ -44,7 +44,7 @@ pub struct Incidence<'a> {
 
 impl<'a> Incidence<'a> {
     /// Sorts the ends of members by their nodes, into memory for a number per node and for two per member.
-    pub const fn new(members: &'a [[usize; 2]], first_end: &'a mut [usize], ends: &'a mut [usize]) -> Self {
+    pub(crate) const fn new(members: &'a [[usize; 2]], first_end: &'a mut [usize], ends: &'a mut [usize]) -> Self {
         let mut node = 0;
         while node < first_end.len() {
             first_end[node] = 0;
@@ -71,6 +71,11 @@ impl<'a> Incidence<'a> {
         Incidence { members, first_end, ends }
     }
 
+    /// The incidence whose ends are sorted already, as [`new`](Self::new) has left them.
+    pub(crate) const fn sorted(members: &'a [[usize; 2]], first_end: &'a [usize], ends: &'a [usize]) -> Self {
+        Incidence { members, first_end, ends }
+    }
+
     /// The ends at a node.
     pub const fn ends(&self, node: usize) -> &'a [usize] {
         let from = self.first_end[node];
@@ -94,15 +99,11 @@ impl<'a> Incidence<'a> {
 ///
 /// Each node is chosen such that its front has the fewest ends of members that are cut; among equals one next to an open front, so
 /// that a chain is followed from its end. Returns how many nodes hang together with the first one that was chosen.
-///
-/// ```
-/// use mstmm_plan::{Elimination, Incidence, eliminated_in_order};
-/// let (mut first_end, mut ends, mut order) = ([0; 4], [0; 6], [0; 4]);
-/// let incidence = Incidence::new(&[[2, 0], [0, 3], [3, 1]], &mut first_end, &mut ends);
-/// let count = eliminated_in_order(&incidence, &mut [Elimination::UNKNOWN; 4], &mut order);
-/// assert_eq!((count, order), (4, [1, 3, 0, 2]));
-/// ```
-pub const fn eliminated_in_order(incidence: &Incidence<'_>, nodes: &mut [Elimination], order: &mut [usize]) -> usize {
+pub(crate) const fn eliminated_in_order(
+    incidence: &Incidence<'_>,
+    nodes: &mut [Elimination],
+    order: &mut [usize],
+) -> usize {
     let mut last = NONE;
     let mut k = 0;
     while k < nodes.len() {

@@ -1,13 +1,13 @@
 //! The evaluation of a network: its nodes are eliminated one after the other.
 
-use crate::element::{MemberChart, MemberElement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size};
-use crate::pass::characteristic::Characteristic;
+use crate::pass::characteristic::System;
+use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
-use crate::pass::network::structure::Network;
 use crate::subspace::{
-    Choice, Front, Joint, MOST_FREEDOMS, NodeUnits, Objects, Role, RootCounter, Total, Units, Variable,
+    Chart, Choice, Front, Joint, MOST_FREEDOMS, NodeUnits, Objects, Role, RootCounter, Total, Units, Variable,
 };
+use mstmm_plan::NetworkOrder;
 
 /// Number of roundings that add up in the row of a pivot, in units of the largest one.
 const ROUNDINGS: f64 = 4.0;
@@ -17,34 +17,53 @@ fn end_of(variable: &Variable) -> usize {
     variable.label / MOST_FREEDOMS
 }
 
-impl<E, S, const WIDTH: usize> Characteristic<S> for Network<'_, E, WIDTH>
+/// A network as its evaluation reads it.
+pub trait Placed: System {
+    /// A node and its motions.
+    fn node(&self, node: usize) -> (&Node<Self::Parameter>, &Motions<Self::Parameter>);
+
+    /// Where a member stands.
+    fn placement(&self, member: usize) -> &Placement<Self::Parameter>;
+
+    /// The order of its nodes.
+    fn order(&self) -> NetworkOrder<'_>;
+}
+
+/// A network whose members are known at a frequency.
+pub trait PlacedCharts<S: Frequency<Self::Parameter>>: Placed {
+    /// The chart of a member of a length.
+    fn chart(&self, member: usize, at: &FrequencyPowers<S>, length: S) -> Option<Chart<S>>;
+}
+
+/// Δ of a network, with a counter. `WIDTH` is the largest number of variables of a front.
+pub fn network_pass<const WIDTH: usize, Y, S, C>(network: &Y, x: S, counter: &mut C) -> Scaled<S>
 where
-    E: MemberChart<S>,
-    S: Frequency<E::Parameter>,
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter>,
+    C: RootCounter<S>,
 {
-    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
-        let total = Evaluation::new(self, x).eliminated(Choice::Largest);
-        if C::WATCHES && total.has_vanished {
-            counter.cancelled(true);
-        }
-        if counter.looks_at_root() {
-            let [row, error] = total.smallest_row;
-            counter.root_sum(S::Size::of(row), S::Size::of(ROUNDINGS * error));
-            // another choice of pivots rounds otherwise: what differs is decided by rounding
-            let other = Evaluation::new(self, x).eliminated(Choice::InOrder);
-            if other.below != total.below {
-                counter.cancelled(false);
-            }
-        }
-        counter.eliminated(total.below);
-        // in extended precision a row of rounding alone is zero: there is nothing further that could tell
-        if S::IS_EXTENDED && total.has_vanished { Scaled::new(S::zero(), 0) } else { total.delta() }
+    let total = Evaluation::<WIDTH, _, S>::new(network, x).eliminated(Choice::Largest);
+    if C::WATCHES && total.has_vanished {
+        counter.cancelled(true);
     }
+    if counter.looks_at_root() {
+        let [row, error] = total.smallest_row;
+        counter.root_sum(S::Size::of(row), S::Size::of(ROUNDINGS * error));
+        // another choice of pivots rounds otherwise: what differs is decided by rounding
+        let other = Evaluation::<WIDTH, _, S>::new(network, x).eliminated(Choice::InOrder);
+        if other.below != total.below {
+            counter.cancelled(false);
+        }
+    }
+    counter.eliminated(total.below);
+    // in extended precision a row of rounding alone is zero: there is nothing further that could tell
+    if S::IS_EXTENDED && total.has_vanished { Scaled::new(S::zero(), 0) } else { total.delta() }
 }
 
 /// An evaluation at work.
-struct Evaluation<'a, 'n, E: MemberElement, S: Scalar, const WIDTH: usize> {
-    network: &'a Network<'n, E, WIDTH>,
+struct Evaluation<'a, const WIDTH: usize, Y, S: Scalar> {
+    network: &'a Y,
+    order: NetworkOrder<'a>,
     at: FrequencyPowers<S>,
     objects: Objects<S, WIDTH>,
     front: Front<S, WIDTH>,
@@ -54,15 +73,16 @@ struct Evaluation<'a, 'n, E: MemberElement, S: Scalar, const WIDTH: usize> {
     roles: [Role<S>; WIDTH],
 }
 
-impl<'a, 'n, E, S, const WIDTH: usize> Evaluation<'a, 'n, E, S, WIDTH>
+impl<'a, const WIDTH: usize, Y, S> Evaluation<'a, WIDTH, Y, S>
 where
-    E: MemberChart<S>,
-    S: Frequency<E::Parameter>,
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter>,
 {
-    fn new(network: &'a Network<'n, E, WIDTH>, x: S) -> Self {
+    fn new(network: &'a Y, x: S) -> Self {
         let at = FrequencyPowers::new(x, true);
         Evaluation {
             network,
+            order: network.order(),
             at,
             objects: Objects::new(),
             front: Front::new(),
@@ -74,8 +94,8 @@ where
 
     /// Eliminates all nodes.
     fn eliminated(mut self, choice: Choice) -> Total<S> {
-        for &node in self.network.order {
-            let from = self.objects.len() - self.network.taken_up[node];
+        for &node in self.order.nodes {
+            let from = self.objects.len() - self.order.taken_up[node];
             self.push_members(node);
             self.join(node, from);
             self.front.eliminate(choice, &mut self.total);
@@ -86,14 +106,21 @@ where
         self.total
     }
 
+    /// The motions of both nodes of a member.
+    fn motions_of(&self, member: usize) -> [&'a Motions<Y::Parameter>; 2] {
+        [0, 1].map(|end| self.network.node(self.order.incidence.node(2 * member + end)).1)
+    }
+
     /// Adds the members that are cut by the elimination of a node.
     fn push_members(&mut self, node: usize) {
-        for &end in self.network.incidence.ends(node) {
-            if self.network.is_first_at(end, node)
-                && let Some(member) = &self.network.members[end / 2]
-            {
-                let chart = E::chart(&member.built, &self.at, member.length(self.network.motions_of(end / 2)));
-                self.objects.push_chart(&chart, end / 2 * 2 * MOST_FREEDOMS, &mut self.total);
+        for &end in self.order.incidence.ends(node) {
+            let member = end / 2;
+            if !self.order.is_first_at(end, node) {
+                continue;
+            }
+            let length = self.network.placement(member).length(self.motions_of(member));
+            if let Some(chart) = self.network.chart(member, &self.at, length) {
+                self.objects.push_chart(&chart, member * 2 * MOST_FREEDOMS, &mut self.total);
             }
         }
     }
@@ -104,15 +131,14 @@ where
         let mut units = NodeUnits::new();
         for place in places.clone() {
             let variable = &self.objects.variables[place];
-            self.is_here[place] = self.network.incidence.node(end_of(variable)) == node;
+            self.is_here[place] = self.order.incidence.node(end_of(variable)) == node;
             if self.is_here[place] {
                 units.include(variable);
             }
         }
-        let Node { mass, inertia, .. } = self.network.nodes[node];
+        let (body, motions) = self.network.node(node);
         let square = self.at.lambda_squared.size().first();
-        let units = units.units([mass, inertia].map(|inertia| square * inertia.to_f64()));
-        let motions = &self.network.motions[node];
+        let units = units.units([body.mass, body.inertia].map(|inertia| square * inertia.to_f64()));
         let mut variables = [Variable::NONE; MOST_FREEDOMS];
         for (motion, variable) in variables.iter_mut().enumerate() {
             variable.is_rotation = motions.is_rotation(motion);
@@ -124,7 +150,7 @@ where
         }
         let joint = Joint { motions: variables, from, roles: &self.roles };
         self.front.join(&self.objects, &joint, &mut self.total);
-        self.add_body(node, motions, variables);
+        self.add_body(body, motions, variables);
     }
 
     /// What a variable becomes in the front of a node.
@@ -136,7 +162,7 @@ where
             return Role::Boundary(unit.max(variable.unit));
         }
         let end = end_of(&variable);
-        let Some(member) = &self.network.members[end / 2] else { return Role::Absent };
+        let member = self.network.placement(end / 2);
         let freedom = member.freedom(variable.label % MOST_FREEDOMS);
         if member.releases(end % 2, freedom) {
             return if variable.is_force { Role::Absent } else { Role::Released(unit) };
@@ -145,7 +171,7 @@ where
             self.objects.restrain(place, unit, &mut self.front, &mut self.total);
         }
         let variable = &self.objects.variables[place];
-        let mut row = member.row::<S>(end % 2, freedom, self.network.motions_of(end / 2));
+        let mut row = member.row::<S>(end % 2, freedom, self.motions_of(end / 2));
         // the row of a force stands in the unit of the node, that of a displacement in its own
         let own = if variable.is_force { unit } else { variable.unit };
         for (coefficient, motion) in row.iter_mut().zip(motions) {
@@ -155,8 +181,7 @@ where
     }
 
     /// Adds the inertia of the body at a node: `λ² M` over its motions.
-    fn add_body(&mut self, node: usize, motions: &Motions<E::Parameter>, variables: &[Variable]) {
-        let node = &self.network.nodes[node];
+    fn add_body(&mut self, node: &Node<Y::Parameter>, motions: &Motions<Y::Parameter>, variables: &[Variable]) {
         if node.mass.vanishes() && node.inertia.vanishes() {
             return;
         }

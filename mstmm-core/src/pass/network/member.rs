@@ -1,8 +1,8 @@
 //! The members of a network: elements between two points, with what joins them to these.
 
 use crate::element::MemberElement;
-use crate::number::{Frequency, Parameter, Scalar};
-use crate::pass::network::node::Motions;
+use crate::number::{Frequency, Parameter, Real, Scalar};
+use crate::pass::network::node::{Motions, Node};
 use mstmm_plan::Freedoms;
 
 /// The end of a member.
@@ -14,12 +14,14 @@ pub struct End<T> {
     pub position: Option<[T; 2]>,
     /// Freedoms that the end does not share with the node, in the axes of the member: X along it, Y across, RZ of a hinge.
     pub released: Freedoms,
+    /// The direction in which a spring or damper acts here, of any length; none where it is that from the first end to the second.
+    pub along: Option<[T; 2]>,
 }
 
 impl<T> End<T> {
     /// An end at a node.
     pub fn of(node: usize) -> Self {
-        End { node, position: None, released: Freedoms::NONE }
+        End { node, position: None, released: Freedoms::NONE, along: None }
     }
 
     /// The end at another place of the body of its node.
@@ -32,6 +34,12 @@ impl<T> End<T> {
     #[must_use]
     pub fn releasing(self, released: Freedoms) -> Self {
         End { released, ..self }
+    }
+
+    /// The end of a spring or damper with a direction of its own, as where a lever turns it.
+    #[must_use]
+    pub fn along(self, direction: [T; 2]) -> Self {
+        End { along: Some(direction), ..self }
     }
 }
 
@@ -46,8 +54,6 @@ impl<T> From<usize> for End<T> {
 pub struct Member<E: MemberElement> {
     /// Its input and its output end.
     pub ends: [End<E::Parameter>; 2],
-    /// The direction of a spring or damper, of any length; none where it is that from the first end to the second.
-    pub along: Option<[E::Parameter; 2]>,
     /// What stands between the ends.
     pub element: E,
 }
@@ -55,77 +61,100 @@ pub struct Member<E: MemberElement> {
 impl<E: MemberElement> Member<E> {
     /// A member from one end to another: a beam's cross section, a spring or a damper.
     pub fn new(from: impl Into<End<E::Parameter>>, to: impl Into<End<E::Parameter>>, element: impl Into<E>) -> Self {
-        Member { ends: [from.into(), to.into()], along: None, element: element.into() }
+        Member { ends: [from.into(), to.into()], element: element.into() }
     }
 
-    /// The member with a direction along which it acts.
+    /// The member with a direction along which it acts at both ends.
     #[must_use]
     pub fn along(self, direction: [E::Parameter; 2]) -> Self {
-        Member { along: Some(direction), ..self }
+        Member { ends: self.ends.map(|end| end.along(direction)), ..self }
     }
 }
 
 /// Where a member stands: its length, and what the freedoms of its ends are of the motions of its nodes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Span<S> {
-    pub(crate) length: S,
+struct Span<S> {
+    length: S,
     /// Of each end, for displacements along and across the member and for the rotation: the parts of the motions of its node.
     rows: [[[S; 3]; 3]; 2],
 }
 
 impl<S: Scalar> Span<S> {
-    /// The span between two places, whose nodes may stand elsewhere, in a given direction or in that from one place to the other.
-    pub(crate) fn new<T>(
-        places: [[S; 2]; 2],
-        nodes: [[S; 2]; 2],
-        along: Option<[S; 2]>,
-        motions: [&Motions<T>; 2],
-    ) -> Self
+    /// The span between two ends, from the one to the other or in directions of their own.
+    fn new<T>(ends: &[PlacedEnd<T>; 2], motions: [&Motions<T>; 2]) -> Self
     where
         T: Parameter,
         S: Frequency<T>,
     {
-        let [from, to] = places;
-        let between = [to[0] - from[0], to[1] - from[1]];
+        let number = |place: [T; 2]| place.map(S::from_parameter);
         let norm = |[x, y]: [S; 2]| (x * x + y * y).sqrt();
+        let [from, to] = [&ends[0], &ends[1]].map(|end| number(end.place));
+        let between = [to[0] - from[0], to[1] - from[1]];
         let length = norm(between);
-        let (direction, size) = along.map_or((between, length), |along| (along, norm(along)));
-        let [c, s] = direction.map(|part| part / size);
         let (zero, one) = (S::zero(), S::one());
-        let rows = [0, 1].map(|end| {
-            let [x, y] = [0, 1].map(|k| places[end][k] - nodes[end][k]);
+        let rows = [0, 1].map(|k| {
+            let PlacedEnd { place, node, along, .. } = &ends[k];
+            let (place, node) = (number(*place), number(*node));
+            let (direction, size) = along.map_or((between, length), |along| (number(along), norm(number(along))));
+            let [c, s] = direction.map(|part| part / size);
+            let [x, y] = [place[0] - node[0], place[1] - node[1]];
             let rows = [[c, s, s * x - c * y], [-s, c, s * y + c * x], [zero, zero, one]];
-            rows.map(|row| motions[end].parts_of(row))
+            rows.map(|row| motions[k].parts_of(row))
         });
         Span { length, rows }
     }
 }
 
-/// A member that is built.
+/// Where a member stands, and how it is joined to its nodes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct BuiltMember<E: MemberElement> {
-    pub(crate) built: E::Built,
+pub struct Placement<T> {
     pub(crate) freedoms: Freedoms,
-    pub(crate) released: [Freedoms; 2],
-    /// The places of its ends and of its nodes, and its direction: in extended precision the span follows from them anew, so that what
-    /// is rigid stays so.
-    pub(crate) places: [[E::Parameter; 2]; 2],
-    pub(crate) nodes: [[E::Parameter; 2]; 2],
-    pub(crate) along: Option<[E::Parameter; 2]>,
-    pub(crate) span: Span<E::Parameter>,
+    ends: [PlacedEnd<T>; 2],
+    span: Span<T>,
 }
 
-impl<E: MemberElement> BuiltMember<E> {
-    fn exact_span<S: Frequency<E::Parameter>>(&self, motions: [&Motions<E::Parameter>; 2]) -> Span<S> {
-        let number = |places: [[E::Parameter; 2]; 2]| places.map(|place| place.map(S::from_parameter));
-        let along = self.along.map(|along| along.map(S::from_parameter));
-        Span::new(number(self.places), number(self.nodes), along, motions)
+/// The end of a member: its place and that of its node, and the direction in which it acts, if that is not along the member. In extended
+/// precision the span follows from them anew, so that what is rigid stays so.
+#[derive(Clone, Copy, Debug)]
+struct PlacedEnd<T> {
+    place: [T; 2],
+    node: [T; 2],
+    along: Option<[T; 2]>,
+    released: Freedoms,
+}
+
+impl<T: Real> Placement<T> {
+    /// No place yet.
+    pub(crate) fn nowhere() -> Self {
+        let origin = [T::zero(); 2];
+        let end = PlacedEnd { place: origin, node: origin, along: None, released: Freedoms::NONE };
+        Placement {
+            freedoms: Freedoms::NONE,
+            ends: [end; 2],
+            span: Span { length: T::zero(), rows: [[[T::zero(); 3]; 3]; 2] },
+        }
+    }
+
+    /// The placement of a member with some freedoms at each end, between nodes with these motions.
+    pub(crate) fn new(freedoms: Freedoms, ends: [&End<T>; 2], nodes: [&Node<T>; 2], motions: [&Motions<T>; 2]) -> Self {
+        let ends = [0, 1].map(|k| {
+            let End { position, along, released, .. } = *ends[k];
+            let node = nodes[k].position;
+            PlacedEnd { place: position.unwrap_or(node), node, along, released }
+        });
+        let span = Span::new(&ends, motions);
+        Placement { freedoms, ends, span }
+    }
+
+    /// Its length as a parameter.
+    pub(crate) fn own_length(&self) -> T {
+        self.span.length
     }
 
     /// Its length.
     #[inline]
-    pub(crate) fn length<S: Frequency<E::Parameter>>(&self, motions: [&Motions<E::Parameter>; 2]) -> S {
-        if S::IS_EXTENDED { self.exact_span::<S>(motions).length } else { S::from_parameter(self.span.length) }
+    pub(crate) fn length<S: Frequency<T>>(&self, motions: [&Motions<T>; 2]) -> S {
+        if S::IS_EXTENDED { Span::new(&self.ends, motions).length } else { S::from_parameter(self.span.length) }
     }
 
     /// The freedom at a place among those that its ends have.
@@ -146,19 +175,14 @@ impl<E: MemberElement> BuiltMember<E> {
     /// Whether an end does not share a freedom with its node.
     #[inline]
     pub(crate) fn releases(&self, end: usize, freedom: usize) -> bool {
-        self.released[end].contains(FREEDOMS[freedom])
+        self.ends[end].released.contains(FREEDOMS[freedom])
     }
 
     /// What a freedom of an end is of the motions of its node.
     #[inline]
-    pub(crate) fn row<S: Frequency<E::Parameter>>(
-        &self,
-        end: usize,
-        freedom: usize,
-        motions: [&Motions<E::Parameter>; 2],
-    ) -> [S; 3] {
+    pub(crate) fn row<S: Frequency<T>>(&self, end: usize, freedom: usize, motions: [&Motions<T>; 2]) -> [S; 3] {
         if S::IS_EXTENDED {
-            return self.exact_span::<S>(motions).rows[end][freedom];
+            return Span::new(&self.ends, motions).rows[end][freedom];
         }
         self.span.rows[end][freedom].map(S::from_parameter)
     }

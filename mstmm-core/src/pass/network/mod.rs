@@ -7,6 +7,7 @@ mod node;
 mod structure;
 
 pub use error::NetworkError;
-pub use member::{End, Member};
-pub use node::Node;
+pub use evaluate::{Placed, PlacedCharts, network_pass};
+pub use member::{End, Member, Placement};
+pub use node::{Motions, Node};
 pub use structure::{Network, NetworkRoom};

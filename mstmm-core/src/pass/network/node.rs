@@ -1,6 +1,7 @@
 //! The nodes of a network: points with what holds them and rigid bodies about them.
 
-use crate::number::{Frequency, Parameter};
+use crate::model::FrequencyEstimates;
+use crate::number::{Frequency, Parameter, Real};
 use mstmm_plan::Freedoms;
 
 /// A point of a plane network, with the displacements x, y and the rotation about z.
@@ -54,7 +55,7 @@ impl<T: Parameter> Node<T> {
 
 /// The motions that its supports leave a node, each by its displacements x and y and its rotation.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Motions<T> {
+pub struct Motions<T> {
     directions: [[T; 3]; 3],
     pub(crate) count: usize,
     /// Whether the last one is the rotation.
@@ -120,5 +121,15 @@ impl<T: Parameter> Node<T> {
         let [x, y] = [0, 1].map(|k| number(self.centre[k]) - number(self.position[k]));
         let (mx, my) = (mass * x, mass * y);
         [[mass, zero, -my], [zero, mass, mx], [-my, mx, number(self.inertia) + mx * x + my * y]]
+    }
+}
+
+impl<T: Real> Node<T> {
+    /// Adds the body to the estimates from which searches take their first steps.
+    pub(crate) fn estimate(&self, estimates: &mut FrequencyEstimates) {
+        estimates.mass(self.mass.to_f64());
+        estimates.moment_of_inertia(self.inertia.to_f64());
+        let offset = [0, 1].map(|k| (self.centre[k] - self.position[k]).to_f64());
+        offset.into_iter().for_each(|lever| estimates.lever(lever));
     }
 }

@@ -1,26 +1,23 @@
 //! A network with its order of elimination.
 
-use crate::element::MemberElement;
+use crate::element::{MemberChart, MemberElement};
 use crate::model::FrequencyEstimates;
-use crate::number::{Parameter, Truth};
-use crate::pass::characteristic::System;
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Truth};
+use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
-use crate::pass::network::member::{BuiltMember, Member, Span, is_finite};
+use crate::pass::network::evaluate::{Placed, PlacedCharts, network_pass};
+use crate::pass::network::member::{Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
-use mstmm_plan::{Elimination, Freedoms, Incidence, eliminated_in_order};
+use crate::subspace::{Chart, RootCounter};
+use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
 
 /// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 100 bytes per node, some 300 per member.
 #[derive(Clone, Debug)]
 pub struct NetworkRoom<E: MemberElement, const NODES: usize, const MEMBERS: usize> {
-    members: [Option<BuiltMember<E>>; MEMBERS],
+    members: [Option<E::Built>; MEMBERS],
+    placements: [Placement<E::Parameter>; MEMBERS],
     motions: [Motions<E::Parameter>; NODES],
-    pairs: [[usize; 2]; MEMBERS],
-    ends: [[usize; 2]; MEMBERS],
-    first_end: [usize; NODES],
-    order: [usize; NODES],
-    ranks: [usize; NODES],
-    taken_up: [usize; NODES],
-    elimination: [Elimination; NODES],
+    order: OrderRoom<NODES, MEMBERS>,
 }
 
 impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, NODES, MEMBERS> {
@@ -29,14 +26,9 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
     pub fn new() -> Self {
         NetworkRoom {
             members: [const { None }; MEMBERS],
+            placements: [Placement::nowhere(); MEMBERS],
             motions: [Motions::none(); NODES],
-            pairs: [[0; 2]; MEMBERS],
-            ends: [[0; 2]; MEMBERS],
-            first_end: [0; NODES],
-            order: [0; NODES],
-            ranks: [0; NODES],
-            taken_up: [0; NODES],
-            elimination: [Elimination::UNKNOWN; NODES],
+            order: OrderRoom::EMPTY,
         }
     }
 }
@@ -67,15 +59,11 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Network<'a, E: MemberElement, const WIDTH: usize> {
-    pub(super) nodes: &'a [Node<E::Parameter>],
-    pub(super) members: &'a [Option<BuiltMember<E>>],
-    pub(super) motions: &'a [Motions<E::Parameter>],
-    pub(super) incidence: Incidence<'a>,
-    /// The nodes in the order of elimination, and the place of each in it.
-    pub(super) order: &'a [usize],
-    pub(super) ranks: &'a [usize],
-    /// How many fronts each node takes up.
-    pub(super) taken_up: &'a [usize],
+    nodes: &'a [Node<E::Parameter>],
+    motions: &'a [Motions<E::Parameter>],
+    members: &'a [Option<E::Built>],
+    placements: &'a [Placement<E::Parameter>],
+    order: NetworkOrder<'a>,
 }
 
 impl<'a, E: MemberElement, const WIDTH: usize> Network<'a, E, WIDTH> {
@@ -100,66 +88,26 @@ impl<'a, E: MemberElement, const WIDTH: usize> Network<'a, E, WIDTH> {
             room.motions[index] = Motions::of(node);
         }
         for (index, member) in members.iter().enumerate() {
-            room.members[index] = Some(built(index, member, nodes, &room.motions)?);
-            room.pairs[index] = [member.ends[0].node, member.ends[1].node];
+            let (built, placement) = built(index, member, nodes, &room.motions)?;
+            (room.members[index], room.placements[index]) = (Some(built), placement);
         }
-        let NetworkRoom { members: built, motions, pairs, ends, first_end, order, ranks, taken_up, elimination } = room;
-        let (built, motions) = (&built[..sizes.1], &motions[..sizes.0]);
-        let (pairs, ends) = (&pairs[..sizes.1], ends[..sizes.1].as_flattened_mut());
-        let incidence = Incidence::new(pairs, &mut first_end[..sizes.0], ends);
-        let (order, ranks) = (&mut order[..sizes.0], &mut ranks[..sizes.0]);
-        let elimination = &mut elimination[..sizes.0];
-        elimination.fill(Elimination::UNKNOWN);
-        let count = eliminated_in_order(&incidence, elimination, order);
-        ranks.fill(usize::MAX);
-        for (rank, node) in order[..count].iter().enumerate() {
-            ranks[*node] = rank;
-            taken_up[*node] = Elimination::taken_up(elimination, *node);
-        }
-        if let Some(node) = ranks.iter().position(|rank| *rank == usize::MAX) {
+        let pairs = members.iter().map(|member| [member.ends[0].node, member.ends[1].node]);
+        if let Some(node) = room.order.fill(sizes.0, pairs) {
             return Err(NetworkError::Apart { node });
         }
-        let network = Network { nodes, members: built, motions, incidence, order, ranks, taken_up };
-        match network.width() {
+        let NetworkRoom { members: built, placements, motions, order } = room;
+        let network = Network {
+            nodes,
+            motions: &motions[..sizes.0],
+            members: &built[..sizes.1],
+            placements: &placements[..sizes.1],
+            order: order.order(sizes.0, sizes.1),
+        };
+        let freedoms = |end: usize| network.placements[end / 2].freedoms.count();
+        match network.order.width(|node| network.motions[node].count, freedoms) {
             needed if needed > WIDTH => Err(NetworkError::Width { needed }),
             _ => Ok(network),
         }
-    }
-
-    /// The members whose first node in the order is this one, and the rest of the ends at it.
-    pub(super) fn is_first_at(&self, end: usize, node: usize) -> bool {
-        let other = self.incidence.beyond(end);
-        self.ranks[other] > self.ranks[node] || (other == node && end.is_multiple_of(2))
-    }
-
-    /// The motions of both nodes of a member.
-    pub(super) fn motions_of(&self, member: usize) -> [&'a Motions<E::Parameter>; 2] {
-        [0, 1].map(|end| &self.motions[self.incidence.node(2 * member + end)])
-    }
-
-    /// The number of freedoms of an end of a member.
-    pub(super) fn freedoms(&self, end: usize) -> usize {
-        self.members[end / 2].as_ref().map_or(0, |member| member.freedoms.count())
-    }
-
-    /// The largest number of variables at once, if all of them stay.
-    fn width(&self) -> usize {
-        let (mut count, mut widest) = (0, 0);
-        for &node in self.order {
-            let motions = self.motions[node].count;
-            let here = self.incidence.ends(node).iter();
-            let (mut entering, mut leaving) = (0, 0);
-            for &end in here {
-                if self.is_first_at(end, node) {
-                    entering += 2 * self.freedoms(end);
-                }
-                leaving += self.freedoms(end);
-            }
-            widest = widest.max(count + entering + motions);
-            count += entering;
-            count -= leaving;
-        }
-        widest
     }
 }
 
@@ -193,29 +141,35 @@ fn built<E: MemberElement>(
     member: &Member<E>,
     nodes: &[Node<E::Parameter>],
     motions: &[Motions<E::Parameter>],
-) -> Result<BuiltMember<E>, NetworkError> {
-    let Member { ends, along, element } = *member;
+) -> Result<(E::Built, Placement<E::Parameter>), NetworkError> {
+    let Member { ends, element } = member;
     if let Some(end) = ends.iter().find(|end| end.node >= nodes.len()) {
         return Err(NetworkError::NoSuchNode { member: index, node: end.node });
     }
-    let at_nodes = ends.map(|end| nodes[end.node].position);
-    let places = [0, 1].map(|end| ends[end].position.unwrap_or(at_nodes[end]));
     let freedoms = element.freedoms();
     let acts_along = freedoms.is(Freedoms::X);
-    if along.is_some_and(|direction| !acts_along || !is_direction(direction)) {
+    let mut directions = ends.iter().filter_map(|end| end.along);
+    if directions.any(|direction| !acts_along || !is_direction(direction)) {
         return Err(NetworkError::Direction { member: index });
     }
-    let span = Span::new(places, at_nodes, along, ends.map(|end| &motions[end.node]));
-    let has_direction = span.length.to_f64() > 0.0 || along.is_some() || freedoms.is(Freedoms::RZ);
-    if !has_direction {
-        return Err(NetworkError::SamePlace { member: index, nodes: ends.map(|end| end.node) });
+    let [from, to] = ends;
+    let placement = Placement::new(
+        freedoms,
+        [from, to],
+        [&nodes[from.node], &nodes[to.node]],
+        [&motions[from.node], &motions[to.node]],
+    );
+    let length = placement.own_length();
+    let have_directions = ends.iter().all(|end| end.along.is_some());
+    if !(length.to_f64() > 0.0 || have_directions || freedoms.is(Freedoms::RZ)) {
+        return Err(NetworkError::SamePlace { member: index, nodes: [from.node, to.node] });
     }
-    let built = element.build(span.length).map_err(|error| NetworkError::Parameter {
+    let built = element.build(length).map_err(|error| NetworkError::Parameter {
         member: index,
         element: element.name(),
         error,
     })?;
-    Ok(BuiltMember { built, freedoms, released: ends.map(|end| end.released), places, nodes: at_nodes, along, span })
+    Ok((built, placement))
 }
 
 impl<E: MemberElement, const WIDTH: usize> System for Network<'_, E, WIDTH> {
@@ -226,15 +180,46 @@ impl<E: MemberElement, const WIDTH: usize> System for Network<'_, E, WIDTH> {
     fn estimates(&self) -> FrequencyEstimates {
         let mut estimates = FrequencyEstimates::default();
         for member in self.members.iter().flatten() {
-            E::estimate(&member.built, &mut estimates);
+            E::estimate(member, &mut estimates);
         }
         for node in self.nodes {
-            estimates.mass(node.mass.to_f64());
-            estimates.moment_of_inertia(node.inertia.to_f64());
-            let offset = [0, 1].map(|k| (node.centre[k] - node.position[k]).to_f64());
-            offset.into_iter().for_each(|lever| estimates.lever(lever));
+            node.estimate(&mut estimates);
         }
         estimates.finish();
         estimates
+    }
+}
+
+impl<E: MemberElement, const WIDTH: usize> Placed for Network<'_, E, WIDTH> {
+    fn node(&self, node: usize) -> (&Node<E::Parameter>, &Motions<E::Parameter>) {
+        (&self.nodes[node], &self.motions[node])
+    }
+
+    fn placement(&self, member: usize) -> &Placement<E::Parameter> {
+        &self.placements[member]
+    }
+
+    fn order(&self) -> NetworkOrder<'_> {
+        self.order
+    }
+}
+
+impl<E, S, const WIDTH: usize> PlacedCharts<S> for Network<'_, E, WIDTH>
+where
+    E: MemberChart<S>,
+    S: Frequency<E::Parameter>,
+{
+    fn chart(&self, member: usize, at: &FrequencyPowers<S>, length: S) -> Option<Chart<S>> {
+        Some(E::chart(self.members[member].as_ref()?, at, length))
+    }
+}
+
+impl<E, S, const WIDTH: usize> Characteristic<S> for Network<'_, E, WIDTH>
+where
+    E: MemberChart<S>,
+    S: Frequency<E::Parameter>,
+{
+    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
+        network_pass::<WIDTH, _, _, _>(self, x, counter)
     }
 }

@@ -1,0 +1,146 @@
+//! The order in which an evaluation goes through a network: computed once, in memory of a fixed size.
+
+use crate::elimination::{Elimination, Incidence, eliminated_in_order};
+
+/// A network as an evaluation goes through it.
+#[derive(Clone, Copy, Debug)]
+pub struct NetworkOrder<'a> {
+    /// Which members each node has.
+    pub incidence: Incidence<'a>,
+    /// The nodes in the order of their elimination.
+    pub nodes: &'a [usize],
+    /// The place of each node in that order.
+    ranks: &'a [usize],
+    /// How many fronts each node takes up.
+    pub taken_up: &'a [usize],
+}
+
+impl NetworkOrder<'_> {
+    /// Whether a member is cut by the elimination of the node of one of its ends, and this end stands for it.
+    pub const fn is_first_at(&self, end: usize, node: usize) -> bool {
+        let other = self.incidence.beyond(end);
+        self.ranks[other] > self.ranks[node] || (other == node && end.is_multiple_of(2))
+    }
+
+    /// The largest number of variables at once, if all of them stay: of motions of each node and freedoms of each end.
+    pub fn width(&self, motions: impl Fn(usize) -> usize, freedoms: impl Fn(usize) -> usize) -> usize {
+        let (mut count, mut widest) = (0, 0);
+        for &node in self.nodes {
+            let (mut entering, mut leaving) = (0, 0);
+            for &end in self.incidence.ends(node) {
+                if self.is_first_at(end, node) {
+                    entering += 2 * freedoms(end);
+                }
+                leaving += freedoms(end);
+            }
+            widest = widest.max(count + entering + motions(node));
+            count += entering;
+            count -= leaving;
+        }
+        widest
+    }
+}
+
+/// Memory for the order of a network of up to so many nodes and members.
+#[derive(Clone, Copy, Debug)]
+pub struct OrderRoom<const NODES: usize, const MEMBERS: usize> {
+    members: [[usize; 2]; MEMBERS],
+    first_end: [usize; NODES],
+    ends: [[usize; 2]; MEMBERS],
+    nodes: [usize; NODES],
+    ranks: [usize; NODES],
+    taken_up: [usize; NODES],
+}
+
+impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
+    /// Memory without a network.
+    pub const EMPTY: Self = OrderRoom {
+        members: [[0; 2]; MEMBERS],
+        first_end: [0; NODES],
+        ends: [[0; 2]; MEMBERS],
+        nodes: [0; NODES],
+        ranks: [0; NODES],
+        taken_up: [0; NODES],
+    };
+
+    /// The order of a network that fills the memory and hangs together, from the two nodes of each member.
+    pub const fn of(members: [[usize; 2]; MEMBERS]) -> Self {
+        let mut room = OrderRoom { members, ..Self::EMPTY };
+        assert!(room.set_in_order(NODES, MEMBERS).is_none(), "the network does not hang together");
+        room
+    }
+
+    /// Puts a network in order, given its number of nodes and the two nodes of each member. Returns a node that nothing joins to the
+    /// others, if there is one.
+    pub fn fill(&mut self, nodes: usize, members: impl ExactSizeIterator<Item = [usize; 2]>) -> Option<usize> {
+        let count = members.len();
+        for (place, pair) in self.members.iter_mut().zip(members) {
+            *place = pair;
+        }
+        self.set_in_order(nodes, count)
+    }
+
+    const fn set_in_order(&mut self, nodes: usize, members: usize) -> Option<usize> {
+        let mut elimination = [Elimination::UNKNOWN; NODES];
+        let elimination = elimination.split_at_mut(nodes).0;
+        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, taken_up } = self;
+        let ends = ends.as_mut_slice().split_at_mut(members).0.as_flattened_mut();
+        let pairs = pairs.as_slice().split_at(members).0;
+        let incidence = Incidence::new(pairs, first_end.as_mut_slice().split_at_mut(nodes).0, ends);
+        let order = order.as_mut_slice().split_at_mut(nodes).0;
+        let count = eliminated_in_order(&incidence, elimination, order);
+        *ranks = [usize::MAX; NODES];
+        let mut rank = 0;
+        while rank < count {
+            let node = order[rank];
+            ranks[node] = rank;
+            taken_up[node] = Elimination::taken_up(elimination, node);
+            rank += 1;
+        }
+        let mut node = 0;
+        while node < nodes {
+            if ranks[node] == usize::MAX {
+                return Some(node);
+            }
+            node += 1;
+        }
+        None
+    }
+
+    /// The order of so many nodes and members.
+    pub const fn order(&self, nodes: usize, members: usize) -> NetworkOrder<'_> {
+        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, taken_up } = self;
+        let ends = ends.as_slice().split_at(members).0.as_flattened();
+        let pairs = pairs.as_slice().split_at(members).0;
+        NetworkOrder {
+            incidence: Incidence::sorted(pairs, first_end.as_slice().split_at(nodes).0, ends),
+            nodes: order.as_slice().split_at(nodes).0,
+            ranks: ranks.as_slice().split_at(nodes).0,
+            taken_up: taken_up.as_slice().split_at(nodes).0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CHAIN: OrderRoom<4, 3> = OrderRoom::of([[2, 0], [0, 3], [3, 1]]);
+
+    #[test]
+    fn a_constant_and_a_larger_room_have_one_order() {
+        let mut room = OrderRoom::<7, 9>::EMPTY;
+        assert_eq!(room.fill(4, [[2, 0], [0, 3], [3, 1]].into_iter()), None);
+        let (one, other) = (CHAIN.order(4, 3), room.order(4, 3));
+        assert_eq!((one.nodes, one.taken_up), (other.nodes, other.taken_up));
+        assert_eq!(one.nodes, [1, 3, 0, 2]);
+        // two members of three freedoms and a node of as many motions
+        assert_eq!(other.width(|_| 3, |_| 3), 12);
+    }
+
+    #[test]
+    fn a_node_that_nothing_joins_is_named() {
+        let mut room = OrderRoom::<4, 2>::EMPTY;
+        assert_eq!(room.fill(4, [[0, 1], [2, 3]].into_iter()), Some(0));
+    }
+}
