@@ -120,7 +120,7 @@ pub mod list {
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
     pub use mstmm_core::{
-        AnyMember, Chart, Charted, End, Freedoms, Member, MemberChart, MemberElement, Network, NetworkError,
+        AnyMember, Chart, Charted, End, Freedoms, Joint, Member, MemberChart, MemberElement, Network, NetworkError,
         NetworkRoom as Room, Node, Section, Support, UndampedMember,
     };
 }

@@ -40,6 +40,7 @@ pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use element::visit::{Visit, VisitStep};
 pub use elements::any_member::{AnyMember, BuiltAnyMember, BuiltUndampedMember, Section, UndampedMember};
+pub use elements::joint::Joint;
 pub use elements::{AnyElement, AnyUndamped};
 pub use model::chain_rule::{Chain, ChainRule, Fields, NamedFields};
 pub use model::ends::Ends;

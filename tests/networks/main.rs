@@ -4,6 +4,7 @@ mod checks;
 mod equivalents;
 mod families;
 mod finite_elements;
+mod joints;
 mod judgement;
 mod library;
 mod oracle;

@@ -36,6 +36,9 @@ pub trait MemberElement: Copy + Debug {
     /// The freedoms of its ends, in its own axes: X is along it.
     fn freedoms(&self) -> Freedoms;
 
+    /// Whether it stands at one place, with the axes of the plane where it has no direction; else it spans two places.
+    fn is_joint(&self) -> bool;
+
     /// Adds the element's stiffnesses and masses to the estimates from which searches take their first steps.
     fn estimate(built: &Self::Built, estimates: &mut FrequencyEstimates);
 }

@@ -1,6 +1,7 @@
 //! Members of any type, for networks whose size the program decides.
 
 use crate::element::{Charted, Element, MemberChart, MemberElement};
+use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::connector::along_member;
 use crate::elements::{Damper, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
@@ -35,6 +36,8 @@ macro_rules! any_member {
         pub enum $name<T: Real> {
             /// A beam with bending and longitudinal vibration.
             Beam(Section<T>),
+            /// A joint of two points at one place.
+            Joint(Joint<T>),
             $(
                 #[doc = concat!("A [`", stringify!($connector), "`]: of a translation along the member, of a rotation about z.")]
                 $connector($connector<T>),
@@ -46,6 +49,8 @@ macro_rules! any_member {
         pub enum $built<T: Real> {
             /// A built beam.
             Beam(BuiltPlanarBeam<T>),
+            /// A built joint.
+            Joint(Joint<T>),
             $(
                 #[doc = concat!("A built [`", stringify!($connector), "`].")]
                 $connector($connector<T>),
@@ -55,6 +60,12 @@ macro_rules! any_member {
         impl<T: Real> From<Section<T>> for $name<T> {
             fn from(section: Section<T>) -> Self {
                 $name::Beam(section)
+            }
+        }
+
+        impl<T: Real> From<Joint<T>> for $name<T> {
+            fn from(joint: Joint<T>) -> Self {
+                $name::Joint(joint)
             }
         }
 
@@ -73,6 +84,7 @@ macro_rules! any_member {
             fn build(self, length: T) -> Result<$built<T>, InvalidParameter> {
                 Ok(match self {
                     $name::Beam(section) => $built::Beam(section.beam(length).build()?),
+                    $name::Joint(joint) => $built::Joint(joint.build()?),
                     $($name::$connector(connector) => $built::$connector(connector.build()?),)*
                 })
             }
@@ -80,6 +92,7 @@ macro_rules! any_member {
             fn name(&self) -> &'static str {
                 match self {
                     $name::Beam(_) => "beam",
+                    $name::Joint(_) => "joint",
                     $($name::$connector(_) => stringify!($connector),)*
                 }
             }
@@ -87,13 +100,19 @@ macro_rules! any_member {
             fn freedoms(&self) -> Freedoms {
                 match self {
                     $name::Beam(_) => Freedoms::ALL,
+                    $name::Joint(joint) => joint.freedoms(),
                     $($name::$connector(_) => along_member::<$connector<T>>(),)*
                 }
+            }
+
+            fn is_joint(&self) -> bool {
+                matches!(self, $name::Joint(_))
             }
 
             fn estimate(built: &$built<T>, estimates: &mut FrequencyEstimates) {
                 match built {
                     $built::Beam(beam) => <PlanarBeam<T> as Element>::estimate(beam, estimates),
+                    $built::Joint(joint) => <Joint<T> as Element>::estimate(joint, estimates),
                     $($built::$connector(built) => <$connector<T> as Element>::estimate(built, estimates),)*
                 }
             }
@@ -103,6 +122,7 @@ macro_rules! any_member {
             fn chart(built: &$built<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
                 match built {
                     $built::Beam(beam) => <PlanarBeam<T> as Charted<S>>::chart(beam, at, length),
+                    $built::Joint(joint) => <Joint<T> as Charted<S>>::chart(joint, at, length),
                     $($built::$connector(built) => <$connector<T> as Charted<S>>::chart(built, at, length),)*
                 }
             }

@@ -11,6 +11,8 @@ use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
+mod chart;
+
 /// Uniform Euler-Bernoulli beam, exact at every frequency.
 ///
 /// Transfer matrix on `[Y, Θ, M, Q]` with `β⁴ = -mλ²/EI`, `z = βl` and the Krylov functions S, T, U, V of z:

@@ -8,6 +8,7 @@ pub(crate) mod any_member;
 mod beam;
 mod body;
 mod elastic_hinge;
+pub(crate) mod joint;
 #[cfg(test)]
 mod laws;
 mod line;

@@ -1,8 +1,8 @@
-//! The charts of springs and dampers between two points.
+//! The charts of what joins freedoms one by one: springs, dampers, hinges, rigid joints.
 
 use crate::element::{Element, space_of};
 use crate::number::{Scalar, Scaled, Size, binary_exponent};
-use crate::subspace::{Chart, MOST_VARIABLES, Units, unit_of};
+use crate::subspace::{Chart, Measure, Units, unit_of};
 use mstmm_plan::{Freedoms, Space};
 
 /// The freedom that the ends of a translation or rotation element have in the axes of a member: along it or about z.
@@ -10,31 +10,55 @@ pub(crate) fn along_member<E: Element>() -> Freedoms {
     if space_of::<E>().is(Space::Translation) { Freedoms::X } else { Freedoms::RZ }
 }
 
-/// The chart of a dynamic stiffness κ between the displacements of two points, over the displacement of the first one and the force
-/// at the second: `[[0, -1], [-1, -1/κ]]`. A stiff one loses nothing, as it would among stiffnesses.
+/// What joins the two ends in one freedom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Tie<S> {
+    /// A dynamic stiffness.
+    Elastic(S),
+    /// Both displacements are one.
+    Rigid,
+}
+
+/// The chart of a dynamic stiffness κ between the displacements of two points.
 pub(crate) fn connector<S: Scalar>(kappa: S, freedoms: Freedoms) -> Chart<S> {
-    let size = kappa.size().first();
-    let mut entries = [[S::zero(); MOST_VARIABLES]; MOST_VARIABLES];
-    let mut chart = Chart {
-        freedoms,
-        entries,
-        forces: 0,
-        units: Units { displacement: 0, rotation: 0 },
-        wave: None,
-        product: Scaled::new(S::one(), 0),
-        below: S::Size::of(0.0),
+    chart_of_ties(core::iter::once((freedoms, Tie::Elastic(kappa))))
+}
+
+/// The chart of ties of single freedoms, which stand in the order x, y, rz: of each over the displacement of the first end and the force
+/// at the second, `[[0, -1], [-1, -1/κ]]`. A stiff one loses nothing, as it would among stiffnesses.
+pub(crate) fn chart_of_ties<S: Scalar>(ties: impl Iterator<Item = (Freedoms, Tie<S>)> + Clone) -> Chart<S> {
+    let freedoms = ties.clone().fold(Freedoms::NONE, |sum, (freedom, _)| sum.union(freedom));
+    let softest = |is_rotation: bool| {
+        let exponents = ties.clone().filter_map(|(freedom, tie)| match tie {
+            Tie::Elastic(kappa) if freedom.is(Freedoms::RZ) == is_rotation => {
+                let size = kappa.size().first();
+                (size > 0.0).then(|| binary_exponent(size))
+            }
+            _ => None,
+        });
+        exponents.min().map(unit_of)
     };
-    if size == 0.0 {
-        return chart;
+    let [displacement, rotation] = [false, true].map(softest);
+    let one = displacement.or(rotation);
+    let measure = if one.is_some() { Measure::Connector } else { Measure::Nothing };
+    let one = one.unwrap_or(0);
+    let units = Units { displacement: displacement.unwrap_or(one), rotation: rotation.unwrap_or(one) };
+    let mut chart = Chart::empty(freedoms, units, measure);
+    for (input, (freedom, tie)) in ties.enumerate() {
+        let output = freedoms.count() + input;
+        let flexibility = match tie {
+            Tie::Rigid => S::zero(),
+            Tie::Elastic(kappa) if kappa.size().first() == 0.0 => continue,
+            Tie::Elastic(kappa) => {
+                chart.product = chart.product.product(Scaled::new(kappa, 0));
+                S::one() / kappa.times_power_of_two(2 * units.of(freedom.is(Freedoms::RZ)))
+            }
+        };
+        chart.entries[input][output] = -S::one();
+        chart.entries[output][input] = -S::one();
+        chart.entries[output][output] = -flexibility;
+        chart.forces |= 1 << output;
+        chart.below = chart.below + S::Size::of(-1.0);
     }
-    let unit = unit_of(binary_exponent(size));
-    entries[0][1] = -S::one();
-    entries[1][0] = -S::one();
-    entries[1][1] = -(S::one() / kappa.times_power_of_two(2 * unit));
-    chart.entries = entries;
-    chart.forces = 0b10;
-    chart.units = Units { displacement: unit, rotation: unit };
-    chart.product = Scaled::new(kappa, 0);
-    chart.below = S::Size::of(-1.0);
     chart
 }

@@ -1,9 +1,12 @@
 //! Formulas that several elements share.
 
 pub(crate) mod back_transfer;
+pub(crate) mod bending_chart;
+pub(crate) mod chart_form;
 pub(crate) mod compound;
 pub(crate) mod connector;
 pub(crate) mod krylov;
 pub(crate) mod line_forms;
 pub(crate) mod line_step;
+pub(crate) mod longitudinal_chart;
 pub(crate) mod massless;

@@ -39,6 +39,13 @@ pub enum NetworkError {
         /// Indices of its nodes.
         nodes: [usize; 2],
     },
+    /// The ends of a joint are at two places.
+    TwoPlaces {
+        /// Index of the member.
+        member: usize,
+        /// Indices of its nodes.
+        nodes: [usize; 2],
+    },
     /// A member has a direction that is zero or not finite, or that it does not take: beams act between their ends, torsion springs about z.
     Direction {
         /// Index of the member.
@@ -75,6 +82,9 @@ impl fmt::Display for NetworkError {
             NetworkError::SamePlace { member, nodes: [from, to] } => {
                 write!(f, "member {member} has both ends at one place, at nodes {from} and {to}: ")?;
                 write!(f, "a beam needs a length, a spring between such nodes a direction, `.along(..)`")
+            }
+            NetworkError::TwoPlaces { member, nodes: [from, to] } => {
+                write!(f, "member {member} is a joint of nodes {from} and {to}, which are not at one place")
             }
             NetworkError::Direction { member } => {
                 write!(f, "member {member} has a direction that is zero, not finite, or not its own to choose: ")?;

@@ -5,7 +5,7 @@ use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
 use crate::subspace::{
-    Chart, Choice, Front, Joint, MOST_FREEDOMS, NodeUnits, Objects, Role, RootCounter, Total, Units, Variable,
+    Chart, Choice, Front, Joint, MOST_FREEDOMS, Measure, NodeUnits, Objects, Role, RootCounter, Total, Units, Variable,
 };
 use mstmm_plan::NetworkOrder;
 
@@ -159,7 +159,8 @@ where
         let unit = units.of(variable.is_rotation);
         if !self.is_here[place] {
             // the unit of a front is no smaller than that of its node
-            return Role::Boundary(unit.max(variable.unit));
+            let is_own = variable.measure != Measure::Nothing;
+            return Role::Boundary(if is_own { unit.max(variable.unit) } else { unit });
         }
         let end = end_of(&variable);
         let member = self.network.placement(end / 2);

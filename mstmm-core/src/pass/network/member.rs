@@ -43,6 +43,13 @@ impl<T> End<T> {
     }
 }
 
+impl<T: Parameter> End<T> {
+    /// The end with the axes of the plane, unless it has a direction.
+    pub(crate) fn in_axes(self) -> Self {
+        End { along: Some(self.along.unwrap_or([T::one(), T::zero()])), ..self }
+    }
+}
+
 impl<T> From<usize> for End<T> {
     fn from(node: usize) -> Self {
         End::of(node)

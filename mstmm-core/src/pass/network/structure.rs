@@ -6,7 +6,7 @@ use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Truth};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
 use crate::pass::network::evaluate::{Placed, PlacedCharts, network_pass};
-use crate::pass::network::member::{Member, Placement, is_finite};
+use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::subspace::{Chart, RootCounter};
 use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
@@ -142,17 +142,20 @@ fn built<E: MemberElement>(
     nodes: &[Node<E::Parameter>],
     motions: &[Motions<E::Parameter>],
 ) -> Result<(E::Built, Placement<E::Parameter>), NetworkError> {
-    let Member { ends, element } = member;
+    let Member { mut ends, element } = *member;
     if let Some(end) = ends.iter().find(|end| end.node >= nodes.len()) {
         return Err(NetworkError::NoSuchNode { member: index, node: end.node });
     }
     let freedoms = element.freedoms();
-    let acts_along = freedoms.is(Freedoms::X);
+    let acts_along = freedoms.is(Freedoms::X) || element.is_joint();
     let mut directions = ends.iter().filter_map(|end| end.along);
     if directions.any(|direction| !acts_along || !is_direction(direction)) {
         return Err(NetworkError::Direction { member: index });
     }
-    let [from, to] = ends;
+    if element.is_joint() {
+        ends = ends.map(End::in_axes);
+    }
+    let [from, to] = &ends;
     let placement = Placement::new(
         freedoms,
         [from, to],
@@ -160,6 +163,9 @@ fn built<E: MemberElement>(
         [&motions[from.node], &motions[to.node]],
     );
     let length = placement.own_length();
+    if element.is_joint() && length.to_f64() > 0.0 {
+        return Err(NetworkError::TwoPlaces { member: index, nodes: [from.node, to.node] });
+    }
     let have_directions = ends.iter().all(|end| end.along.is_some());
     if !(length.to_f64() > 0.0 || have_directions || freedoms.is(Freedoms::RZ)) {
         return Err(NetworkError::SamePlace { member: index, nodes: [from.node, to.node] });

@@ -113,7 +113,7 @@ impl<S: Scalar, const W: usize> Front<S, W> {
             let at = next[kind];
             next[kind] += 1;
             let variable = &objects.variables[place];
-            self.variables[at] = Variable { unit, ..*variable };
+            self.variables[at] = Variable { unit, measure: variable.measure.once_joined(), ..*variable };
             targets[place] = Target::Place(at, variable.shift_to(unit));
             self.note_error(at, objects.errors[place].times_power_of_two(2 * variable.shift_to(unit)));
             if let Role::Force(_, row) = joint.roles[place] {

@@ -1,7 +1,7 @@
 //! Charts of members: their relations between both ends as an element gives them.
 
-use crate::number::{Scalar, Scaled};
-use crate::subspace::front::matrix::Variable;
+use crate::number::{Scalar, Scaled, Size};
+use crate::subspace::front::matrix::{Measure, Variable};
 use crate::subspace::front::units::Units;
 use mstmm_plan::Freedoms;
 
@@ -25,8 +25,8 @@ pub struct Chart<S: Scalar> {
     pub forces: u32,
     /// Logarithms to base 2 of the units of displacements and of rotations.
     pub(crate) units: Units,
-    /// Logarithm to base 2 of the wave number; none of connectors.
-    pub wave: Option<i32>,
+    /// What the units come from.
+    pub(crate) measure: Measure,
     /// The minor of the subspace for these variables, without units: an entire function.
     pub product: Scaled<S>,
     /// Natural frequencies of the member with its displacement variables held and its force variables free, less the number of forces.
@@ -34,9 +34,22 @@ pub struct Chart<S: Scalar> {
 }
 
 impl<S: Scalar> Chart<S> {
+    /// A chart of displacements without entries.
+    pub(crate) fn empty(freedoms: Freedoms, units: Units, measure: Measure) -> Self {
+        Chart {
+            freedoms,
+            entries: [[S::zero(); MOST_VARIABLES]; MOST_VARIABLES],
+            forces: 0,
+            units,
+            measure,
+            product: Scaled::new(S::one(), 0),
+            below: S::Size::of(0.0),
+        }
+    }
+
     /// The variables.
     pub(crate) fn variables(&self) -> impl Iterator<Item = Variable> {
-        let Chart { freedoms, units, wave, forces, .. } = *self;
+        let Chart { freedoms, units, measure, forces, .. } = *self;
         let own =
             [Freedoms::X, Freedoms::Y, Freedoms::RZ].into_iter().filter(move |freedom| freedoms.contains(*freedom));
         let ends = [0, MOST_FREEDOMS].into_iter();
@@ -44,7 +57,7 @@ impl<S: Scalar> Chart<S> {
             ends.flat_map(move |label| own.clone().enumerate().map(move |(k, freedom)| (label + k, freedom)));
         variables.enumerate().map(move |(k, (label, freedom))| {
             let is_rotation = freedom.is(Freedoms::RZ);
-            Variable { label, is_force: forces >> k & 1 == 1, is_rotation, unit: units.of(is_rotation), wave }
+            Variable { label, is_force: forces >> k & 1 == 1, is_rotation, unit: units.of(is_rotation), measure }
         })
     }
 }

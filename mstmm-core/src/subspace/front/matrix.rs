@@ -14,12 +14,31 @@ pub(crate) struct Variable {
     pub(crate) is_rotation: bool,
     /// Logarithm to base 2 of the unit of the displacement; the force has its inverse.
     pub(crate) unit: i32,
-    /// Logarithm to base 2 of the wave number of the member there; none of connectors, which measure nothing.
-    pub(crate) wave: Option<i32>,
+    /// What its unit comes from.
+    pub(crate) measure: Measure,
+}
+
+/// What gives a variable its unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Measure {
+    /// A member with inertia, given the logarithm to base 2 of its wave number.
+    Member(i32),
+    /// A spring or damper.
+    Connector,
+    /// Nothing: a rigid joint has no size.
+    Nothing,
+}
+
+impl Measure {
+    /// What the unit comes from behind a node, which lends its own to a rigid joint.
+    pub(super) fn once_joined(self) -> Self {
+        if self == Measure::Nothing { Measure::Connector } else { self }
+    }
 }
 
 impl Variable {
-    pub(crate) const NONE: Variable = Variable { label: 0, is_force: false, is_rotation: false, unit: 0, wave: None };
+    pub(crate) const NONE: Variable =
+        Variable { label: 0, is_force: false, is_rotation: false, unit: 0, measure: Measure::Nothing };
 
     /// Logarithm to base 2 of the factor of a row of this variable in another unit.
     #[inline]

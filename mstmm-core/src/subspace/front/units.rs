@@ -1,7 +1,7 @@
 //! Units in which the sizes of entries compare: they decide which pivots are taken, and round nothing.
 
 use crate::number::{Scalar, Size, binary_exponent};
-use crate::subspace::front::matrix::{Front, Variable};
+use crate::subspace::front::matrix::{Front, Measure, Variable};
 
 /// Logarithms to base 2 of the units of displacements and of rotations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,9 +36,13 @@ impl NodeUnits {
     /// Looks at a variable of a port.
     pub(crate) fn include(&mut self, variable: &Variable) {
         let (kind, unit) = (usize::from(variable.is_rotation), variable.unit);
-        let Some(wave) = variable.wave else {
-            self.connectors[kind] = Some(self.connectors[kind].map_or(unit, |largest| largest.max(unit)));
-            return;
+        let wave = match variable.measure {
+            Measure::Member(wave) => wave,
+            Measure::Connector => {
+                self.connectors[kind] = Some(self.connectors[kind].map_or(unit, |largest| largest.max(unit)));
+                return;
+            }
+            Measure::Nothing => return,
         };
         let [least, greatest] = self.members[kind].unwrap_or([unit; 2]);
         self.members[kind] = Some([least.min(unit), greatest.max(unit)]);

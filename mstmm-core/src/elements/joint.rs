@@ -1,0 +1,101 @@
+//! Joint of two points at one place.
+
+use crate::element::{Charted, Element};
+use crate::elements::shared::connector::{Tie, chart_of_ties};
+use crate::elements::{ElasticHinge, PlanarHinge};
+use crate::model::{FrequencyEstimates, InvalidParameter, Planar, Requirement};
+use crate::number::{Frequency, FrequencyPowers, Parameter};
+use crate::subspace::Chart;
+use mstmm_plan::Freedoms;
+
+/// A massless joint of two points at one place, which ties freedoms rigidly or by springs: a pin, a slider, an elastic hinge.
+///
+/// With `κ` of a spring, and without a flexibility where it is rigid, of each tied freedom
+///
+/// ```text
+/// f_input = -f_output        u_input - u_output = f/κ
+/// ```
+///
+/// Its axes are those of the plane, or x leads along a direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint<T> {
+    /// The freedoms that are rigid.
+    rigid: Freedoms,
+    /// The stiffnesses of x and y [N/m] and about z [N m/rad].
+    elastic: [Option<T>; 3],
+}
+
+/// The freedoms in their order.
+const FREEDOMS: [Freedoms; 3] = [Freedoms::X, Freedoms::Y, Freedoms::RZ];
+
+/// The parameters by which hinges give the stiffnesses.
+const NAMES: [&str; 3] = ["stiffness_x", "stiffness_y", "stiffness_theta"];
+
+impl<T> Joint<T> {
+    /// A joint that ties freedoms rigidly.
+    ///
+    /// ```
+    /// use mstmm_core::{Freedoms, Joint};
+    /// let pin = Joint::<f64>::rigid(Freedoms::X.union(Freedoms::Y));
+    /// let slider_along_x = Joint::<f64>::rigid(Freedoms::Y.union(Freedoms::RZ));
+    /// # assert_ne!(pin, slider_along_x);
+    /// ```
+    pub fn rigid(freedoms: Freedoms) -> Self {
+        Joint { rigid: freedoms, elastic: [const { None }; 3] }
+    }
+}
+
+impl<T> From<ElasticHinge<T>> for Joint<T> {
+    fn from(hinge: ElasticHinge<T>) -> Self {
+        let ElasticHinge { stiffness_y, stiffness_theta } = hinge;
+        Joint { rigid: Freedoms::NONE, elastic: [None, Some(stiffness_y), Some(stiffness_theta)] }
+    }
+}
+
+impl<T> From<PlanarHinge<T>> for Joint<T> {
+    fn from(hinge: PlanarHinge<T>) -> Self {
+        let PlanarHinge { stiffness_x, stiffness_y, stiffness_theta } = hinge;
+        Joint { rigid: Freedoms::NONE, elastic: [stiffness_x, stiffness_y, stiffness_theta].map(Some) }
+    }
+}
+
+impl<T: Parameter> Joint<T> {
+    /// What ties each freedom.
+    fn ties<S: Frequency<T>>(&self) -> impl Iterator<Item = (Freedoms, Tie<S>)> + Clone {
+        let Joint { rigid, elastic } = *self;
+        FREEDOMS.into_iter().zip(elastic).filter_map(move |(freedom, stiffness)| {
+            let elastic = stiffness.map(|stiffness| Tie::Elastic(S::from_parameter(stiffness)));
+            Some((freedom, elastic.or(rigid.contains(freedom).then_some(Tie::Rigid))?))
+        })
+    }
+
+    /// The freedoms that it ties.
+    pub(crate) fn freedoms(&self) -> Freedoms {
+        let elastic = FREEDOMS.into_iter().zip(&self.elastic).filter(|(_, stiffness)| stiffness.is_some());
+        elastic.fold(self.rigid, |sum, (freedom, _)| sum.union(freedom))
+    }
+}
+
+impl<T: Parameter> Element for Joint<T> {
+    type State = Planar;
+    type Built = Self;
+
+    fn build(self) -> Result<Self, InvalidParameter> {
+        for (name, stiffness) in NAMES.into_iter().zip(self.elastic) {
+            stiffness.map_or(Ok(()), |stiffness| Requirement::Invertible.check(name, stiffness))?;
+        }
+        Ok(self)
+    }
+
+    fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
+        let [x, y, rotation] = built.elastic;
+        [x, y].into_iter().flatten().for_each(|stiffness| estimates.translational_stiffness(stiffness.to_f64()));
+        rotation.into_iter().for_each(|stiffness| estimates.torsional_stiffness(stiffness.to_f64()));
+    }
+}
+
+impl<T: Parameter, S: Frequency<T>> Charted<S> for Joint<T> {
+    fn chart(built: &Self, _at: &FrequencyPowers<S>, _length: S) -> Chart<S> {
+        chart_of_ties(built.ties())
+    }
+}
