@@ -70,7 +70,8 @@ pub use pass::characteristic::{Characteristic, System};
 pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
 pub use pass::network::{
-    End, Member, Motions, Network, NetworkError, NetworkRoom, Node, Placed, PlacedCharts, Placement, network_pass,
+    Axis, End, Located, Member, Motions, Network, NetworkError, NetworkRoom, NetworkSketch, Node, Placed, PlacedCharts,
+    Placement, Skeleton, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, network_pass,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

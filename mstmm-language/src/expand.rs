@@ -4,7 +4,7 @@ use crate::ast::Model;
 use crate::diagnostics::Errors;
 use crate::groups::{in_braces, made_visible};
 use crate::network::{self, Network, Paths, Points};
-use crate::{check, depth, emit, parse, plan::Plan, topology::Graph};
+use crate::{check, depth, emit, parse, plan::Plan, skeleton::Skeleton, topology::Graph};
 use proc_macro2::TokenStream;
 
 /// Expands `(path to mstmm) model` into its code, or into its errors.
@@ -22,9 +22,8 @@ pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
     check::words(&model, &mut errors);
     let derivatives = check::derivatives(&model, &mut errors);
     if model.is_located() {
-        let _network = network(&model, errors)?;
-        let message = "points with places are read and checked, but a model with them cannot be evaluated yet";
-        return Err(syn::Error::new(model.parameters.ident.span(), message));
+        let network = network(&model, errors)?;
+        return emit::located(&model, &Skeleton::of(&network));
     }
     let graph = Graph::of(&model, &mut errors);
     let tree = check::topology(&model, &graph, errors)?;

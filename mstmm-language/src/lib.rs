@@ -15,6 +15,7 @@ mod keywords;
 mod network;
 mod parse;
 mod plan;
+mod skeleton;
 mod spans;
 #[cfg(test)]
 mod tests;

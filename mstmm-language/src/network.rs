@@ -16,6 +16,6 @@ mod text;
 pub(crate) use classes::Classes;
 pub(crate) use freedoms::freedoms;
 pub(crate) use graph::{Edge, Graph, Location, Named};
-pub(crate) use hand_over::Network;
+pub(crate) use hand_over::{Direction, Holds, Joint, Network, PathContact, PathElement, Support, TransferPath};
 pub(crate) use paths::{Contact, Path, Paths};
 pub(crate) use points::Points;

@@ -5,7 +5,7 @@ const NONE: usize = usize::MAX;
 
 /// What the search for an order keeps of each node.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Elimination {
+pub struct Elimination {
     /// The node in whose elimination the front of this one is taken up; none of the last one.
     parent: usize,
     /// Ends of cut members on the boundary of the front, once the node is eliminated.
@@ -18,7 +18,7 @@ pub(crate) struct Elimination {
 
 impl Elimination {
     /// A node about which nothing is known yet.
-    pub(crate) const UNKNOWN: Elimination =
+    pub const UNKNOWN: Elimination =
         Elimination { parent: NONE, ends: 0, is_eliminated: false, first_child: NONE, next_sibling: NONE };
 
     /// How many fronts a node takes up, once all are in order.

@@ -20,10 +20,10 @@ mod step;
 mod support;
 
 pub use coordinate::Coordinate;
-pub use elimination::Incidence;
+pub use elimination::{Elimination, Incidence};
 pub use freedom::Freedoms;
 pub use layout::Layout;
-pub use network_order::{NetworkOrder, OrderRoom};
+pub use network_order::{NetworkOrder, OrderMemory, OrderRoom};
 pub use order::inputs_first;
 pub use scheme::{Place, Scheme};
 pub use space::{Space, WIDEST};

@@ -41,6 +41,55 @@ impl NetworkOrder<'_> {
     }
 }
 
+/// Memory of the caller's for the order of a network: a pair per member, and of the others an entry per node.
+#[derive(Debug)]
+pub struct OrderMemory<'a> {
+    /// Ends.
+    pub ends: &'a mut [[usize; 2]],
+    /// Where the ends of each node begin.
+    pub first_end: &'a mut [usize],
+    /// The nodes in their order.
+    pub nodes: &'a mut [usize],
+    /// The place of each node in that order.
+    pub ranks: &'a mut [usize],
+    /// How many fronts each node takes up.
+    pub taken_up: &'a mut [usize],
+    /// What the search keeps of each node, [`Elimination::UNKNOWN`] at first.
+    pub elimination: &'a mut [Elimination],
+}
+
+impl<'a> OrderMemory<'a> {
+    /// Puts a network in order, given the two nodes of each member.
+    ///
+    /// # Errors
+    /// A node that nothing joins to the others.
+    pub const fn set_in_order(self, members: &'a [[usize; 2]]) -> Result<NetworkOrder<'a>, usize> {
+        let OrderMemory { ends, first_end, nodes, ranks, taken_up, elimination } = self;
+        let incidence = Incidence::new(members, first_end, ends.as_flattened_mut());
+        let count = eliminated_in_order(&incidence, elimination, nodes);
+        let mut node = 0;
+        while node < nodes.len() {
+            ranks[node] = usize::MAX;
+            node += 1;
+        }
+        let mut rank = 0;
+        while rank < count {
+            let node = nodes[rank];
+            ranks[node] = rank;
+            taken_up[node] = Elimination::taken_up(elimination, node);
+            rank += 1;
+        }
+        let mut node = 0;
+        while node < nodes.len() {
+            if ranks[node] == usize::MAX {
+                return Err(node);
+            }
+            node += 1;
+        }
+        Ok(NetworkOrder { incidence, nodes, ranks, taken_up })
+    }
+}
+
 /// Memory for the order of a network of up to so many nodes and members.
 #[derive(Clone, Copy, Debug)]
 pub struct OrderRoom<const NODES: usize, const MEMBERS: usize> {
@@ -82,29 +131,19 @@ impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
 
     const fn set_in_order(&mut self, nodes: usize, members: usize) -> Option<usize> {
         let mut elimination = [Elimination::UNKNOWN; NODES];
-        let elimination = elimination.split_at_mut(nodes).0;
         let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, taken_up } = self;
-        let ends = ends.as_mut_slice().split_at_mut(members).0.as_flattened_mut();
-        let pairs = pairs.as_slice().split_at(members).0;
-        let incidence = Incidence::new(pairs, first_end.as_mut_slice().split_at_mut(nodes).0, ends);
-        let order = order.as_mut_slice().split_at_mut(nodes).0;
-        let count = eliminated_in_order(&incidence, elimination, order);
-        *ranks = [usize::MAX; NODES];
-        let mut rank = 0;
-        while rank < count {
-            let node = order[rank];
-            ranks[node] = rank;
-            taken_up[node] = Elimination::taken_up(elimination, node);
-            rank += 1;
+        let memory = OrderMemory {
+            ends: ends.as_mut_slice().split_at_mut(members).0,
+            first_end: first_end.as_mut_slice().split_at_mut(nodes).0,
+            nodes: order.as_mut_slice().split_at_mut(nodes).0,
+            ranks: ranks.as_mut_slice().split_at_mut(nodes).0,
+            taken_up: taken_up.as_mut_slice().split_at_mut(nodes).0,
+            elimination: elimination.split_at_mut(nodes).0,
+        };
+        match memory.set_in_order(pairs.as_slice().split_at(members).0) {
+            Ok(_) => None,
+            Err(node) => Some(node),
         }
-        let mut node = 0;
-        while node < nodes {
-            if ranks[node] == usize::MAX {
-                return Some(node);
-            }
-            node += 1;
-        }
-        None
     }
 
     /// The order of so many nodes and members.

@@ -4,7 +4,7 @@
 use crate::checks::{Found, check_frequencies};
 use crate::families::Named;
 use crate::oracle::Oracle;
-use crate::reference_cases::{ExactFrequency, reference_cases};
+use crate::reference_cases::{ExactFrequency, ReferenceCase, reference_cases};
 use crate::structure::Structure;
 use mstmm::number::{DoubleDouble, Parameter};
 
@@ -29,10 +29,10 @@ pub(crate) struct Tally {
 /// The exact frequencies of tests/data/frames.json lie in the intervals that a search finds, as often as they are there, and
 /// the intervals are no wider than their condition asks for.
 ///
-/// The search returns the first frequencies of a structure.
-pub(crate) fn judge_reference_cases(search: impl Fn(&Structure) -> Result<Vec<Found>, String>) {
+/// The search returns the first frequencies of a case.
+pub(crate) fn judge_reference_cases(search: impl Fn(&ReferenceCase) -> Result<Vec<Found>, String>) {
     for case in reference_cases() {
-        let found = search(&case.structure).unwrap_or_else(|error| panic!("{}: {error}", case.name));
+        let found = search(&case).unwrap_or_else(|error| panic!("{}: {error}", case.name));
         assert!(found.len() > 1, "{}: {found:?}", case.name);
         let mut before = 0;
         for (found, exact) in found.iter().zip(&case.frequencies) {

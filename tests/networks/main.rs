@@ -12,6 +12,7 @@ mod oracle_against_cases;
 mod oracle_as_search;
 mod oracle_laws;
 mod reference_cases;
+mod sketches;
 #[path = "../support/stiffness_matrix/mod.rs"]
 mod stiffness_matrix;
 mod structure;

@@ -35,7 +35,7 @@ fn first(structure: &Structure, number: u64) -> Vec<Found> {
 
 #[test]
 fn bisection_finds_the_reference_frequencies() {
-    judge_reference_cases(|structure| Ok(first(structure, 7)));
+    judge_reference_cases(|case| Ok(first(&case.structure, 7)));
 }
 
 #[test]

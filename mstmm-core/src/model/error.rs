@@ -24,6 +24,15 @@ pub enum Requirement {
         /// Where the bound comes from, in terms of the other parameters.
         formula: &'static str,
     },
+    /// Positive, as the distance of two points: they are not at one place.
+    Apart {
+        /// Name of the one point.
+        from: &'static str,
+        /// Name of the other.
+        to: &'static str,
+    },
+    /// The larger part of a direction: finite and not zero.
+    Direction,
 }
 
 impl fmt::Display for Requirement {
@@ -35,6 +44,8 @@ impl fmt::Display for Requirement {
             Requirement::Rescale => write!(f, "positive, and not too extreme beside the other parameters"),
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
+            Requirement::Apart { from, to } => write!(f, "positive and finite: {from} and {to} are at one place"),
+            Requirement::Direction => write!(f, "a direction, finite and not zero"),
         }
     }
 }
@@ -96,7 +107,9 @@ impl Requirement {
         let number = value.to_f64();
         let valid = match self {
             Requirement::Finite => true,
-            Requirement::Positive | Requirement::Rescale => number > 0.0,
+            Requirement::Positive | Requirement::Rescale | Requirement::Apart { .. } | Requirement::Direction => {
+                number > 0.0
+            }
             Requirement::Invertible => number > 0.0 && reciprocal().is_finite(),
             Requirement::NonNegative => number >= 0.0,
             // see `AtLeast`: three roundings of each of two numbers of the size of the bound

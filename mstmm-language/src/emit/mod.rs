@@ -3,6 +3,7 @@
 mod evaluate;
 mod labels;
 mod layout;
+mod located;
 mod names;
 mod pass;
 mod sensitivity;
@@ -12,6 +13,7 @@ mod tree;
 use crate::ast::{Element, Model, NO_SENSITIVITY};
 use crate::check::Derivatives;
 use crate::plan::Plan;
+pub(crate) use located::located;
 use names::Names;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote_spanned};

@@ -4,7 +4,7 @@ use super::sensitivity::member;
 use super::{Names, element_field};
 use crate::ast::{Element, Field, Model, Parameter};
 use crate::plan::Plan;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 /// The struct of elements, the functions that make it from the parameters, and what all systems have.
@@ -165,12 +165,17 @@ fn built(element: &Element, place: &mut usize, names: &Names) -> TokenStream {
 }
 
 /// A parameter as a number; a type that is not `f64` is shown at the expression.
-fn number(parameter: &Parameter, names: &Names) -> TokenStream {
+pub(super) fn number(parameter: &Parameter, names: &Names) -> TokenStream {
     let (name, span) = (&parameter.name, names.at(parameter.name.span()));
     let value = parameter.value.as_ref().map_or_else(|| name.to_token_stream(), ToTokens::to_token_stream);
-    let number = Ident::new("number", span);
     // the user's own token, so that rustc shows what it expects and nothing of the code around it
-    let float = quote_spanned!(name.span()=> ::core::primitive::f64);
+    number_of(&value, name.span(), span)
+}
+
+/// The value of an expression as a number, where the type that is expected is shown at one place, and the code around at another.
+pub(super) fn number_of(value: &TokenStream, expected: Span, span: Span) -> TokenStream {
+    let number = Ident::new("number", span);
+    let float = quote_spanned!(expected=> ::core::primitive::f64);
     quote_spanned!(span=> {
         let #number: #float = #value;
         #number

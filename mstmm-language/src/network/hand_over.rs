@@ -1,5 +1,4 @@
 //! The types of a network: what `check` hands over to the emission.
-#![cfg_attr(not(test), expect(dead_code, reason = "the emission of networks, which reads all of it, is the next step"))]
 
 use crate::ast::{self, Connection, Coordinates, Element};
 use crate::keywords::Dimension;

@@ -51,6 +51,26 @@ impl<T: Parameter> Node<T> {
     pub fn with_body(self, mass: T, inertia: T, centre: [T; 2]) -> Self {
         Node { mass, inertia, centre, ..self }
     }
+
+    /// The point with a rigid body beside the one that it has: both are one body then.
+    pub(crate) fn and_body(self, mass: T, inertia: T, centre: [T; 2]) -> Self
+    where
+        T: Real,
+    {
+        let total = self.mass + mass;
+        if self.mass.vanishes() && self.inertia.vanishes() {
+            return self.with_body(mass, inertia, centre);
+        }
+        if total.vanishes() {
+            return Node { inertia: self.inertia + inertia, ..self };
+        }
+        // about the common centre: parallel axes
+        let [x, y] = [0, 1].map(|k| centre[k] - self.centre[k]);
+        let part = mass / total;
+        let apart = self.mass * part * (x * x + y * y);
+        let centre = [self.centre[0] + part * x, self.centre[1] + part * y];
+        Node { mass: total, inertia: self.inertia + inertia + apart, centre, ..self }
+    }
 }
 
 /// The motions that its supports leave a node, each by its displacements x and y and its rotation.

@@ -1,0 +1,101 @@
+//! What `system!` says of a network: its nodes and members by indices, its numbers by their place in a list.
+
+use mstmm_plan::Freedoms;
+
+/// A network without its numbers.
+///
+/// These are a list: the two coordinates of each place, the two parts of each direction, mass, inertia and the two coordinates of the
+/// centre of each body.
+#[derive(Clone, Copy, Debug)]
+pub struct NetworkSketch<const NODES: usize, const MEMBERS: usize> {
+    /// The name of what stands at each place.
+    pub places: &'static [&'static str],
+    /// The name of what has each direction.
+    pub directions: &'static [&'static str],
+    /// The masses; several at one node are one body.
+    pub bodies: &'static [SketchedBody],
+    /// The nodes.
+    pub nodes: [SketchedNode; NODES],
+    /// The members.
+    pub members: [SketchedMember; MEMBERS],
+}
+
+/// A mass at a node.
+#[derive(Clone, Copy, Debug)]
+pub struct SketchedBody {
+    /// Its name.
+    pub name: &'static str,
+    /// Index of the node that it moves with.
+    pub node: usize,
+}
+
+/// A node.
+#[derive(Clone, Copy, Debug)]
+pub struct SketchedNode {
+    /// Index of its place; none of a motion of a path, which is along x.
+    pub place: Option<usize>,
+    /// The freedoms that are held.
+    pub held: Freedoms,
+    /// Index of the direction along which it moves.
+    pub along: Option<usize>,
+}
+
+/// A member.
+#[derive(Clone, Copy, Debug)]
+pub struct SketchedMember {
+    /// Its name.
+    pub name: &'static str,
+    /// The freedoms of its ends.
+    pub freedoms: Freedoms,
+    /// Its input and its output.
+    pub ends: [SketchedEnd; 2],
+}
+
+/// The end of a member.
+#[derive(Clone, Copy, Debug)]
+pub struct SketchedEnd {
+    /// Index of its node.
+    pub node: usize,
+    /// Index of its place; none at a motion of a path.
+    pub place: Option<usize>,
+    /// Its x axis.
+    pub axis: Axis,
+}
+
+/// The x axis of the end of a member.
+#[derive(Clone, Copy, Debug)]
+pub enum Axis {
+    /// From the input end to the output end.
+    Member,
+    /// x of the plane.
+    X,
+    /// y of the plane.
+    Y,
+    /// The direction of an index.
+    Along(usize),
+    /// From the place of an index to that of another.
+    FromTo(usize, usize),
+}
+
+impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
+    /// The nodes of each member.
+    pub const fn pairs(&self) -> [[usize; 2]; MEMBERS] {
+        let mut pairs = [[0; 2]; MEMBERS];
+        let mut member = 0;
+        while member < MEMBERS {
+            let [from, to] = &self.members[member].ends;
+            pairs[member] = [from.node, to.node];
+            member += 1;
+        }
+        pairs
+    }
+}
+
+/// A model whose points have places.
+pub trait Located {
+    /// Room for its numbers.
+    type Numbers: AsRef<[f64]>;
+
+    /// The numbers of its sketch, then the parameters of its members.
+    fn numbers(&self) -> Self::Numbers;
+}

@@ -1,0 +1,91 @@
+//! Emits the code of a model with locations: its numbers, the built system, and what an evaluation by fronts asks of it.
+
+mod numbers;
+mod sketch;
+mod system;
+
+use super::{Names, labels, parameters};
+use crate::ast::Model;
+use crate::skeleton::{Member, Skeleton, What};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote_spanned};
+use std::collections::BTreeMap;
+
+/// All items of a model with locations.
+///
+/// # Errors
+/// Nothing joins a part of the model to the rest.
+pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>) -> syn::Result<TokenStream> {
+    let apart = |name| {
+        let message = format!("nothing joins {name} to the rest of the model: a model is one structure");
+        syn::Error::new(model.parameters.ident.span(), message)
+    };
+    let width = skeleton.width().map_err(apart)?;
+    let names = Names::of(model);
+    let parameters = parameters(model);
+    let definition = system::definition(model, skeleton, &names);
+    let numbers = numbers::numbers(model, skeleton, &names);
+    let labels = labels::labels(model, &names);
+    let sketch = sketch::sketch(skeleton, &names);
+    let build = system::build(model, skeleton, &names);
+    let placed = system::placed(skeleton, &names);
+    let charts = system::charts(skeleton, width, &names);
+    Ok(quote_spanned! {names.here=>
+        #parameters
+        #definition
+        #numbers
+        const _: () = {
+            #labels
+            #sketch
+            #build
+            #placed
+            #charts
+        };
+    })
+}
+
+impl Member<'_> {
+    /// Where errors about the member are shown: at its keyword.
+    fn span(&self, names: &Names) -> Span {
+        match self.what {
+            What::Element(element) => names.at_element(element),
+            What::Rigid => names.here,
+        }
+    }
+
+    /// Whether it is an element of a type of its own, and no joint.
+    fn is_joint(&self) -> bool {
+        match self.what {
+            What::Element(element) => {
+                matches!(element.kind.name().to_string().as_str(), "elastic_hinge" | "planar_hinge")
+            }
+            What::Rigid => true,
+        }
+    }
+
+    /// Its type, at the user's token.
+    fn kind(&self, names: &Names) -> TokenStream {
+        let span = self.span(names);
+        match self.what {
+            What::Element(element) if !self.is_joint() => names.element(element),
+            _ => {
+                let (joint, parameter) = (names.function_at("Joint", span), &names.parameter);
+                quote_spanned!(span=> #joint<#parameter>)
+            }
+        }
+    }
+}
+
+/// Field of the built system that holds a member.
+fn field(member: usize, span: Span) -> Ident {
+    format_ident!("member_{member}", span = span)
+}
+
+/// The members of each type, in a fixed order.
+fn by_type<'s>(skeleton: &'s Skeleton<'_>, names: &Names) -> Vec<Vec<(usize, &'s Member<'s>)>> {
+    let mut all: BTreeMap<String, Vec<_>> = BTreeMap::new();
+    for (index, member) in skeleton.members.iter().enumerate() {
+        all.entry(member.kind(names).to_string()).or_default().push((index, member));
+    }
+    all.into_values().collect()
+}

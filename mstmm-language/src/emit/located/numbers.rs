@@ -1,0 +1,71 @@
+//! Emits the numbers of a model with locations: coordinates, directions, masses, parameters.
+
+use super::super::Names;
+use super::super::system::{number, number_of};
+use crate::ast::{Element, Field, Model, Parameter, place_of};
+use crate::skeleton::{Skeleton, What};
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote_spanned};
+use syn::Expr;
+use syn::ext::IdentExt;
+
+/// `impl Located`: the numbers in the order of the core's sketch, then the parameters of members.
+pub(super) fn numbers(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let (name, lets) = (&model.parameters.ident, &model.lets);
+    let bindings = model
+        .fields()
+        .map(|Field { name, conditions, .. }| quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;));
+    let mut numbers = Vec::new();
+    for vector in skeleton.places.iter().chain(&skeleton.directions) {
+        numbers.extend(two(vector.parts, names));
+    }
+    for body in &skeleton.bodies {
+        numbers.extend(["mass", "inertia"].map(|name| named(body.element, name, names)));
+        numbers.extend(two(body.centre, names));
+    }
+    numbers.extend(skeleton.members.iter().flat_map(|member| member_parameters(member.what)).map(|p| number(p, names)));
+    let count = numbers.len();
+    quote_spanned! {names.here=>
+        // not marked as derived: rustc would be silent about a field that nothing uses
+        impl #private::Located for #name {
+            type Numbers = [::core::primitive::f64; #count];
+
+            fn numbers(&self) -> [::core::primitive::f64; #count] {
+                #(#bindings)*
+                #(#lets)*
+                [#(#numbers),*]
+            }
+        }
+    }
+}
+
+/// The parameters of what stands between two points.
+pub(super) fn member_parameters<'a>(what: What<'a>) -> impl Iterator<Item = &'a Parameter> {
+    let element = match what {
+        What::Element(element) => Some(element),
+        What::Rigid => None,
+    };
+    element.into_iter().flat_map(Element::parameters)
+}
+
+/// Both parts of a place or a direction.
+fn two(parts: &[Expr], names: &Names) -> [TokenStream; 2] {
+    [0, 1].map(|k| parts.get(k).map_or_else(|| zero(names), |part| coordinate(part, names)))
+}
+
+/// A coordinate as a number.
+fn coordinate(value: &Expr, names: &Names) -> TokenStream {
+    let span = place_of(value).first;
+    number_of(&value.to_token_stream(), span, names.at(span))
+}
+
+/// A parameter of an element by its name; zero where the element has not got it.
+fn named(element: &Element, name: &str, names: &Names) -> TokenStream {
+    let parameter = element.parameters().find(|parameter| parameter.name.unraw() == name);
+    parameter.map_or_else(|| zero(names), |parameter| number(parameter, names))
+}
+
+fn zero(names: &Names) -> TokenStream {
+    quote_spanned!(names.here=> 0.0)
+}

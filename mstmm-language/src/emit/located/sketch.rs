@@ -1,0 +1,83 @@
+//! Emits the skeleton as a constant, and the order of its nodes.
+
+use super::super::Names;
+use crate::skeleton::{Axis, End, Member, Node, Skeleton};
+use mstmm_plan::Freedoms;
+use proc_macro2::TokenStream;
+use quote::quote_spanned;
+
+/// `SKETCH` and `ORDER`.
+pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let places = skeleton.places.iter().map(|place| &place.name);
+    let directions = skeleton.directions.iter().map(|direction| &direction.name);
+    let bodies = skeleton.bodies.iter().map(|body| {
+        let (name, node) = (body.element.to_string(), body.node);
+        quote_spanned!(names.here=> #private::SketchedBody { name: #name, node: #node })
+    });
+    let nodes = skeleton.nodes.iter().map(|node| sketched_node(node, names));
+    let members = skeleton.members.iter().map(|member| sketched_member(member, names));
+    let (node_count, member_count) = (skeleton.nodes.len(), skeleton.members.len());
+    quote_spanned! {names.here=>
+        const SKETCH: #private::NetworkSketch<#node_count, #member_count> = #private::NetworkSketch {
+            places: &[#(#places),*],
+            directions: &[#(#directions),*],
+            bodies: &[#(#bodies),*],
+            nodes: [#(#nodes),*],
+            members: [#(#members),*],
+        };
+        #[allow(long_running_const_eval)]
+        const ORDER: &#private::OrderRoom<#node_count, #member_count> = &#private::OrderRoom::of(SKETCH.pairs());
+    }
+}
+
+fn sketched_node(node: &Node, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let (place, held, along) = (option(node.place, names), freedoms(node.held, names), option(node.along, names));
+    quote_spanned!(names.here=> #private::SketchedNode { place: #place, held: #held, along: #along })
+}
+
+fn sketched_member(member: &Member<'_>, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let (name, freedoms) = (&member.name, freedoms(member.freedoms, names));
+    let ends = member.ends.iter().map(|end| sketched_end(end, names));
+    quote_spanned! {names.here=>
+        #private::SketchedMember { name: #name, freedoms: #freedoms, ends: [#(#ends),*] }
+    }
+}
+
+fn sketched_end(end: &End, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let (node, place) = (end.node, option(end.place, names));
+    let axis = match end.axis {
+        Axis::Member => quote_spanned!(names.here=> Member),
+        Axis::X => quote_spanned!(names.here=> X),
+        Axis::Y => quote_spanned!(names.here=> Y),
+        Axis::Along(direction) => quote_spanned!(names.here=> Along(#direction)),
+        Axis::FromTo([from, to]) => quote_spanned!(names.here=> FromTo(#from, #to)),
+    };
+    quote_spanned!(names.here=> #private::SketchedEnd { node: #node, place: #place, axis: #private::Axis::#axis })
+}
+
+fn option(index: Option<usize>, names: &Names) -> TokenStream {
+    match index {
+        Some(index) => quote_spanned!(names.here=> ::core::option::Option::Some(#index)),
+        None => quote_spanned!(names.here=> ::core::option::Option::None),
+    }
+}
+
+/// A set of freedoms.
+pub(super) fn freedoms(set: Freedoms, names: &Names) -> TokenStream {
+    let private = &names.private;
+    if set == Freedoms::ALL {
+        return quote_spanned!(names.here=> #private::Freedoms::ALL);
+    }
+    let mut sum = quote_spanned!(names.here=> #private::Freedoms::NONE);
+    for (freedom, name) in [(Freedoms::X, "X"), (Freedoms::Y, "Y"), (Freedoms::RZ, "RZ")] {
+        if set.contains(freedom) {
+            let name = proc_macro2::Ident::new(name, names.here);
+            sum.extend(quote_spanned!(names.here=> .union(#private::Freedoms::#name)));
+        }
+    }
+    sum
+}

@@ -1,0 +1,210 @@
+//! Emits the built system of a model with locations, `build()`, and its traits.
+
+use super::super::{Names, implement};
+use super::numbers::member_parameters;
+use super::{by_type, field};
+use crate::ast::Model;
+use crate::skeleton::{Member, Skeleton, What};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote_spanned;
+
+/// The struct of the skeleton and of built members.
+pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
+    let (nodes, members) = (skeleton.nodes.len(), skeleton.members.len());
+    let fields = skeleton.members.iter().enumerate().map(|(index, member)| {
+        let (span, kind) = (member.span(names), member.kind(names));
+        let (field, element) = (field(index, span), names.trait_at("Element", span));
+        let doc = format!(" `{}`", member.name);
+        quote_spanned!(span=> #[doc = #doc] #field: <#kind as #element>::Built)
+    });
+    let doc = format!(
+        "The built system of [`{model}`]: evaluate it at a frequency, or search its frequencies.\n\n{skeleton}"
+    );
+    let doc = doc.lines().map(|line| format!(" {line}"));
+    quote_spanned! {names.here=>
+        #(#[doc = #doc])*
+        #[derive(::core::clone::Clone, ::core::fmt::Debug)]
+        #visibility struct #system<#parameter: #private::Parameter = f64> {
+            skeleton: #private::Skeleton<#parameter, #nodes, #members>,
+            #(#fields,)*
+            estimates: #private::FrequencyEstimates,
+        }
+    }
+}
+
+/// `build()`: from the parameters to the skeleton, the members and the estimates of the searches.
+pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
+    let mut place = 2 * (skeleton.places.len() + skeleton.directions.len()) + 4 * skeleton.bodies.len();
+    let members = skeleton.members.iter().enumerate().map(|(index, member)| built(index, member, &mut place, names));
+    let estimates = skeleton.members.iter().enumerate().map(|(index, member)| {
+        let (span, kind) = (member.span(names), member.kind(names));
+        let (field, element) = (field(index, span), names.trait_at("Element", span));
+        quote_spanned!(span=> <#kind as #element>::estimate(&system.#field, &mut system.estimates);)
+    });
+    quote_spanned! {names.here=>
+        impl #name {
+            /// Validates all places and parameters and builds the system.
+            ///
+            /// # Errors
+            /// The error names the first place or element with a number out of its range, and the number.
+            #visibility fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
+                self.build_as()
+            }
+
+            /// Builds the system over another scalar, such as `f32` or the double-double `DoubleDouble`.
+            ///
+            /// # Errors
+            /// As `build`.
+            #visibility fn build_as<#parameter: #private::Real>(
+                &self,
+            ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
+                let numbers = #private::Located::numbers(self);
+                let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
+                let skeleton = #private::Skeleton::new(&SKETCH, &numbers)?;
+                let mut system = #system {
+                    #(#members,)*
+                    skeleton,
+                    estimates: ::core::default::Default::default(),
+                };
+                system.skeleton.estimate(&mut system.estimates);
+                #(#estimates)*
+                system.estimates.finish();
+                ::core::result::Result::Ok(system)
+            }
+        }
+    }
+}
+
+/// A built member, with the numbers from a place on: `member_3: build::<PlanarBeam<T>>(PlanarBeam { length: .., .. }, name)?`.
+fn built(index: usize, member: &Member<'_>, place: &mut usize, names: &Names) -> TokenStream {
+    let (span, kind, name) = (member.span(names), member.kind(names), &member.name);
+    let (field, build) = (field(index, span), names.function_at("build", span));
+    let value = match member.what {
+        What::Rigid => {
+            let freedoms = super::sketch::freedoms(member.freedoms, names);
+            quote_spanned!(span=> <#kind>::rigid(#freedoms))
+        }
+        What::Element(element) => {
+            let parameters = member_parameters(member.what).map(|parameter| {
+                let (name, of_place) = (&parameter.name, *place);
+                *place += 1;
+                quote_spanned!(names.at(name.span())=> #name: number(#of_place))
+            });
+            let parameters: Vec<TokenStream> = parameters.collect();
+            let length = has_length(member).then(|| {
+                let length = Ident::new("length", span);
+                quote_spanned!(span=> #length: skeleton.length(#index),)
+            });
+            let literal = names.element_type(element);
+            let literal = quote_spanned!(element.kind.place().last=> #literal { #length #(#parameters),* });
+            if member.is_joint() {
+                quote_spanned!(span=> <#kind as ::core::convert::From<_>>::from(#literal))
+            } else {
+                literal
+            }
+        }
+    };
+    quote_spanned!(span=> #field: #build::<#kind>(#value, #name)?)
+}
+
+/// Whether the type of a member has its length among its parameters.
+fn has_length(member: &Member<'_>) -> bool {
+    let What::Element(element) = member.what else { return false };
+    element.kind.known().is_some_and(|known| known.parameters.contains(&"length"))
+}
+
+/// `impl System` and `impl Placed`.
+pub(super) fn placed(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let (nodes, members) = (skeleton.nodes.len(), skeleton.members.len());
+    quote_spanned! {names.here=>
+        #[automatically_derived]
+        impl<#parameter: #private::Real> #private::System for #system<#parameter> {
+            type Parameter = #parameter;
+            const HAS_PHASES: bool = false;
+
+            fn estimates(&self) -> #private::FrequencyEstimates {
+                self.estimates
+            }
+        }
+
+        #[automatically_derived]
+        impl<#parameter: #private::Real> #private::Placed for #system<#parameter> {
+            fn node(
+                &self,
+                node: ::core::primitive::usize,
+            ) -> (&#private::Node<#parameter>, &#private::Motions<#parameter>) {
+                self.skeleton.node(node)
+            }
+
+            fn placement(&self, member: ::core::primitive::usize) -> &#private::Placement<#parameter> {
+                self.skeleton.placement(member)
+            }
+
+            fn order(&self) -> #private::NetworkOrder<'_> {
+                ORDER.order(#nodes, #members)
+            }
+        }
+    }
+}
+
+/// `impl PlacedCharts<S>` and `impl Characteristic<S>`.
+pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> TokenStream {
+    let Names { private, frequency, counter, .. } = names;
+    let types = by_type(skeleton, names);
+    let bounds: Vec<TokenStream> = types.iter().map(|members| bound(members[0].1, names)).collect();
+    let charts = types.iter().map(|members| chart(members, names));
+    let body = quote_spanned! {names.here=>
+        fn chart(
+            &self,
+            member: ::core::primitive::usize,
+            at: &#private::FrequencyPowers<#frequency>,
+            length: #frequency,
+        ) -> ::core::option::Option<#private::Chart<#frequency>> {
+            #(#charts)*
+            ::core::option::Option::None
+        }
+    };
+    let charts = implement("PlacedCharts", "Real", bounds.clone(), &body, names);
+    let body = quote_spanned! {names.here=>
+        fn pass<#counter: #private::RootCounter<#frequency>>(
+            &self,
+            x: #frequency,
+            counter: &mut #counter,
+        ) -> #private::Scaled<#frequency> {
+            #private::network_pass::<#width, Self, #frequency, #counter>(self, x, counter)
+        }
+    };
+    let characteristic = implement("Characteristic", "Real", bounds, &body, names);
+    quote_spanned!(names.here=> #charts #characteristic)
+}
+
+/// `Type<T>: Charted<S>`
+fn bound(member: &Member<'_>, names: &Names) -> TokenStream {
+    let (span, kind) = (member.span(names), member.kind(names));
+    let charted = names.trait_at("Charted", span);
+    quote_spanned!(span=> #kind: #charted)
+}
+
+/// The chart of the members of one type: one call for all of them.
+fn chart(members: &[(usize, &Member<'_>)], names: &Names) -> TokenStream {
+    let (span, kind) = (members[0].1.span(names), members[0].1.kind(names));
+    let charted = names.trait_at("Charted", span);
+    let cases = members.iter().map(|(index, _)| {
+        let field = field(*index, names.here);
+        quote_spanned!(names.here=> #index => ::core::option::Option::Some(&self.#field))
+    });
+    quote_spanned! {names.here=>
+        let built = match member {
+            #(#cases,)*
+            _ => ::core::option::Option::None,
+        };
+        if let ::core::option::Option::Some(built) = built {
+            return ::core::option::Option::Some(<#kind as #charted>::chart(built, at, length));
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! The skeleton of a network: nodes that move, members between them, masses at them, by indices, as the core evaluates them.
+//!
+//! Points that a rigid body ties are one node. A path of one motion has nodes of its own, which move along x, where it does not
+//! act on a point at once.
+
+mod assemble;
+mod names;
+mod order;
+mod paths;
+mod text;
+
+use crate::ast::Element;
+use mstmm_plan::Freedoms;
+use syn::Expr;
+
+/// A network as nodes and members.
+#[derive(Default)]
+pub(crate) struct Skeleton<'a> {
+    pub(crate) places: Vec<Vector<'a>>,
+    pub(crate) directions: Vec<Vector<'a>>,
+    pub(crate) bodies: Vec<Body<'a>>,
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) members: Vec<Member<'a>>,
+}
+
+/// A place or a direction, with the name of what has it.
+pub(crate) struct Vector<'a> {
+    pub(crate) name: String,
+    /// One part or two; the other is zero.
+    pub(crate) parts: &'a [Expr],
+}
+
+/// A mass at a node.
+pub(crate) struct Body<'a> {
+    pub(crate) element: &'a Element,
+    pub(crate) node: usize,
+    /// The coordinates of its mass centre; none on a path, where it does not matter.
+    pub(crate) centre: &'a [Expr],
+}
+
+/// A node.
+pub(crate) struct Node {
+    pub(crate) name: String,
+    /// Index of its place; none on a path.
+    pub(crate) place: Option<usize>,
+    pub(crate) held: Freedoms,
+    /// Index of the direction along which it moves.
+    pub(crate) along: Option<usize>,
+}
+
+/// A member.
+pub(crate) struct Member<'a> {
+    pub(crate) what: What<'a>,
+    pub(crate) name: String,
+    pub(crate) freedoms: Freedoms,
+    pub(crate) ends: [End; 2],
+}
+
+/// What stands between two ends.
+#[derive(Clone, Copy)]
+pub(crate) enum What<'a> {
+    /// An element of the model.
+    Element(&'a Element),
+    /// A rigid joint of the freedoms of the member.
+    Rigid,
+}
+
+/// The end of a member.
+#[derive(Clone, Copy)]
+pub(crate) struct End {
+    pub(crate) node: usize,
+    /// Index of its place; none on a path.
+    pub(crate) place: Option<usize>,
+    pub(crate) axis: Axis,
+}
+
+/// The x axis of the end of a member.
+#[derive(Clone, Copy)]
+pub(crate) enum Axis {
+    /// From the input to the output.
+    Member,
+    X,
+    Y,
+    /// The direction of an index.
+    Along(usize),
+    /// From the place of an index to that of another.
+    FromTo([usize; 2]),
+}
+
+impl Node {
+    /// The motions that its supports leave.
+    pub(crate) fn motions(&self) -> usize {
+        let free = Freedoms::ALL.without(self.held);
+        match self.along {
+            Some(_) => 1 + free.intersection(Freedoms::RZ).count(),
+            None => free.count(),
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! The order in which an evaluation goes through a skeleton, and its loops.
+
+use super::Skeleton;
+use mstmm_plan::{Elimination, NetworkOrder, OrderMemory};
+
+impl Skeleton<'_> {
+    /// Asks the order of the nodes.
+    ///
+    /// # Errors
+    /// The name of a node that no member joins to the others.
+    pub(crate) fn in_order<R>(&self, ask: impl FnOnce(NetworkOrder<'_>) -> R) -> Result<R, String> {
+        let pairs: Vec<[usize; 2]> = self.members.iter().map(|member| member.ends.map(|end| end.node)).collect();
+        let mut ends = vec![[0; 2]; pairs.len()];
+        let [mut first_end, mut nodes, mut ranks, mut taken_up] = [(); 4].map(|()| vec![0; self.nodes.len()]);
+        let memory = OrderMemory {
+            ends: &mut ends,
+            first_end: &mut first_end,
+            nodes: &mut nodes,
+            ranks: &mut ranks,
+            taken_up: &mut taken_up,
+            elimination: &mut vec![Elimination::UNKNOWN; self.nodes.len()],
+        };
+        memory.set_in_order(&pairs).map(ask).map_err(|node| self.nodes[node].name.clone())
+    }
+
+    /// The largest number of variables of a front.
+    ///
+    /// # Errors
+    /// As [`in_order`](Self::in_order).
+    pub(crate) fn width(&self) -> Result<usize, String> {
+        let freedoms = |end: usize| self.members[end / 2].freedoms.count();
+        self.in_order(|order| order.width(|node| self.nodes[node].motions(), freedoms))
+    }
+
+    /// The members that close a loop of those before them.
+    pub(super) fn closing(&self) -> Vec<&str> {
+        let mut parts = crate::network::Classes::new(self.nodes.len());
+        let mut closing = Vec::new();
+        for member in &self.members {
+            let [from, to] = member.ends.map(|end| end.node);
+            if parts.of(from) == parts.of(to) {
+                closing.push(member.name.as_str());
+            }
+            parts.join(from, to);
+        }
+        closing
+    }
+}

@@ -1,0 +1,61 @@
+//! The skeleton as text: its size, its loops and its nodes in order. The documentation of the built system shows it.
+
+use super::Skeleton;
+use mstmm_plan::{Freedoms, NetworkOrder};
+use std::fmt::{Display, Formatter, Result};
+
+/// The freedoms and their names.
+const FREEDOMS: [(Freedoms, &str); 3] = [(Freedoms::X, "x"), (Freedoms::Y, "y"), (Freedoms::RZ, "rz")];
+
+impl Display for Skeleton<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let (nodes, members, loops) = (self.nodes.len(), self.members.len(), self.closing());
+        writeln!(f, "# Size\n\n```text")?;
+        writeln!(f, "nodes {nodes}, members {members}, variables of the widest front {}", self.width().unwrap_or(0))?;
+        match loops.as_slice() {
+            [] => writeln!(f, "closed loops 0")?,
+            closing => writeln!(f, "closed loops {}, closed by {}", closing.len(), closing.join(", "))?,
+        }
+        writeln!(f, "```\n\n# Nodes\n")?;
+        writeln!(
+            f,
+            "In the order of their elimination, with the motions that supports leave, the members that begin there,"
+        )?;
+        writeln!(f, "and the number of variables that are left behind each.\n\n```text")?;
+        let lines = self.in_order(|order| self.lines(order)).unwrap_or_default();
+        lines.iter().try_for_each(|line| writeln!(f, "{}", line.trim_end()))?;
+        write!(f, "```")
+    }
+}
+
+impl Skeleton<'_> {
+    /// A line per node.
+    fn lines(&self, order: NetworkOrder<'_>) -> Vec<String> {
+        let mut left = 0;
+        let line = |&node: &usize| {
+            let mut begin = Vec::new();
+            for &end in order.incidence.ends(node) {
+                let member = &self.members[end / 2];
+                if order.is_first_at(end, node) {
+                    left += 2 * member.freedoms.count();
+                    begin.push(member.name.as_str());
+                }
+                left -= member.freedoms.count();
+            }
+            format!("{:24} {:8} {left:3}   {}", self.nodes[node].name, self.moves(node), begin.join(", "))
+        };
+        order.nodes.iter().map(line).collect()
+    }
+
+    /// The motions of a node.
+    fn moves(&self, node: usize) -> String {
+        let node = &self.nodes[node];
+        let free = |freedom: Freedoms| !node.held.contains(freedom);
+        let mut names: Vec<&str> =
+            FREEDOMS.iter().filter(|(freedom, _)| free(*freedom)).map(|(_, name)| *name).collect();
+        if node.along.is_some() {
+            names = if free(Freedoms::RZ) { vec!["along", "rz"] } else { vec!["along"] };
+        }
+        if names.is_empty() { "held".to_owned() } else { names.join(" ") }
+    }
+}

@@ -1,0 +1,47 @@
+//! Sketches of located points against exact cases and against the same structures as lists.
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a structure that cannot be built fails the test")]
+
+mod frames;
+
+use crate::checks::Found;
+use crate::judgement::judge_reference_cases;
+use frames::{HingedFrame, InclinedRoller, LFrame, NafemsCross, NafemsSquare, Portal, ThreePorts};
+use mstmm::prelude::*;
+use mstmm::search::{NaturalFrequencies, Undamped};
+
+/// The first frequencies.
+fn first<Y: NaturalFrequencies<Parameter = f64> + Undamped>(system: &Y) -> Vec<Found> {
+    let found = system.first_frequencies::<10>().unwrap();
+    let entry = |root: &NaturalFrequency<f64>| Found {
+        omega: root.omega,
+        lower: root.lower,
+        upper: root.upper,
+        multiplicity: root.multiplicity,
+    };
+    found.iter().map(entry).collect()
+}
+
+/// The frequencies of the sketch of a case.
+fn of_sketch(name: &str) -> Vec<Found> {
+    match name {
+        "nafems_fv1" => {
+            let cross = NafemsCross { length: 5.0, ea: 3.125e9, ei: 4069010.4166666665, m: 125.0 };
+            first(&cross.build().unwrap())
+        }
+        "nafems_fv3" => {
+            let square = NafemsSquare { side: 10.0, ea: 1.25e10, ei: 65104166.666666664, m: 500.0 };
+            first(&square.build().unwrap())
+        }
+        "l_frame" => first(&LFrame { height: 1.0, width: 1.5, ea: 1e6, ei: 100.0, m: 1.0 }.build().unwrap()),
+        "portal" => first(&Portal { side: 2.0, ea: 4e8, ei: 1e6, m: 20.0 }.build().unwrap()),
+        "hinged_frame" => first(&HingedFrame { height: 2.0, ea: 2e7, ei: 5000.0, m: 6.0 }.build().unwrap()),
+        "inclined_roller" => first(&InclinedRoller { length: 2.0, ea: 3e6, ei: 500.0, m: 2.0 }.build().unwrap()),
+        "body_three_ports" => first(&ThreePorts { ea: 1e6, ei: 150.0, m: 1.2, stiffness: 900.0 }.build().unwrap()),
+        _ => panic!("no sketch of {name}"),
+    }
+}
+
+#[test]
+fn exact_reference_cases_lie_in_the_intervals_of_their_sketches() {
+    judge_reference_cases(|case| Ok(of_sketch(case.name)));
+}
