@@ -68,14 +68,9 @@ fn mutations_of_written_models_are_survived() {
     });
 }
 
-/// Models with locations are right.
 #[test]
 fn models_with_locations_are_accepted() {
-    for model in located_models() {
-        let text = model.to_string();
-        let errors = expanded(model);
-        assert!(errors.is_empty(), "{errors:?} in\n{text}");
-    }
+    located_models().into_iter().for_each(assert_accepted);
 }
 
 #[test]

@@ -2,12 +2,14 @@
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a structure that cannot be built fails the test")]
 
 mod frames;
+mod line;
+mod lists;
 
 use crate::checks::Found;
 use crate::judgement::judge_reference_cases;
 use frames::{HingedFrame, InclinedRoller, LFrame, NafemsCross, NafemsSquare, Portal, ThreePorts};
 use mstmm::prelude::*;
-use mstmm::search::{NaturalFrequencies, Undamped};
+use mstmm::search::{NaturalFrequencies, Spectrum, Undamped};
 
 /// The first frequencies.
 fn first<Y: NaturalFrequencies<Parameter = f64> + Undamped>(system: &Y) -> Vec<Found> {
@@ -19,6 +21,26 @@ fn first<Y: NaturalFrequencies<Parameter = f64> + Undamped>(system: &Y) -> Vec<F
         multiplicity: root.multiplicity,
     };
     found.iter().map(entry).collect()
+}
+
+/// The first frequencies as numbers, each as often as it is there.
+fn frequencies<Y: NaturalFrequencies<Parameter = f64> + Undamped>(system: &Y) -> Vec<f64> {
+    let often = |found: Found| (0..found.multiplicity).map(move |_| found.omega);
+    first(system).into_iter().flat_map(often).collect()
+}
+
+/// The first eigenvalues.
+fn eigenvalues<Y: Eigenvalues<Parameter = f64> + Spectrum>(system: &Y) -> Vec<Complex<f64>> {
+    system.first_eigenvalues::<6>().unwrap().iter().map(|root| root.lambda).collect()
+}
+
+/// Frequencies agree up to a relative difference.
+#[track_caller]
+fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(found.len(), expected.len());
+    for (one, other) in found.iter().zip(expected) {
+        assert!((one - other).abs() <= tolerance * other, "{one} and {other}: {}", one / other - 1.0);
+    }
 }
 
 /// The frequencies of the sketch of a case.

@@ -1,0 +1,80 @@
+//! Sketches with one coordinate against trees of the same beams.
+
+use super::{assert_near, eigenvalues, frequencies};
+use mstmm::prelude::*;
+
+mod trees {
+    use mstmm::prelude::*;
+
+    system! {
+        /// Two spans with an oscillator between them, a hinge, and a body at the end.
+        pub(super) struct Spans { pub(super) l: f64, pub(super) ei: f64, pub(super) m: f64, pub(super) k: f64, pub(super) mass: f64 }
+
+        fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m } -> conn 2
+            -> beam 3 { length: 2.0 * l, bending_stiffness: ei, mass_per_length: 2.0 * m }
+            -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: 0.3 * k } -> beam 5 { length: l, bending_stiffness: ei, mass_per_length: m }
+            -> body 6 { mass, inertia: 0.1 + mass * 0.04, output_x: 0.5, centre_x: 0.2 } -> conn 7 -> free;
+        conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass } <- spring 10 { stiffness: 0.5 * k } <- fixed;
+        conn 2 <- torsion_spring 11 { stiffness: k } <- inertia 12 { inertia: 0.2 * mass } <- free;
+        conn 7 <- spring 13 { stiffness: k } <- fixed;
+    }
+
+    system! {
+        /// A beam on a damper, with a damped absorber.
+        pub(super) struct Damped { pub(super) l: f64, pub(super) k: f64, pub(super) c: f64 }
+
+        pinned -> beam 1 { length: l, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn 2
+            -> beam 3 { length: 0.5 * l, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn 4
+            -> beam 5 { length: l, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned;
+        conn 2 <- damper 6 { damping: c } <- fixed;
+        conn 4 <- spring_damper 7 { stiffness: k, damping: c } <- mass 8 { mass: 0.3 } <- free;
+    }
+}
+
+mod sketches {
+    use mstmm::prelude::*;
+
+    system! {
+        pub(super) struct Spans { pub(super) l: f64, pub(super) ei: f64, pub(super) m: f64, pub(super) k: f64, pub(super) mass: f64 }
+
+        fixed at 0.0 -> beam 1 { bending_stiffness: ei, mass_per_length: m } -> conn 2 at l
+            -> beam 3 { bending_stiffness: ei, mass_per_length: 2.0 * m }
+            -> conn h at 3.0 * l -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: 0.3 * k }
+            -> beam 5 { bending_stiffness: ei, mass_per_length: m } -> conn e at 4.0 * l
+            -> rigid_body 6 { mass, inertia: 0.1, centre: 4.0 * l + 0.2 } -> conn 7 at 4.0 * l + 0.5;
+        conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass } <- spring 10 { stiffness: 0.5 * k } <- fixed;
+        conn 2 <- torsion_spring 11 { stiffness: k } <- inertia 12 { inertia: 0.2 * mass } <- free;
+        conn 7 <- spring 13 { stiffness: k } <- fixed;
+    }
+
+    system! {
+        /// The arrows of beams do not lead in one direction.
+        pub(super) struct Damped { pub(super) l: f64, pub(super) k: f64, pub(super) c: f64 }
+
+        pinned at 0.0 -> beam 1 { bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn 2 at l
+            <- beam 3 { bending_stiffness: 1.0, mass_per_length: 1.0 } <- conn 4 at 1.5 * l;
+        conn 4 -> beam 5 { bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned at 2.5 * l;
+        conn 2 <- damper 6 { damping: c } <- fixed;
+        conn 4 <- spring_damper 7 { stiffness: k, damping: c } <- mass 8 { mass: 0.3 } <- free;
+    }
+}
+
+#[test]
+fn a_line_has_the_frequencies_of_its_tree() {
+    let (l, ei, m, k, mass) = (1.5, 30.0, 2.0, 40.0, 3.0);
+    let tree = trees::Spans { l, ei, m, k, mass }.build().unwrap();
+    let sketch = sketches::Spans { l, ei, m, k, mass }.build().unwrap();
+    assert_near(&frequencies(&sketch), &frequencies(&tree), 1e-13);
+}
+
+#[test]
+fn a_damped_line_has_the_eigenvalues_of_its_tree() {
+    let (l, k, c) = (1.5, 2.0, 0.4);
+    let tree = trees::Damped { l, k, c }.build().unwrap();
+    let sketch = sketches::Damped { l, k, c }.build().unwrap();
+    let region = || Region { re: -3.0..=0.5, im: -1.0..=30.0 };
+    assert_eq!(sketch.count_in(region()), tree.count_in(region()));
+    for (one, other) in eigenvalues(&sketch).iter().zip(eigenvalues(&tree)) {
+        assert!((one - other).norm() < 1e-11 * other.norm(), "{one} and {other}");
+    }
+}
