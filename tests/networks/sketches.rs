@@ -1,6 +1,7 @@
 //! Sketches of located points against exact cases and against the same structures as lists.
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a structure that cannot be built fails the test")]
 
+mod bad_numbers;
 mod frames;
 mod line;
 mod lists;

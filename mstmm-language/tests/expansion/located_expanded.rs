@@ -1,0 +1,332 @@
+/// A mast with a guy, and a lamp at its top.
+#[derive(Debug)]
+pub struct Mast {
+    /// Height [m].
+    pub height: f64,
+    /// Stiffness of the guy [N/m].
+    pub stiffness: f64,
+    /// Mass of the lamp [kg].
+    pub lamp: f64,
+}
+/// The built system of [`Mast`]: evaluate it at a frequency, or search its frequencies.
+///
+/// # Size
+///
+/// ```text
+/// nodes 3, members 2, variables of the widest front 8
+/// closed loops 0
+/// ```
+///
+/// # Nodes
+///
+/// In the order of their elimination, with the motions that supports leave, the members that begin there,
+/// and the number of variables that are left behind each.
+///
+/// ```text
+/// fixed at planar_beam 1   held       3   planar_beam 1
+/// conn top                 x y rz     1   spring guy
+/// conn anchor              held       0
+/// ```
+#[derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct MastSystem<T: mstmm::__private::Parameter = f64> {
+    skeleton: mstmm::__private::Skeleton<T, 3usize, 2usize>,
+    /// `planar_beam 1`
+    member_0: <mstmm::__private::elements::PlanarBeam<
+        T,
+    > as mstmm::__private::Element>::Built,
+    /// `spring guy`
+    member_1: <mstmm::__private::elements::Spring<
+        T,
+    > as mstmm::__private::Element>::Built,
+    estimates: mstmm::__private::FrequencyEstimates,
+}
+impl mstmm::__private::Located for Mast {
+    type Numbers = [::core::primitive::f64; 14usize];
+    fn numbers(&self) -> [::core::primitive::f64; 14usize] {
+        let height = self.height;
+        let stiffness = self.stiffness;
+        let lamp = self.lamp;
+        [
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = height;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 0.5 * height;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = lamp;
+                number
+            },
+            0.0,
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = height;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 1e6;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 500.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 2.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = stiffness;
+                number
+            },
+        ]
+    }
+}
+const _: () = {
+    #[allow(dead_code, non_snake_case)]
+    struct Labels {
+        /// `conn top`
+        top: (),
+        /// `spring guy`
+        guy: (),
+        /// `conn anchor`
+        anchor: (),
+    }
+    const _: fn(&Labels) = |labels| {
+        let _ = labels.top;
+        let _ = labels.top;
+        let _ = labels.guy;
+        let _ = labels.anchor;
+        let _ = labels.top;
+    };
+    const SKETCH: mstmm::__private::NetworkSketch<3usize, 2usize> = mstmm::__private::NetworkSketch {
+        places: &["fixed at planar_beam 1", "conn top", "conn anchor"],
+        directions: &[],
+        bodies: &[
+            mstmm::__private::SketchedBody {
+                name: "point_mass 3",
+                node: 1usize,
+            },
+        ],
+        nodes: [
+            mstmm::__private::SketchedNode {
+                place: ::core::option::Option::Some(0usize),
+                held: mstmm::__private::Freedoms::ALL,
+                along: ::core::option::Option::None,
+            },
+            mstmm::__private::SketchedNode {
+                place: ::core::option::Option::Some(1usize),
+                held: mstmm::__private::Freedoms::NONE,
+                along: ::core::option::Option::None,
+            },
+            mstmm::__private::SketchedNode {
+                place: ::core::option::Option::Some(2usize),
+                held: mstmm::__private::Freedoms::ALL,
+                along: ::core::option::Option::None,
+            },
+        ],
+        members: [
+            mstmm::__private::SketchedMember {
+                name: "planar_beam 1",
+                freedoms: mstmm::__private::Freedoms::ALL,
+                ends: [
+                    mstmm::__private::SketchedEnd {
+                        node: 0usize,
+                        place: ::core::option::Option::Some(0usize),
+                        axis: mstmm::__private::Axis::Member,
+                    },
+                    mstmm::__private::SketchedEnd {
+                        node: 1usize,
+                        place: ::core::option::Option::Some(1usize),
+                        axis: mstmm::__private::Axis::Member,
+                    },
+                ],
+            },
+            mstmm::__private::SketchedMember {
+                name: "spring guy",
+                freedoms: mstmm::__private::Freedoms::NONE
+                    .union(mstmm::__private::Freedoms::X),
+                ends: [
+                    mstmm::__private::SketchedEnd {
+                        node: 1usize,
+                        place: ::core::option::Option::Some(1usize),
+                        axis: mstmm::__private::Axis::Member,
+                    },
+                    mstmm::__private::SketchedEnd {
+                        node: 2usize,
+                        place: ::core::option::Option::Some(2usize),
+                        axis: mstmm::__private::Axis::Member,
+                    },
+                ],
+            },
+        ],
+    };
+    #[allow(long_running_const_eval)]
+    const ORDER: &mstmm::__private::OrderRoom<3usize, 2usize> = &mstmm::__private::OrderRoom::of(
+        SKETCH.pairs(),
+    );
+    impl Mast {
+        /// Validates all places and parameters and builds the system.
+        ///
+        /// # Errors
+        /// The error names the first place or element with a number out of its range, and the number.
+        pub fn build(
+            &self,
+        ) -> ::core::result::Result<MastSystem, mstmm::__private::ParameterError> {
+            self.build_as()
+        }
+        /// Builds the system over another scalar, such as `f32` or the double-double `DoubleDouble`.
+        ///
+        /// # Errors
+        /// As `build`.
+        pub fn build_as<T: mstmm::__private::Real>(
+            &self,
+        ) -> ::core::result::Result<MastSystem<T>, mstmm::__private::ParameterError> {
+            let numbers = mstmm::__private::Located::numbers(self);
+            let number = |k: ::core::primitive::usize| <T as mstmm::__private::Scalar>::from_f64(
+                numbers[k],
+            );
+            let skeleton = mstmm::__private::Skeleton::new(&SKETCH, &numbers)?;
+            let mut system = MastSystem {
+                member_0: mstmm::__private::build::<
+                    mstmm::__private::elements::PlanarBeam<T>,
+                >(
+                    mstmm::__private::elements::PlanarBeam {
+                        length: skeleton.length(0usize),
+                        axial_stiffness: number(10usize),
+                        bending_stiffness: number(11usize),
+                        mass_per_length: number(12usize),
+                    },
+                    "planar_beam 1",
+                )?,
+                member_1: mstmm::__private::build::<
+                    mstmm::__private::elements::Spring<T>,
+                >(
+                    mstmm::__private::elements::Spring {
+                        stiffness: number(13usize),
+                    },
+                    "spring guy",
+                )?,
+                skeleton,
+                estimates: ::core::default::Default::default(),
+            };
+            system.skeleton.estimate(&mut system.estimates);
+            <mstmm::__private::elements::PlanarBeam<
+                T,
+            > as mstmm::__private::Element>::estimate(
+                &system.member_0,
+                &mut system.estimates,
+            );
+            <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::Element>::estimate(
+                &system.member_1,
+                &mut system.estimates,
+            );
+            system.estimates.finish();
+            ::core::result::Result::Ok(system)
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::System for MastSystem<T> {
+        type Parameter = T;
+        const HAS_PHASES: bool = false;
+        fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
+            self.estimates
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::Placed for MastSystem<T> {
+        fn node(
+            &self,
+            node: ::core::primitive::usize,
+        ) -> (&mstmm::__private::Node<T>, &mstmm::__private::Motions<T>) {
+            self.skeleton.node(node)
+        }
+        fn placement(
+            &self,
+            member: ::core::primitive::usize,
+        ) -> &mstmm::__private::Placement<T> {
+            self.skeleton.placement(member)
+        }
+        fn order(&self) -> mstmm::__private::NetworkOrder<'_> {
+            ORDER.order(3usize, 2usize)
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::PlacedCharts<S> for MastSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::Charted<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Charted<S>,
+    {
+        fn chart(
+            &self,
+            member: ::core::primitive::usize,
+            at: &mstmm::__private::FrequencyPowers<S>,
+            length: S,
+        ) -> ::core::option::Option<mstmm::__private::Chart<S>> {
+            let built = match member {
+                0usize => ::core::option::Option::Some(&self.member_0),
+                _ => ::core::option::Option::None,
+            };
+            if let ::core::option::Option::Some(built) = built {
+                return ::core::option::Option::Some(
+                    <mstmm::__private::elements::PlanarBeam<
+                        T,
+                    > as mstmm::__private::Charted<S>>::chart(built, at, length),
+                );
+            }
+            let built = match member {
+                1usize => ::core::option::Option::Some(&self.member_1),
+                _ => ::core::option::Option::None,
+            };
+            if let ::core::option::Option::Some(built) = built {
+                return ::core::option::Option::Some(
+                    <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::Charted<S>>::chart(built, at, length),
+                );
+            }
+            ::core::option::Option::None
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Characteristic<S> for MastSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::Charted<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Charted<S>,
+    {
+        fn pass<C: mstmm::__private::RootCounter<S>>(
+            &self,
+            x: S,
+            counter: &mut C,
+        ) -> mstmm::__private::Scaled<S> {
+            mstmm::__private::network_pass::<8usize, Self, S, C>(self, x, counter)
+        }
+    }
+};
