@@ -1,0 +1,84 @@
+//! Portal frame with a hinge, a brace and a machine: certified frequencies, and where the machine should stand.
+
+use mstmm::prelude::*;
+use std::error::Error;
+
+system! {
+    /// Portal frame with a hinge in a corner, a braced foot and a machine on its girder.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Portal {
+        /// Height of the columns [m]
+        pub height: f64,
+        /// Distance of the columns [m]
+        pub span: f64,
+        /// Where the machine stands on the girder, from the first column on [m]
+        pub machine_x: f64,
+        /// Axial stiffness of all beams [N]
+        pub ea: f64,
+        /// Bending stiffness of all beams [N m²]
+        pub ei: f64,
+        /// Mass per length of all beams [kg/m]
+        pub m: f64,
+        /// Stiffness of the brace [N/m]
+        pub brace: f64,
+        /// Mass of the machine [kg]
+        pub machine: f64,
+        /// Moment of inertia of the machine about its mass centre [kg m²]
+        pub inertia: f64,
+    }
+
+    fixed at (0.0, 0.0)
+        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (machine_x, height)
+        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+        -> pin 4 {}
+        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (span, 0.0)
+        <- pinned;
+    conn girder -> rigid_body 6 { mass: machine, inertia, centre: (machine_x, height + 0.4) };
+    conn b -> spring 7 { stiffness: brace } -> conn foot;
+}
+
+/// A portal of steel, three metres high and four wide.
+pub fn steel() -> Portal {
+    Portal {
+        height: 3.0,
+        span: 4.0,
+        machine_x: 2.0,
+        ea: 4e8,
+        ei: 1e6,
+        m: 20.0,
+        brace: 2e6,
+        machine: 500.0,
+        inertia: 40.0,
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let portal = steel();
+    let system = portal.build()?;
+
+    println!("Natural frequencies; ω lies in the certified interval, and none is left out");
+    println!("mode    f [Hz]         ω [rad/s]                          interval [rad/s]");
+    for (mode, root) in system.first_frequencies::<6>()?.iter().enumerate() {
+        let (hertz, omega) = (root.hertz(), root.omega);
+        println!("{:4} {hertz:9.4} {omega:17.10} {:20.13} ..{:20.13}", mode + 1, root.lower, root.upper);
+    }
+
+    println!("\nThe machine runs at 25 Hz: frequencies below, and the two beside it, by its place on the girder");
+    println!("x [m]   below   next below [Hz]   next above [Hz]");
+    let speed = 25.0 * std::f64::consts::TAU;
+    for quarter in 1..16 {
+        let machine_x = 0.25 * f64::from(quarter);
+        let system = Portal { machine_x, ..portal }.build()?;
+        let below = system.count_below(speed)?;
+        let roots = system.first_frequencies::<12>()?;
+        let hertz = |before: bool| {
+            let mut all = roots.iter().map(|root| root.hertz()).filter(|hertz| (*hertz < 25.0) == before);
+            if before { all.last() } else { all.next() }
+        };
+        let [under, over] =
+            [true, false].map(|before| hertz(before).map_or("none".into(), |hertz| format!("{hertz:.4}")));
+        println!("{machine_x:5} {below:7} {under:>17} {over:>17}");
+    }
+    Ok(())
+}

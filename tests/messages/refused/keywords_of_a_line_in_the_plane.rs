@@ -1,0 +1,20 @@
+use mstmm::prelude::*;
+
+system! {
+    struct M { l: f64 }
+    fixed at (0.0, 0.0) -> beam 1 { bending_stiffness: l, mass_per_length: l } -> conn a at (l, 0.0)
+//                         ^^^^ take `planar_beam`
+        -> body 2 { mass: l, inertia: l, output_x: l, centre_x: l } -> conn b at (l, l)
+//         ^^^^ take `rigid_body`
+        -> elastic_hinge 3 { stiffness_y: l, stiffness_theta: l } -> fixed;
+//         ^^^^^^^^^^^^^ take `planar_hinge`
+    conn b -> planar_body 4 { } -> fixed;
+//            ^^^^^^^^^^^ take `rigid_body`
+    conn a -> spatial_beam 5 { } -> crate::Cable 6 { } -> plnar_beam 7 { } -> pin8 -> conn b;
+//            ^^^^^^^^^^^^ did you mean `planar_beam`?
+//                                  ^^^^^^^^^^^^ `Cable` is a type of your own, which models with places do not take yet
+//                                                        ^^^^^^^^^^ did you mean `planar_beam`?
+//                                                                            ^^^^ put a space before the label, `pin 8`
+}
+
+fn main() {}

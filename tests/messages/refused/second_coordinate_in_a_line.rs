@@ -1,0 +1,10 @@
+use mstmm::prelude::*;
+
+system! {
+    struct M { l: f64 }
+    fixed at 0.0 -> beam 1 { bending_stiffness: l, mass_per_length: l }
+        -> conn a at (l, 0.0);
+//                   ^^^^^^^^ all points of a model have equally many
+}
+
+fn main() {}
