@@ -197,12 +197,14 @@ where
     pub(super) fn settle(&mut self, lower: Sample<T>, upper: Sample<T>) -> Result<NaturalFrequency<T>, SearchError> {
         let omega = lower.omega + (upper.omega - lower.omega) * T::from_f64(0.5);
         let margin = omega * self.half_width;
-        let (below, above) = (self.sample(omega - margin)?, self.sample(omega + margin)?);
+        let (below, above) = self.both_sides(omega, margin)?;
         // where rounding blurs the counts, the interval includes the samples that were seen to enclose the roots
         let start = if below.below == lower.below || below.omega < lower.omega { below } else { lower };
         let end = if above.below == upper.below || above.omega > upper.omega { above } else { upper };
         let multiplicity = upper.below - lower.below;
-        Ok(NaturalFrequency { omega, lower: start.omega, upper: end.omega, multiplicity })
+        let mut root = NaturalFrequency { omega, lower: start.omega, upper: end.omega, multiplicity };
+        self.is_doubtful |= !self.is_proven(&mut root, (lower.below, upper.below));
+        Ok(root)
     }
 }
 
