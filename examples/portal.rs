@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let roots = system.first_frequencies::<12>()?;
         let hertz = |before: bool| {
             let mut all = roots.iter().map(|root| root.hertz()).filter(|hertz| (*hertz < 25.0) == before);
-            if before { all.last() } else { all.next() }
+            if before { all.next_back() } else { all.next() }
         };
         let [under, over] =
             [true, false].map(|before| hertz(before).map_or("none".into(), |hertz| format!("{hertz:.4}")));

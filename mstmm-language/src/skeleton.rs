@@ -7,6 +7,8 @@ mod assemble;
 mod names;
 mod order;
 mod paths;
+#[cfg(test)]
+mod tests;
 mod text;
 
 use crate::ast::Element;

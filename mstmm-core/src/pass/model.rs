@@ -9,7 +9,8 @@ use crate::number::Parameter;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a model",
     label = "not a model that `system!` declares",
-    note = "a sweep takes models with their parameters, or references to them, and builds each itself: leave out `build()`"
+    note = "a sweep takes models with their parameters, or references to them, and builds each itself: leave out `build()`",
+    note = "a model with places is built and searched by itself"
 )]
 pub trait Model {
     /// The built system over parameters of a type.

@@ -63,7 +63,7 @@ impl<'a> Assembly<'a> {
             }
             node_of.push(skeleton.nodes.len());
             let held = Freedoms::ALL.without(point.freedoms);
-            skeleton.nodes.push(Node { name: naming.point(index), place: Some(point.place), held, along: None });
+            skeleton.nodes.push(Node { name: naming.node(index), place: Some(point.place), held, along: None });
         }
         let is_supported = vec![false; skeleton.nodes.len()];
         Assembly { network, skeleton, naming, node_of, is_supported }

@@ -18,7 +18,7 @@ impl<'a> Naming<'a> {
             return connection.to_string();
         }
         let support = self.network.supports.iter().find(|support| support.point == point);
-        let what = support.map_or_else(|| "the end".to_owned(), |support| support.support.keyword.to_string());
+        let what = support.map_or_else(|| "the point".to_owned(), |support| support.support.keyword.to_string());
         let element = self.element_at(point).map(|element| join_name(&what, &element));
         element.unwrap_or(what)
     }
@@ -28,6 +28,12 @@ impl<'a> Naming<'a> {
         let at = || (0..self.network.points.len()).filter(|&point| self.network.points[point].place == place);
         let named = at().find(|&point| !self.network.points[point].connections.is_empty());
         named.or_else(|| at().next()).map_or_else(String::new, |point| self.point(point))
+    }
+
+    /// The name of the node that a point belongs to: that of the rigid body there.
+    pub(super) fn node(&self, point: usize) -> String {
+        let body = self.network.bodies.iter().find(|body| body.points.contains(&point));
+        body.map_or_else(|| self.point(point), |body| body.element.to_string())
     }
 
     /// The first element at a point.

@@ -31,6 +31,7 @@ impl Display for Skeleton<'_> {
 impl Skeleton<'_> {
     /// A line per node.
     fn lines(&self, order: NetworkOrder<'_>) -> Vec<String> {
+        let longest = self.nodes.iter().map(|node| node.name.chars().count()).max().unwrap_or(0);
         let mut left = 0;
         let line = |&node: &usize| {
             let mut begin = Vec::new();
@@ -42,7 +43,7 @@ impl Skeleton<'_> {
                 }
                 left -= member.freedoms.count();
             }
-            format!("{:24} {:8} {left:3}   {}", self.nodes[node].name, self.moves(node), begin.join(", "))
+            format!("{:longest$}   {:8} {left:3}   {}", self.nodes[node].name, self.moves(node), begin.join(", "))
         };
         order.nodes.iter().map(line).collect()
     }

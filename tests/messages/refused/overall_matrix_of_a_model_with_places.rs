@@ -9,5 +9,5 @@ system! {
 fn main() {
     let system = Bar { length: 1.0 }.build().unwrap();
     system.overall_determinant(1.0);
-//         ^^^^^^^^^^^^^^^^^^^ search its roots
+//         ^^^^^^^^^^^^^^^^^^^ method not found in `BarSystem`
 }

@@ -8,8 +8,6 @@ system! {
 
 fn main() {
     let models = [1.0, 2.0].map(|length| Bar { length });
-    for roots in models.iter().first_frequencies::<1>() {
-//                             ^^^^^^^^^^^^^^^^^ models with places are searched one by one
-        roots.unwrap();
-    }
+    let _ = models.iter().first_frequencies::<1>();
+//                        ^^^^^^^^^^^^^^^^^ a model with places is built and searched by itself
 }

@@ -1,0 +1,92 @@
+//! The skeletons of networks, as the documentation of built systems shows them.
+
+use super::Skeleton;
+use crate::diagnostics::Errors;
+use crate::expand::{network, read};
+use expect_test::{Expect, expect};
+
+#[track_caller]
+fn check(model: &str, text: Expect) {
+    let tokens = |text: &str| text.parse::<proc_macro2::TokenStream>().unwrap();
+    let mut errors = Errors::default();
+    let model = read(tokens("(mstmm)").into_iter().chain(tokens(model)).collect(), &mut errors).unwrap();
+    text.assert_eq(&Skeleton::of(&network(&model, errors).unwrap()).to_string());
+}
+
+/// Two storeys: the girders close loops between the columns, and the brace closes one more.
+#[test]
+fn loops_and_the_members_that_close_them() {
+    check(
+        "
+        struct Tower { k: f64 }
+        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (0.0, 1.0)
+            -> planar_beam 2 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn b at (0.0, 2.0)
+            -> planar_beam 3 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn c at (1.0, 2.0)
+            <- planar_beam 4 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } <- conn d at (1.0, 1.0)
+            <- planar_beam 5 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } <- pinned at (1.0, 0.0);
+        conn a -> planar_beam 6 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn d;
+        conn a -> spring brace { stiffness: k } -> conn c;
+        ",
+        expect![[r#"
+            # Size
+
+            ```text
+            nodes 6, members 7, variables of the widest front 21
+            closed loops 2, closed by planar_beam 6, spring brace
+            ```
+
+            # Nodes
+
+            In the order of their elimination, with the motions that supports leave, the members that begin there,
+            and the number of variables that are left behind each.
+
+            ```text
+            pinned at planar_beam 5   rz         3   planar_beam 5
+            conn d                    x y rz     6   planar_beam 4, planar_beam 6
+            conn b                    x y rz    12   planar_beam 2, planar_beam 3
+            fixed at planar_beam 1    held      15   planar_beam 1
+            conn a                    x y rz     7   spring brace
+            conn c                    x y rz     0
+            ```"#]],
+    );
+}
+
+/// A path with motions of its own, a body on two supports, joints in series and a skew support.
+#[test]
+fn nodes_that_are_no_points() {
+    check(
+        "
+        struct M { k: f64 }
+        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (1.0, 0.0)
+            -> rigid_body 2 { mass: k, inertia: k, centre: (1.5, 0.0) } -> conn b at (2.0, 0.0) <- held(x);
+        rigid_body 2 <- conn c at (1.5, -1.0) <- roller along (1.0, 1.0);
+        conn b -> slider 3 { along: (1.0, 0.0) } -> pin 4 {}
+            -> planar_beam 5 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> guided at (3.0, 0.0) along (0.0, 1.0);
+        conn a <- along (0.0, 1.0) <- spring 6 { stiffness: k } <- mass 7 { mass: k } <- conn u <- damper 8 { damping: k } <- fixed;
+        conn u -> along (1.0, 0.0) -> conn b;
+        ",
+        expect![[r#"
+            # Size
+
+            ```text
+            nodes 8, members 8, variables of the widest front 13
+            closed loops 1, closed by spring 6
+            ```
+
+            # Nodes
+
+            In the order of their elimination, with the motions that supports leave, the members that begin there,
+            and the number of variables that are left behind each.
+
+            ```text
+            the end of damper 8          held       1   damper 8
+            guided at planar_beam 5      along      4   planar_beam 5
+            the point at planar_beam 5   x y rz     3   pin 4
+            the point at slider 3        x y rz     3   slider 3
+            fixed at planar_beam 1       held       6   planar_beam 1
+            roller at conn c             held       7   roller at conn c
+            rigid_body 2                 y rz       3   conn u, spring 6
+            conn u                       x          0
+            ```"#]],
+    );
+}
