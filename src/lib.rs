@@ -39,7 +39,8 @@
 //! | the first n natural frequencies of many models | [`Sweep::first_frequencies`](search::Sweep::first_frequencies) |
 //! | Δ and counts at many frequencies at once | [`characteristics`], [`counts_below`] |
 //! | the overall transfer matrix of the paper and its determinant | [`overall_matrix`], [`overall_determinant`] |
-//! | a tree whose size is known when the program runs | [`list`] |
+//! | a frame of the plane with closed loops, sketched by the places of its points | [`system!`](crate::system#models-with-locations) |
+//! | a tree whose size is known when the program runs; such a frame | [`list`]; [`network`] |
 //! | an element of one's own | [`element`] |
 //!
 //! [`natural_frequencies`]: search::NaturalFrequencies::natural_frequencies

@@ -11,6 +11,9 @@ mod oracle;
 mod oracle_against_cases;
 mod oracle_as_search;
 mod oracle_laws;
+#[expect(dead_code, reason = "the example's main")]
+#[path = "../../examples/portal.rs"]
+pub mod portal;
 mod reference_cases;
 mod sketches;
 #[path = "../support/stiffness_matrix/mod.rs"]
