@@ -10,7 +10,7 @@ use crate::subspace::{
 use mstmm_plan::NetworkOrder;
 
 /// Number of roundings that add up in the row of a pivot, in units of the largest one.
-const ROUNDINGS: f64 = 4.0;
+const ROUNDINGS: f64 = 2.0;
 
 /// The end of a member to which a variable belongs.
 fn end_of(variable: &Variable) -> usize {
@@ -42,7 +42,7 @@ where
     S: Frequency<Y::Parameter>,
     C: RootCounter<S>,
 {
-    let total = Evaluation::<WIDTH, _, S>::new(network, x).eliminated(Choice::Largest);
+    let total = Evaluation::<WIDTH, _, S>::new(network, x, counter.looks_at_root()).eliminated(Choice::Largest);
     if C::WATCHES && total.has_vanished {
         counter.cancelled(true);
     }
@@ -50,7 +50,7 @@ where
         let [row, error] = total.smallest_row;
         counter.root_sum(S::Size::of(row), S::Size::of(ROUNDINGS * error));
         // another choice of pivots rounds otherwise: what differs is decided by rounding
-        let other = Evaluation::<WIDTH, _, S>::new(network, x).eliminated(Choice::InOrder);
+        let other = Evaluation::<WIDTH, _, S>::new(network, x, false).eliminated(Choice::InOrder);
         if other.below != total.below {
             counter.cancelled(false);
         }
@@ -78,7 +78,7 @@ where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter>,
 {
-    fn new(network: &'a Y, x: S) -> Self {
+    fn new(network: &'a Y, x: S, carries_errors: bool) -> Self {
         let at = FrequencyPowers::new(x, true);
         Evaluation {
             network,
@@ -86,7 +86,7 @@ where
             at,
             objects: Objects::new(),
             front: Front::new(),
-            total: Total::new(),
+            total: Total::new(carries_errors),
             is_here: [false; WIDTH],
             roles: [Role::Absent; WIDTH],
         }
@@ -106,11 +106,6 @@ where
         self.total
     }
 
-    /// The motions of both nodes of a member.
-    fn motions_of(&self, member: usize) -> [&'a Motions<Y::Parameter>; 2] {
-        [0, 1].map(|end| self.network.node(self.order.incidence.node(2 * member + end)).1)
-    }
-
     /// Adds the members that are cut by the elimination of a node.
     fn push_members(&mut self, node: usize) {
         for &end in self.order.incidence.ends(node) {
@@ -118,7 +113,7 @@ where
             if !self.order.is_first_at(end, node) {
                 continue;
             }
-            let length = self.network.placement(member).length(self.motions_of(member));
+            let length = self.network.placement(member).length();
             if let Some(chart) = self.network.chart(member, &self.at, length) {
                 self.objects.push_chart(&chart, member * 2 * MOST_FREEDOMS, &mut self.total);
             }
@@ -164,7 +159,7 @@ where
         }
         let end = end_of(&variable);
         let member = self.network.placement(end / 2);
-        let freedom = member.freedom(variable.label % MOST_FREEDOMS);
+        let freedom = variable.label % MOST_FREEDOMS;
         if member.releases(end % 2, freedom) {
             return if variable.is_force { Role::Absent } else { Role::Released(unit) };
         }
@@ -172,7 +167,7 @@ where
             self.objects.restrain(place, unit, &mut self.front, &mut self.total);
         }
         let variable = &self.objects.variables[place];
-        let mut row = member.row::<S>(end % 2, freedom, self.motions_of(end / 2));
+        let mut row = member.row::<S>(end % 2, freedom, self.network.node(self.order.incidence.node(end)).1);
         // the row of a force stands in the unit of the node, that of a displacement in its own
         let own = if variable.is_force { unit } else { variable.unit };
         for (coefficient, motion) in row.iter_mut().zip(motions) {

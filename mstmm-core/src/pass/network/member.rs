@@ -93,23 +93,38 @@ impl<S: Scalar> Span<S> {
         T: Parameter,
         S: Frequency<T>,
     {
-        let number = |place: [T; 2]| place.map(S::from_parameter);
-        let norm = |[x, y]: [S; 2]| (x * x + y * y).sqrt();
-        let [from, to] = [&ends[0], &ends[1]].map(|end| number(end.place));
-        let between = [to[0] - from[0], to[1] - from[1]];
-        let length = norm(between);
-        let (zero, one) = (S::zero(), S::one());
-        let rows = [0, 1].map(|k| {
-            let PlacedEnd { place, node, along, .. } = &ends[k];
-            let (place, node) = (number(*place), number(*node));
-            let (direction, size) = along.map_or((between, length), |along| (number(along), norm(number(along))));
-            let [c, s] = direction.map(|part| part / size);
-            let [x, y] = [place[0] - node[0], place[1] - node[1]];
-            let rows = [[c, s, s * x - c * y], [-s, c, s * y + c * x], [zero, zero, one]];
-            rows.map(|row| motions[k].parts_of(row))
-        });
-        Span { length, rows }
+        let rows = [0, 1].map(|end| [0, 1, 2].map(|freedom| row_of(ends, end, freedom, motions[end])));
+        Span { length: norm(between(ends)), rows }
     }
+}
+
+/// The vector from one end to the other.
+fn between<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2]) -> [S; 2] {
+    let [from, to] = [&ends[0], &ends[1]].map(|end| end.place.map(S::from_parameter));
+    [to[0] - from[0], to[1] - from[1]]
+}
+
+fn norm<S: Scalar>([x, y]: [S; 2]) -> S {
+    (x * x + y * y).sqrt()
+}
+
+/// What a freedom of an end is of the motions of its node.
+fn row_of<T: Parameter, S: Frequency<T>>(
+    ends: &[PlacedEnd<T>; 2],
+    end: usize,
+    freedom: usize,
+    motions: &Motions<T>,
+) -> [S; 3] {
+    let PlacedEnd { place, node, along, .. } = &ends[end];
+    let (zero, one) = (S::zero(), S::one());
+    if freedom == 2 {
+        return motions.parts_of([zero, zero, one]);
+    }
+    let direction = along.map_or_else(|| between(ends), |along| along.map(S::from_parameter));
+    let size = norm(direction);
+    let [c, s] = direction.map(|part| part / size);
+    let [x, y] = [0, 1].map(|k| S::from_parameter(place[k]) - S::from_parameter(node[k]));
+    motions.parts_of(if freedom == 0 { [c, s, s * x - c * y] } else { [-s, c, s * y + c * x] })
 }
 
 /// Where a member stands, and how it is joined to its nodes.
@@ -160,23 +175,8 @@ impl<T: Real> Placement<T> {
 
     /// Its length.
     #[inline]
-    pub(crate) fn length<S: Frequency<T>>(&self, motions: [&Motions<T>; 2]) -> S {
-        if S::IS_EXTENDED { Span::new(&self.ends, motions).length } else { S::from_parameter(self.span.length) }
-    }
-
-    /// The freedom at a place among those that its ends have.
-    #[inline]
-    pub(crate) fn freedom(&self, place: usize) -> usize {
-        let mut left = place;
-        for (k, freedom) in FREEDOMS.into_iter().enumerate() {
-            if self.freedoms.contains(freedom) {
-                if left == 0 {
-                    return k;
-                }
-                left -= 1;
-            }
-        }
-        0
+    pub(crate) fn length<S: Frequency<T>>(&self) -> S {
+        if S::IS_EXTENDED { norm(between(&self.ends)) } else { S::from_parameter(self.span.length) }
     }
 
     /// Whether an end does not share a freedom with its node.
@@ -187,9 +187,9 @@ impl<T: Real> Placement<T> {
 
     /// What a freedom of an end is of the motions of its node.
     #[inline]
-    pub(crate) fn row<S: Frequency<T>>(&self, end: usize, freedom: usize, motions: [&Motions<T>; 2]) -> [S; 3] {
+    pub(crate) fn row<S: Frequency<T>>(&self, end: usize, freedom: usize, motions: &Motions<T>) -> [S; 3] {
         if S::IS_EXTENDED {
-            return Span::new(&self.ends, motions).rows[end][freedom];
+            return row_of(&self.ends, end, freedom, motions);
         }
         self.span.rows[end][freedom].map(S::from_parameter)
     }

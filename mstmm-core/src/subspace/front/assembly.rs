@@ -1,6 +1,6 @@
 //! The assembly of a front: objects are joined at a node, whose motions replace the displacements of their ports.
 
-use crate::number::{Scalar, Size, Truth};
+use crate::number::{Scalar, Size};
 use crate::subspace::front::chart::MOST_FREEDOMS;
 use crate::subspace::front::eliminate::BOUND;
 use crate::subspace::front::matrix::{Front, Variable};
@@ -102,9 +102,11 @@ impl<S: Scalar, const W: usize> Front<S, W> {
                 Role::Boundary(unit) => (1, unit),
                 Role::Displacement(row) => {
                     targets[place] = Target::Motions(row);
-                    for (motion, coefficient) in row.iter().enumerate().take(motions) {
-                        let size = coefficient.size().first();
-                        self.note_error(motion, objects.errors[place] * size * size);
+                    if total.carries_errors {
+                        for (motion, coefficient) in row.iter().enumerate().take(motions) {
+                            let size = coefficient.size().first();
+                            self.note_error(motion, objects.errors[place] * size * size);
+                        }
                     }
                     continue;
                 }
@@ -115,7 +117,9 @@ impl<S: Scalar, const W: usize> Front<S, W> {
             let variable = &objects.variables[place];
             self.variables[at] = Variable { unit, measure: variable.measure.once_joined(), ..*variable };
             targets[place] = Target::Place(at, variable.shift_to(unit));
-            self.note_error(at, objects.errors[place].times_power_of_two(2 * variable.shift_to(unit)));
+            if total.carries_errors {
+                self.note_error(at, objects.errors[place].times_power_of_two(2 * variable.shift_to(unit)));
+            }
             if let Role::Force(_, row) = joint.roles[place] {
                 for (motion, coefficient) in row.iter().enumerate().take(motions) {
                     self.add(at, motion, *coefficient);
@@ -125,34 +129,49 @@ impl<S: Scalar, const W: usize> Front<S, W> {
         for object in joint.from..objects.len() {
             self.add_object(objects, object, &targets, motions);
         }
+        if total.carries_errors {
+            self.note_entries();
+        }
+    }
+
+    /// Notes what the assembly has rounded.
+    fn note_entries(&mut self) {
+        for row in 0..self.count {
+            let entries = self.entries[row][..self.count].iter();
+            let largest = entries.fold(self.terms[row], |largest, entry| entry.size().first().max(largest));
+            self.note_error(row, largest);
+        }
     }
 
     /// Adds the matrix of an object.
     fn add_object(&mut self, objects: &Objects<S, W>, object: usize, targets: &[Target<S>; W], motions: usize) {
         let range = objects.range(object);
         for row in range.clone() {
-            let entries = &objects.entries[row][..range.len()];
-            for (entry, column) in entries.iter().zip(range.clone()).skip(row - range.start) {
-                if entry.vanishes().all() {
-                    continue;
-                }
-                match (&targets[row], &targets[column]) {
-                    (&Target::Place(row, one), &Target::Place(column, other)) => {
-                        let entry = entry.times_power_of_two(one + other);
-                        self.entries[row][column] = entry;
-                        self.entries[column][row] = entry;
-                    }
-                    (&Target::Place(place, shift), Target::Motions(sum))
-                    | (Target::Motions(sum), &Target::Place(place, shift)) => {
-                        let entry = entry.times_power_of_two(shift);
-                        for (motion, coefficient) in sum.iter().enumerate().take(motions) {
-                            self.add(motion, place, entry * *coefficient);
+            let entries = objects.entries[row][..range.len()].iter().zip(&targets[range.clone()]);
+            match &targets[row] {
+                Target::Nowhere => {}
+                &Target::Place(row, one) => {
+                    for (entry, target) in entries {
+                        if let &Target::Place(column, other) = target {
+                            self.entries[row][column] = entry.times_power_of_two(one + other);
                         }
                     }
-                    (Target::Motions(one), Target::Motions(other)) => {
-                        self.add_square(*entry, &one[..motions], &other[..motions], row == column);
+                }
+                Target::Motions(sum) => {
+                    for (column, (entry, target)) in range.clone().zip(entries) {
+                        match target {
+                            &Target::Place(place, shift) => {
+                                let entry = entry.times_power_of_two(shift);
+                                for (motion, coefficient) in sum[..motions].iter().enumerate() {
+                                    self.add(motion, place, entry * *coefficient);
+                                }
+                            }
+                            Target::Motions(other) if column >= row => {
+                                self.add_square(*entry, &sum[..motions], &other[..motions], row == column);
+                            }
+                            _ => {}
+                        }
                     }
-                    _ => {}
                 }
             }
         }
@@ -161,18 +180,16 @@ impl<S: Scalar, const W: usize> Front<S, W> {
     /// Adds an entry between two sums of motions, or of one with itself.
     fn add_square(&mut self, entry: S, one: &[S], other: &[S], is_diagonal: bool) {
         for (k, a) in one.iter().enumerate() {
+            let product = entry * *a;
             for (l, b) in other.iter().enumerate() {
-                let term = entry * *a * *b;
+                let term = product * *b;
                 self.entries[k][l] += term;
                 if !is_diagonal {
                     self.entries[l][k] += term;
                 }
-                let size = term.size().first();
                 if k == l {
-                    self.note(k, size);
+                    self.note(k, term.size().first());
                 }
-                self.note_error(k, size);
-                self.note_error(l, size);
             }
         }
     }

@@ -47,17 +47,19 @@ impl<S: Scalar> Chart<S> {
         }
     }
 
-    /// The variables.
-    pub(crate) fn variables(&self) -> impl Iterator<Item = Variable> {
-        let Chart { freedoms, units, measure, forces, .. } = *self;
-        let own =
-            [Freedoms::X, Freedoms::Y, Freedoms::RZ].into_iter().filter(move |freedom| freedoms.contains(*freedom));
-        let ends = [0, MOST_FREEDOMS].into_iter();
-        let variables =
-            ends.flat_map(move |label| own.clone().enumerate().map(move |(k, freedom)| (label + k, freedom)));
-        variables.enumerate().map(move |(k, (label, freedom))| {
-            let is_rotation = freedom.is(Freedoms::RZ);
-            Variable { label, is_force: forces >> k & 1 == 1, is_rotation, unit: units.of(is_rotation), measure }
-        })
+    /// The variable at a place, of a freedom of one of the ends.
+    #[inline]
+    pub(super) fn variable(&self, place: usize, end: usize, freedom: usize) -> Variable {
+        let is_rotation = freedom + 1 == MOST_FREEDOMS;
+        Variable {
+            label: end * MOST_FREEDOMS + freedom,
+            is_force: self.forces >> place & 1 == 1,
+            is_rotation,
+            unit: self.units.of(is_rotation),
+            measure: self.measure,
+        }
     }
 }
+
+/// The freedoms of an end in their order.
+pub(crate) const FREEDOMS: [Freedoms; MOST_FREEDOMS] = [Freedoms::X, Freedoms::Y, Freedoms::RZ];

@@ -25,7 +25,7 @@ type Pivot = (usize, Option<usize>);
 
 impl<S: Scalar, const W: usize> Front<S, W> {
     #[inline]
-    fn size(&self, row: usize, column: usize) -> f64 {
+    pub(super) fn size(&self, row: usize, column: usize) -> f64 {
         self.entries[row][column].size().first()
     }
 

@@ -82,7 +82,7 @@ impl<S: Scalar, const W: usize> Front<S, W> {
     /// Begins anew with so many variables without entries, of which the first ones are interior.
     pub(super) fn begin(&mut self, interior: usize, count: usize) {
         for row in &mut self.entries[..count] {
-            *row = [S::zero(); W];
+            row[..count].fill(S::zero());
         }
         self.terms[..count].fill(0.0);
         self.errors[..count].fill(0.0);
@@ -112,13 +112,10 @@ impl<S: Scalar, const W: usize> Front<S, W> {
     #[inline]
     pub(crate) fn add(&mut self, row: usize, column: usize, term: S) {
         self.entries[row][column] += term;
-        let size = term.size().first();
         if row == column {
-            self.note(row, size);
+            self.note(row, term.size().first());
         } else {
             self.entries[column][row] += term;
-            self.note_error(row, size);
-            self.note_error(column, size);
         }
     }
 
@@ -128,7 +125,6 @@ impl<S: Scalar, const W: usize> Front<S, W> {
         if size > self.terms[row] {
             self.terms[row] = size;
         }
-        self.note_error(row, size);
     }
 
     /// Notes an error of a row, in units of rounding.

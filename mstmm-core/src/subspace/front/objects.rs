@@ -1,7 +1,7 @@
 //! Members and fronts that wait for the elimination of a node, one upon the other.
 
 use crate::number::{Scalar, Size};
-use crate::subspace::front::chart::Chart;
+use crate::subspace::front::chart::{Chart, FREEDOMS};
 use crate::subspace::front::matrix::{Front, Variable};
 use crate::subspace::front::total::Total;
 use core::ops::Range;
@@ -63,15 +63,23 @@ impl<S: Scalar, const W: usize> Objects<S, W> {
     /// Adds a member by its chart, with labels from one on.
     pub(crate) fn push_chart(&mut self, chart: &Chart<S>, label: usize, total: &mut Total<S>) {
         let first = self.open();
-        for variable in chart.variables() {
-            self.variables[self.count] = Variable { label: label + variable.label, ..variable };
-            self.count += 1;
+        for end in 0..2 {
+            for (freedom, kind) in FREEDOMS.into_iter().enumerate() {
+                if chart.freedoms.contains(kind) {
+                    let variable = chart.variable(self.count - first, end, freedom);
+                    self.variables[self.count] = Variable { label: label + variable.label, ..variable };
+                    self.count += 1;
+                }
+            }
         }
-        for (k, entries) in chart.entries.iter().enumerate().take(self.count - first) {
-            self.errors[first + k] = 0.0;
-            for (place, entry) in self.entries[first + k].iter_mut().zip(entries) {
+        for (row, entries) in self.entries[first..self.count].iter_mut().zip(&chart.entries) {
+            for (place, entry) in row.iter_mut().zip(entries) {
                 *place = *entry;
-                self.errors[first + k] = self.errors[first + k].max(entry.size().first());
+            }
+        }
+        if total.carries_errors {
+            for (error, entries) in self.errors[first..self.count].iter_mut().zip(&chart.entries) {
+                *error = entries.iter().fold(0.0, |largest, entry| entry.size().first().max(largest));
             }
         }
         total.multiply(chart.product.mantissa(), chart.product.exponent());

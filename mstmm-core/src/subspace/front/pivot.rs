@@ -29,37 +29,45 @@ impl<S: Scalar, const W: usize> Front<S, W> {
 
     /// Takes the products of the rows of pivots with their own columns from all others: `M_kl -= Σ_P M_kP (D⁻¹M)_Pl`.
     #[inline(always)]
-    fn subtract<const N: usize>(&mut self, pivots: [usize; N]) {
-        let (from, count) = (self.next, self.count);
-        let mut largest = [0.0_f64; N];
-        for (largest, solved) in largest.iter_mut().zip(&self.solved) {
-            for entry in &solved[from..count] {
-                let size = entry.size().first();
-                *largest = if size > *largest { size } else { *largest };
-            }
+    fn subtract<const N: usize>(&mut self, pivots: [usize; N], carries_errors: bool) {
+        if carries_errors {
+            self.carry_errors(pivots);
         }
+        let (from, count) = (self.next, self.count);
         for row in from..count {
             let entries = &mut self.entries[row];
             let factors = pivots.map(|pivot| entries[pivot]);
             if pivots.contains(&row) || factors.iter().all(S::is_zero) {
                 continue;
             }
-            let (mut term, mut of_row, mut inherited) = (0.0, 0.0, 0.0);
+            let mut term = 0.0;
             for (k, factor) in factors.iter().enumerate() {
-                let (factor, part) = (factor.size().first(), self.solved[k][row].size().first());
-                term += factor * part;
-                of_row += factor * largest[k];
-                // what rounding has done to the pivot comes along
-                inherited += part * part * self.errors[pivots[k]];
-            }
-            self.terms[row] = if term > self.terms[row] { term } else { self.terms[row] };
-            let error = if of_row > inherited { of_row } else { inherited };
-            self.errors[row] = if error > self.errors[row] { error } else { self.errors[row] };
-            for (factor, solved) in factors.iter().zip(&self.solved) {
+                let solved = &self.solved[k];
+                term += factor.size().first() * solved[row].size().first();
                 for (entry, solved) in entries[from..count].iter_mut().zip(&solved[from..count]) {
                     *entry -= *factor * *solved;
                 }
             }
+            self.terms[row] = if term > self.terms[row] { term } else { self.terms[row] };
+        }
+    }
+
+    /// Carries what rounding has done to the rows of pivots to all others, with what these lose by them.
+    #[cold]
+    fn carry_errors<const N: usize>(&mut self, pivots: [usize; N]) {
+        let (from, count) = (self.next, self.count);
+        let mut largest = [0.0_f64; N];
+        for (largest, solved) in largest.iter_mut().zip(&self.solved) {
+            *largest = solved[from..count].iter().fold(0.0, |largest, entry| entry.size().first().max(largest));
+        }
+        for row in (from..count).filter(|row| !pivots.contains(row)) {
+            let (mut of_row, mut inherited) = (0.0, 0.0);
+            for (k, pivot) in pivots.into_iter().enumerate() {
+                let (factor, part) = (self.size(row, pivot), self.solved[k][row].size().first());
+                of_row += factor * largest[k];
+                inherited += part * part * self.errors[pivot];
+            }
+            self.note_error(row, of_row.max(inherited));
         }
     }
 
@@ -88,7 +96,7 @@ impl<S: Scalar, const W: usize> Front<S, W> {
             *solved = *entry * inverse;
         }
         self.next += usize::from(after == After::Leaves);
-        self.subtract([place]);
+        self.subtract([place], total.carries_errors);
         total.multiply(self.signed(place, pivot), self.unit_power(place));
         total.count_if(pivot.is_negative());
         if after == After::Flips {
@@ -112,7 +120,7 @@ impl<S: Scalar, const W: usize> Front<S, W> {
             self.solved[1][column] = between * one + other * two;
         }
         self.next += after.into_iter().filter(|after| *after == After::Leaves).count();
-        self.subtract(places);
+        self.subtract(places, total.carries_errors);
         let signed = self.signed(i, self.signed(j, determinant));
         total.multiply(signed, self.unit_power(i) + self.unit_power(j));
         let definite = S::Size::choose(a.is_negative(), S::Size::of(2.0), S::Size::of(0.0));

@@ -12,6 +12,8 @@ pub(crate) struct Total<S: Scalar> {
     exponent: i64,
     /// Negative pivots and natural frequencies of held members, less the number of forces: at the end the frequencies below.
     pub(crate) below: S::Size,
+    /// Whether rows carry what rounding has done to them.
+    pub(super) carries_errors: bool,
     /// Whether a row was nothing but rounding.
     pub(crate) has_vanished: bool,
     /// The size of the row of a pivot and its error in units of rounding, where the first is smallest beside the second.
@@ -19,8 +21,10 @@ pub(crate) struct Total<S: Scalar> {
 }
 
 impl<S: Scalar> Total<S> {
-    pub(crate) fn new() -> Self {
-        Total { product: S::one(), exponent: 0, below: S::Size::of(0.0), has_vanished: false, smallest_row: [1.0; 2] }
+    /// Nothing yet, given whether errors are to be carried along.
+    pub(crate) fn new(carries_errors: bool) -> Self {
+        let (product, below) = (S::one(), S::Size::of(0.0));
+        Total { product, exponent: 0, below, carries_errors, has_vanished: false, smallest_row: [1.0; 2] }
     }
 
     /// Δ, once all variables are eliminated.
