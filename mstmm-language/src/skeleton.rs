@@ -63,6 +63,8 @@ pub(crate) struct Member<'a> {
 pub(crate) enum What<'a> {
     /// An element of the model.
     Element(&'a Element),
+    /// A hinge of the model, which is a joint with springs.
+    Hinge(&'a Element),
     /// A rigid joint of the freedoms of the member.
     Rigid,
 }
@@ -87,6 +89,16 @@ pub(crate) enum Axis {
     Along(usize),
     /// From the place of an index to that of another.
     FromTo([usize; 2]),
+}
+
+impl<'a> What<'a> {
+    /// The element of the model that has its parameters.
+    pub(crate) fn element(self) -> Option<&'a Element> {
+        match self {
+            What::Element(element) | What::Hinge(element) => Some(element),
+            What::Rigid => None,
+        }
+    }
 }
 
 impl Node {

@@ -293,6 +293,8 @@ mod tests {
             Requirement::Invertible,
             Requirement::NonNegative,
             Requirement::AtLeast { bound: 0.0, formula: "nothing" },
+            Requirement::Apart { from: "one point", to: "another" },
+            Requirement::Direction,
         ];
         for requirement in all {
             for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -47,28 +47,15 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>) -> syn::Result<Tok
 impl Member<'_> {
     /// Where errors about the member are shown: at its keyword.
     fn span(&self, names: &Names) -> Span {
-        match self.what {
-            What::Element(element) => names.at_element(element),
-            What::Rigid => names.here,
-        }
-    }
-
-    /// Whether it is an element of a type of its own, and no joint.
-    fn is_joint(&self) -> bool {
-        match self.what {
-            What::Element(element) => {
-                matches!(element.kind.name().to_string().as_str(), "elastic_hinge" | "planar_hinge")
-            }
-            What::Rigid => true,
-        }
+        self.what.element().map_or(names.here, |element| names.at_element(element))
     }
 
     /// Its type, at the user's token.
     fn kind(&self, names: &Names) -> TokenStream {
         let span = self.span(names);
         match self.what {
-            What::Element(element) if !self.is_joint() => names.element(element),
-            _ => {
+            What::Element(element) => names.element(element),
+            What::Hinge(_) | What::Rigid => {
                 let (joint, parameter) = (names.function_at("Joint", span), &names.parameter);
                 quote_spanned!(span=> #joint<#parameter>)
             }

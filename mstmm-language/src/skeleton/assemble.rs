@@ -117,7 +117,8 @@ impl<'a> Assembly<'a> {
             _ => located_of(&keyword).map_or(Freedoms::NONE, |row| row.brings),
         };
         let freedoms = ties.intersection(self.network.dimension.freedoms());
-        let what = if joint.element.kind.known().is_some() { What::Element(joint.element) } else { What::Rigid };
+        // a hinge has its stiffnesses, other joints are rigid
+        let what = if joint.element.kind.known().is_some() { What::Hinge(joint.element) } else { What::Rigid };
         self.skeleton.members.push(Member { what, name, freedoms, ends });
     }
 

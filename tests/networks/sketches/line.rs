@@ -78,3 +78,22 @@ fn a_damped_line_has_the_eigenvalues_of_its_tree() {
         assert!((one - other).norm() < 1e-11 * other.norm(), "{one} and {other}");
     }
 }
+
+system! {
+    /// Two beams with a pin over the support between them.
+    struct PinnedSpans { length: f64 }
+
+    pinned at 0.0 -> beam 1 { bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn middle at length <- pinned;
+    conn middle -> pin 2 {} -> beam 3 { bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned at 2.0 * length;
+}
+
+/// Closed form: each span moves by itself, `ω = (n π/l)²`.
+#[test]
+fn a_pin_over_a_support_parts_two_spans() {
+    let system = PinnedSpans { length: 1.0 }.build().unwrap();
+    for (mode, found) in (1_u8..).zip(&system.first_frequencies::<6>().unwrap()) {
+        let exact = (f64::from(mode) * std::f64::consts::PI).powi(2);
+        assert_eq!(found.multiplicity, 2);
+        assert!((found.omega - exact).abs() <= 1e-14 * exact, "{found}");
+    }
+}

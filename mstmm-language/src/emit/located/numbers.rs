@@ -42,11 +42,7 @@ pub(super) fn numbers(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> 
 
 /// The parameters of what stands between two points.
 pub(super) fn member_parameters<'a>(what: What<'a>) -> impl Iterator<Item = &'a Parameter> {
-    let element = match what {
-        What::Element(element) => Some(element),
-        What::Rigid => None,
-    };
-    element.into_iter().flat_map(Element::parameters)
+    what.element().into_iter().flat_map(Element::parameters)
 }
 
 /// Both parts of a place or a direction.

@@ -1,9 +1,8 @@
 //! Emits the built system of a model with locations, `build()`, and its traits.
 
 use super::super::{Names, implement};
-use super::numbers::member_parameters;
 use super::{by_type, field};
-use crate::ast::Model;
+use crate::ast::{Element, Model};
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
@@ -88,33 +87,31 @@ fn built(index: usize, member: &Member<'_>, place: &mut usize, names: &Names) ->
             let freedoms = super::sketch::freedoms(member.freedoms, names);
             quote_spanned!(span=> <#kind>::rigid(#freedoms))
         }
-        What::Element(element) => {
-            let parameters = member_parameters(member.what).map(|parameter| {
-                let (name, of_place) = (&parameter.name, *place);
-                *place += 1;
-                quote_spanned!(names.at(name.span())=> #name: number(#of_place))
-            });
-            let parameters: Vec<TokenStream> = parameters.collect();
-            let length = has_length(member).then(|| {
-                let length = Ident::new("length", span);
-                quote_spanned!(span=> #length: skeleton.length(#index),)
-            });
-            let literal = names.element_type(element);
-            let literal = quote_spanned!(element.kind.place().last=> #literal { #length #(#parameters),* });
-            if member.is_joint() {
-                quote_spanned!(span=> <#kind as ::core::convert::From<_>>::from(#literal))
-            } else {
-                literal
-            }
+        What::Hinge(element) => {
+            let literal = literal(index, element, place, names);
+            quote_spanned!(span=> <#kind as ::core::convert::From<_>>::from(#literal))
         }
+        What::Element(element) => literal(index, element, place, names),
     };
     quote_spanned!(span=> #field: #build::<#kind>(#value, #name)?)
 }
 
-/// Whether the type of a member has its length among its parameters.
-fn has_length(member: &Member<'_>) -> bool {
-    let What::Element(element) = member.what else { return false };
-    element.kind.known().is_some_and(|known| known.parameters.contains(&"length"))
+/// The struct of an element's parameters, with its length where its type has one.
+fn literal(index: usize, element: &Element, place: &mut usize, names: &Names) -> TokenStream {
+    let span = names.at_element(element);
+    let parameters = element.parameters().map(|parameter| {
+        let (name, of_place) = (&parameter.name, *place);
+        *place += 1;
+        quote_spanned!(names.at(name.span())=> #name: number(#of_place))
+    });
+    let parameters: Vec<TokenStream> = parameters.collect();
+    let has_length = element.kind.known().is_some_and(|known| known.parameters.contains(&"length"));
+    let length = has_length.then(|| {
+        let length = Ident::new("length", span);
+        quote_spanned!(span=> #length: skeleton.length(#index),)
+    });
+    let literal = names.element_type(element);
+    quote_spanned!(element.kind.place().last=> #literal { #length #(#parameters),* })
 }
 
 /// `impl System` and `impl Placed`.
