@@ -36,6 +36,29 @@ fn a_type_may_be_named_like_what_is_emitted() {
     assert_eq!(system.characteristic(2.0).value(), 0.0);
 }
 
+/// Names of what is emitted for places, in a formula.
+mod named_like_a_sketch {
+    pub(super) struct SKETCH;
+    impl SKETCH {
+        pub(super) const WIDTH: f64 = 2.0;
+    }
+    pub(super) const ORDER: f64 = 3.0;
+
+    mstmm::system! {
+        pub(super) struct Skeleton { pub(super) number: f64 }
+        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e3, bending_stiffness: ORDER, mass_per_length: number }
+            -> free at (SKETCH::WIDTH, 0.0)
+    }
+}
+
+#[test]
+fn a_place_may_be_named_like_what_is_emitted() {
+    let system = named_like_a_sketch::Skeleton { number: 1.0 }.build().unwrap();
+    // a cantilever: (βl)² = 3.516015 of the first mode
+    let first = 3.516_015_268_5 * (3.0_f64 / 16.0).sqrt();
+    assert!((system.first_frequencies::<1>().unwrap()[0].omega - first).abs() < 1e-9);
+}
+
 system! {
     struct Configured {
         #[cfg(test)]
