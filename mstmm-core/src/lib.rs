@@ -71,7 +71,8 @@ pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
 pub use pass::network::{
     Axis, End, Located, Member, Motions, Network, NetworkError, NetworkRoom, NetworkSketch, Node, Placed, PlacedCharts,
-    Placement, Skeleton, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, network_pass,
+    Placement, Skeleton, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, build_member, estimate_member,
+    network_pass,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

@@ -13,5 +13,5 @@ pub(crate) use charted::{Charted, MemberChart, MemberElement};
 pub(crate) use energies::{Energies, Inside};
 pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub(crate) use moving::{CoefficientsOf, Moving};
-pub(crate) use traits::{Element, MatrixOf, PlaneStep, TransferMatrix, space_of};
+pub(crate) use traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of};
 pub(crate) use visit::{Visit, VisitStep};

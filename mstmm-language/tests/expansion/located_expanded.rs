@@ -209,7 +209,7 @@ const _: () = {
             );
             let skeleton = mstmm::__private::Skeleton::new(&SKETCH, &numbers)?;
             let mut system = MastSystem {
-                member_0: mstmm::__private::build::<
+                member_0: mstmm::__private::build_member::<
                     mstmm::__private::elements::PlanarBeam<T>,
                 >(
                     mstmm::__private::elements::PlanarBeam {
@@ -220,7 +220,7 @@ const _: () = {
                     },
                     "planar_beam 1",
                 )?,
-                member_1: mstmm::__private::build::<
+                member_1: mstmm::__private::build_member::<
                     mstmm::__private::elements::Spring<T>,
                 >(
                     mstmm::__private::elements::Spring {
@@ -232,18 +232,12 @@ const _: () = {
                 estimates: ::core::default::Default::default(),
             };
             system.skeleton.estimate(&mut system.estimates);
-            <mstmm::__private::elements::PlanarBeam<
-                T,
-            > as mstmm::__private::Element>::estimate(
-                &system.member_0,
-                &mut system.estimates,
-            );
-            <mstmm::__private::elements::Spring<
-                T,
-            > as mstmm::__private::Element>::estimate(
-                &system.member_1,
-                &mut system.estimates,
-            );
+            mstmm::__private::estimate_member::<
+                mstmm::__private::elements::PlanarBeam<T>,
+            >(&system.member_0, &mut system.estimates);
+            mstmm::__private::estimate_member::<
+                mstmm::__private::elements::Spring<T>,
+            >(&system.member_1, &mut system.estimates);
             system.estimates.finish();
             ::core::result::Result::Ok(system)
         }

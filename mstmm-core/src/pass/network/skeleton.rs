@@ -1,5 +1,6 @@
 //! The nodes of a sketched network and the placements of its members, with numbers.
 
+use crate::element::{Element, build};
 use crate::model::{FrequencyEstimates, ParameterError, Requirement};
 use crate::number::Real;
 use crate::pass::network::member::{End, Placement};
@@ -63,6 +64,21 @@ impl<T, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBERS> {
     pub fn placement(&self, member: usize) -> &Placement<T> {
         &self.placements[member]
     }
+}
+
+/// Builds a member under its name in the model: a call, since a frame has hundreds of them and builds them once.
+///
+/// # Errors
+/// The error names the member, the parameter and its value.
+#[inline(never)]
+pub fn build_member<E: Element>(element: E, name: &'static str) -> Result<E::Built, ParameterError> {
+    build(element, name)
+}
+
+/// Adds a member to the estimates from which searches take their first steps: a call, as `build_member` is.
+#[inline(never)]
+pub fn estimate_member<E: Element>(built: &E::Built, estimates: &mut FrequencyEstimates) {
+    E::estimate(built, estimates);
 }
 
 /// The numbers of a sketch.

@@ -41,8 +41,8 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> To
     let members = skeleton.members.iter().enumerate().map(|(index, member)| built(index, member, &mut place, names));
     let estimates = skeleton.members.iter().enumerate().map(|(index, member)| {
         let (span, kind) = (member.span(names), member.kind(names));
-        let (field, element) = (field(index, span), names.trait_at("Element", span));
-        quote_spanned!(span=> <#kind as #element>::estimate(&system.#field, &mut system.estimates);)
+        let (field, estimate) = (field(index, span), names.function_at("estimate_member", span));
+        quote_spanned!(span=> #estimate::<#kind>(&system.#field, &mut system.estimates);)
     });
     quote_spanned! {names.here=>
         impl #name {
@@ -78,10 +78,10 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> To
     }
 }
 
-/// A built member, with the numbers from a place on: `member_3: build::<PlanarBeam<T>>(PlanarBeam { length: .., .. }, name)?`.
+/// A built member, with the numbers from a place on: `member_3: build_member::<PlanarBeam<T>>(PlanarBeam { length: .., .. }, name)?`.
 fn built(index: usize, member: &Member<'_>, place: &mut usize, names: &Names) -> TokenStream {
     let (span, kind, name) = (member.span(names), member.kind(names), &member.name);
-    let (field, build) = (field(index, span), names.function_at("build", span));
+    let (field, build) = (field(index, span), names.function_at("build_member", span));
     let value = match member.what {
         What::Rigid => {
             let freedoms = super::sketch::freedoms(member.freedoms, names);
