@@ -252,6 +252,10 @@ impl super::laws::Sample for Beam<f64> {
         Beam { length: next(), bending_stiffness: next(), mass_per_length: next() }
     }
 
+    fn length(&self) -> f64 {
+        self.length
+    }
+
     fn halves(self) -> Option<Self> {
         Some(Beam { length: self.length / 2.0, ..self })
     }

@@ -1,5 +1,6 @@
 //! Laws that every element obeys, run over the list of all elements.
 
+mod charts;
 mod count_steps;
 mod motions;
 mod plane_steps;
@@ -28,6 +29,11 @@ pub(super) trait Sample: Element + Copy + core::fmt::Debug {
     /// The largest phase of its waves at `|λ| = s²`, whose rounding the law of halves allows: s where it grows with `sqrt(|λ|)`.
     fn phase(&self, s: f64) -> f64 {
         s
+    }
+
+    /// Its length, where a chart takes one.
+    fn length(&self) -> f64 {
+        1.0
     }
 
     /// The element without its springs to the ground.

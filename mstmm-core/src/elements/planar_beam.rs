@@ -114,6 +114,10 @@ impl super::laws::Sample for PlanarBeam<f64> {
         PlanarBeam { length: next(), axial_stiffness: next(), bending_stiffness: next(), mass_per_length: next() }
     }
 
+    fn length(&self) -> f64 {
+        self.length
+    }
+
     fn halves(self) -> Option<Self> {
         Some(PlanarBeam { length: self.length / 2.0, ..self })
     }

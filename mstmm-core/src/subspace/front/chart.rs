@@ -49,7 +49,7 @@ impl<S: Scalar> Chart<S> {
 
     /// The variable at a place, of a freedom of one of the ends.
     #[inline]
-    pub(super) fn variable(&self, place: usize, end: usize, freedom: usize) -> Variable {
+    pub(crate) fn variable(&self, place: usize, end: usize, freedom: usize) -> Variable {
         let is_rotation = freedom + 1 == MOST_FREEDOMS;
         Variable {
             label: end * MOST_FREEDOMS + freedom,

@@ -13,6 +13,8 @@
 pub(crate) mod assembly;
 pub(crate) mod chart;
 pub(crate) mod eliminate;
+#[cfg(test)]
+mod laws;
 pub(crate) mod matrix;
 pub(crate) mod objects;
 mod pivot;
