@@ -38,6 +38,7 @@ fn a_type_may_be_named_like_what_is_emitted() {
 
 /// Names of what is emitted for places, in a formula.
 mod named_like_a_sketch {
+    #[expect(clippy::upper_case_acronyms, reason = "it is the name that could clash")]
     pub(super) struct SKETCH;
     impl SKETCH {
         pub(super) const WIDTH: f64 = 2.0;
