@@ -1,6 +1,7 @@
 //! The same structure written otherwise.
 
 use crate::structure::{Element, End, Freedoms, Member, Node, Structure};
+use crate::support::random_tree::Random;
 
 /// Every beam as two halves. Where positions are multiples of powers of two the middle is exact.
 pub(crate) fn in_halves(structure: &Structure) -> Structure {
@@ -51,6 +52,10 @@ pub(crate) fn turned(structure: &Structure) -> Structure {
             }
             Element::Spring { stiffness } => Element::Spring { stiffness: 5.0 * stiffness },
             Element::TorsionSpring { stiffness } => Element::TorsionSpring { stiffness: 125.0 * stiffness },
+            Element::Hinge { stiffness: [along, across, rotation] } => {
+                Element::Hinge { stiffness: [5.0 * along, 5.0 * across, 125.0 * rotation] }
+            }
+            Element::Weld { freedoms } => Element::Weld { freedoms },
             Element::Damper { damping } => Element::Damper { damping: 5.0 * damping },
             Element::TorsionDamper { damping } => Element::TorsionDamper { damping: 125.0 * damping },
         },
@@ -73,4 +78,30 @@ pub(crate) fn reversed(structure: &Structure) -> Structure {
         nodes: structure.nodes.iter().rev().copied().collect(),
         members: structure.members.iter().rev().map(member).collect(),
     }
+}
+
+/// Numbers from zero on in a random order.
+fn shuffled(random: &mut Random, count: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..count).collect();
+    for index in (1..count).rev() {
+        order.swap(index, random.below(index + 1));
+    }
+    order
+}
+
+/// Nodes and members in a random order, half of the members from their other end.
+pub(crate) fn shuffled_structure(structure: &Structure, seed: u64) -> Structure {
+    let mut random = Random(seed);
+    let order = shuffled(&mut random, structure.nodes.len());
+    let mut places = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(place, &node)| places[node] = place);
+    let end = |end: End| End { node: places[end.node], ..end };
+    let mut members = Vec::new();
+    for index in shuffled(&mut random, structure.members.len()) {
+        let member = structure.members[index];
+        let [from, to] = member.ends.map(end);
+        let ends = if random.chance(0.5) { [to, from] } else { [from, to] };
+        members.push(Member { ends, ..member });
+    }
+    Structure { nodes: order.into_iter().map(|node| structure.nodes[node]).collect(), members }
 }

@@ -1,5 +1,8 @@
 //! Structures that searches find hard, and random ones from a seed.
 
+pub(crate) mod damped;
+pub(crate) mod directed;
+pub(crate) mod line;
 pub(crate) mod named;
 pub(crate) mod random;
 

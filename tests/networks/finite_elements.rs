@@ -62,7 +62,7 @@ impl FiniteElements {
                     let [from, to] = member.ends.map(|end| 3 * end.node + 2);
                     add(&mut model.stiffness, &[(to, 1.0), (from, -1.0)], stiffness);
                 }
-                Element::Damper { .. } | Element::TorsionDamper { .. } => unreachable!("a dashpot"),
+                _ => unreachable!("a joint or a dashpot"),
             }
         }
         model

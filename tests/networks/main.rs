@@ -1,12 +1,17 @@
 //! Plane frames: beams at any angle, loops, rigid bodies with many ports, releases, skew supports, springs along directions.
 
+mod by_minors;
 mod checks;
+mod damped;
+mod directed;
 mod equivalents;
 mod families;
 mod finite_elements;
 mod joints;
 mod judgement;
+mod large;
 mod library;
+mod lines;
 mod oracle;
 mod oracle_against_cases;
 mod oracle_as_search;
@@ -22,3 +27,4 @@ mod structure;
 #[path = "../support/mod.rs"]
 pub mod support;
 mod through_library;
+mod tree_as_network;

@@ -93,11 +93,13 @@ pub(crate) enum Element {
     Spring { stiffness: f64 },
     /// A massless spring between the rotations of two nodes.
     TorsionSpring { stiffness: f64 },
+    /// Springs between two points at one place: along a direction, across it and of the rotations.
+    Hinge { stiffness: [f64; 3] },
+    /// Two points at one place share freedoms.
+    Weld { freedoms: Freedoms },
     /// A dashpot between two points, along a direction.
-    #[allow(dead_code, reason = "natural frequencies are those of undamped structures")]
     Damper { damping: f64 },
     /// A dashpot between the rotations of two nodes.
-    #[allow(dead_code, reason = "natural frequencies are those of undamped structures")]
     TorsionDamper { damping: f64 },
 }
 
@@ -175,6 +177,18 @@ impl Structure {
     /// Adds a spring between the rotations of two nodes.
     pub(crate) fn torsion_spring(&mut self, from: usize, to: usize, stiffness: f64) {
         let element = Element::TorsionSpring { stiffness };
+        self.members.push(Member { ends: [from.into(), to.into()], along: None, element });
+    }
+
+    /// Adds an elastic hinge at a place of both ends.
+    pub(crate) fn hinge(&mut self, from: impl Into<End>, to: impl Into<End>, direction: [f64; 2], stiffness: [f64; 3]) {
+        let element = Element::Hinge { stiffness };
+        self.members.push(Member { ends: [from.into(), to.into()], along: Some(direction), element });
+    }
+
+    /// Makes two points at one place share freedoms.
+    pub(crate) fn weld(&mut self, from: impl Into<End>, to: impl Into<End>, freedoms: Freedoms) {
+        let element = Element::Weld { freedoms };
         self.members.push(Member { ends: [from.into(), to.into()], along: None, element });
     }
 

@@ -1,17 +1,20 @@
 //! Structures as the library takes them, and its answers as tests compare them.
 
 use crate::checks::Found;
-use crate::structure::{Element, Freedoms, Structure};
-use mstmm::elements::{Spring, TorsionSpring};
-use mstmm::network::{self, End, Member, Network, Node, Room, UndampedMember};
+use crate::structure::{Element, Freedoms, Section, Structure};
+use mstmm::elements::{Damper, PlanarHinge, Spring, TorsionDamper, TorsionSpring};
+use mstmm::network::{
+    self, AnyMember, End, Joint, Member, MemberElement, Network, NetworkError, Node, Room, UndampedMember,
+};
+use mstmm::number::{DoubleDouble, Scaled};
 use mstmm::prelude::*;
 
 /// Variables of the widest front.
 const WIDTH: usize = 60;
 
 /// Sizes of the largest structure.
-const NODES: usize = 100;
-const MEMBERS: usize = 160;
+const NODES: usize = 1002;
+const MEMBERS: usize = 1202;
 
 /// A network of the library.
 pub(crate) type Undamped<'a> = Network<'a, UndampedMember<f64>, WIDTH>;
@@ -29,26 +32,48 @@ fn nodes(structure: &Structure) -> Vec<Node<f64>> {
     structure.nodes.iter().map(node).collect()
 }
 
-fn members(structure: &Structure) -> Vec<Member<UndampedMember<f64>>> {
+fn section(section: Section) -> network::Section<f64> {
+    network::Section {
+        axial_stiffness: section.axial_stiffness,
+        bending_stiffness: section.bending_stiffness,
+        mass_per_length: section.mass_per_length,
+    }
+}
+
+fn hinge([stiffness_x, stiffness_y, stiffness_theta]: [f64; 3]) -> Joint<f64> {
+    Joint::from(PlanarHinge { stiffness_x, stiffness_y, stiffness_theta })
+}
+
+fn undamped(element: Element) -> UndampedMember<f64> {
+    match element {
+        Element::Beam(beam) => section(beam).into(),
+        Element::Spring { stiffness } => Spring { stiffness }.into(),
+        Element::TorsionSpring { stiffness } => TorsionSpring { stiffness }.into(),
+        Element::Hinge { stiffness } => hinge(stiffness).into(),
+        Element::Weld { freedoms: shared } => Joint::rigid(freedoms(shared)).into(),
+        Element::Damper { .. } | Element::TorsionDamper { .. } => unreachable!("undamped structures have no dashpot"),
+    }
+}
+
+fn any(element: Element) -> AnyMember<f64> {
+    match element {
+        Element::Beam(beam) => section(beam).into(),
+        Element::Spring { stiffness } => Spring { stiffness }.into(),
+        Element::TorsionSpring { stiffness } => TorsionSpring { stiffness }.into(),
+        Element::Hinge { stiffness } => hinge(stiffness).into(),
+        Element::Weld { freedoms: shared } => Joint::rigid(freedoms(shared)).into(),
+        Element::Damper { damping } => Damper { damping }.into(),
+        Element::TorsionDamper { damping } => TorsionDamper { damping }.into(),
+    }
+}
+
+fn members<E: MemberElement<Parameter = f64>>(structure: &Structure, element: impl Fn(Element) -> E) -> Vec<Member<E>> {
     let member = |member: &crate::structure::Member| {
         let [from, to] = member.ends.map(|end| {
             let other = End::of(end.node).releasing(freedoms(end.released));
             end.position.map_or(other, |position| other.at(position))
         });
-        let element: UndampedMember<f64> = match member.element {
-            Element::Beam(section) => network::Section {
-                axial_stiffness: section.axial_stiffness,
-                bending_stiffness: section.bending_stiffness,
-                mass_per_length: section.mass_per_length,
-            }
-            .into(),
-            Element::Spring { stiffness } => Spring { stiffness }.into(),
-            Element::TorsionSpring { stiffness } => TorsionSpring { stiffness }.into(),
-            Element::Damper { .. } | Element::TorsionDamper { .. } => {
-                unreachable!("undamped structures have no dashpot")
-            }
-        };
-        let other = Member::new(from, to, element);
+        let other = Member::new(from, to, element(member.element));
         member.along.map_or(other, |direction| other.along(direction))
     };
     structure.members.iter().map(member).collect()
@@ -59,23 +84,74 @@ pub(crate) fn asked<R>(
     structure: &Structure,
     ask: impl FnOnce(&Undamped<'_>) -> Result<R, String>,
 ) -> Result<R, String> {
-    let (nodes, members) = (nodes(structure), members(structure));
+    let (nodes, members) = (nodes(structure), members(structure, undamped));
     let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
     let network = Undamped::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
     ask(&network)
 }
 
+/// Variables of the widest front of a damped structure.
+const DAMPED_WIDTH: usize = 40;
+
+/// The eigenvalues of least modulus, or those in a region with their number there.
+pub(crate) fn eigenvalues(
+    structure: &Structure,
+    region: Option<Region>,
+) -> Result<(Vec<Eigenvalue>, Option<u64>), String> {
+    let (nodes, members) = (nodes(structure), members(structure, any));
+    let mut room = Box::new(Room::<_, 100, 160>::new());
+    let network = Network::<_, DAMPED_WIDTH>::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
+    let Some(region) = region else {
+        let found = network.first_eigenvalues::<12>().map_err(|error| error.to_string());
+        return found.map(|found| (found.to_vec(), None));
+    };
+    let count = network.count_in(region.clone()).map_err(|error| format!("count: {error}"))?;
+    let found = network.eigenvalues::<64>(region).map_err(|error| error.to_string())?;
+    Ok((found.to_vec(), Some(count)))
+}
+
+/// Δ in twice the digits.
+pub(crate) fn characteristic(structure: &Structure, omegas: &[f64]) -> Result<Vec<Scaled<DoubleDouble>>, String> {
+    asked(structure, |network| {
+        Ok(omegas.iter().map(|&omega| network.characteristic(DoubleDouble::from(omega))).collect())
+    })
+}
+
+/// The smallest width.
+pub(crate) fn needed_width(structure: &Structure) -> usize {
+    let (nodes, members) = (nodes(structure), members(structure, undamped));
+    let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
+    match Network::<_, 1>::new(&nodes, &members, &mut room) {
+        Err(NetworkError::Width { needed }) => needed,
+        other => unreachable!("a width of one: {other:?}"),
+    }
+}
+
+fn entry(root: &NaturalFrequency<f64>) -> Found {
+    Found { omega: root.omega, lower: root.lower, upper: root.upper, multiplicity: root.multiplicity }
+}
+
 /// The first frequencies.
 pub(crate) fn first(structure: &Structure) -> Result<Vec<Found>, String> {
+    Ok(first_by(structure)?.0)
+}
+
+/// The first frequencies, and the number of evaluations that they took.
+pub(crate) fn first_by(structure: &Structure) -> Result<(Vec<Found>, usize), String> {
     asked(structure, |network| {
         let found = network.first_frequencies::<10>().map_err(|error| error.to_string())?;
-        let entry = |root: &NaturalFrequency<f64>| Found {
-            omega: root.omega,
-            lower: root.lower,
-            upper: root.upper,
-            multiplicity: root.multiplicity,
-        };
-        Ok(found.iter().map(entry).collect())
+        Ok((found.iter().map(entry).collect(), found.evaluations()))
+    })
+}
+
+/// The frequencies in a range, and the number of evaluations that they took.
+pub(crate) fn in_range(
+    structure: &Structure,
+    range: core::ops::RangeInclusive<f64>,
+) -> Result<(Vec<Found>, usize), String> {
+    asked(structure, |network| {
+        let found = network.natural_frequencies::<400>(range).map_err(|error| error.to_string())?;
+        Ok((found.iter().map(entry).collect(), found.evaluations()))
     })
 }
 

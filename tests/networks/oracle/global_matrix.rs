@@ -2,8 +2,14 @@
 
 use super::{double, monotony};
 use crate::stiffness_matrix::beam_matrix::BeamMatrix;
-use crate::stiffness_matrix::{Assembled, Form, pivots};
+use crate::stiffness_matrix::{Assembled, Form, pivots, sparse};
 use mstmm::number::{DoubleDouble, Parameter};
+
+/// Rows up to which the largest of all entries is the next pivot.
+const SMALL: usize = 60;
+
+/// Rows from which on only those of short rows are.
+const LARGE: usize = 700;
 
 /// A symmetric matrix of displacements, and of forces where a stiffness would be too large.
 ///
@@ -59,8 +65,9 @@ impl GlobalMatrix {
     }
 
     pub(super) fn spring(&mut self, form: &Form, stiffness: DoubleDouble) {
-        if self.with_forces {
-            self.flexibility(form, double(1.0) / stiffness, 1.0);
+        if self.with_forces || stiffness.to_f64().is_infinite() {
+            let flexibility = if stiffness.to_f64().is_infinite() { double(0.0) } else { double(1.0) / stiffness };
+            self.flexibility(form, flexibility, 1.0);
             self.held -= 1;
         } else {
             self.stiffness(form, stiffness, 1.0);
@@ -148,12 +155,18 @@ impl GlobalMatrix {
         let used: Vec<bool> = self.sum.sizes.iter().map(is_used).collect();
         keep(&mut self.sum.entries, &used);
         keep(&mut self.sum.sizes, &used);
-        let negative = pivots::negative(&self.sum).or_else(|| monotony::negative(&self.sum))?;
+        let size = self.sum.entries.len();
+        if size >= LARGE && self.with_forces {
+            return None;
+        }
+        let sparsely = (size > SMALL).then(|| sparse::negative(&self.sum)).flatten();
+        let fully = || pivots::negative(&self.sum).or_else(|| monotony::negative(&self.sum));
+        let negative = sparsely.or_else(|| if size < LARGE { fully() } else { sparse::agreed(&self.sum) })?;
         u64::try_from(self.held + i64::try_from(negative).ok()?).ok()
     }
 }
 
-fn keep<V>(matrix: &mut Vec<Vec<V>>, is_kept: &[bool]) {
+pub(super) fn keep<V>(matrix: &mut Vec<Vec<V>>, is_kept: &[bool]) {
     let by_index = |row: &mut Vec<V>| {
         let mut kept = is_kept.iter();
         row.retain(|_| kept.next() == Some(&true));

@@ -100,6 +100,10 @@ impl Oracle {
         self.bendings.push(Bending { ends: [v, theta, v_out, theta_out], parameters: [length, ei, m] });
     }
 
+    fn dashpot(&mut self, from: &Form, to: &Form, damping: f64) {
+        self.dashpots.push(Link { form: sum(to, double(-1.0), from), stiffness: double(damping) });
+    }
+
     fn link(&mut self, from: &Form, to: &Form, stiffness: f64) {
         self.links.push(Link { form: sum(to, double(-1.0), from), stiffness: double(stiffness) });
     }
@@ -116,16 +120,37 @@ pub(super) fn model(structure: &Structure) -> Oracle {
             matches!(member.element, Element::Beam(_)) || member.ends.iter().all(|end| end.released.is_empty()),
             "{member:?} has releases"
         );
+        let along = || {
+            let line = minus(to.position, from.position);
+            let direction = unit(member.along.map_or(line, |direction| direction.map(double)));
+            [from.along(direction), to.along(direction)]
+        };
         match &member.element {
             Element::Beam(section) => model.beam(&member.ends, [&from, &to], section),
             Element::Spring { stiffness } => {
-                let line = minus(to.position, from.position);
-                let direction = unit(member.along.map_or(line, |direction| direction.map(double)));
-                model.link(&from.along(direction), &to.along(direction), *stiffness);
+                let [from, to] = along();
+                model.link(&from, &to, *stiffness);
+            }
+            Element::Damper { damping } => {
+                let [from, to] = along();
+                model.dashpot(&from, &to, *damping);
             }
             Element::TorsionSpring { stiffness } => model.link(&from.rz, &to.rz, *stiffness),
-            Element::Damper { .. } | Element::TorsionDamper { .. } => {
-                unreachable!("{member:?} has no natural frequency")
+            Element::Hinge { stiffness: [k, across, rotation] } => {
+                let [c, s] = unit(member.along.map_or([1.0, 0.0], |direction| direction).map(double));
+                model.link(&from.along([c, s]), &to.along([c, s]), *k);
+                model.link(&from.along([-s, c]), &to.along([-s, c]), *across);
+                model.link(&from.rz, &to.rz, *rotation);
+            }
+            Element::TorsionDamper { damping } => model.dashpot(&from.rz, &to.rz, *damping),
+            Element::Weld { freedoms } => {
+                for (one, other, _) in
+                    [(&from.x, &to.x, freedoms.x), (&from.y, &to.y, freedoms.y), (&from.rz, &to.rz, freedoms.rz)]
+                        .into_iter()
+                        .filter(|tied| tied.2)
+                {
+                    model.link(one, other, f64::INFINITY);
+                }
             }
         }
     }

@@ -4,6 +4,7 @@
 //! displacement of an end. Wittrick and Williams count the negative eigenvalues of the matrix and the frequencies of
 //! the members with held ends.
 
+mod complex;
 mod global_matrix;
 mod kinematics;
 mod monotony;
@@ -16,7 +17,7 @@ use global_matrix::GlobalMatrix;
 use mstmm::number::DoubleDouble;
 use rod::Rod;
 
-/// A spring between the ends of a form.
+/// A spring between the ends of a form; of a dashpot, its damping.
 #[derive(Debug)]
 struct Link {
     form: Form,
@@ -42,6 +43,7 @@ struct Bending {
 pub(crate) struct Oracle {
     unknowns: usize,
     links: Vec<Link>,
+    dashpots: Vec<Link>,
     masses: Vec<Inertia>,
     bendings: Vec<Bending>,
     rods: Vec<Rod>,
@@ -54,6 +56,13 @@ fn double(value: f64) -> DoubleDouble {
 impl Oracle {
     /// The model of a structure without dashpots.
     pub(crate) fn of(structure: &Structure) -> Self {
+        let model = kinematics::model(structure);
+        assert!(model.dashpots.is_empty(), "a damped structure has no natural frequencies");
+        model
+    }
+
+    /// The model of a structure with dashpots.
+    pub(crate) fn damped(structure: &Structure) -> Self {
         kinematics::model(structure)
     }
 

@@ -4,13 +4,13 @@
 //! that, on displacements that are forms of those of its input end. Nothing cancels that does not in the model.
 
 mod constraints;
-mod determinant;
 mod freedoms;
 mod intervals;
 mod weights;
 mod zeros;
 
 use crate::stiffness_matrix::beam_matrix::{BeamMatrix, Field};
+pub(crate) use crate::stiffness_matrix::discs::Verdict;
 use crate::stiffness_matrix::{Assembled, Form, pivots};
 use crate::support::tree::Tree;
 use constraints::Independent;
@@ -19,16 +19,6 @@ use mstmm::elements::Beam;
 use mstmm::number::{DoubleDouble, Parameter};
 use std::cell::RefCell;
 use std::rc::Rc;
-
-/// What the model says of a certified root.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Verdict {
-    Holds,
-    /// The root is so many half widths or radii from the middle; of intervals and clusters, up to a factor of two less.
-    Misses(f64),
-    /// Rounding may have changed a sign of the model itself.
-    CannotTell,
-}
 
 /// A spring, a dashpot or both, between the ends of a form.
 struct Link {

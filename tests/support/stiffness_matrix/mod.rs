@@ -2,7 +2,10 @@
 #![allow(dead_code, reason = "each program takes what it needs")]
 
 pub(crate) mod beam_matrix;
+pub(crate) mod determinant;
+pub(crate) mod discs;
 pub(crate) mod pivots;
+pub(crate) mod sparse;
 
 use beam_matrix::Field;
 use mstmm::number::{DoubleDouble, Parameter};

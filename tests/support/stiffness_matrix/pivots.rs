@@ -10,34 +10,34 @@ const THRESHOLD: f64 = 0.640_388_203_202_207_6;
 pub(crate) const ROUNDINGS: f64 = 16.0;
 
 /// An entry and a bound of its rounding.
-type Entry = (DoubleDouble, f64);
+pub(super) type Entry = (DoubleDouble, f64);
 
-fn size(entry: Entry) -> f64 {
+pub(super) fn size(entry: Entry) -> f64 {
     entry.0.to_f64().abs()
 }
 
-fn product(a: Entry, b: Entry) -> Entry {
+pub(super) fn product(a: Entry, b: Entry) -> Entry {
     (a.0 * b.0, size(a) * b.1 + a.1 * size(b) + a.1 * b.1 + UNIT * size(a) * size(b))
 }
 
-fn difference(a: Entry, b: Entry) -> Entry {
+pub(super) fn difference(a: Entry, b: Entry) -> Entry {
     (a.0 - b.0, a.1 + b.1 + UNIT * (size(a) + size(b)))
 }
 
 /// The quotient by a number that is not zero.
-fn quotient(a: Entry, b: Entry) -> Entry {
+pub(super) fn quotient(a: Entry, b: Entry) -> Entry {
     let value = a.0 / b.0;
     let size_of_value = value.to_f64().abs();
     (value, (a.1 + size_of_value * b.1) / (size(b) - b.1) + UNIT * size_of_value)
 }
 
-fn is_sure(entry: Entry) -> bool {
+pub(super) fn is_sure(entry: Entry) -> bool {
     // a NaN is not sure
     size(entry) > entry.1 && entry.1.is_finite()
 }
 
 /// Whether an entry is not simply zero: most are, in large structures.
-fn is_there(entry: Entry) -> bool {
+pub(super) fn is_there(entry: Entry) -> bool {
     size(entry) != 0.0 || entry.1 != 0.0
 }
 

@@ -1,7 +1,7 @@
 //! The determinant of a complex symmetric matrix, with a bound of its rounding.
 
-use crate::stiffness_matrix::pivots::{ROUNDINGS, units};
-use crate::stiffness_matrix::{Assembled, UNIT};
+use super::pivots::{ROUNDINGS, units};
+use super::{Assembled, UNIT};
 use mstmm::Complex;
 use mstmm::number::{DoubleDouble, Scalar};
 
@@ -9,11 +9,11 @@ type C = Complex<DoubleDouble>;
 
 /// A number with an exponent of its own.
 #[derive(Clone, Copy)]
-pub(super) struct Determinant {
-    pub(super) mantissa: C,
-    pub(super) exponent: i64,
+pub(crate) struct Determinant {
+    pub(crate) mantissa: C,
+    pub(crate) exponent: i64,
     /// Bound of its relative error.
-    pub(super) error: f64,
+    pub(crate) error: f64,
 }
 
 impl Determinant {
@@ -29,14 +29,14 @@ impl Determinant {
     }
 
     /// The number over `2^exponent`.
-    pub(super) fn over_power(self, exponent: i64) -> C {
+    pub(crate) fn over_power(self, exponent: i64) -> C {
         let shift = (self.exponent - exponent).clamp(-900, 900);
         self.mantissa.times_power_of_two(shift as i32)
     }
 }
 
 /// Bunch and Parlett's threshold would keep the symmetry; here rows and columns are exchanged for the largest entry.
-pub(super) fn determinant(sum: &Assembled<C>) -> Determinant {
+pub(crate) fn determinant(sum: &Assembled<C>) -> Determinant {
     let (n, units) = (sum.entries.len(), units(sum));
     let entry = |i: usize, j: usize| {
         let unit = units[i] + units[j];
