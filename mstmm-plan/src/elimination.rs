@@ -97,8 +97,8 @@ impl<'a> Incidence<'a> {
 /// Orders the nodes of a connected network for a memory that holds one front upon the other: when a node is eliminated, the fronts that
 /// it takes up are the last ones.
 ///
-/// Each node is chosen such that its front has the fewest ends of members that are cut; among equals one next to an open front, so
-/// that a chain is followed from its end. Returns how many nodes hang together with the first one that was chosen.
+/// Each node is chosen such that it cuts the fewest members, among equals with most that are cut already: a chain is followed from its end,
+/// a building storey by storey, a star from the tips of its arms. Returns how many nodes hang together with the first one that was chosen.
 pub(crate) const fn eliminated_in_order(
     incidence: &Incidence<'_>,
     nodes: &mut [Elimination],
@@ -115,15 +115,15 @@ pub(crate) const fn eliminated_in_order(
     if last == NONE { 0 } else { upon_each_other(nodes, last, order) }
 }
 
-/// The node that is not eliminated yet and has the smallest front.
+/// The node that is not eliminated yet and cuts the fewest members; of several the one at which most are cut already.
 const fn next_node(incidence: &Incidence<'_>, nodes: &[Elimination]) -> usize {
-    let (mut best, mut least) = (NONE, (usize::MAX, false));
+    let (mut best, mut least) = (NONE, Boundary { ends: 0, new: usize::MAX, taken: 0 });
     let mut node = 0;
     while node < nodes.len() {
         if !nodes[node].is_eliminated {
-            let (ends, is_next) = boundary(incidence, nodes, node);
-            if ends < least.0 || (ends == least.0 && is_next && !least.1) {
-                (best, least) = (node, (ends, is_next));
+            let own = boundary(incidence, nodes, node);
+            if own.new < least.new || (own.new == least.new && own.taken > least.taken) {
+                (best, least) = (node, own);
             }
         }
         node += 1;
@@ -140,25 +140,34 @@ const fn front_of(nodes: &[Elimination], node: usize) -> usize {
     front
 }
 
-/// Ends of cut members on the boundary of the front of a node, and whether it takes up another front.
-const fn boundary(incidence: &Incidence<'_>, nodes: &[Elimination], node: usize) -> (usize, bool) {
+/// What becomes of the cut members where a node is eliminated.
+struct Boundary {
+    /// Ends on the boundary of its front.
+    ends: usize,
+    /// Members that it cuts.
+    new: usize,
+    /// Members at the node that were cut before.
+    taken: usize,
+}
+
+/// The boundary of the front of a node.
+const fn boundary(incidence: &Incidence<'_>, nodes: &[Elimination], node: usize) -> Boundary {
     let here = incidence.ends(node);
-    let (mut added, mut taken, mut is_next) = (0, 0, false);
+    let (mut added, mut new, mut taken) = (0, 0, 0);
     let mut k = 0;
     while k < here.len() {
         let other = incidence.beyond(here[k]);
         if nodes[other].is_eliminated {
-            is_next = true;
             taken += 1;
             if is_first(incidence, nodes, node, k) {
                 added += nodes[front_of(nodes, other)].ends;
             }
         } else if other != node {
-            added += 1;
+            new += 1;
         }
         k += 1;
     }
-    (added - taken, is_next)
+    Boundary { ends: added + new - taken, new, taken }
 }
 
 /// Whether an end is the first one of a node that leads to its front.
@@ -179,7 +188,7 @@ const fn is_first(incidence: &Incidence<'_>, nodes: &[Elimination], node: usize,
 /// Eliminates a node: the fronts next to it become its own.
 const fn take_up(incidence: &Incidence<'_>, nodes: &mut [Elimination], node: usize) {
     let here = incidence.ends(node);
-    nodes[node].ends = boundary(incidence, nodes, node).0;
+    nodes[node].ends = boundary(incidence, nodes, node).ends;
     let mut k = 0;
     while k < here.len() {
         let other = incidence.beyond(here[k]);

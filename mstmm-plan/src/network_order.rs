@@ -162,7 +162,43 @@ impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
     use super::*;
+    use std::vec::Vec;
+
+    /// The members of a frame of storeys.
+    fn storeys(bays: usize, levels: usize) -> Vec<[usize; 2]> {
+        let at = |level: usize, column: usize| level * (bays + 1) + column;
+        let columns = (1..=levels).flat_map(|level| (0..=bays).map(move |column| (level, column)));
+        columns
+            .flat_map(|(level, column)| {
+                let girder = (column > 0).then(|| [at(level, column - 1), at(level, column)]);
+                [Some([at(level - 1, column), at(level, column)]), girder]
+            })
+            .flatten()
+            .collect()
+    }
+
+    /// Variables of the widest front with three freedoms everywhere.
+    fn width(members: &[[usize; 2]]) -> usize {
+        let nodes = 1 + members.iter().flatten().max().unwrap();
+        let mut room = OrderRoom::<500, 900>::EMPTY;
+        assert_eq!(room.fill(nodes, members.iter().copied()), None);
+        room.order(nodes, members.len()).width(|_| 3, |_| 3)
+    }
+
+    #[test]
+    fn widths_do_not_grow_with_length() {
+        for (bays, expected) in [(1, 21), (2, 27), (3, 30)] {
+            assert_eq!([10, 40].map(|levels| width(&storeys(bays, levels))), [expected; 2]);
+        }
+        let chain = (0..400).map(|k| [k, k + 1]).collect::<Vec<_>>();
+        let ring = (0..48).map(|k| [k, (k + 1) % 48]).collect::<Vec<_>>();
+        // arms of five members
+        let star = (0..40).map(|k| [if k % 5 == 0 { 0 } else { k }, k + 1]).collect::<Vec<_>>();
+        assert_eq!([&chain, &ring, &star].map(|members| width(members)), [12, 15, 30]);
+    }
 
     const CHAIN: OrderRoom<4, 3> = OrderRoom::of([[2, 0], [0, 3], [3, 1]]);
 

@@ -135,6 +135,7 @@ fn judge_undamped(structures: impl Iterator<Item = Named>) {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: .ci/long")]
 fn discs_and_regions_of_damped_structures_hold_the_zeros_of_the_determinant() {
     judge_damped(0..1);
 }
@@ -146,6 +147,7 @@ fn discs_and_regions_of_many_damped_structures_hold_the_zeros_of_the_determinant
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: .ci/long")]
 fn eigenvalues_of_undamped_structures_are_their_frequencies() {
     judge_undamped(random_structures(0..1, Spread::Moderate));
 }

@@ -155,7 +155,7 @@ where
             return true;
         }
         self.evaluations += 2;
-        let [below, above] = [root.lower, root.upper].map(|omega| extended_below(self.system, omega));
+        let [below, above] = [root.lower, root.upper].map(|omega| extended(self.system, omega).0.below());
         (below, above) == counts
     }
 
@@ -165,10 +165,11 @@ where
         if omega.size() < LEAST {
             return Err(SearchError::Unresolved { near: omega.to_f64() });
         }
+        self.is_doubtful = true;
         check_identity(omega, |x| {
             self.evaluations += 1;
-            // with a count like all samples, so that they are one piece of code
-            count_and_value::<true, _, _>(self.system, x).1.mantissa().is_zero()
+            // a soft inertia beside stiff springs may be lost to rounding at each of them
+            extended(self.system, x).1.mantissa().size() == 0.0
         })
     }
 
@@ -208,12 +209,15 @@ where
     }
 }
 
-/// The count in extended precision; not inlined, since it is seldom needed.
+/// The count and Δ in extended precision; not inlined, since they are seldom needed.
 #[cold]
 #[inline(never)]
-fn extended_below<T: Real, Y: Characteristic<T::Extended> + ?Sized>(system: &Y, omega: T) -> u64 {
+fn extended<T: Real, Y: Characteristic<T::Extended> + ?Sized>(
+    system: &Y,
+    omega: T,
+) -> (WittrickWilliams<f64>, Scaled<T::Extended>) {
     let exactly = <T::Extended as Frequency<T>>::from_parameter(omega);
-    count_and_value::<true, _, _>(system, exactly).0.below()
+    count_and_value::<true, _, _>(system, exactly)
 }
 
 /// The middle of a bracket in the square root of the frequency, in which the frequencies of beams are evenly spaced.
