@@ -23,6 +23,8 @@ impl Freedoms {
     pub const RZ: Freedoms = Freedoms(1 << 2);
     /// All freedoms.
     pub const ALL: Freedoms = Freedoms(0b111);
+    /// Each freedom alone, in their order.
+    pub const SINGLE: [Freedoms; 3] = [Freedoms::X, Freedoms::Y, Freedoms::RZ];
 
     /// The freedoms of either set.
     #[inline]

@@ -44,7 +44,10 @@ fn hinge([stiffness_x, stiffness_y, stiffness_theta]: [f64; 3]) -> Joint<f64> {
     Joint::from(PlanarHinge { stiffness_x, stiffness_y, stiffness_theta })
 }
 
-fn undamped(element: Element) -> UndampedMember<f64> {
+fn undamped<E>(element: Element) -> E
+where
+    E: From<network::Section<f64>> + From<Spring<f64>> + From<TorsionSpring<f64>> + From<Joint<f64>>,
+{
     match element {
         Element::Beam(beam) => section(beam).into(),
         Element::Spring { stiffness } => Spring { stiffness }.into(),
@@ -57,13 +60,9 @@ fn undamped(element: Element) -> UndampedMember<f64> {
 
 fn any(element: Element) -> AnyMember<f64> {
     match element {
-        Element::Beam(beam) => section(beam).into(),
-        Element::Spring { stiffness } => Spring { stiffness }.into(),
-        Element::TorsionSpring { stiffness } => TorsionSpring { stiffness }.into(),
-        Element::Hinge { stiffness } => hinge(stiffness).into(),
-        Element::Weld { freedoms: shared } => Joint::rigid(freedoms(shared)).into(),
         Element::Damper { damping } => Damper { damping }.into(),
         Element::TorsionDamper { damping } => TorsionDamper { damping }.into(),
+        undamped_element => undamped(undamped_element),
     }
 }
 
@@ -119,7 +118,7 @@ pub(crate) fn characteristic(structure: &Structure, omegas: &[f64]) -> Result<Ve
 
 /// The smallest width.
 pub(crate) fn needed_width(structure: &Structure) -> usize {
-    let (nodes, members) = (nodes(structure), members(structure, undamped));
+    let (nodes, members) = (nodes(structure), members(structure, undamped::<UndampedMember<f64>>));
     let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
     match Network::<_, 1>::new(&nodes, &members, &mut room) {
         Err(NetworkError::Width { needed }) => needed,

@@ -25,9 +25,6 @@ pub struct Joint<T> {
     elastic: [Option<T>; 3],
 }
 
-/// The freedoms in their order.
-const FREEDOMS: [Freedoms; 3] = [Freedoms::X, Freedoms::Y, Freedoms::RZ];
-
 /// The parameters by which hinges give the stiffnesses.
 const NAMES: [&str; 3] = ["stiffness_x", "stiffness_y", "stiffness_theta"];
 
@@ -63,7 +60,7 @@ impl<T: Parameter> Joint<T> {
     /// What ties each freedom.
     fn ties<S: Frequency<T>>(&self) -> impl Iterator<Item = (Freedoms, Tie<S>)> + Clone {
         let Joint { rigid, elastic } = *self;
-        FREEDOMS.into_iter().zip(elastic).filter_map(move |(freedom, stiffness)| {
+        Freedoms::SINGLE.into_iter().zip(elastic).filter_map(move |(freedom, stiffness)| {
             let elastic = stiffness.map(|stiffness| Tie::Elastic(S::from_parameter(stiffness)));
             Some((freedom, elastic.or(rigid.contains(freedom).then_some(Tie::Rigid))?))
         })
@@ -71,7 +68,7 @@ impl<T: Parameter> Joint<T> {
 
     /// The freedoms that it ties.
     pub(crate) fn freedoms(&self) -> Freedoms {
-        let elastic = FREEDOMS.into_iter().zip(&self.elastic).filter(|(_, stiffness)| stiffness.is_some());
+        let elastic = Freedoms::SINGLE.into_iter().zip(&self.elastic).filter(|(_, stiffness)| stiffness.is_some());
         elastic.fold(self.rigid, |sum, (freedom, _)| sum.union(freedom))
     }
 }

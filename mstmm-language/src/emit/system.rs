@@ -64,8 +64,7 @@ fn definition(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
 
 /// `build()`: from the parameters to the struct of elements and the estimates of the searches.
 fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let Names { private, system, parameter, .. } = names;
-    let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
+    let private = &names.private;
     let estimates = plan.elements.iter().enumerate().map(|(index, element)| {
         let (span, element_field, kind) =
             (names.at_element(element), element_field(element, names), names.element_as(element, "Element"));
@@ -76,12 +75,29 @@ fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
             uses => quote_spanned!(span=> for _ in 0..#uses { #estimate }),
         }
     });
+    let body = quote_spanned! {names.here=>
+        let numbers = #private::Model::numbers(self);
+        let mut system = #private::Model::of_numbers(self, |k| #private::Scalar::from_f64(numbers[k]))?;
+        #(#estimates)*
+    };
+    let doc = [
+        "Validates all parameters and builds the system.",
+        "The error names the first element with a parameter out of its range, the parameter and its value.",
+    ];
+    build_functions(model, doc, &body, names)
+}
+
+/// `build` and `build_as`, given what they do and which number their error names; their body leaves a system without the last estimates.
+pub(super) fn build_functions(model: &Model, doc: [&str; 2], body: &TokenStream, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
+    let [what, errors] = doc.map(|line| format!(" {line}"));
     quote_spanned! {names.here=>
         impl #name {
-            /// Validates all parameters and builds the system.
+            #[doc = #what]
             ///
             /// # Errors
-            /// The error names the first element with a parameter out of its range, the parameter and its value.
+            #[doc = #errors]
             #visibility fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
                 self.build_as()
             }
@@ -93,9 +109,7 @@ fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
             #visibility fn build_as<#parameter: #private::Real>(
                 &self,
             ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
-                let numbers = #private::Model::numbers(self);
-                let mut system = #private::Model::of_numbers(self, |k| #private::Scalar::from_f64(numbers[k]))?;
-                #(#estimates)*
+                #body
                 system.estimates.finish();
                 ::core::result::Result::Ok(system)
             }

@@ -27,8 +27,7 @@ fn entries_of(space: Space) -> Entries {
 fn assert_in_relation<S: Scalar>(chart: &Chart<S>, columns: &[Vec<S>], space: Space, tolerance: f64) {
     let Entries { displacements, forces } = entries_of(space);
     let count = displacements.len();
-    let freedoms: Vec<usize> =
-        (0..MOST_FREEDOMS).filter(|k| chart.freedoms.contains([Freedoms::X, Freedoms::Y, Freedoms::RZ][*k])).collect();
+    let freedoms: Vec<usize> = (0..MOST_FREEDOMS).filter(|k| chart.freedoms.contains(Freedoms::SINGLE[*k])).collect();
     assert_eq!(freedoms.len(), count);
     let variables: Vec<_> =
         (0..2 * count).map(|place| chart.variable(place, place / count, freedoms[place % count])).collect();

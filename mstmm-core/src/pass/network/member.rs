@@ -182,7 +182,7 @@ impl<T: Real> Placement<T> {
     /// Whether an end does not share a freedom with its node.
     #[inline]
     pub(crate) fn releases(&self, end: usize, freedom: usize) -> bool {
-        self.ends[end].released.contains(FREEDOMS[freedom])
+        self.ends[end].released.contains(Freedoms::SINGLE[freedom])
     }
 
     /// What a freedom of an end is of the motions of its node.
@@ -194,9 +194,6 @@ impl<T: Real> Placement<T> {
         self.span.rows[end][freedom].map(S::from_parameter)
     }
 }
-
-/// The freedoms of an end in the axes of the member.
-const FREEDOMS: [Freedoms; 3] = [Freedoms::X, Freedoms::Y, Freedoms::RZ];
 
 /// Whether a place is finite.
 pub(crate) fn is_finite<T: Parameter>(place: [T; 2]) -> bool {

@@ -6,7 +6,7 @@ use crate::subspace::front::units::Units;
 use mstmm_plan::Freedoms;
 
 /// Most freedoms of an end.
-pub const MOST_FREEDOMS: usize = 3;
+pub const MOST_FREEDOMS: usize = Freedoms::SINGLE.len();
 
 /// Most variables of a member.
 pub const MOST_VARIABLES: usize = 2 * MOST_FREEDOMS;
@@ -60,6 +60,3 @@ impl<S: Scalar> Chart<S> {
         }
     }
 }
-
-/// The freedoms of an end in their order.
-pub(crate) const FREEDOMS: [Freedoms; MOST_FREEDOMS] = [Freedoms::X, Freedoms::Y, Freedoms::RZ];

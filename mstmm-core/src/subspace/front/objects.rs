@@ -1,10 +1,11 @@
 //! Members and fronts that wait for the elimination of a node, one upon the other.
 
 use crate::number::{Scalar, Size};
-use crate::subspace::front::chart::{Chart, FREEDOMS};
+use crate::subspace::front::chart::Chart;
 use crate::subspace::front::matrix::{Front, Variable};
 use crate::subspace::front::total::Total;
 use core::ops::Range;
+use mstmm_plan::Freedoms;
 
 /// A stack of objects, each a symmetric matrix over some variables; `W` is the largest number of variables of all.
 #[derive(Clone, Debug)]
@@ -64,7 +65,7 @@ impl<S: Scalar, const W: usize> Objects<S, W> {
     pub(crate) fn push_chart(&mut self, chart: &Chart<S>, label: usize, total: &mut Total<S>) {
         let first = self.open();
         for end in 0..2 {
-            for (freedom, kind) in FREEDOMS.into_iter().enumerate() {
+            for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
                 if chart.freedoms.contains(kind) {
                     let variable = chart.variable(self.count - first, end, freedom);
                     self.variables[self.count] = Variable { label: label + variable.label, ..variable };

@@ -74,15 +74,16 @@ impl<S: Scalar, const W: usize> Front<S, W> {
     /// Writes the row of a pivot as that of the other kind, given which of the solved rows is its own, and its error; entries among pivots
     /// follow apart.
     fn flip_row(&mut self, place: usize, own: usize, error: f64, total: &mut Total<S>) {
-        let mut largest = 0.0_f64;
         for other in self.next..self.count {
             let entry = self.signed(place, self.solved[own][other]);
             self.entries[place][other] = entry;
             self.entries[other][place] = entry;
-            largest = largest.max(entry.size().first());
         }
         self.terms[place] = 0.0;
-        self.errors[place] = largest.max(error);
+        if total.carries_errors {
+            let entries = self.entries[place][self.next..self.count].iter();
+            self.errors[place] = entries.fold(error, |largest, entry| entry.size().first().max(largest));
+        }
         if !self.variables[place].is_force {
             total.count(-1.0);
         }

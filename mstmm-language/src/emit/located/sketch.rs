@@ -73,7 +73,7 @@ pub(super) fn freedoms(set: Freedoms, names: &Names) -> TokenStream {
         return quote_spanned!(names.here=> #private::Freedoms::ALL);
     }
     let mut sum = quote_spanned!(names.here=> #private::Freedoms::NONE);
-    for (freedom, name) in [(Freedoms::X, "X"), (Freedoms::Y, "Y"), (Freedoms::RZ, "RZ")] {
+    for (freedom, name) in Freedoms::SINGLE.into_iter().zip(["X", "Y", "RZ"]) {
         if set.contains(freedom) {
             let name = proc_macro2::Ident::new(name, names.here);
             sum.extend(quote_spanned!(names.here=> .union(#private::Freedoms::#name)));

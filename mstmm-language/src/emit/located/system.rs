@@ -1,5 +1,6 @@
 //! Emits the built system of a model with locations, `build()`, and its traits.
 
+use super::super::system::build_functions;
 use super::super::{Names, implement};
 use super::{by_type, field};
 use crate::ast::{Element, Model};
@@ -36,7 +37,6 @@ pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, names: &Names) 
 /// `build()`: from the parameters to the skeleton, the members and the estimates of the searches.
 pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
-    let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
     let mut place = 2 * (skeleton.places.len() + skeleton.directions.len()) + 4 * skeleton.bodies.len();
     let members = skeleton.members.iter().enumerate().map(|(index, member)| built(index, member, &mut place, names));
     let estimates = skeleton.members.iter().enumerate().map(|(index, member)| {
@@ -44,38 +44,23 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> To
         let (field, estimate) = (field(index, span), names.function_at("estimate_member", span));
         quote_spanned!(span=> #estimate::<#kind>(&system.#field, &mut system.estimates);)
     });
-    quote_spanned! {names.here=>
-        impl #name {
-            /// Validates all places and parameters and builds the system.
-            ///
-            /// # Errors
-            /// The error names the first place or element with a number out of its range, and the number.
-            #visibility fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
-                self.build_as()
-            }
-
-            /// Builds the system over another scalar, such as `f32` or the double-double `DoubleDouble`.
-            ///
-            /// # Errors
-            /// As `build`.
-            #visibility fn build_as<#parameter: #private::Real>(
-                &self,
-            ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
-                let numbers = #private::Located::numbers(self);
-                let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
-                let skeleton = #private::Skeleton::new(&SKETCH, &numbers)?;
-                let mut system = #system {
-                    #(#members,)*
-                    skeleton,
-                    estimates: ::core::default::Default::default(),
-                };
-                system.skeleton.estimate(&mut system.estimates);
-                #(#estimates)*
-                system.estimates.finish();
-                ::core::result::Result::Ok(system)
-            }
-        }
-    }
+    let body = quote_spanned! {names.here=>
+        let numbers = #private::Located::numbers(self);
+        let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
+        let skeleton = #private::Skeleton::new(&SKETCH, &numbers)?;
+        let mut system = #system {
+            #(#members,)*
+            skeleton,
+            estimates: ::core::default::Default::default(),
+        };
+        system.skeleton.estimate(&mut system.estimates);
+        #(#estimates)*
+    };
+    let doc = [
+        "Validates all places and parameters and builds the system.",
+        "The error names the first place or element with a number out of its range, and the number.",
+    ];
+    build_functions(model, doc, &body, names)
 }
 
 /// A built member, with the numbers from a place on: `member_3: build_member::<PlanarBeam<T>>(PlanarBeam { length: .., .. }, name)?`.
