@@ -74,6 +74,11 @@ impl<T: Real> Scalar for Complex<T> {
     fn times_power_of_two(self, exponent: i32) -> Self {
         Complex::new(self.re.times_power_of_two(exponent), self.im.times_power_of_two(exponent))
     }
+
+    #[inline]
+    fn scaled(self, power: f64) -> Self {
+        Complex::new(self.re.scaled(power), self.im.scaled(power))
+    }
 }
 
 /// The principal root of a number whose parts have squares in the range.

@@ -34,7 +34,7 @@ const fn split(a: f64) -> (f64, f64) {
 }
 
 impl DoubleDouble {
-    const ZERO: Self = DoubleDouble::from_double(0.0);
+    pub(crate) const ZERO: Self = DoubleDouble::from_double(0.0);
     const ONE: Self = DoubleDouble::from_double(1.0);
 
     /// The number `value`, exactly.

@@ -249,6 +249,11 @@ impl<S: Scalar> Scalar for Dual<S> {
     fn times_power_of_two(self, exponent: i32) -> Self {
         self.map(|part| part.times_power_of_two(exponent))
     }
+
+    #[inline]
+    fn scaled(self, power: f64) -> Self {
+        self.map(|part| part.scaled(power))
+    }
 }
 
 impl<T: Real> Frequency<T> for Dual<T> {

@@ -16,3 +16,9 @@ pub(crate) fn binary_exponent(size: f64) -> i32 {
 pub(crate) fn biased_exponent(size: f64) -> i32 {
     ((size.to_bits() >> 52) & 0x7ff) as i32
 }
+
+/// `2^exponent` for a normal exponent, from its bits.
+#[inline(always)]
+pub(crate) fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + i64::from(exponent)) as u64) << 52)
+}

@@ -1,6 +1,7 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
 use crate::number::double_double::DoubleDouble;
+use crate::number::exponent::power_of_two;
 use crate::number::frequency::{Frequency, Parameter, Real, RealFrequency};
 use crate::number::kernel;
 use crate::number::scalar::{Scalar, single};
@@ -38,12 +39,6 @@ const RECIPROCAL_FACTORIALS: [f64; 28] = {
     }
     table
 };
-
-/// `2^exponent` for a normal exponent, from its bits.
-#[inline(always)]
-fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + i64::from(exponent)) as u64) << 52)
-}
 
 /// `value · 2^exponent`.
 #[inline(always)]
@@ -144,6 +139,11 @@ macro_rules! real {
             #[inline(always)]
             fn times_power_of_two(self, exponent: i32) -> Self {
                 scale(f64::from(self), exponent) as $type
+            }
+
+            #[inline(always)]
+            fn scaled(self, power: f64) -> Self {
+                (f64::from(self) * power) as $type
             }
         }
 

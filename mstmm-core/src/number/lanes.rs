@@ -204,6 +204,11 @@ impl<V: Waving> Scalar for Lanes<V> {
     }
 
     #[inline(always)]
+    fn scaled(self, power: f64) -> Self {
+        self * Lanes::splat(power)
+    }
+
+    #[inline(always)]
     fn valid_if(self, condition: Truths<V>) -> Self {
         Lanes::select(condition, self, Lanes::splat(f64::NAN))
     }

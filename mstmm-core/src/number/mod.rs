@@ -31,7 +31,7 @@ pub(crate) use doubt::{
     is_extended, is_ill_conditioned, is_last, is_straight, largest_loss, may_be_lost, refuses_doubt,
 };
 pub(crate) use dual::Dual;
-pub(crate) use exponent::binary_exponent;
+pub(crate) use exponent::{binary_exponent, power_of_two};
 pub(crate) use exponentials::{exponential, phi_1, phi_2};
 pub(crate) use fixed_list::List;
 pub(crate) use floats::{argument, elementary};

@@ -96,6 +96,9 @@ pub trait Scalar:
     /// `self · 2^exponent`, exact unless it leaves the range of the type.
     fn times_power_of_two(self, exponent: i32) -> Self;
 
+    /// The number times a power of two that is given as a number: one product, where several have the same.
+    fn scaled(self, power: f64) -> Self;
+
     /// The number itself; in lanes it is NaN where the condition does not hold, since its formula does not hold there either.
     #[inline(always)]
     fn valid_if(self, _condition: Self::Truth) -> Self {

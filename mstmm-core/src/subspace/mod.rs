@@ -8,14 +8,12 @@ pub(crate) mod remainder;
 
 pub(crate) use connecting::{Connecting, connection};
 pub(crate) use count::{Cancelled, Held, NoCount, Purpose, RootCounter, Watch, WittrickWilliams};
-pub(crate) use front::assembly::{Joint, Role};
-pub(crate) use front::chart::{Chart, MOST_FREEDOMS};
+pub(crate) use front::chart::{Chart, JoinedEnd};
 pub(crate) use front::eliminate::Choice;
-pub(crate) use front::matrix::Measure;
-pub(crate) use front::matrix::{Front, Variable};
-pub(crate) use front::objects::Objects;
+pub(crate) use front::fronts::{FrontNode, FrontScalar, Fronts};
 pub(crate) use front::total::Total;
-pub(crate) use front::units::{NodeUnits, Units, unit_of};
+pub(crate) use front::units::{Units, unit_of};
+pub(crate) use front::variable::Measure;
 pub(crate) use minors::covector::Covector;
 pub(crate) use minors::join::in_parallel;
 pub(crate) use minors::line::Line;

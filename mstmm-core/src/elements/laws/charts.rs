@@ -4,7 +4,8 @@ use super::*;
 use crate::element::Charted;
 use crate::elements::joint::Joint;
 use crate::number::{DoubleDouble, FrequencyPowers, Parameter, Scalar, Single, Size};
-use crate::subspace::{Chart, MOST_FREEDOMS};
+use crate::subspace::Chart;
+use crate::subspace::front::chart::MOST_FREEDOMS;
 use mstmm_plan::Freedoms;
 
 /// Where the displacements and the forces of the freedoms stand in a state, and the sign of each force on the input end.
@@ -29,8 +30,8 @@ fn assert_in_relation<S: Scalar>(chart: &Chart<S>, columns: &[Vec<S>], space: Sp
     let count = displacements.len();
     let freedoms: Vec<usize> = (0..MOST_FREEDOMS).filter(|k| chart.freedoms.contains(Freedoms::SINGLE[*k])).collect();
     assert_eq!(freedoms.len(), count);
-    let variables: Vec<_> =
-        (0..2 * count).map(|place| chart.variable(place, place / count, freedoms[place % count])).collect();
+    let units: Vec<i32> =
+        (0..2 * count).map(|place| chart.units.of(freedoms[place % count] + 1 == MOST_FREEDOMS)).collect();
     for (input, output) in columns.iter().enumerate() {
         let state = |end: usize, k: usize| match end {
             0 if k == input => S::one(),
@@ -45,14 +46,13 @@ fn assert_in_relation<S: Scalar>(chart: &Chart<S>, columns: &[Vec<S>], space: Sp
         let values: Vec<[S; 2]> = (0..2 * count)
             .map(|place| {
                 let (end, k) = (place / count, place % count);
-                let unit = variables[place].unit;
-                let displacement = state(end, displacements[k]).times_power_of_two(-unit);
-                let force = force(end, forces[k]).times_power_of_two(unit);
-                if variables[place].is_force { [force, -displacement] } else { [displacement, force] }
+                let displacement = state(end, displacements[k]).times_power_of_two(-units[place]);
+                let force = force(end, forces[k]).times_power_of_two(units[place]);
+                if chart.is_force(place) { [force, -displacement] } else { [displacement, force] }
             })
             .collect();
         for (row, [_, expected]) in values.iter().enumerate() {
-            let terms = (0..2 * count).map(|column| chart.entries[row][column] * values[column][0]);
+            let terms = (0..2 * count).map(|column| chart.entry(row, column) * values[column][0]);
             let mut scale = expected.size().first();
             let mut rest = -*expected;
             for term in terms {
@@ -138,14 +138,9 @@ fn charts_of_short_waves_keep_all_digits() {
         assert_eq!((chart.forces, chart.units, chart.below), (exact.forces, exact.units, exact.below), "{omega}");
         // wave numbers carry four roundings
         let phase = 1.0 + (2.1_f64 / 0.7).sqrt().sqrt() * 1.3 * omega.sqrt() + omega * 1.3 * (2.1_f64 / 60.0).sqrt();
-        for (row, others) in chart.entries.iter().zip(&exact.entries) {
-            for (entry, other) in row.iter().zip(others) {
-                let error = (*entry - other.to_f64()).abs();
-                assert!(
-                    error <= 16.0 * phase * f64::EPSILON * other.to_f64().abs().max(1.0),
-                    "{omega}: {entry} {other:?}"
-                );
-            }
+        for (entry, other) in chart.entries.iter().zip(&exact.entries) {
+            let error = (*entry - other.to_f64()).abs();
+            assert!(error <= 16.0 * phase * f64::EPSILON * other.to_f64().abs().max(1.0), "{omega}: {entry} {other:?}");
         }
     }
 }
@@ -156,7 +151,7 @@ fn entries_of_charts_are_bounded() {
         // an axis that is softer than bending would have units of its own
         let beam = PlanarBeam { length: 1.3, axial_stiffness: 6e9, bending_stiffness: 0.7, mass_per_length: 2.1 };
         let chart: Chart<f64> = PlanarBeam::chart(&built(beam), &FrequencyPowers::new::<f64>(omega, true), beam.length);
-        let waves = [1, 2, 4, 5].map(|row| [1, 2, 4, 5].map(|column| chart.entries[row][column]));
+        let waves = [1, 2, 4, 5].map(|row| [1, 2, 4, 5].map(|column| chart.entry(row, column)));
         assert!(waves.as_flattened().iter().all(|entry| entry.abs() < 8.0), "{omega}: {waves:?}");
     }
 }

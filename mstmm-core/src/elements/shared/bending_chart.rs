@@ -83,22 +83,22 @@ impl<S: Scalar> BendingWaves<S> {
 
     /// The form of bending: over deflection and rotation of the input end and both forces of the other, or over both deflections
     /// and both moments. The first is divided by A, of the size of cos z, the second by F, of that of sin z.
-    fn form(&self) -> Form<S, 4> {
+    fn form(&self) -> Form<S, 4, 10> {
         let x = self.z_fourth;
         let BendingFunctions { a, b, f, d, s, t, v, is_pinned, exponent } = self.bending_functions();
         let (half_waves, is_odd) = (self.z.size() * S::Size::of(FRAC_1_PI)).whole();
         let (xb, xf, xd, xv) = (-(x * b), -(x * f), -(x * d), -(x * v));
         let (entries, forces, below, divisor) = if is_pinned {
-            let rows = [[xd, b, xv, t], [b, -d, -t, v], [xv, -t, xd, -b], [t, v, -b, -d]];
+            let rows = [xd, b, -d, xv, -t, xd, t, v, -b, -d];
             (rows, [false, true, false, true], half_waves, twice(f))
         } else {
-            let rows = [[xb, xf, -s, xv], [xf, xd, -t, -s], [-s, -t, -d, -f], [xv, -s, -f, -b]];
+            let rows = [xb, xf, xd, -s, -t, -d, xv, -s, -f, -b];
             (rows, [false, false, true, true], half_waves + S::Size::one_if(is_odd ^ a.is_negative()), a)
         };
         let inverse = S::one() / divisor;
         let product = if is_pinned { divisor * self.length * self.length } else { divisor };
         Form {
-            entries: entries.map(|row| row.map(|entry| entry * inverse)),
+            entries: entries.map(|entry| entry * inverse),
             forces,
             product: Scaled::new(product, i64::from(exponent)),
             below: below + S::Size::of(-2.0),

@@ -1,11 +1,12 @@
 //! The form of a member over some of its variables, and how it enters the chart.
 
-use crate::number::{Scalar, Scaled};
+use crate::number::{Scalar, Scaled, power_of_two};
 use crate::subspace::Chart;
 
-/// A matrix over `N` variables in units in which the member has neither stiffness nor length.
-pub(crate) struct Form<S: Scalar, const N: usize> {
-    pub(crate) entries: [[S; N]; N],
+/// A matrix over `N` variables, by its lower triangle of `ENTRIES`, in units in which the member has neither stiffness nor length.
+pub(crate) struct Form<S: Scalar, const N: usize, const ENTRIES: usize> {
+    /// The triangle, row after row.
+    pub(crate) entries: [S; ENTRIES],
     /// Whether each variable is a force.
     pub(crate) forces: [bool; N],
     pub(crate) product: Scaled<S>,
@@ -19,6 +20,14 @@ pub(crate) struct Factors<S> {
     lengths: [S; 5],
 }
 
+/// What a row has of the factors: the root of the stiffness or its inverse, a length or its inverse or none, and a power of two.
+#[derive(Clone, Copy)]
+struct OfRow {
+    stiffness: i32,
+    length: i32,
+    power: f64,
+}
+
 impl<S: Scalar> Factors<S> {
     pub(crate) fn new(stiffness: S, length: S) -> Self {
         let inverse = S::one() / length;
@@ -28,33 +37,34 @@ impl<S: Scalar> Factors<S> {
         }
     }
 
-    /// The factor of an entry, given of both variables whether they are forces and whether they are rotations.
-    fn of(&self, one: (bool, bool), other: (bool, bool)) -> S {
-        let sign = |is_force: bool| if is_force { -1 } else { 1 };
-        let power = |(is_force, is_rotation): (bool, bool)| if is_rotation { sign(is_force) } else { 0 };
-        let stiffness = (sign(one.0) + sign(other.0)) / 2;
-        self.stiffness[(1 + stiffness) as usize] * self.lengths[(2 + power(one) + power(other)) as usize]
+    /// The entry of two rows with their factors.
+    #[inline]
+    fn times(&self, entry: S, one: OfRow, other: OfRow) -> S {
+        let (stiffness, length) = ((one.stiffness + other.stiffness) / 2, one.length + other.length);
+        let factor = self.stiffness[(1 + stiffness) as usize] * self.lengths[(2 + length) as usize];
+        (entry * factor).scaled(one.power * other.power)
     }
 }
 
-impl<S: Scalar, const N: usize> Form<S, N> {
-    /// Enters the form into the chart of the member.
+impl<S: Scalar, const N: usize, const ENTRIES: usize> Form<S, N, ENTRIES> {
+    /// Enters the form into the chart of the member, at places that ascend.
+    #[inline]
     pub(crate) fn enter(self, chart: &mut Chart<S>, places: [usize; N], rotations: [bool; N], factors: &Factors<S>) {
-        let kind = |k: usize| (self.forces[k], rotations[k]);
-        let shift = |k: usize| {
-            let unit = chart.units.of(kind(k).1);
-            if self.forces[k] { -unit } else { unit }
-        };
-        for row in 0..N {
-            for column in row..N {
-                let entry = self.entries[row][column] * factors.of(kind(row), kind(column));
-                let entry = entry.times_power_of_two(shift(row) + shift(column));
-                chart.entries[places[row]][places[column]] = entry;
-                chart.entries[places[column]][places[row]] = entry;
-            }
+        let mut rows = [OfRow { stiffness: 1, length: 0, power: 1.0 }; N];
+        for (k, row) in rows.iter_mut().enumerate() {
+            let sign = if self.forces[k] { -1 } else { 1 };
+            *row = OfRow {
+                stiffness: sign,
+                length: if rotations[k] { sign } else { 0 },
+                power: power_of_two(sign * chart.units.of(rotations[k])),
+            };
+            chart.forces |= u32::from(self.forces[k]) << places[k];
         }
-        for (place, is_force) in places.into_iter().zip(self.forces) {
-            chart.forces |= u32::from(is_force) << place;
+        let mut entries = self.entries.into_iter();
+        for (row, one) in rows.iter().enumerate() {
+            for (column, (other, entry)) in rows[..=row].iter().zip(&mut entries).enumerate() {
+                chart.set(places[row], places[column], factors.times(entry, *one, *other));
+            }
         }
         chart.product = chart.product.product(self.product);
         chart.below = chart.below + self.below;

@@ -44,6 +44,7 @@ pub(crate) fn chart_of_ties<S: Scalar>(ties: impl Iterator<Item = (Freedoms, Tie
     let one = one.unwrap_or(0);
     let units = Units { displacement: displacement.unwrap_or(one), rotation: rotation.unwrap_or(one) };
     let mut chart = Chart::empty(freedoms, units, measure);
+    let units = chart.units;
     for (input, (freedom, tie)) in ties.enumerate() {
         let output = freedoms.count() + input;
         let flexibility = match tie {
@@ -54,9 +55,8 @@ pub(crate) fn chart_of_ties<S: Scalar>(ties: impl Iterator<Item = (Freedoms, Tie
                 S::one() / kappa.times_power_of_two(2 * units.of(freedom.is(Freedoms::RZ)))
             }
         };
-        chart.entries[input][output] = -S::one();
-        chart.entries[output][input] = -S::one();
-        chart.entries[output][output] = -flexibility;
+        chart.set(output, input, -S::one());
+        chart.set(output, output, -flexibility);
         chart.forces |= 1 << output;
         chart.below = chart.below + S::Size::of(-1.0);
     }

@@ -22,7 +22,7 @@ impl<S: Scalar> LongitudinalWaves<S> {
 
     /// The form of longitudinal vibration: over the displacement of the input end and the force at the other, divided by cos ζ, or over
     /// both displacements, divided by sin ζ.
-    fn form(&self) -> Form<S, 2> {
+    fn form(&self) -> Form<S, 2, 3> {
         let x = self.zeta_squared;
         let is_short = !S::Size::of(1.0).is_below(x.size()).any();
         let (cos, sinc, one, exponent) = if is_short {
@@ -42,11 +42,11 @@ impl<S: Scalar> LongitudinalWaves<S> {
         let (sinc, one) = (sinc * inverse, -(one * inverse));
         if is_mixed {
             let below = half_waves(0.5) + S::Size::of(-1.0);
-            let entries = [[-(x * sinc), one], [one, -sinc]];
+            let entries = [-(x * sinc), one, -sinc];
             return Form { entries, forces: [false, true], product: Scaled::new(divisor, exponent), below };
         }
         let cot = cos * inverse;
         let product = Scaled::new(divisor / self.stiffness, exponent);
-        Form { entries: [[cot, one], [one, cot]], forces: [false; 2], product, below: half_waves(0.0) }
+        Form { entries: [cot, one, cot], forces: [false; 2], product, below: half_waves(0.0) }
     }
 }

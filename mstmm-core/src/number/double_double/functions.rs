@@ -160,6 +160,11 @@ impl Scalar for DoubleDouble {
     fn times_power_of_two(self, exponent: i32) -> Self {
         DoubleDouble { hi: self.hi.times_power_of_two(exponent), lo: self.lo.times_power_of_two(exponent) }
     }
+
+    #[inline(always)]
+    fn scaled(self, power: f64) -> Self {
+        DoubleDouble { hi: self.hi * power, lo: self.lo * power }
+    }
 }
 
 impl Parameter for DoubleDouble {

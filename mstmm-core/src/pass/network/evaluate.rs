@@ -1,21 +1,14 @@
 //! The evaluation of a network: its nodes are eliminated one after the other.
 
-use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Size, Truth};
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
-use crate::subspace::{
-    Chart, Choice, Front, Joint, MOST_FREEDOMS, Measure, NodeUnits, Objects, Role, RootCounter, Total, Units, Variable,
-};
+use crate::subspace::{Chart, Choice, FrontNode, FrontScalar, Fronts, RootCounter, Total};
 use mstmm_plan::NetworkOrder;
 
 /// Number of roundings that add up in the row of a pivot, in units of the largest one.
 const ROUNDINGS: f64 = 2.0;
-
-/// The end of a member to which a variable belongs.
-fn end_of(variable: &Variable) -> usize {
-    variable.label / MOST_FREEDOMS
-}
 
 /// A network as its evaluation reads it.
 pub trait Placed: System {
@@ -39,10 +32,10 @@ pub trait PlacedCharts<S: Frequency<Self::Parameter>>: Placed {
 pub fn network_pass<const WIDTH: usize, Y, S, C>(network: &Y, x: S, counter: &mut C) -> Scaled<S>
 where
     Y: PlacedCharts<S>,
-    S: Frequency<Y::Parameter>,
+    S: Frequency<Y::Parameter> + FrontScalar,
     C: RootCounter<S>,
 {
-    let total = Evaluation::<WIDTH, _, S>::new(network, x, counter.looks_at_root()).eliminated(Choice::Largest);
+    let total = eliminated::<WIDTH, _, _>(network, x, Choice::InOrder, counter.looks_at_root());
     if C::WATCHES && total.has_vanished {
         counter.cancelled(true);
     }
@@ -50,7 +43,7 @@ where
         let [row, error] = total.smallest_row;
         counter.root_sum(S::Size::of(row), S::Size::of(ROUNDINGS * error));
         // another choice of pivots rounds otherwise: what differs is decided by rounding
-        let other = Evaluation::<WIDTH, _, S>::new(network, x, false).eliminated(Choice::InOrder);
+        let other = eliminated::<WIDTH, _, _>(network, x, Choice::Largest, false);
         if other.below != total.below {
             counter.cancelled(false);
         }
@@ -60,135 +53,77 @@ where
     if S::IS_EXTENDED && total.has_vanished { Scaled::new(S::zero(), 0) } else { total.delta() }
 }
 
-/// An evaluation at work.
-struct Evaluation<'a, const WIDTH: usize, Y, S: Scalar> {
-    network: &'a Y,
-    order: NetworkOrder<'a>,
-    at: FrequencyPowers<S>,
-    objects: Objects<S, WIDTH>,
-    front: Front<S, WIDTH>,
-    total: Total<S>,
-    /// Whether each variable belongs to an end at the node, and what it becomes there.
-    is_here: [bool; WIDTH],
-    roles: [Role<S>; WIDTH],
-}
-
-impl<'a, const WIDTH: usize, Y, S> Evaluation<'a, WIDTH, Y, S>
+/// Eliminates all nodes.
+#[inline(never)]
+fn eliminated<const WIDTH: usize, Y, S>(network: &Y, x: S, choice: Choice, carries_errors: bool) -> Total<S>
 where
     Y: PlacedCharts<S>,
-    S: Frequency<Y::Parameter>,
+    S: Frequency<Y::Parameter> + FrontScalar,
 {
-    fn new(network: &'a Y, x: S, carries_errors: bool) -> Self {
-        let at = FrequencyPowers::new(x, true);
-        Evaluation {
-            network,
-            order: network.order(),
-            at,
-            objects: Objects::new(),
-            front: Front::new(),
-            total: Total::new(carries_errors),
-            is_here: [false; WIDTH],
-            roles: [Role::Absent; WIDTH],
+    let at = FrequencyPowers::new(x, true);
+    let total = S::in_memory::<WIDTH, _>(|room| {
+        let mut fronts = room.fronts(choice, carries_errors);
+        let order = network.order();
+        for &node in order.nodes {
+            let objects = order.taken_up[node] + push_members(network, &order, node, &at, &mut fronts);
+            let (body, motions) = network.node(node);
+            S::eliminate(&mut fronts, &front_node(node, objects, body, motions, at.lambda_squared));
+        }
+        *fronts.total()
+    });
+    // numbers in lanes are evaluated alone
+    total.unwrap_or_else(Total::unknown)
+}
+
+/// Adds the members that are cut by the elimination of a node. Returns their number.
+fn push_members<Y, S>(
+    network: &Y,
+    order: &NetworkOrder<'_>,
+    node: usize,
+    at: &FrequencyPowers<S>,
+    fronts: &mut Fronts<'_, S>,
+) -> usize
+where
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter> + FrontScalar,
+{
+    let mut count = 0;
+    for &end in order.incidence.ends(node) {
+        let member = end / 2;
+        if !order.is_first_at(end, node) {
+            continue;
+        }
+        let placement = network.placement(member);
+        if let Some(chart) = network.chart(member, at, placement.length()) {
+            let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
+            S::push_chart(fronts, &chart, &placement.joined(nodes, nodes.map(|node| network.node(node).1)));
+            count += 1;
         }
     }
+    count
+}
 
-    /// Eliminates all nodes.
-    fn eliminated(mut self, choice: Choice) -> Total<S> {
-        for &node in self.order.nodes {
-            let from = self.objects.len() - self.order.taken_up[node];
-            self.push_members(node);
-            self.join(node, from);
-            self.front.eliminate(choice, &mut self.total);
-            self.objects.drop_last(self.objects.len() - from);
-            let shift = self.front.balance();
-            self.objects.push_front(&self.front, shift);
-        }
-        self.total
-    }
-
-    /// Adds the members that are cut by the elimination of a node.
-    fn push_members(&mut self, node: usize) {
-        for &end in self.order.incidence.ends(node) {
-            let member = end / 2;
-            if !self.order.is_first_at(end, node) {
-                continue;
-            }
-            let length = self.network.placement(member).length();
-            if let Some(chart) = self.network.chart(member, &self.at, length) {
-                self.objects.push_chart(&chart, member * 2 * MOST_FREEDOMS, &mut self.total);
-            }
-        }
-    }
-
-    /// Joins the last objects at a node, with the body there.
-    fn join(&mut self, node: usize, from: usize) {
-        let places = self.objects.last(from);
-        let mut units = NodeUnits::new();
-        for place in places.clone() {
-            let variable = &self.objects.variables[place];
-            self.is_here[place] = self.order.incidence.node(end_of(variable)) == node;
-            if self.is_here[place] {
-                units.include(variable);
-            }
-        }
-        let (body, motions) = self.network.node(node);
-        let square = self.at.lambda_squared.size().first();
-        let units = units.units([body.mass, body.inertia].map(|inertia| square * inertia.to_f64()));
-        let mut variables = [Variable::NONE; MOST_FREEDOMS];
-        for (motion, variable) in variables.iter_mut().enumerate() {
-            variable.is_rotation = motions.is_rotation(motion);
-            variable.unit = units.of(variable.is_rotation);
-        }
-        let variables = &variables[..motions.count];
-        for place in places {
-            self.roles[place] = self.role(place, variables, units);
-        }
-        let joint = Joint { motions: variables, from, roles: &self.roles };
-        self.front.join(&self.objects, &joint, &mut self.total);
-        self.add_body(body, motions, variables);
-    }
-
-    /// What a variable becomes in the front of a node.
-    fn role(&mut self, place: usize, motions: &[Variable], units: Units) -> Role<S> {
-        let variable = self.objects.variables[place];
-        let unit = units.of(variable.is_rotation);
-        if !self.is_here[place] {
-            // the unit of a front is no smaller than that of its node
-            let is_own = variable.measure != Measure::Nothing;
-            return Role::Boundary(if is_own { unit.max(variable.unit) } else { unit });
-        }
-        let end = end_of(&variable);
-        let member = self.network.placement(end / 2);
-        let freedom = variable.label % MOST_FREEDOMS;
-        if member.releases(end % 2, freedom) {
-            return if variable.is_force { Role::Absent } else { Role::Released(unit) };
-        }
-        if !variable.is_force {
-            self.objects.restrain(place, unit, &mut self.front, &mut self.total);
-        }
-        let variable = &self.objects.variables[place];
-        let mut row = member.row::<S>(end % 2, freedom, self.network.node(self.order.incidence.node(end)).1);
-        // the row of a force stands in the unit of the node, that of a displacement in its own
-        let own = if variable.is_force { unit } else { variable.unit };
-        for (coefficient, motion) in row.iter_mut().zip(motions) {
-            *coefficient = coefficient.times_power_of_two(motion.unit - own);
-        }
-        if variable.is_force { Role::Force(unit, row) } else { Role::Displacement(row) }
-    }
-
-    /// Adds the inertia of the body at a node: `λ² M` over its motions.
-    fn add_body(&mut self, node: &Node<Y::Parameter>, motions: &Motions<Y::Parameter>, variables: &[Variable]) {
-        if node.mass.vanishes() && node.inertia.vanishes() {
-            return;
-        }
-        // of all three displacements by all motions, and then of all motions by these
-        let rows = node.mass_matrix::<S>().map(|row| motions.parts_of(row));
-        for (l, other) in variables.iter().enumerate() {
-            let column = motions.parts_of(rows.map(|row| row[l]));
-            for (k, one) in variables.iter().enumerate().take(l + 1) {
-                let term = self.at.lambda_squared * column[k];
-                self.front.add(k, l, term.times_power_of_two(one.unit + other.unit));
-            }
-        }
+/// What fronts need of a node.
+fn front_node<T: Parameter, S: Frequency<T>>(
+    index: usize,
+    objects: usize,
+    node: &Node<T>,
+    motions: &Motions<T>,
+    lambda_squared: S,
+) -> FrontNode<S> {
+    let square = lambda_squared.size().first();
+    let has_body = !(node.mass.vanishes() & node.inertia.vanishes()).all();
+    FrontNode {
+        index,
+        objects,
+        motions: motions.count,
+        has_rotation: motions.has_rotation,
+        inertias: [node.mass, node.inertia].map(|inertia| square * inertia.to_f64()),
+        body: has_body.then(|| {
+            // of all three displacements by all motions, and then of all motions by these
+            let rows = node.mass_matrix::<S>().map(|row| motions.parts_of(row));
+            let columns = [0, 1, 2].map(|l| motions.parts_of(rows.map(|row| row[l])));
+            columns.map(|column| column.map(|entry| lambda_squared * entry))
+        }),
     }
 }

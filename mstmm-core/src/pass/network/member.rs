@@ -3,6 +3,7 @@
 use crate::element::MemberElement;
 use crate::number::{Frequency, Parameter, Real, Scalar};
 use crate::pass::network::node::{Motions, Node};
+use crate::subspace::JoinedEnd;
 use mstmm_plan::Freedoms;
 
 /// The end of a member.
@@ -179,19 +180,18 @@ impl<T: Real> Placement<T> {
         if S::IS_EXTENDED { norm(between(&self.ends)) } else { S::from_parameter(self.span.length) }
     }
 
-    /// Whether an end does not share a freedom with its node.
+    /// Where its ends are joined, given their nodes and the motions of these.
     #[inline]
-    pub(crate) fn releases(&self, end: usize, freedom: usize) -> bool {
-        self.ends[end].released.contains(Freedoms::SINGLE[freedom])
-    }
-
-    /// What a freedom of an end is of the motions of its node.
-    #[inline]
-    pub(crate) fn row<S: Frequency<T>>(&self, end: usize, freedom: usize, motions: &Motions<T>) -> [S; 3] {
-        if S::IS_EXTENDED {
-            return row_of(&self.ends, end, freedom, motions);
-        }
-        self.span.rows[end][freedom].map(S::from_parameter)
+    pub(crate) fn joined<S: Frequency<T>>(&self, nodes: [usize; 2], motions: [&Motions<T>; 2]) -> [JoinedEnd<S>; 2] {
+        [0, 1].map(|end| JoinedEnd {
+            node: nodes[end],
+            released: self.ends[end].released,
+            rows: if S::IS_EXTENDED {
+                [0, 1, 2].map(|freedom| row_of(&self.ends, end, freedom, motions[end]))
+            } else {
+                self.span.rows[end].map(|row| row.map(S::from_parameter))
+            },
+        })
     }
 }
 

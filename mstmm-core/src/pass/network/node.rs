@@ -79,7 +79,7 @@ pub struct Motions<T> {
     directions: [[T; 3]; 3],
     pub(crate) count: usize,
     /// Whether the last one is the rotation.
-    has_rotation: bool,
+    pub(crate) has_rotation: bool,
 }
 
 impl<T: Parameter> Motions<T> {
@@ -112,12 +112,6 @@ impl<T: Parameter> Motions<T> {
             push([zero, zero, one]);
         }
         motions
-    }
-
-    /// Whether a motion is the rotation.
-    #[inline]
-    pub(crate) fn is_rotation(&self, motion: usize) -> bool {
-        self.has_rotation && motion + 1 == self.count
     }
 
     /// What the motions are of a sum of x, y and rotation.

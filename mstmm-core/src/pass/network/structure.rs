@@ -8,7 +8,7 @@ use crate::pass::network::error::NetworkError;
 use crate::pass::network::evaluate::{Placed, PlacedCharts, network_pass};
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
-use crate::subspace::{Chart, RootCounter};
+use crate::subspace::{Chart, FrontScalar, RootCounter};
 use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
 
 /// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 100 bytes per node, some 300 per member.
@@ -223,7 +223,7 @@ where
 impl<E, S, const WIDTH: usize> Characteristic<S> for Network<'_, E, WIDTH>
 where
     E: MemberChart<S>,
-    S: Frequency<E::Parameter>,
+    S: Frequency<E::Parameter> + FrontScalar,
 {
     fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
         network_pass::<WIDTH, _, _, _>(self, x, counter)

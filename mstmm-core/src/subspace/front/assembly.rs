@@ -1,196 +1,257 @@
 //! The assembly of a front: objects are joined at a node, whose motions replace the displacements of their ports.
 
-use crate::number::{Scalar, Size};
+use crate::number::{Scalar, Size, power_of_two};
 use crate::subspace::front::chart::MOST_FREEDOMS;
 use crate::subspace::front::eliminate::BOUND;
-use crate::subspace::front::matrix::{Front, Variable};
-use crate::subspace::front::objects::Objects;
-use crate::subspace::front::pivot::After;
-use crate::subspace::front::total::Total;
-use core::ops::Range;
-
-/// What a variable of an object becomes in the front of a node.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Role<S> {
-    /// A port elsewhere, which stays on the boundary in a unit.
-    Boundary(i32),
-    /// The force at the node in a unit, which acts on its motions by coefficients.
-    Force(i32, [S; MOST_FREEDOMS]),
-    /// The displacement at the node, the sum of its motions with coefficients.
-    Displacement([S; MOST_FREEDOMS]),
-    /// A displacement in a unit that the node does not share.
-    Released(i32),
-    /// A force that the node does not take.
-    Absent,
-}
+use crate::subspace::front::fronts::{FrontNode, Fronts};
+use crate::subspace::front::matrix::Front;
+use crate::subspace::front::triangle::{self, row};
+use crate::subspace::front::units::{NodeUnits, Units};
+use crate::subspace::front::variable::{Measure, Variable};
 
 /// Where the variable of an object goes in the front.
-#[derive(Clone, Copy)]
-enum Target<S> {
-    /// To a place, in a unit that shifts its row.
-    Place(usize, i32),
-    /// To the motions of the node.
-    Motions([S; MOST_FREEDOMS]),
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Target {
+    kind: Kind,
+    /// Its place, with a power of two for its row.
+    place: usize,
+    power: f64,
+}
+
+impl Target {
+    /// Not known yet.
+    pub(super) const NONE: Target = Target { kind: Kind::Place, place: 0, power: 0.0 };
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// To a place.
+    Place,
+    /// To the motions of the node, the sum of them with the coefficients of its row.
+    Motions,
+    /// Out of it: a force that the node does not take.
     Nowhere,
 }
 
-/// A node in whose front objects are joined.
-pub(crate) struct Joint<'a, S, const W: usize> {
-    /// Its motions.
-    pub(crate) motions: &'a [Variable],
-    /// The first object.
-    pub(crate) from: usize,
-    /// What becomes of the variables of the objects.
-    pub(crate) roles: &'a [Role<S>; W],
-}
+impl<S: Scalar> Fronts<'_, S> {
+    /// Joins the last objects at a node, with the body there.
+    pub(super) fn join(&mut self, node: &FrontNode<S>, from: usize) {
+        let units = self.units(node, from);
+        self.restrain(node, from, units);
+        let (first, count) = self.aim(node, from, units);
+        self.front.begin(first, count);
+        for motion in 0..node.motions {
+            let is_rotation = node.is_rotation(motion);
+            let unit = units.of(is_rotation);
+            self.front.variables[first + motion] = Variable { is_rotation, unit, ..Variable::DISPLACEMENT };
+        }
+        self.enter_ports(node, from, units);
+        for object in from..self.objects.count {
+            self.enter_object(object, node.motions);
+        }
+        if let Some(body) = &node.body {
+            self.front.add_body(&body[..node.motions]);
+        }
+        if self.total.carries_errors {
+            self.front.note_entries();
+        }
+    }
 
-impl<S: Scalar, const W: usize> Objects<S, W> {
-    /// Lets the displacement of a variable become a force if its object is stiff in a unit of the node. Else the stiffness would be added
-    /// to softer ones there.
-    pub(crate) fn restrain(&mut self, place: usize, unit: i32, front: &mut Front<S, W>, total: &mut Total<S>) {
-        let range = self.range(self.object_of(place));
-        let own = self.entries[place][place - range.start].times_power_of_two(2 * self.variables[place].shift_to(unit));
-        if own.size().first() > BOUND {
-            self.flip(range, place, unit, front, total);
+    /// The units of a node.
+    fn units(&self, node: &FrontNode<S>, from: usize) -> Units {
+        let mut units = NodeUnits::new();
+        for variable in &self.objects.variables[self.objects.last(from)] {
+            if variable.node == node.index {
+                units.include(variable);
+            }
+        }
+        units.units(node.inertias)
+    }
+
+    /// Lets displacements at the node become forces where their objects are stiff in its units. Else these stiffnesses would be added to
+    /// softer ones there.
+    fn restrain(&mut self, node: &FrontNode<S>, from: usize, units: Units) {
+        for object in from..self.objects.count {
+            let variables = self.objects.range(object);
+            for place in variables.clone() {
+                let variable = &self.objects.variables[place];
+                if variable.node != node.index || variable.is_force || variable.is_released {
+                    continue;
+                }
+                let (own, unit) = (place - variables.start, units.of(variable.is_rotation));
+                let power = power_of_two(variable.shift_to(unit));
+                let size = self.objects.triangle(object)[triangle::place(own, own)].size().first();
+                if size * power * power > BOUND {
+                    self.flip(object, own, unit);
+                }
+            }
         }
     }
 
     /// Takes an object through a front of its own, in which all variables are on the boundary and one flips, in a unit.
     #[cold]
-    fn flip(&mut self, range: Range<usize>, place: usize, unit: i32, front: &mut Front<S, W>, total: &mut Total<S>) {
-        front.begin(0, range.len());
-        for (k, row) in range.clone().enumerate() {
-            front.variables[k] = self.variables[row];
-            front.errors[k] = self.errors[row];
-            front.entries[k][..range.len()].copy_from_slice(&self.entries[row][..range.len()]);
+    fn flip(&mut self, object: usize, place: usize, unit: i32) {
+        let Fronts { objects, front, total, .. } = self;
+        let variables = objects.range(object);
+        front.begin(variables.len(), variables.len());
+        front.variables[..front.count].copy_from_slice(&objects.variables[variables.clone()]);
+        front.errors[..front.count].copy_from_slice(&objects.errors[variables]);
+        front.entries[..row(front.count)].copy_from_slice(objects.triangle(object));
+        let power = power_of_two(front.variables[place].shift_to(unit));
+        front.variables[place].unit = unit;
+        for other in 0..front.count {
+            let factor = if other == place { power * power } else { power };
+            let entry = &mut front.entries[triangle::place(place, other)];
+            *entry = entry.scaled(factor);
         }
-        let own = place - range.start;
-        let shift = front.variables[own].shift_to(unit);
-        front.variables[own].unit = unit;
-        for other in 0..range.len() {
-            front.entries[own][other] = front.entries[own][other].times_power_of_two(shift);
+        front.flip_one(place, total);
+        objects.replace(object, front);
+    }
+
+    /// Finds where each variable goes. Returns the number of variables of the boundary, behind which the motions stand, and of all.
+    fn aim(&mut self, node: &FrontNode<S>, from: usize, units: Units) -> (usize, usize) {
+        let places = self.objects.last(from);
+        let variables = &self.objects.variables[places.clone()];
+        let boundary = variables.iter().filter(|variable| variable.node != node.index).count();
+        let (mut outer, mut inner) = (0, boundary + node.motions);
+        for (variable, target) in variables.iter().zip(&mut self.targets[places]) {
+            let unit = units.of(variable.is_rotation);
+            let (next, unit) = if variable.node != node.index {
+                // the unit of a front is no smaller than that of its node
+                let is_own = variable.measure != Measure::Nothing;
+                (&mut outer, if is_own { unit.max(variable.unit) } else { unit })
+            } else if variable.is_force != variable.is_released {
+                (&mut inner, unit)
+            } else {
+                target.kind = if variable.is_force { Kind::Nowhere } else { Kind::Motions };
+                continue;
+            };
+            *target = Target { kind: Kind::Place, place: *next, power: power_of_two(variable.shift_to(unit)) };
+            self.front.variables[*next] = Variable { unit, measure: variable.measure.once_joined(), ..*variable };
+            *next += 1;
         }
-        for other in 0..range.len() {
-            front.entries[other][own] = front.entries[other][own].times_power_of_two(shift);
+        (boundary, inner)
+    }
+
+    /// Enters what the forces of ports do to the motions, and the errors of all variables.
+    fn enter_ports(&mut self, node: &FrontNode<S>, from: usize, units: Units) {
+        let Fronts { objects, front, targets, total, .. } = self;
+        let (first, motions) = (front.boundary, node.motions);
+        let powers = [units.displacement, units.rotation].map(power_of_two);
+        for place in objects.last(from) {
+            let Target { kind, place: at, power } = targets[place];
+            let variable = &objects.variables[place];
+            if kind == Kind::Place && (at < first || !variable.is_force) {
+                if total.carries_errors {
+                    front.note_error(at, objects.errors[place] * power * power);
+                }
+                continue;
+            }
+            // the row of a force stands in the unit of the node, that of a displacement in its own
+            let own = power_of_two(-if variable.is_force { units.of(variable.is_rotation) } else { variable.unit });
+            let row_of = &mut objects.rows[place][..motions];
+            for (motion, coefficient) in row_of.iter_mut().enumerate() {
+                *coefficient = coefficient.scaled(powers[usize::from(node.is_rotation(motion))] * own);
+            }
+            match kind {
+                Kind::Place => {
+                    front.entries[row(at) + first..][..motions].copy_from_slice(row_of);
+                    if total.carries_errors {
+                        front.note_error(at, objects.errors[place] * power * power);
+                    }
+                }
+                Kind::Motions if total.carries_errors => {
+                    for (motion, coefficient) in row_of.iter().enumerate() {
+                        let size = coefficient.size().first();
+                        front.note_error(first + motion, objects.errors[place] * size * size);
+                    }
+                }
+                Kind::Motions => {}
+                Kind::Nowhere => total.count(1.0),
+            }
         }
-        front.pivot_on_one(own, After::Flips, total);
-        self.put_back(range.start, front, 0);
+    }
+
+    /// Enters the matrix of an object.
+    fn enter_object(&mut self, object: usize, motions: usize) {
+        let Fronts { objects, front, targets, .. } = self;
+        let places = objects.range(object);
+        let (rows, targets) = (&objects.rows[places.clone()], &targets[places]);
+        let first = front.boundary;
+        let mut rest = objects.triangle(object);
+        for (k, (target, sum)) in targets.iter().zip(rows).enumerate() {
+            let (entries, others) = rest.split_at(k + 1);
+            rest = others;
+            for ((entry, other), other_sum) in entries.iter().zip(targets).zip(rows) {
+                if entry.is_zero() {
+                    continue;
+                }
+                let (sum, place, power) = match (target.kind, other.kind) {
+                    (Kind::Place, Kind::Place) => {
+                        let place = triangle::place(target.place, other.place);
+                        front.entries[place] = entry.scaled(target.power * other.power);
+                        continue;
+                    }
+                    (Kind::Motions, Kind::Motions) => {
+                        let is_diagonal = core::ptr::eq(target, other);
+                        front.add_square(*entry, &sum[..motions], &other_sum[..motions], is_diagonal);
+                        continue;
+                    }
+                    (Kind::Motions, Kind::Place) => (sum, other.place, other.power),
+                    (Kind::Place, Kind::Motions) => (other_sum, target.place, target.power),
+                    _ => continue,
+                };
+                let entry = entry.scaled(power);
+                for (motion, coefficient) in sum[..motions].iter().enumerate() {
+                    front.entries[triangle::place(first + motion, place)] += entry * *coefficient;
+                }
+            }
+        }
     }
 }
 
-impl<S: Scalar, const W: usize> Front<S, W> {
-    /// Joins the last objects at a node.
-    pub(crate) fn join(&mut self, objects: &Objects<S, W>, joint: &Joint<'_, S, W>, total: &mut Total<S>) {
-        let motions = joint.motions.len();
-        let variables = objects.last(joint.from);
-        let (mut interior, mut boundary) = (motions, 0);
-        for role in &joint.roles[variables.clone()] {
-            match role {
-                Role::Boundary(_) => boundary += 1,
-                Role::Force(..) | Role::Released(_) => interior += 1,
-                Role::Displacement(_) => {}
-                Role::Absent => total.count(1.0),
-            }
-        }
-        self.begin(interior, interior + boundary);
-        self.variables[..motions].copy_from_slice(joint.motions);
-        let mut targets = [Target::Nowhere; W];
-        let mut next = [motions, interior];
-        for place in variables {
-            let (kind, unit) = match joint.roles[place] {
-                Role::Force(unit, _) | Role::Released(unit) => (0, unit),
-                Role::Boundary(unit) => (1, unit),
-                Role::Displacement(row) => {
-                    targets[place] = Target::Motions(row);
-                    if total.carries_errors {
-                        for (motion, coefficient) in row.iter().enumerate().take(motions) {
-                            let size = coefficient.size().first();
-                            self.note_error(motion, objects.errors[place] * size * size);
-                        }
-                    }
-                    continue;
+impl<S: Scalar> Front<'_, S> {
+    /// Adds an entry between two sums of motions, or of one with itself.
+    fn add_square(&mut self, entry: S, one: &[S], other: &[S], is_diagonal: bool) {
+        let first = self.boundary;
+        for (k, (a, b)) in one.iter().zip(other).enumerate() {
+            let (of_one, of_other) = (entry * *a, entry * *b);
+            for l in 0..=k {
+                let mut term = of_one * other[l];
+                if !is_diagonal {
+                    term += of_other * one[l];
                 }
-                Role::Absent => continue,
-            };
-            let at = next[kind];
-            next[kind] += 1;
-            let variable = &objects.variables[place];
-            self.variables[at] = Variable { unit, measure: variable.measure.once_joined(), ..*variable };
-            targets[place] = Target::Place(at, variable.shift_to(unit));
-            if total.carries_errors {
-                self.note_error(at, objects.errors[place].times_power_of_two(2 * variable.shift_to(unit)));
-            }
-            if let Role::Force(_, row) = joint.roles[place] {
-                for (motion, coefficient) in row.iter().enumerate().take(motions) {
-                    self.add(at, motion, *coefficient);
-                }
+                self.add(first + k, first + l, term);
             }
         }
-        for object in joint.from..objects.len() {
-            self.add_object(objects, object, &targets, motions);
-        }
-        if total.carries_errors {
-            self.note_entries();
+    }
+
+    /// Adds the inertia of a body.
+    fn add_body(&mut self, body: &[[S; MOST_FREEDOMS]]) {
+        let first = self.boundary;
+        for (k, terms) in body.iter().enumerate() {
+            let own = self.variables[first + k].unit;
+            for (l, term) in terms[..=k].iter().enumerate() {
+                let power = power_of_two(own + self.variables[first + l].unit);
+                self.add(first + k, first + l, term.scaled(power));
+            }
         }
     }
 
     /// Notes what the assembly has rounded.
     fn note_entries(&mut self) {
         for row in 0..self.count {
-            let entries = self.entries[row][..self.count].iter();
-            let largest = entries.fold(self.terms[row], |largest, entry| entry.size().first().max(largest));
+            let sizes = (0..self.count).map(|column| self.size(row, column));
+            let largest = sizes.fold(self.terms[row], f64::max);
             self.note_error(row, largest);
         }
     }
+}
 
-    /// Adds the matrix of an object.
-    fn add_object(&mut self, objects: &Objects<S, W>, object: usize, targets: &[Target<S>; W], motions: usize) {
-        let range = objects.range(object);
-        for row in range.clone() {
-            let entries = objects.entries[row][..range.len()].iter().zip(&targets[range.clone()]);
-            match &targets[row] {
-                Target::Nowhere => {}
-                &Target::Place(row, one) => {
-                    for (entry, target) in entries {
-                        if let &Target::Place(column, other) = target {
-                            self.entries[row][column] = entry.times_power_of_two(one + other);
-                        }
-                    }
-                }
-                Target::Motions(sum) => {
-                    for (column, (entry, target)) in range.clone().zip(entries) {
-                        match target {
-                            &Target::Place(place, shift) => {
-                                let entry = entry.times_power_of_two(shift);
-                                for (motion, coefficient) in sum[..motions].iter().enumerate() {
-                                    self.add(motion, place, entry * *coefficient);
-                                }
-                            }
-                            Target::Motions(other) if column >= row => {
-                                self.add_square(*entry, &sum[..motions], &other[..motions], row == column);
-                            }
-                            _ => {}
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// Adds an entry between two sums of motions, or of one with itself.
-    fn add_square(&mut self, entry: S, one: &[S], other: &[S], is_diagonal: bool) {
-        for (k, a) in one.iter().enumerate() {
-            let product = entry * *a;
-            for (l, b) in other.iter().enumerate() {
-                let term = product * *b;
-                self.entries[k][l] += term;
-                if !is_diagonal {
-                    self.entries[l][k] += term;
-                }
-                if k == l {
-                    self.note(k, term.size().first());
-                }
-            }
-        }
+impl<S> FrontNode<S> {
+    /// Whether a motion is the rotation.
+    #[inline]
+    fn is_rotation(&self, motion: usize) -> bool {
+        self.has_rotation && motion + 1 == self.motions
     }
 }

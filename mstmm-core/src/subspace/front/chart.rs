@@ -1,8 +1,9 @@
 //! Charts of members: their relations between both ends as an element gives them.
 
 use crate::number::{Scalar, Scaled, Size};
-use crate::subspace::front::matrix::{Measure, Variable};
+use crate::subspace::front::triangle;
 use crate::subspace::front::units::Units;
+use crate::subspace::front::variable::Measure;
 use mstmm_plan::Freedoms;
 
 /// Most freedoms of an end.
@@ -10,6 +11,9 @@ pub const MOST_FREEDOMS: usize = Freedoms::SINGLE.len();
 
 /// Most variables of a member.
 pub const MOST_VARIABLES: usize = 2 * MOST_FREEDOMS;
+
+/// Most entries of a member's matrix, of which the lower triangle stands for both.
+pub const MOST_ENTRIES: usize = triangle::row(MOST_VARIABLES);
 
 /// A member as a symmetric matrix over displacements and forces of both ends, in its own axes and units.
 ///
@@ -19,8 +23,8 @@ pub const MOST_VARIABLES: usize = 2 * MOST_FREEDOMS;
 pub struct Chart<S: Scalar> {
     /// The freedoms of an end, in the axes of the member.
     pub freedoms: Freedoms,
-    /// The matrix; the rows of the variables that there are come first.
-    pub entries: [[S; MOST_VARIABLES]; MOST_VARIABLES],
+    /// The lower triangle of the matrix, row after row.
+    pub(crate) entries: [S; MOST_ENTRIES],
     /// A bit per variable: whether it is a force.
     pub forces: u32,
     /// Logarithms to base 2 of the units of displacements and of rotations.
@@ -38,25 +42,41 @@ impl<S: Scalar> Chart<S> {
     pub(crate) fn empty(freedoms: Freedoms, units: Units, measure: Measure) -> Self {
         Chart {
             freedoms,
-            entries: [[S::zero(); MOST_VARIABLES]; MOST_VARIABLES],
+            entries: [S::zero(); MOST_ENTRIES],
             forces: 0,
-            units,
+            units: units.in_range(),
             measure,
             product: Scaled::new(S::one(), 0),
             below: S::Size::of(0.0),
         }
     }
 
-    /// The variable at a place, of a freedom of one of the ends.
+    /// The entry between two variables.
     #[inline]
-    pub(crate) fn variable(&self, place: usize, end: usize, freedom: usize) -> Variable {
-        let is_rotation = freedom + 1 == MOST_FREEDOMS;
-        Variable {
-            label: end * MOST_FREEDOMS + freedom,
-            is_force: self.forces >> place & 1 == 1,
-            is_rotation,
-            unit: self.units.of(is_rotation),
-            measure: self.measure,
-        }
+    pub fn entry(&self, row: usize, column: usize) -> S {
+        self.entries[triangle::place(row, column)]
     }
+
+    /// Sets the entry between two variables.
+    #[inline]
+    pub(crate) fn set(&mut self, row: usize, column: usize, entry: S) {
+        self.entries[triangle::place(row, column)] = entry;
+    }
+
+    /// Whether a variable is a force.
+    #[inline]
+    pub(crate) fn is_force(&self, place: usize) -> bool {
+        self.forces >> place & 1 == 1
+    }
+}
+
+/// Where an end of a member is joined.
+#[derive(Clone, Copy, Debug)]
+pub struct JoinedEnd<S> {
+    /// Index of the node.
+    pub(crate) node: usize,
+    /// The freedoms that the end does not share with the node.
+    pub(crate) released: Freedoms,
+    /// What its displacements along and across the member and its rotation are of the motions of the node.
+    pub(crate) rows: [[S; MOST_FREEDOMS]; MOST_FREEDOMS],
 }

@@ -1,122 +1,89 @@
 //! The front of a node at work: the matrix over its variables.
 
 use crate::number::{Scalar, Size};
-use core::ops::Range;
+use crate::subspace::front::triangle::{self, row};
+use crate::subspace::front::variable::Variable;
 
-/// A variable of a front.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Variable {
-    /// Number of the freedom that it belongs to, as whoever builds the front counts them.
-    pub(crate) label: usize,
-    /// Whether it is a force; else it is a displacement.
-    pub(crate) is_force: bool,
-    /// Whether it is a rotation or a moment.
-    pub(crate) is_rotation: bool,
-    /// Logarithm to base 2 of the unit of the displacement; the force has its inverse.
-    pub(crate) unit: i32,
-    /// What its unit comes from.
-    pub(crate) measure: Measure,
-}
-
-/// What gives a variable its unit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Measure {
-    /// A member with inertia, given the logarithm to base 2 of its wave number.
-    Member(i32),
-    /// A spring or damper.
-    Connector,
-    /// Nothing: a rigid joint has no size.
-    Nothing,
-}
-
-impl Measure {
-    /// What the unit comes from behind a node, which lends its own to a rigid joint.
-    pub(super) fn once_joined(self) -> Self {
-        if self == Measure::Nothing { Measure::Connector } else { self }
-    }
-}
-
-impl Variable {
-    pub(crate) const NONE: Variable =
-        Variable { label: 0, is_force: false, is_rotation: false, unit: 0, measure: Measure::Nothing };
-
-    /// Logarithm to base 2 of the factor of a row of this variable in another unit.
-    #[inline]
-    pub(crate) fn shift_to(&self, unit: i32) -> i32 {
-        if self.is_force { self.unit - unit } else { unit - self.unit }
-    }
-}
-
-/// A symmetric matrix over variables, the interior ones first. `W` is the largest number of them.
-#[derive(Clone, Debug)]
-pub(crate) struct Front<S: Scalar, const W: usize> {
-    pub(super) entries: [[S; W]; W],
-    /// The rows of pivots, divided by them.
-    pub(super) solved: [[S; W]; 2],
-    pub(super) variables: [Variable; W],
+/// A symmetric matrix over variables, in memory of the caller's: those of the boundary first, then the interior ones, of which the last
+/// one leaves first. So what is left when all have left stands at the beginning.
+#[derive(Debug)]
+pub(crate) struct Front<'r, S> {
+    /// The lower triangle.
+    pub(super) entries: &'r mut [S],
+    /// The whole rows of pivots, and these divided by them.
+    pub(super) pivots: [&'r mut [S]; 2],
+    pub(super) solved: [&'r mut [S]; 2],
+    pub(super) variables: &'r mut [Variable],
     /// Size of the largest term of each diagonal entry here: a row of no more than that times eps is nothing.
-    pub(super) terms: [f64; W],
+    pub(super) terms: &'r mut [f64],
     /// Error of each row in units of rounding, with what rounding has done to all that it was made of.
-    pub(super) errors: [f64; W],
-    /// The number of variables that are eliminated, of interior ones with these, and of all.
-    pub(super) next: usize,
-    pub(super) interior: usize,
+    pub(super) errors: &'r mut [f64],
+    /// The number of variables of the boundary, and of all.
+    pub(super) boundary: usize,
     pub(super) count: usize,
 }
 
-impl<S: Scalar, const W: usize> Front<S, W> {
-    /// A front without variables.
-    pub(crate) fn new() -> Self {
-        Front {
-            entries: [[S::zero(); W]; W],
-            solved: [[S::zero(); W]; 2],
-            variables: [Variable::NONE; W],
-            terms: [0.0; W],
-            errors: [0.0; W],
-            next: 0,
-            interior: 0,
-            count: 0,
-        }
-    }
-
-    /// Begins anew with so many variables without entries, of which the first ones are interior.
-    pub(super) fn begin(&mut self, interior: usize, count: usize) {
-        for row in &mut self.entries[..count] {
-            row[..count].fill(S::zero());
-        }
+impl<S: Scalar> Front<'_, S> {
+    /// Begins anew with so many variables without entries, of which the first ones are the boundary.
+    pub(super) fn begin(&mut self, boundary: usize, count: usize) {
+        self.entries[..row(count)].fill(S::zero());
         self.terms[..count].fill(0.0);
         self.errors[..count].fill(0.0);
-        (self.next, self.interior, self.count) = (0, interior, count);
+        (self.boundary, self.count) = (boundary, count);
     }
 
-    /// The variables of the boundary.
-    pub(crate) fn boundary(&self) -> Range<usize> {
-        self.interior..self.count
+    /// An entry, or its mirror image.
+    #[inline(always)]
+    pub(super) fn entry(&self, row: usize, column: usize) -> S {
+        self.entries[triangle::place(row, column)]
     }
 
-    /// Lets two variables change places.
-    pub(super) fn swap(&mut self, one: usize, other: usize) {
-        if one == other {
-            return;
-        }
-        self.variables.swap(one, other);
-        self.terms.swap(one, other);
-        self.errors.swap(one, other);
-        self.entries.swap(one, other);
-        for row in &mut self.entries[self.next..self.count] {
-            row.swap(one, other);
-        }
+    /// Size of an entry.
+    #[inline(always)]
+    pub(super) fn size(&self, row: usize, column: usize) -> f64 {
+        self.entry(row, column).size().first()
     }
 
-    /// Adds to an entry and to its mirror image.
+    /// Adds to an entry, and thereby to its mirror image.
     #[inline]
-    pub(crate) fn add(&mut self, row: usize, column: usize, term: S) {
-        self.entries[row][column] += term;
+    pub(super) fn add(&mut self, row: usize, column: usize, term: S) {
+        self.entries[triangle::place(row, column)] += term;
         if row == column {
             self.note(row, term.size().first());
-        } else {
-            self.entries[column][row] += term;
         }
+    }
+
+    /// Copies the whole row of a variable.
+    #[inline]
+    pub(super) fn gather(&mut self, into: usize, place: usize) {
+        let (before, behind) = self.pivots[into][..self.count].split_at_mut(place + 1);
+        before.copy_from_slice(&self.entries[row(place)..row(place + 1)]);
+        let mut at = row(place + 1) + place;
+        for (k, entry) in behind.iter_mut().enumerate() {
+            *entry = self.entries[at];
+            at += place + 2 + k;
+        }
+    }
+
+    /// Lets two variables change places, of which the second one is not before the first one.
+    pub(super) fn swap(&mut self, place: usize, other: usize) {
+        if place == other {
+            return;
+        }
+        let (rows, behind) = self.entries[..row(self.count)].split_at_mut(row(other));
+        rows[row(place)..row(place) + place].swap_with_slice(&mut behind[..place]);
+        core::mem::swap(&mut rows[row(place) + place], &mut behind[other]);
+        for (k, entry) in behind[..other].iter_mut().enumerate().skip(place + 1) {
+            core::mem::swap(&mut rows[row(k) + place], entry);
+        }
+        let mut rest = behind;
+        for k in other + 1..self.count {
+            rest = rest.split_at_mut(k).1;
+            rest.swap(place, other);
+        }
+        self.variables.swap(place, other);
+        self.terms.swap(place, other);
+        self.errors.swap(place, other);
     }
 
     /// Notes the size of a term on the diagonal.

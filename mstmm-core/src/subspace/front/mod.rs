@@ -13,10 +13,13 @@
 pub(crate) mod assembly;
 pub(crate) mod chart;
 pub(crate) mod eliminate;
+pub(crate) mod fronts;
 #[cfg(test)]
 mod laws;
 pub(crate) mod matrix;
 pub(crate) mod objects;
 mod pivot;
 pub(crate) mod total;
+pub(crate) mod triangle;
 pub(crate) mod units;
+pub(crate) mod variable;

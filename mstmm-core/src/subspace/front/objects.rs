@@ -1,118 +1,141 @@
 //! Members and fronts that wait for the elimination of a node, one upon the other.
 
-use crate::number::{Scalar, Size};
-use crate::subspace::front::chart::Chart;
-use crate::subspace::front::matrix::{Front, Variable};
+use crate::number::{Scalar, Size, power_of_two};
+use crate::subspace::front::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
+use crate::subspace::front::matrix::Front;
 use crate::subspace::front::total::Total;
+use crate::subspace::front::triangle::row;
+use crate::subspace::front::variable::Variable;
 use core::ops::Range;
 use mstmm_plan::Freedoms;
 
-/// A stack of objects, each a symmetric matrix over some variables; `W` is the largest number of variables of all.
-#[derive(Clone, Debug)]
-pub(crate) struct Objects<S: Scalar, const W: usize> {
-    /// The matrices, one below the other, each from the first column on.
-    pub(super) entries: [[S; W]; W],
-    pub(crate) variables: [Variable; W],
-    /// Error of each row in units of rounding.
-    pub(super) errors: [f64; W],
-    /// The first variable of each object.
-    starts: [usize; W],
-    objects: usize,
-    count: usize,
+/// Where an object begins.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    variable: usize,
+    entry: usize,
 }
 
-impl<S: Scalar, const W: usize> Objects<S, W> {
-    pub(crate) fn new() -> Self {
-        Objects {
-            entries: [[S::zero(); W]; W],
-            variables: [Variable::NONE; W],
-            errors: [0.0; W],
-            starts: [0; W],
-            objects: 0,
-            count: 0,
-        }
-    }
+impl Start {
+    /// Where the first one begins.
+    pub(super) const FIRST: Start = Start { variable: 0, entry: 0 };
+}
 
-    /// The number of objects.
-    pub(crate) fn len(&self) -> usize {
-        self.objects
-    }
+/// A stack of objects, each a symmetric matrix over some variables, in memory of the caller's.
+#[derive(Debug)]
+pub(crate) struct Objects<'r, S> {
+    /// The lower triangles, one behind the other.
+    pub(super) entries: &'r mut [S],
+    pub(super) variables: &'r mut [Variable],
+    /// What the displacement of each variable is of the motions of its node.
+    pub(super) rows: &'r mut [[S; MOST_FREEDOMS]],
+    /// Error of each row in units of rounding.
+    pub(super) errors: &'r mut [f64],
+    /// Where each object begins, and the next one would.
+    pub(super) starts: &'r mut [Start],
+    pub(super) count: usize,
+}
 
+impl<S: Scalar> Objects<'_, S> {
     /// The variables of an object.
-    pub(crate) fn range(&self, object: usize) -> Range<usize> {
-        let end = if object + 1 < self.objects { self.starts[object + 1] } else { self.count };
-        self.starts[object]..end
+    #[inline]
+    pub(super) fn range(&self, object: usize) -> Range<usize> {
+        self.starts[object].variable..self.starts[object + 1].variable
     }
 
     /// The variables of the last objects, from one on.
-    pub(crate) fn last(&self, from: usize) -> Range<usize> {
-        if from < self.objects { self.starts[from]..self.count } else { self.count..self.count }
+    #[inline]
+    pub(super) fn last(&self, from: usize) -> Range<usize> {
+        self.starts[from].variable..self.starts[self.count].variable
     }
 
-    /// The object of a variable.
-    pub(super) fn object_of(&self, place: usize) -> usize {
-        (0..self.objects).rev().find(|object| self.starts[*object] <= place).unwrap_or(0)
+    /// The entries of an object.
+    #[inline]
+    pub(super) fn triangle(&self, object: usize) -> &[S] {
+        &self.entries[self.starts[object].entry..self.starts[object + 1].entry]
     }
 
-    /// Opens an object. Returns its first variable.
-    fn open(&mut self) -> usize {
-        self.starts[self.objects] = self.count;
-        self.objects += 1;
-        self.count
+    /// Adds an object of so many variables. Returns its first variable and its first entry.
+    #[inline]
+    fn open(&mut self, variables: usize) -> Start {
+        let start = self.starts[self.count];
+        self.count += 1;
+        self.starts[self.count] = Start { variable: start.variable + variables, entry: start.entry + row(variables) };
+        start
     }
 
-    /// Adds a member by its chart, with labels from one on.
-    pub(crate) fn push_chart(&mut self, chart: &Chart<S>, label: usize, total: &mut Total<S>) {
-        let first = self.open();
-        for end in 0..2 {
+    /// Adds a member by its chart.
+    pub(crate) fn push_chart(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], total: &mut Total<S>) {
+        let freedoms = chart.freedoms.count();
+        let start = self.open(2 * freedoms);
+        let mut place = 0;
+        for end in ends {
             for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
                 if chart.freedoms.contains(kind) {
-                    let variable = chart.variable(self.count - first, end, freedom);
-                    self.variables[self.count] = Variable { label: label + variable.label, ..variable };
-                    self.count += 1;
+                    let is_rotation = freedom + 1 == MOST_FREEDOMS;
+                    self.variables[start.variable + place] = Variable {
+                        node: end.node,
+                        measure: chart.measure,
+                        unit: chart.units.of(is_rotation),
+                        is_force: chart.is_force(place),
+                        is_rotation,
+                        is_released: end.released.contains(kind),
+                    };
+                    self.rows[start.variable + place] = end.rows[freedom];
+                    place += 1;
                 }
             }
         }
-        for (row, entries) in self.entries[first..self.count].iter_mut().zip(&chart.entries) {
-            for (place, entry) in row.iter_mut().zip(entries) {
-                *place = *entry;
-            }
-        }
+        let entries = &chart.entries[..row(place)];
+        self.entries[start.entry..start.entry + row(place)].copy_from_slice(entries);
         if total.carries_errors {
-            for (error, entries) in self.errors[first..self.count].iter_mut().zip(&chart.entries) {
-                *error = entries.iter().fold(0.0, |largest, entry| entry.size().first().max(largest));
+            for (one, error) in self.errors[start.variable..start.variable + place].iter_mut().enumerate() {
+                let sizes = (0..place).map(|other| chart.entry(one, other).size().first());
+                *error = sizes.fold(0.0, f64::max);
             }
         }
         total.multiply(chart.product.mantissa(), chart.product.exponent());
         total.below = total.below + chart.below;
     }
 
-    /// Removes the last objects.
-    pub(crate) fn drop_last(&mut self, objects: usize) {
-        self.objects -= objects;
-        self.count = if objects == 0 { self.count } else { self.starts[self.objects] };
-    }
-
-    /// Adds what is left of a front, in units that are `2^shift` times as large.
-    pub(crate) fn push_front(&mut self, front: &Front<S, W>, shift: i32) {
-        let first = self.open();
-        self.count = first + front.boundary().len();
-        self.put_back(first, front, shift);
-    }
-
-    /// Puts the boundary of a front in the place of an object that begins with a variable.
-    pub(super) fn put_back(&mut self, first: usize, front: &Front<S, W>, shift: i32) {
-        let boundary = front.boundary();
-        let sign = |variable: &Variable| if variable.is_force { -shift } else { shift };
-        for (k, variable) in front.variables[boundary.clone()].iter().enumerate() {
-            self.variables[first + k] = Variable { unit: variable.unit + shift, ..*variable };
-            self.errors[first + k] = front.errors[boundary.start + k].times_power_of_two(2 * sign(variable));
-            let entries = &front.entries[boundary.start + k][boundary.clone()];
-            for ((place, entry), other) in
-                self.entries[first + k].iter_mut().zip(entries).zip(&front.variables[boundary.clone()])
-            {
-                *place = entry.times_power_of_two(sign(variable) + sign(other));
+    /// Replaces the last objects, from one on, by what is left of their front, in units that are `2^shift` times as large.
+    pub(super) fn replace_last(&mut self, from: usize, node: usize, front: &Front<'_, S>, shift: i32) {
+        let places = self.last(from);
+        self.count = from;
+        let Start { variable, entry } = self.open(front.boundary);
+        // those elsewhere are the boundary, in their order
+        let mut next = variable;
+        for place in places {
+            if self.variables[place].node != node {
+                self.rows[next] = self.rows[place];
+                next += 1;
             }
         }
+        let variables = &mut self.variables[variable..next];
+        variables.copy_from_slice(&front.variables[..front.boundary]);
+        self.errors[variable..next].copy_from_slice(&front.errors[..front.boundary]);
+        let entries = &mut self.entries[entry..entry + row(front.boundary)];
+        entries.copy_from_slice(&front.entries[..row(front.boundary)]);
+        if shift == 0 {
+            return;
+        }
+        let powers = [power_of_two(shift), power_of_two(-shift)];
+        for one in 0..front.boundary {
+            let own = powers[usize::from(variables[one].is_force)];
+            self.errors[variable + one] *= own * own;
+            variables[one].unit += shift;
+            for (entry, other) in entries[row(one)..].iter_mut().zip(&variables[..=one]) {
+                *entry = entry.scaled(own * powers[usize::from(other.is_force)]);
+            }
+        }
+    }
+
+    /// Puts the boundary of a front in the place of an object.
+    pub(super) fn replace(&mut self, object: usize, front: &Front<'_, S>) {
+        let Range { start, end } = self.range(object);
+        self.variables[start..end].copy_from_slice(&front.variables[..front.boundary]);
+        self.errors[start..end].copy_from_slice(&front.errors[..front.boundary]);
+        let at = self.starts[object].entry;
+        self.entries[at..at + row(front.boundary)].copy_from_slice(&front.entries[..row(front.boundary)]);
     }
 }

@@ -3,6 +3,7 @@
 use crate::number::{Scalar, Size};
 use crate::subspace::front::matrix::Front;
 use crate::subspace::front::total::Total;
+use crate::subspace::front::triangle::{self, row};
 
 /// What becomes of a variable that was a pivot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,7 +14,7 @@ pub(super) enum After {
     Flips,
 }
 
-impl<S: Scalar, const W: usize> Front<S, W> {
+impl<S: Scalar> Front<'_, S> {
     /// `log2` of the factor by which the unit of a variable has changed a pivot on it.
     #[inline]
     fn unit_power(&self, place: usize) -> i64 {
@@ -27,120 +28,205 @@ impl<S: Scalar, const W: usize> Front<S, W> {
         if self.variables[place].is_force { -number } else { number }
     }
 
-    /// Takes the products of the rows of pivots with their own columns from all others: `M_kl -= Σ_P M_kP (D⁻¹M)_Pl`.
-    #[inline(always)]
-    fn subtract<const N: usize>(&mut self, pivots: [usize; N], carries_errors: bool) {
-        if carries_errors {
-            self.carry_errors(pivots);
-        }
-        let (from, count) = (self.next, self.count);
-        for row in from..count {
-            let entries = &mut self.entries[row];
-            let factors = pivots.map(|pivot| entries[pivot]);
-            if pivots.contains(&row) || factors.iter().all(S::is_zero) {
-                continue;
-            }
-            let mut term = 0.0;
-            for (k, factor) in factors.iter().enumerate() {
-                let solved = &self.solved[k];
-                term += factor.size().first() * solved[row].size().first();
-                for (entry, solved) in entries[from..count].iter_mut().zip(&solved[from..count]) {
-                    *entry -= *factor * *solved;
-                }
-            }
-            self.terms[row] = if term > self.terms[row] { term } else { self.terms[row] };
-        }
-    }
-
-    /// Carries what rounding has done to the rows of pivots to all others, with what these lose by them.
+    /// Carries what rounding has done to the rows of pivots to all others, with what these lose by them, given the errors of pivots.
     #[cold]
-    fn carry_errors<const N: usize>(&mut self, pivots: [usize; N]) {
-        let (from, count) = (self.next, self.count);
+    fn carry_errors<const N: usize>(&mut self, of_pivots: [f64; N]) {
         let mut largest = [0.0_f64; N];
         for (largest, solved) in largest.iter_mut().zip(&self.solved) {
-            *largest = solved[from..count].iter().fold(0.0, |largest, entry| entry.size().first().max(largest));
+            *largest = solved[..self.count].iter().fold(0.0, |largest, entry| entry.size().first().max(largest));
         }
-        for row in (from..count).filter(|row| !pivots.contains(row)) {
+        for row in 0..self.count {
             let (mut of_row, mut inherited) = (0.0, 0.0);
-            for (k, pivot) in pivots.into_iter().enumerate() {
-                let (factor, part) = (self.size(row, pivot), self.solved[k][row].size().first());
+            for k in 0..N {
+                let (factor, part) = (self.pivots[k][row].size().first(), self.solved[k][row].size().first());
                 of_row += factor * largest[k];
-                inherited += part * part * self.errors[pivot];
+                inherited += part * part * of_pivots[k];
             }
             self.note_error(row, of_row.max(inherited));
         }
     }
 
-    /// Writes the row of a pivot as that of the other kind, given which of the solved rows is its own, and its error; entries among pivots
-    /// follow apart.
-    fn flip_row(&mut self, place: usize, own: usize, error: f64, total: &mut Total<S>) {
-        for other in self.next..self.count {
+    /// Writes the row of a pivot as that of the other kind, given which of the solved rows is its own, its diagonal entry, and its error.
+    fn flip(&mut self, place: usize, own: usize, diagonal: S, error: f64, total: &mut Total<S>) {
+        let mut largest = error;
+        for other in 0..self.count {
             let entry = self.signed(place, self.solved[own][other]);
-            self.entries[place][other] = entry;
-            self.entries[other][place] = entry;
+            self.entries[triangle::place(place, other)] = entry;
+            largest = largest.max(entry.size().first());
         }
+        self.entries[triangle::place(place, place)] = diagonal;
         self.terms[place] = 0.0;
-        if total.carries_errors {
-            let entries = self.entries[place][self.next..self.count].iter();
-            self.errors[place] = entries.fold(error, |largest, entry| entry.size().first().max(largest));
-        }
+        self.errors[place] = largest;
         if !self.variables[place].is_force {
             total.count(-1.0);
         }
     }
 
-    /// Pivots on one variable. One that leaves is the next one.
-    pub(super) fn pivot_on_one(&mut self, place: usize, after: After, total: &mut Total<S>) {
-        let pivot = self.entries[place][place];
+    /// Pivots on the last variable, which leaves.
+    #[inline]
+    pub(super) fn pivot_on_last(&mut self, total: &mut Total<S>) {
+        let last = self.count - 1;
+        let (rest, own) = self.entries[..row(self.count)].split_at_mut(row(last));
+        let pivot = own[last];
         let inverse = S::one() / pivot;
-        for (solved, entry) in self.solved[0][..self.count].iter_mut().zip(&self.entries[place][..self.count]) {
+        let solved = &mut self.solved[0][..last];
+        for (solved, entry) in solved.iter_mut().zip(&*own) {
             *solved = *entry * inverse;
         }
-        self.next += usize::from(after == After::Leaves);
-        self.subtract([place], total.carries_errors);
-        total.multiply(self.signed(place, pivot), self.unit_power(place));
+        subtract(rest, [&own[..last]], [solved], &mut self.terms[..last]);
+        total.multiply(self.signed(last, pivot), self.unit_power(last));
         total.count_if(pivot.is_negative());
-        if after == After::Flips {
-            let size = inverse.size().first();
-            self.flip_row(place, 0, size * size * self.errors[place], total);
-            self.entries[place][place] = -inverse;
-            self.variables[place].is_force ^= true;
+        self.count = last;
+        if total.carries_errors {
+            self.pivots[0][..last].copy_from_slice(&self.entries[row(last)..row(last) + last]);
+            self.carry_errors([self.errors[last]]);
         }
     }
 
-    /// Pivots on two variables. Those that leave are the next ones.
-    pub(super) fn pivot_on_two(&mut self, places: [usize; 2], after: [After; 2], total: &mut Total<S>) {
+    /// Flips a variable of the boundary.
+    pub(super) fn flip_one(&mut self, place: usize, total: &mut Total<S>) {
+        self.gather(0, place);
+        let pivot = self.pivots[0][place];
+        let inverse = S::one() / pivot;
+        total.multiply(self.signed(place, pivot), self.unit_power(place));
+        total.count_if(pivot.is_negative());
+        for (solved, entry) in self.solved[0][..self.count].iter_mut().zip(&self.pivots[0][..self.count]) {
+            *solved = *entry * inverse;
+        }
+        let error = self.errors[place];
+        let count = self.count;
+        subtract(
+            &mut self.entries[..row(count)],
+            [&self.pivots[0][..count]],
+            [&self.solved[0][..count]],
+            &mut self.terms[..count],
+        );
+        if total.carries_errors {
+            self.carry_errors([error]);
+        }
+        let size = inverse.size().first();
+        self.flip(place, 0, -inverse, size * size * error, total);
+        self.variables[place].is_force ^= true;
+    }
+
+    /// Pivots on the last two variables, which leave.
+    pub(super) fn pivot_on_last_two(&mut self, total: &mut Total<S>) {
+        let (i, j) = (self.count - 1, self.count - 2);
+        let (rest, others) = self.entries[..row(self.count)].split_at_mut(row(j));
+        let (two, one) = others.split_at(j + 1);
+        let block = Block::of([one[i], one[j], two[j]]);
+        let (one, two) = (&one[..j], &two[..j]);
+        let [solved, other] = &mut self.solved;
+        block.solve([one, two], [solved, other]);
+        subtract(rest, [one, two], [&solved[..j], &other[..j]], &mut self.terms[..j]);
+        if total.carries_errors {
+            self.pivots[0][..j].copy_from_slice(one);
+            self.pivots[1][..j].copy_from_slice(two);
+        }
+        self.count = j;
+        self.multiply_by(&block, [i, j], total);
+        if total.carries_errors {
+            self.carry_errors([self.errors[i], self.errors[j]]);
+        }
+    }
+
+    /// Pivots on two variables, of which the second one flips on the boundary and the first one, too, or leaves as the last one.
+    pub(super) fn pivot_on_two(&mut self, places: [usize; 2], after: After, total: &mut Total<S>) {
         let [i, j] = places;
-        let (a, b, c) = (self.entries[i][i], self.entries[i][j], self.entries[j][j]);
+        self.gather(0, i);
+        self.gather(1, j);
+        let block = Block::of([self.pivots[0][i], self.pivots[0][j], self.pivots[1][j]]);
+        self.multiply_by(&block, places, total);
+        self.count -= usize::from(after == After::Leaves);
+        let count = self.count;
+        let pivots = [&self.pivots[0][..count], &self.pivots[1][..count]];
+        let [solved, other] = &mut self.solved;
+        block.solve(pivots, [solved, other]);
+        subtract(
+            &mut self.entries[..row(count)],
+            pivots,
+            [&solved[..count], &other[..count]],
+            &mut self.terms[..count],
+        );
+        let errors = places.map(|place| self.errors[place]);
+        if total.carries_errors {
+            self.carry_errors(errors);
+        }
+        let [own, between, other] = block.inverse;
+        let flipped = -self.signed(i, self.signed(j, between));
+        let [of_own, cross, of_other] = block.inverse.map(|entry| entry.size().first() * entry.size().first());
+        self.flip(j, 1, -other, cross * errors[0] + of_other * errors[1], total);
+        if after == After::Flips {
+            self.flip(i, 0, -own, of_own * errors[0] + cross * errors[1], total);
+            self.entries[triangle::place(i, j)] = flipped;
+            self.variables[i].is_force ^= true;
+        }
+        self.variables[j].is_force ^= true;
+    }
+
+    /// Multiplies Δ by a pivot on two variables, and counts it.
+    fn multiply_by(&self, block: &Block<S>, [i, j]: [usize; 2], total: &mut Total<S>) {
+        let determinant = self.signed(i, self.signed(j, block.determinant));
+        total.multiply(determinant, self.unit_power(i) + self.unit_power(j));
+        let definite = S::Size::choose(block.is_first_negative, S::Size::of(2.0), S::Size::of(0.0));
+        let negative = S::Size::choose(block.determinant.is_negative(), S::Size::of(1.0), definite);
+        total.below = total.below + negative;
+    }
+}
+
+/// A pivot on two variables.
+struct Block<S: Scalar> {
+    determinant: S,
+    is_first_negative: S::Truth,
+    /// The inverse: of the first variable, of both, of the second one.
+    inverse: [S; 3],
+}
+
+impl<S: Scalar> Block<S> {
+    /// The block with these entries.
+    #[inline(always)]
+    fn of([a, b, c]: [S; 3]) -> Self {
         let determinant = a * c - b * b;
         let inverse = S::one() / determinant;
-        let (own, between, other) = (c * inverse, -(b * inverse), a * inverse);
-        for column in self.next..self.count {
-            let (one, two) = (self.entries[i][column], self.entries[j][column]);
-            self.solved[0][column] = own * one + between * two;
-            self.solved[1][column] = between * one + other * two;
+        let inverse = [c * inverse, -(b * inverse), a * inverse];
+        Block { determinant, is_first_negative: a.is_negative(), inverse }
+    }
+
+    /// Divides the rows of both variables by the block.
+    #[inline(always)]
+    fn solve(&self, [one, two]: [&[S]; 2], [solved, other_solved]: [&mut [S]; 2]) {
+        let [own, between, other] = self.inverse;
+        for (((one, two), solved), other_solved) in one.iter().zip(two).zip(solved).zip(other_solved) {
+            *solved = own * *one + between * *two;
+            *other_solved = between * *one + other * *two;
         }
-        self.next += after.into_iter().filter(|after| *after == After::Leaves).count();
-        self.subtract(places, total.carries_errors);
-        let signed = self.signed(i, self.signed(j, determinant));
-        total.multiply(signed, self.unit_power(i) + self.unit_power(j));
-        let definite = S::Size::choose(a.is_negative(), S::Size::of(2.0), S::Size::of(0.0));
-        total.below = total.below + S::Size::choose(determinant.is_negative(), S::Size::of(1.0), definite);
-        let flipped = -self.signed(i, self.signed(j, between));
-        let errors = places.map(|place| self.errors[place]);
-        let square = |number: S| number.size().first() * number.size().first();
-        let cross = square(between);
-        let errors = [square(own) * errors[0] + cross * errors[1], cross * errors[0] + square(other) * errors[1]];
-        for k in (0..2).filter(|k| after[*k] == After::Flips) {
-            self.flip_row(places[k], k, errors[k], total);
+    }
+}
+
+/// Takes the products of the rows of pivots with their own columns from a triangle: `M_kl -= Σ_P M_kP (D⁻¹M)_Pl`. Notes the sizes of the
+/// terms on the diagonal.
+#[inline(always)]
+fn subtract<S: Scalar, const N: usize>(
+    triangle: &mut [S],
+    pivots: [&[S]; N],
+    solved: [&[S]; N],
+    largest_terms: &mut [f64],
+) {
+    let mut rest = triangle;
+    for (k, largest) in largest_terms.iter_mut().enumerate() {
+        let (entries, others) = rest.split_at_mut(k + 1);
+        rest = others;
+        let factors = pivots.map(|pivot| pivot[k]);
+        if factors.iter().all(S::is_zero) {
+            continue;
         }
-        for (k, diagonal) in [own, other].into_iter().enumerate().filter(|(k, _)| after[*k] == After::Flips) {
-            self.entries[places[k]][places[k]] = -diagonal;
-            self.variables[places[k]].is_force ^= true;
+        let mut term = 0.0;
+        for (factor, solved) in factors.into_iter().zip(solved) {
+            term += factor.size().first() * solved[k].size().first();
+            for (entry, solved) in entries.iter_mut().zip(solved) {
+                *entry -= factor * *solved;
+            }
         }
-        if after == [After::Flips; 2] {
-            self.entries[i][j] = flipped;
-            self.entries[j][i] = flipped;
-        }
+        *largest = if term > *largest { term } else { *largest };
     }
 }

@@ -27,6 +27,11 @@ impl<S: Scalar> Total<S> {
         Total { product, exponent: 0, below, carries_errors, has_vanished: false, smallest_row: [1.0; 2] }
     }
 
+    /// Not a number, of a network that could not be evaluated.
+    pub(crate) fn unknown() -> Self {
+        Total { product: S::from_f64(f64::NAN), ..Total::new(false) }
+    }
+
     /// Δ, once all variables are eliminated.
     pub(crate) fn delta(&self) -> Scaled<S> {
         Scaled::new(self.product, self.exponent)

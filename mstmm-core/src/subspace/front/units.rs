@@ -1,7 +1,12 @@
 //! Units in which the sizes of entries compare: they decide which pivots are taken, and round nothing.
 
 use crate::number::{Scalar, Size, binary_exponent};
-use crate::subspace::front::matrix::{Front, Measure, Variable};
+use crate::subspace::front::matrix::Front;
+use crate::subspace::front::triangle::row;
+use crate::subspace::front::variable::{Measure, Variable};
+
+/// The largest and, negative, the smallest logarithm of a unit: products of two powers of such units stay in the range.
+const LARGEST: i32 = 200;
 
 /// Logarithms to base 2 of the units of displacements and of rotations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,8 +17,15 @@ pub(crate) struct Units {
 
 impl Units {
     /// The unit of a kind of motion.
+    #[inline]
     pub(crate) fn of(&self, is_rotation: bool) -> i32 {
         if is_rotation { self.rotation } else { self.displacement }
+    }
+
+    /// Units whose powers of two stay in the range of numbers.
+    pub(crate) fn in_range(self) -> Self {
+        let [displacement, rotation] = [self.displacement, self.rotation].map(|unit| unit.clamp(-LARGEST, LARGEST));
+        Units { displacement, rotation }
     }
 }
 
@@ -67,7 +79,7 @@ impl NodeUnits {
             rotation = rotation.max(displacement + wave);
             displacement = displacement.max(rotation - wave);
         }
-        Units { displacement, rotation }
+        Units { displacement, rotation }.in_range()
     }
 }
 
@@ -76,20 +88,24 @@ pub(crate) fn unit_of(exponent: i32) -> i32 {
     -(exponent.div_euclid(2) + 1)
 }
 
-impl<S: Scalar, const W: usize> Front<S, W> {
+impl<S: Scalar> Front<'_, S> {
     /// Logarithm to base 2 of the factor on the units of the boundary by which its largest stiffness and its largest flexibility agree.
-    pub(crate) fn balance(&self) -> i32 {
+    pub(super) fn balance(&self) -> i32 {
         let mut largest = [0.0_f64; 2];
-        for place in self.boundary() {
-            let kind = usize::from(self.variables[place].is_force);
-            largest[kind] = largest[kind].max(self.entries[place][place].size().first());
+        let (mut least, mut greatest) = (0, 0);
+        for (place, variable) in self.variables[..self.boundary].iter().enumerate() {
+            let kind = usize::from(variable.is_force);
+            let size = self.entries[row(place) + place].size().first();
+            largest[kind] = largest[kind].max(size);
+            (least, greatest) = (variable.unit.min(least), variable.unit.max(greatest));
         }
         let exponent = |size: f64| (size > 0.0 && size < f64::INFINITY).then(|| binary_exponent(size));
-        match largest.map(exponent) {
+        let shift = match largest.map(exponent) {
             [Some(stiffness), Some(flexibility)] => (flexibility - stiffness).div_euclid(4),
             [Some(stiffness), None] => -stiffness.div_euclid(2),
             [None, Some(flexibility)] => flexibility.div_euclid(2),
             [None, None] => 0,
-        }
+        };
+        shift.clamp(-LARGEST - least, LARGEST - greatest)
     }
 }

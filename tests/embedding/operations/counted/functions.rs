@@ -74,6 +74,10 @@ impl Scalar for Counted {
     fn times_power_of_two(self, exponent: i32) -> Self {
         self.unary(Operation::Free, self.value.times_power_of_two(exponent))
     }
+
+    fn scaled(self, power: f64) -> Self {
+        self.unary(Operation::Free, self.value.scaled(power))
+    }
 }
 
 impl Parameter for Counted {
