@@ -41,6 +41,9 @@ pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, s
 pub use element::visit::{Visit, VisitStep};
 pub use elements::any_member::{AnyMember, BuiltAnyMember, BuiltUndampedMember, Section, UndampedMember};
 pub use elements::joint::Joint;
+pub use elements::shared::bending_chart::BendingWaves;
+pub use elements::shared::chart_scalar::ChartScalar;
+pub use elements::shared::longitudinal_chart::LongitudinalWaves;
 pub use elements::{AnyElement, AnyUndamped};
 pub use model::chain_rule::{Chain, ChainRule, Fields, NamedFields};
 pub use model::ends::Ends;

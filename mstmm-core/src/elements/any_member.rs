@@ -3,6 +3,7 @@
 use crate::element::{Charted, Element, MemberChart, MemberElement};
 use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
+use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::connector::along_member;
 use crate::elements::{Damper, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 use crate::model::{FrequencyEstimates, InvalidParameter};
@@ -118,7 +119,7 @@ macro_rules! any_member {
             }
         }
 
-        impl<T: Real, S: $frequency<T>> MemberChart<S> for $name<T> {
+        impl<T: Real, S: $frequency<T> + ChartScalar> MemberChart<S> for $name<T> {
             fn chart(built: &$built<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
                 match built {
                     $built::Beam(beam) => <PlanarBeam<T> as Charted<S>>::chart(beam, at, length),

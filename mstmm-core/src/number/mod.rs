@@ -1,5 +1,6 @@
 //! Numbers: real, complex, dual and double-double; nothing here knows mechanics.
 
+pub(crate) mod compiled;
 pub(crate) mod complex;
 pub(crate) mod double_double;
 pub(crate) mod doubt;
@@ -24,6 +25,7 @@ pub(crate) mod truth;
 pub(crate) mod wave_functions;
 pub(crate) mod waves;
 
+pub(crate) use compiled::for_compiled_numbers;
 #[cfg(test)]
 pub(crate) use double_double::DoubleDouble;
 pub(crate) use doubt::{

@@ -3,11 +3,12 @@
 use crate::element::Charted;
 use crate::elements::beam::{Beam, BuiltBeam};
 use crate::elements::shared::bending_chart::{BendingWaves, beam_units};
+use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::number::{Frequency, FrequencyPowers, Parameter};
 use crate::subspace::{Chart, Measure};
 use mstmm_plan::Freedoms;
 
-impl<T: Parameter, S: Frequency<T>> Charted<S> for Beam<T> {
+impl<T: Parameter, S: Frequency<T> + ChartScalar> Charted<S> for Beam<T> {
     fn chart(built: &BuiltBeam<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
         let Beam { length: own, bending_stiffness, mass_per_length } = built.parameters;
         let waves = if S::IS_EXTENDED {
@@ -20,7 +21,7 @@ impl<T: Parameter, S: Frequency<T>> Charted<S> for Beam<T> {
         let measures = [own, bending_stiffness, mass_per_length];
         let (units, wave) = beam_units(&waves, measures, f64::INFINITY, at.lambda_squared);
         let mut chart = Chart::empty(Freedoms::Y.union(Freedoms::RZ), units, Measure::Member(wave));
-        waves.enter(&mut chart, [0, 1, 2, 3]);
+        S::enter_bending(&waves, &mut chart, [0, 1, 2, 3]);
         chart
     }
 }

@@ -3,6 +3,7 @@
 use crate::element::Charted;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::bending_chart::{BendingWaves, beam_units};
+use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
 use crate::number::{Frequency, FrequencyPowers, Parameter, Size};
 use crate::subspace::{Chart, Measure};
@@ -42,7 +43,7 @@ impl<T: Parameter> BuiltPlanarBeam<T> {
     }
 }
 
-impl<T: Parameter, S: Frequency<T>> Charted<S> for PlanarBeam<T> {
+impl<T: Parameter, S: Frequency<T> + ChartScalar> Charted<S> for PlanarBeam<T> {
     fn chart(built: &BuiltPlanarBeam<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
         let (bending, longitudinal) = built.waves(at, length);
         let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = built.parameters;
@@ -51,8 +52,8 @@ impl<T: Parameter, S: Frequency<T>> Charted<S> for PlanarBeam<T> {
         let measures = [length, bending_stiffness, mass_per_length];
         let (units, wave) = beam_units(&bending, measures, axial, at.lambda_squared);
         let mut chart = Chart::empty(Freedoms::ALL, units, Measure::Member(wave));
-        bending.enter(&mut chart, BENDING);
-        longitudinal.enter(&mut chart, LONGITUDINAL);
+        S::enter_bending(&bending, &mut chart, BENDING);
+        S::enter_longitudinal(&longitudinal, &mut chart, LONGITUDINAL);
         chart
     }
 }

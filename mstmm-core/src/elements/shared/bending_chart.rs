@@ -8,7 +8,8 @@ use crate::subspace::{Chart, Units, unit_of};
 use core::f64::consts::FRAC_1_PI;
 
 /// What the bending of a beam is made of: the wave number times the length, the stiffness, and the length.
-pub(crate) struct BendingWaves<S> {
+#[derive(Clone, Copy, Debug)]
+pub struct BendingWaves<S> {
     /// `z⁴ = -mλ²l⁴/EI` and z.
     pub(crate) z_fourth: S,
     pub(crate) z: S,
@@ -45,7 +46,7 @@ impl<S: Scalar> BendingWaves<S> {
     }
 
     /// Enters deflections and rotations of both ends into a chart, at their places.
-    pub(crate) fn enter(&self, chart: &mut Chart<S>, places: [usize; 4]) {
+    pub(super) fn enter(&self, chart: &mut Chart<S>, places: [usize; 4]) {
         let factors = Factors::new(self.stiffness, self.length);
         self.form().enter(chart, places, [false, true, false, true], &factors);
     }

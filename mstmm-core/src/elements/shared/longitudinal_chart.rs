@@ -6,7 +6,8 @@ use crate::subspace::Chart;
 use core::f64::consts::FRAC_1_PI;
 
 /// What longitudinal vibration is made of: the wave number times the length, and the stiffness.
-pub(crate) struct LongitudinalWaves<S> {
+#[derive(Clone, Copy, Debug)]
+pub struct LongitudinalWaves<S> {
     /// `ζ² = -mλ²l²/EA` and ζ.
     pub(crate) zeta_squared: S,
     pub(crate) zeta: S,
@@ -16,7 +17,7 @@ pub(crate) struct LongitudinalWaves<S> {
 
 impl<S: Scalar> LongitudinalWaves<S> {
     /// Enters the displacements of both ends into a chart, at their places.
-    pub(crate) fn enter(&self, chart: &mut Chart<S>, places: [usize; 2]) {
+    pub(super) fn enter(&self, chart: &mut Chart<S>, places: [usize; 2]) {
         self.form().enter(chart, places, [false; 2], &Factors::new(self.stiffness, S::one()));
     }
 

@@ -3,6 +3,7 @@
 pub(crate) mod back_transfer;
 pub(crate) mod bending_chart;
 pub(crate) mod chart_form;
+pub(crate) mod chart_scalar;
 pub(crate) mod compound;
 pub(crate) mod connector;
 pub(crate) mod krylov;

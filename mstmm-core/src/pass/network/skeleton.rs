@@ -50,7 +50,7 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
 
     /// Adds the bodies to the estimates from which searches take their first steps.
     pub fn estimate(&self, estimates: &mut FrequencyEstimates) {
-        self.nodes.iter().for_each(|node| node.estimate(estimates));
+        estimate_nodes(&self.nodes, estimates);
     }
 }
 
@@ -64,6 +64,11 @@ impl<T, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBERS> {
     pub fn placement(&self, member: usize) -> &Placement<T> {
         &self.placements[member]
     }
+}
+
+/// Adds bodies to the estimates: a loop, which would stand in line for each number of nodes.
+fn estimate_nodes<T: Real>(nodes: &[Node<T>], estimates: &mut FrequencyEstimates) {
+    nodes.iter().for_each(|node| node.estimate(estimates));
 }
 
 /// Builds a member under its name in the model: a call, since a frame has hundreds of them and builds them once.

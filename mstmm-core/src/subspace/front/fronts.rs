@@ -1,7 +1,6 @@
 //! Fronts at work: objects are taken up node by node, and what is left of each front is the next object.
 
-use crate::number::double_double::DoubleDouble;
-use crate::number::{Dual, Scalar};
+use crate::number::{Scalar, for_compiled_numbers};
 use crate::subspace::front::assembly::Target;
 use crate::subspace::front::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
 use crate::subspace::front::eliminate::Choice;
@@ -9,7 +8,6 @@ use crate::subspace::front::matrix::Front;
 use crate::subspace::front::objects::{Objects, Start};
 use crate::subspace::front::total::Total;
 use crate::subspace::front::variable::Variable;
-use num_complex::Complex;
 
 /// Memory for fronts of up to `W` variables at once.
 #[derive(Debug)]
@@ -157,22 +155,7 @@ macro_rules! compiled {
     )*};
 }
 
-const ZERO: DoubleDouble = DoubleDouble::ZERO;
-
-compiled! {
-    f32, 0.0;
-    f64, 0.0;
-    DoubleDouble, ZERO;
-    Complex<f32>, Complex::new(0.0, 0.0);
-    Complex<f64>, Complex::new(0.0, 0.0);
-    Complex<DoubleDouble>, Complex::new(ZERO, ZERO);
-    Dual<f32>, Dual { value: 0.0, derivative: 0.0 };
-    Dual<f64>, Dual { value: 0.0, derivative: 0.0 };
-    Dual<DoubleDouble>, Dual { value: ZERO, derivative: ZERO };
-    Dual<Complex<f32>>, Dual { value: Complex::new(0.0, 0.0), derivative: Complex::new(0.0, 0.0) };
-    Dual<Complex<f64>>, Dual { value: Complex::new(0.0, 0.0), derivative: Complex::new(0.0, 0.0) };
-    Dual<Complex<DoubleDouble>>, Dual { value: Complex::new(ZERO, ZERO), derivative: Complex::new(ZERO, ZERO) };
-}
+for_compiled_numbers!(compiled);
 
 /// Fronts have no lanes.
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
