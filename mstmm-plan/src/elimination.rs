@@ -94,11 +94,60 @@ impl<'a> Incidence<'a> {
     }
 }
 
-/// Orders the nodes of a connected network for a memory that holds one front upon the other: when a node is eliminated, the fronts that
-/// it takes up are the last ones.
+/// The first node that has no part in hanging together with the first one, given memory for a number per node.
+pub const fn apart(members: &[[usize; 2]], part_of: &mut [usize]) -> Option<usize> {
+    let mut node = 0;
+    while node < part_of.len() {
+        part_of[node] = node;
+        node += 1;
+    }
+    let mut member = 0;
+    while member < members.len() {
+        let [one, other] = [root(part_of, members[member][0]), root(part_of, members[member][1])];
+        // the first of both stands for the part
+        if one < other {
+            part_of[other] = one;
+        } else {
+            part_of[one] = other;
+        }
+        member += 1;
+    }
+    let mut node = 0;
+    while node < part_of.len() {
+        if root(part_of, node) != 0 {
+            return Some(node);
+        }
+        node += 1;
+    }
+    None
+}
+
+/// The node that stands for the part of another one; the way there is halved.
+const fn root(part_of: &mut [usize], node: usize) -> usize {
+    let mut node = node;
+    while part_of[node] != node {
+        part_of[node] = part_of[part_of[node]];
+        node = part_of[node];
+    }
+    node
+}
+
+/// The nodes of a member, given whether each rests: an end at a node without motions counts among those at the other one, so that
+/// such a node is not eliminated.
+pub const fn in_motion([from, to]: [usize; 2], rest: [bool; 2]) -> [usize; 2] {
+    match rest {
+        [false, false] => [from, to],
+        [true, false] => [to; 2],
+        [_, true] => [from; 2],
+    }
+}
+
+/// Orders the nodes of a network that have members for a memory that holds one front upon the other: when a node is eliminated, the fronts
+/// that it takes up are the last ones.
 ///
 /// Each node is chosen such that it cuts the fewest members, among equals with most that are cut already: a chain is followed from its end,
-/// a building storey by storey, a star from the tips of its arms. Returns how many nodes hang together with the first one that was chosen.
+/// a building storey by storey, a star from the tips of its arms. The last node also takes up what is left of parts that hang together
+/// through nodes at rest alone: nothing. Returns how many nodes there are in the order.
 pub(crate) const fn eliminated_in_order(
     incidence: &Incidence<'_>,
     nodes: &mut [Elimination],
@@ -108,19 +157,32 @@ pub(crate) const fn eliminated_in_order(
     let mut k = 0;
     while k < nodes.len() {
         let node = next_node(incidence, nodes);
+        if node == NONE {
+            break;
+        }
         take_up(incidence, nodes, node);
         last = node;
         k += 1;
     }
-    if last == NONE { 0 } else { upon_each_other(nodes, last, order) }
+    if last == NONE {
+        return 0;
+    }
+    let mut node = 0;
+    while node < nodes.len() {
+        if nodes[node].is_eliminated && nodes[node].parent == NONE && node != last {
+            give_to(nodes, node, last);
+        }
+        node += 1;
+    }
+    upon_each_other(nodes, last, order)
 }
 
-/// The node that is not eliminated yet and cuts the fewest members; of several the one at which most are cut already.
+/// The node with members that is not eliminated yet and cuts the fewest ones; of several the one at which most are cut already.
 const fn next_node(incidence: &Incidence<'_>, nodes: &[Elimination]) -> usize {
     let (mut best, mut least) = (NONE, Boundary { ends: 0, new: usize::MAX, taken: 0 });
     let mut node = 0;
     while node < nodes.len() {
-        if !nodes[node].is_eliminated {
+        if !nodes[node].is_eliminated && !incidence.ends(node).is_empty() {
             let own = boundary(incidence, nodes, node);
             if own.new < least.new || (own.new == least.new && own.taken > least.taken) {
                 (best, least) = (node, own);
@@ -185,6 +247,13 @@ const fn is_first(incidence: &Incidence<'_>, nodes: &[Elimination], node: usize,
     true
 }
 
+/// Lets a node take up the front of another one.
+const fn give_to(nodes: &mut [Elimination], front: usize, node: usize) {
+    nodes[front].parent = node;
+    nodes[front].next_sibling = nodes[node].first_child;
+    nodes[node].first_child = front;
+}
+
 /// Eliminates a node: the fronts next to it become its own.
 const fn take_up(incidence: &Incidence<'_>, nodes: &mut [Elimination], node: usize) {
     let here = incidence.ends(node);
@@ -195,9 +264,7 @@ const fn take_up(incidence: &Incidence<'_>, nodes: &mut [Elimination], node: usi
         if nodes[other].is_eliminated {
             let front = front_of(nodes, other);
             if front != node {
-                nodes[front].parent = node;
-                nodes[front].next_sibling = nodes[node].first_child;
-                nodes[node].first_child = front;
+                give_to(nodes, front, node);
             }
         }
         k += 1;
@@ -269,8 +336,18 @@ mod tests {
     }
 
     #[test]
-    fn parts_that_nothing_joins_are_not_counted() {
-        assert!(order::<4>(&[[0, 1], [2, 3]]).1 < 4);
-        assert_eq!(order::<1>(&[]).1, 1);
+    fn parts_that_nothing_joins_are_found() {
+        assert_eq!(apart(&[[0, 1], [2, 3]], &mut [0; 4]), Some(2));
+        assert_eq!(apart(&[[3, 1], [2, 3], [1, 0]], &mut [0; 4]), None);
+        assert_eq!(apart(&[], &mut [0; 1]), None);
+    }
+
+    #[test]
+    fn parts_that_hang_together_at_rest_alone_stand_in_one_order() {
+        // node 2 is held, and both members end at it
+        let members = [in_motion([0, 2], [false, true]), in_motion([2, 1], [true, false])];
+        assert_eq!(members, [[0, 0], [1, 1]]);
+        assert_eq!(order::<3>(&members), ([0, 1, 0], 2));
+        assert_eq!(in_motion([4, 3], [true, true]), [4, 4]);
     }
 }

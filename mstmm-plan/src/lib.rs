@@ -20,7 +20,7 @@ mod step;
 mod support;
 
 pub use coordinate::Coordinate;
-pub use elimination::{Elimination, Incidence};
+pub use elimination::{Elimination, Incidence, apart, in_motion};
 pub use freedom::Freedoms;
 pub use layout::Layout;
 pub use network_order::{NetworkOrder, OrderMemory, OrderRoom};

@@ -1,13 +1,13 @@
 //! The order in which an evaluation goes through a network: computed once, in memory of a fixed size.
 
-use crate::elimination::{Elimination, Incidence, eliminated_in_order};
+use crate::elimination::{Elimination, Incidence, apart, eliminated_in_order, in_motion};
 
 /// A network as an evaluation goes through it.
 #[derive(Clone, Copy, Debug)]
 pub struct NetworkOrder<'a> {
     /// Which members each node has.
     pub incidence: Incidence<'a>,
-    /// The nodes in the order of their elimination.
+    /// The nodes in the order of their elimination; those at rest leave with their members.
     pub nodes: &'a [usize],
     /// The place of each node in that order.
     ranks: &'a [usize],
@@ -22,7 +22,8 @@ impl NetworkOrder<'_> {
         self.ranks[other] > self.ranks[node] || (other == node && end.is_multiple_of(2))
     }
 
-    /// The largest number of variables at once, if all of them stay: of motions of each node and freedoms of each end.
+    /// The largest number of variables at once, if all of them stay: of motions of each node and freedoms of each end. There is one more
+    /// than those of members.
     pub fn width(&self, motions: impl Fn(usize) -> usize, freedoms: impl Fn(usize) -> usize) -> usize {
         let (mut count, mut widest) = (0, 0);
         for &node in self.nodes {
@@ -33,7 +34,7 @@ impl NetworkOrder<'_> {
                 }
                 leaving += freedoms(end);
             }
-            widest = widest.max(count + entering + motions(node));
+            widest = widest.max(count + entering + motions(node).max(1));
             count += entering;
             count -= leaving;
         }
@@ -59,19 +60,11 @@ pub struct OrderMemory<'a> {
 }
 
 impl<'a> OrderMemory<'a> {
-    /// Puts a network in order, given the two nodes of each member.
-    ///
-    /// # Errors
-    /// A node that nothing joins to the others.
-    pub const fn set_in_order(self, members: &'a [[usize; 2]]) -> Result<NetworkOrder<'a>, usize> {
+    /// Puts a network in order, given the two nodes of each member. Nodes without members stand in none.
+    pub const fn set_in_order(self, members: &'a [[usize; 2]]) -> NetworkOrder<'a> {
         let OrderMemory { ends, first_end, nodes, ranks, taken_up, elimination } = self;
         let incidence = Incidence::new(members, first_end, ends.as_flattened_mut());
         let count = eliminated_in_order(&incidence, elimination, nodes);
-        let mut node = 0;
-        while node < nodes.len() {
-            ranks[node] = usize::MAX;
-            node += 1;
-        }
         let mut rank = 0;
         while rank < count {
             let node = nodes[rank];
@@ -79,14 +72,7 @@ impl<'a> OrderMemory<'a> {
             taken_up[node] = Elimination::taken_up(elimination, node);
             rank += 1;
         }
-        let mut node = 0;
-        while node < nodes.len() {
-            if ranks[node] == usize::MAX {
-                return Err(node);
-            }
-            node += 1;
-        }
-        Ok(NetworkOrder { incidence, nodes, ranks, taken_up })
+        NetworkOrder { incidence, nodes: nodes.split_at(count).0, ranks, taken_up }
     }
 }
 
@@ -99,6 +85,8 @@ pub struct OrderRoom<const NODES: usize, const MEMBERS: usize> {
     nodes: [usize; NODES],
     ranks: [usize; NODES],
     taken_up: [usize; NODES],
+    /// How many nodes there are in the order.
+    in_order: usize,
 }
 
 impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
@@ -110,28 +98,39 @@ impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
         nodes: [0; NODES],
         ranks: [0; NODES],
         taken_up: [0; NODES],
+        in_order: 0,
     };
 
-    /// The order of a network that fills the memory and hangs together, from the two nodes of each member.
+    /// The order of a network that fills the memory, from the two nodes of each member.
     pub const fn of(members: [[usize; 2]; MEMBERS]) -> Self {
         let mut room = OrderRoom { members, ..Self::EMPTY };
-        assert!(room.set_in_order(NODES, MEMBERS).is_none(), "the network does not hang together");
+        room.set_in_order(NODES, MEMBERS);
         room
     }
 
-    /// Puts a network in order, given its number of nodes and the two nodes of each member. Returns a node that nothing joins to the
-    /// others, if there is one.
-    pub fn fill(&mut self, nodes: usize, members: impl ExactSizeIterator<Item = [usize; 2]>) -> Option<usize> {
+    /// Puts a network in order, given whether each node rests, their number, and the two nodes of each member. Returns a node that nothing
+    /// joins to the others, if there is one.
+    pub fn fill(
+        &mut self,
+        nodes: usize,
+        rests: impl Fn(usize) -> bool,
+        members: impl ExactSizeIterator<Item = [usize; 2]>,
+    ) -> Option<usize> {
         let count = members.len();
         for (place, pair) in self.members.iter_mut().zip(members) {
             *place = pair;
         }
-        self.set_in_order(nodes, count)
+        let alone = apart(&self.members[..count], &mut self.ranks[..nodes]);
+        for pair in &mut self.members[..count] {
+            *pair = in_motion(*pair, pair.map(&rests));
+        }
+        self.set_in_order(nodes, count);
+        alone
     }
 
-    const fn set_in_order(&mut self, nodes: usize, members: usize) -> Option<usize> {
+    const fn set_in_order(&mut self, nodes: usize, members: usize) {
         let mut elimination = [Elimination::UNKNOWN; NODES];
-        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, taken_up } = self;
+        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, taken_up, in_order } = self;
         let memory = OrderMemory {
             ends: ends.as_mut_slice().split_at_mut(members).0,
             first_end: first_end.as_mut_slice().split_at_mut(nodes).0,
@@ -140,20 +139,17 @@ impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
             taken_up: taken_up.as_mut_slice().split_at_mut(nodes).0,
             elimination: elimination.split_at_mut(nodes).0,
         };
-        match memory.set_in_order(pairs.as_slice().split_at(members).0) {
-            Ok(_) => None,
-            Err(node) => Some(node),
-        }
+        *in_order = memory.set_in_order(pairs.as_slice().split_at(members).0).nodes.len();
     }
 
     /// The order of so many nodes and members.
     pub const fn order(&self, nodes: usize, members: usize) -> NetworkOrder<'_> {
-        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, taken_up } = self;
+        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, taken_up, in_order } = self;
         let ends = ends.as_slice().split_at(members).0.as_flattened();
         let pairs = pairs.as_slice().split_at(members).0;
         NetworkOrder {
             incidence: Incidence::sorted(pairs, first_end.as_slice().split_at(nodes).0, ends),
-            nodes: order.as_slice().split_at(nodes).0,
+            nodes: order.as_slice().split_at(*in_order).0,
             ranks: ranks.as_slice().split_at(nodes).0,
             taken_up: taken_up.as_slice().split_at(nodes).0,
         }
@@ -184,7 +180,7 @@ mod tests {
     fn width(members: &[[usize; 2]]) -> usize {
         let nodes = 1 + members.iter().flatten().max().unwrap();
         let mut room = OrderRoom::<500, 900>::EMPTY;
-        assert_eq!(room.fill(nodes, members.iter().copied()), None);
+        assert_eq!(room.fill(nodes, |_| false, members.iter().copied()), None);
         room.order(nodes, members.len()).width(|_| 3, |_| 3)
     }
 
@@ -205,7 +201,7 @@ mod tests {
     #[test]
     fn a_constant_and_a_larger_room_have_one_order() {
         let mut room = OrderRoom::<7, 9>::EMPTY;
-        assert_eq!(room.fill(4, [[2, 0], [0, 3], [3, 1]].into_iter()), None);
+        assert_eq!(room.fill(4, |_| false, [[2, 0], [0, 3], [3, 1]].into_iter()), None);
         let (one, other) = (CHAIN.order(4, 3), room.order(4, 3));
         assert_eq!((one.nodes, one.taken_up), (other.nodes, other.taken_up));
         assert_eq!(one.nodes, [1, 3, 0, 2]);
@@ -216,6 +212,6 @@ mod tests {
     #[test]
     fn a_node_that_nothing_joins_is_named() {
         let mut room = OrderRoom::<4, 2>::EMPTY;
-        assert_eq!(room.fill(4, [[0, 1], [2, 3]].into_iter()), Some(0));
+        assert_eq!(room.fill(4, |_| false, [[0, 1], [2, 3]].into_iter()), Some(2));
     }
 }

@@ -1,7 +1,7 @@
 //! The order in which an evaluation goes through a skeleton, and its loops.
 
 use super::Skeleton;
-use mstmm_plan::{Elimination, NetworkOrder, OrderMemory};
+use mstmm_plan::{Elimination, NetworkOrder, OrderMemory, apart, in_motion};
 
 impl Skeleton<'_> {
     /// Asks the order of the nodes.
@@ -10,6 +10,11 @@ impl Skeleton<'_> {
     /// The name of a node that no member joins to the others.
     pub(crate) fn in_order<R>(&self, ask: impl FnOnce(NetworkOrder<'_>) -> R) -> Result<R, String> {
         let pairs: Vec<[usize; 2]> = self.members.iter().map(|member| member.ends.map(|end| end.node)).collect();
+        if let Some(node) = apart(&pairs, &mut vec![0; self.nodes.len()]) {
+            return Err(self.nodes[node].name.clone());
+        }
+        let rests = |node: usize| self.nodes[node].motions() == 0;
+        let pairs: Vec<[usize; 2]> = pairs.into_iter().map(|pair| in_motion(pair, pair.map(rests))).collect();
         let mut ends = vec![[0; 2]; pairs.len()];
         let [mut first_end, mut nodes, mut ranks, mut taken_up] = [(); 4].map(|()| vec![0; self.nodes.len()]);
         let memory = OrderMemory {
@@ -20,7 +25,7 @@ impl Skeleton<'_> {
             taken_up: &mut taken_up,
             elimination: &mut vec![Elimination::UNKNOWN; self.nodes.len()],
         };
-        memory.set_in_order(&pairs).map(ask).map_err(|node| self.nodes[node].name.clone())
+        Ok(ask(memory.set_in_order(&pairs)))
     }
 
     /// The largest number of variables of a front.

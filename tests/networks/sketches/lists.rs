@@ -201,6 +201,6 @@ fn the_portal_of_the_example_is_that_of_its_list() {
     ];
     // a pin is a member of its own in the sketch: the order of elimination differs
     let mut room = Room::<_, 8, 8>::new();
-    let network = Network::<_, 16>::new(&nodes, &members, &mut room).unwrap();
+    let network = Network::<_, 17>::new(&nodes, &members, &mut room).unwrap();
     assert_near(&frequencies(&portal.build().unwrap()), &frequencies(&network), 1e-13);
 }

@@ -10,6 +10,9 @@ use mstmm_plan::NetworkOrder;
 /// Number of roundings that add up in the row of a pivot, in units of the largest one.
 const ROUNDINGS: f64 = 2.0;
 
+/// Size of the row of a pivot, in units of its error, beyond which no other choice of pivots is looked at.
+const NEAR: f64 = 8.0;
+
 /// A network as its evaluation reads it.
 pub trait Placed: System {
     /// A node and its motions.
@@ -35,7 +38,7 @@ where
     S: Frequency<Y::Parameter> + FrontScalar,
     C: RootCounter<S>,
 {
-    let total = eliminated::<WIDTH, _, _>(network, x, Choice::InOrder, counter.looks_at_root());
+    let total = eliminated::<WIDTH, _, _>(network, x, Choice::Largest, counter.looks_at_root());
     if C::WATCHES && total.has_vanished {
         counter.cancelled(true);
     }
@@ -43,8 +46,8 @@ where
         let [row, error] = total.smallest_row;
         counter.root_sum(S::Size::of(row), S::Size::of(ROUNDINGS * error));
         // another choice of pivots rounds otherwise: what differs is decided by rounding
-        let other = eliminated::<WIDTH, _, _>(network, x, Choice::Largest, false);
-        if other.below != total.below {
+        let is_near = row < NEAR * S::EPSILON * error;
+        if is_near && eliminated::<WIDTH, _, _>(network, x, Choice::InOrder, false).below != total.below {
             counter.cancelled(false);
         }
     }
@@ -114,7 +117,7 @@ fn front_node<T: Parameter, S: Frequency<T>>(
     let square = lambda_squared.size().first();
     let has_body = !(node.mass.vanishes() & node.inertia.vanishes()).all();
     FrontNode {
-        index,
+        index: index as u32,
         objects,
         motions: motions.count,
         has_rotation: motions.has_rotation,

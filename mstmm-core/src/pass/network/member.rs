@@ -144,13 +144,15 @@ struct PlacedEnd<T> {
     node: [T; 2],
     along: Option<[T; 2]>,
     released: Freedoms,
+    /// Whether the node has no motions.
+    rests: bool,
 }
 
 impl<T: Real> Placement<T> {
     /// No place yet.
     pub(crate) fn nowhere() -> Self {
         let origin = [T::zero(); 2];
-        let end = PlacedEnd { place: origin, node: origin, along: None, released: Freedoms::NONE };
+        let end = PlacedEnd { place: origin, node: origin, along: None, released: Freedoms::NONE, rests: false };
         Placement {
             freedoms: Freedoms::NONE,
             ends: [end; 2],
@@ -163,7 +165,7 @@ impl<T: Real> Placement<T> {
         let ends = [0, 1].map(|k| {
             let End { position, along, released, .. } = *ends[k];
             let node = nodes[k].position;
-            PlacedEnd { place: position.unwrap_or(node), node, along, released }
+            PlacedEnd { place: position.unwrap_or(node), node, along, released, rests: motions[k].count == 0 }
         });
         let span = Span::new(&ends, motions);
         Placement { freedoms, ends, span }
@@ -180,13 +182,15 @@ impl<T: Real> Placement<T> {
         if S::IS_EXTENDED { norm(between(&self.ends)) } else { S::from_parameter(self.span.length) }
     }
 
-    /// Where its ends are joined, given their nodes and the motions of these.
+    /// Where its ends are joined, given the nodes at which they leave and the motions of these; an end at rest leaves at the node of the
+    /// other one.
     #[inline]
     pub(crate) fn joined<S: Frequency<T>>(&self, nodes: [usize; 2], motions: [&Motions<T>; 2]) -> [JoinedEnd<S>; 2] {
         [0, 1].map(|end| JoinedEnd {
             node: nodes[end],
             released: self.ends[end].released,
-            rows: if S::IS_EXTENDED {
+            rests: self.ends[end].rests,
+            rows: if S::IS_EXTENDED && !self.ends[end].rests {
                 [0, 1, 2].map(|freedom| row_of(&self.ends, end, freedom, motions[end]))
             } else {
                 self.span.rows[end].map(|row| row.map(S::from_parameter))

@@ -1,6 +1,6 @@
 //! What `system!` says of a network: its nodes and members by indices, its numbers by their place in a list.
 
-use mstmm_plan::Freedoms;
+use mstmm_plan::{Freedoms, in_motion};
 
 /// A network without its numbers.
 ///
@@ -78,16 +78,24 @@ pub enum Axis {
 }
 
 impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
-    /// The nodes of each member.
+    /// The nodes of each member, those in motion.
     pub const fn pairs(&self) -> [[usize; 2]; MEMBERS] {
         let mut pairs = [[0; 2]; MEMBERS];
         let mut member = 0;
         while member < MEMBERS {
             let [from, to] = &self.members[member].ends;
-            pairs[member] = [from.node, to.node];
+            let rest = [self.nodes[from.node].rests(), self.nodes[to.node].rests()];
+            pairs[member] = in_motion([from.node, to.node], rest);
             member += 1;
         }
         pairs
+    }
+}
+
+impl SketchedNode {
+    /// Whether it has no motions.
+    const fn rests(&self) -> bool {
+        self.along.is_none() && self.held.contains(Freedoms::ALL)
     }
 }
 

@@ -92,7 +92,8 @@ impl<'a, E: MemberElement, const WIDTH: usize> Network<'a, E, WIDTH> {
             (room.members[index], room.placements[index]) = (Some(built), placement);
         }
         let pairs = members.iter().map(|member| [member.ends[0].node, member.ends[1].node]);
-        if let Some(node) = room.order.fill(sizes.0, pairs) {
+        let motions = &room.motions;
+        if let Some(node) = room.order.fill(sizes.0, |node| motions[node].count == 0, pairs) {
             return Err(NetworkError::Apart { node });
         }
         let NetworkRoom { members: built, placements, motions, order } = room;

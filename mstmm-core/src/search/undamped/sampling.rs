@@ -204,6 +204,8 @@ where
         let end = if above.below == upper.below || above.omega > upper.omega { above } else { upper };
         let multiplicity = upper.below - lower.below;
         let mut root = NaturalFrequency { omega, lower: start.omega, upper: end.omega, multiplicity };
+        // at a root passes look closer: counts that differ there from those of the search were rounding
+        self.is_doubtful |= (below.below, above.below) != (lower.below, upper.below);
         self.is_doubtful |= !self.is_proven(&mut root, (lower.below, upper.below));
         Ok(root)
     }

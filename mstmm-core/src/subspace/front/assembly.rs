@@ -12,10 +12,10 @@ use crate::subspace::front::variable::{Measure, Variable};
 /// Where the variable of an object goes in the front.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Target {
-    kind: Kind,
-    /// Its place, with a power of two for its row.
-    place: usize,
+    /// A power of two for its row, and its place.
     power: f64,
+    place: u32,
+    kind: Kind,
 }
 
 impl Target {
@@ -29,7 +29,7 @@ enum Kind {
     Place,
     /// To the motions of the node, the sum of them with the coefficients of its row.
     Motions,
-    /// Out of it: a force that the node does not take.
+    /// Out of it: a force that the node does not take, or a displacement that vanishes.
     Nowhere,
 }
 
@@ -75,7 +75,7 @@ impl<S: Scalar> Fronts<'_, S> {
             let variables = self.objects.range(object);
             for place in variables.clone() {
                 let variable = &self.objects.variables[place];
-                if variable.node != node.index || variable.is_force || variable.is_released {
+                if variable.node != node.index || variable.is_force || variable.is_released || variable.rests {
                     continue;
                 }
                 let (own, unit) = (place - variables.start, units.of(variable.is_rotation));
@@ -123,10 +123,10 @@ impl<S: Scalar> Fronts<'_, S> {
             } else if variable.is_force != variable.is_released {
                 (&mut inner, unit)
             } else {
-                target.kind = if variable.is_force { Kind::Nowhere } else { Kind::Motions };
+                target.kind = if variable.is_force || variable.rests { Kind::Nowhere } else { Kind::Motions };
                 continue;
             };
-            *target = Target { kind: Kind::Place, place: *next, power: power_of_two(variable.shift_to(unit)) };
+            *target = Target { kind: Kind::Place, place: *next as u32, power: power_of_two(variable.shift_to(unit)) };
             self.front.variables[*next] = Variable { unit, measure: variable.measure.once_joined(), ..*variable };
             *next += 1;
         }
@@ -140,6 +140,7 @@ impl<S: Scalar> Fronts<'_, S> {
         let powers = [units.displacement, units.rotation].map(power_of_two);
         for place in objects.last(from) {
             let Target { kind, place: at, power } = targets[place];
+            let at = at as usize;
             let variable = &objects.variables[place];
             if kind == Kind::Place && (at < first || !variable.is_force) {
                 if total.carries_errors {
@@ -166,8 +167,8 @@ impl<S: Scalar> Fronts<'_, S> {
                         front.note_error(first + motion, objects.errors[place] * size * size);
                     }
                 }
-                Kind::Motions => {}
-                Kind::Nowhere => total.count(1.0),
+                Kind::Nowhere if variable.is_force => total.count(1.0),
+                Kind::Motions | Kind::Nowhere => {}
             }
         }
     }
@@ -188,7 +189,7 @@ impl<S: Scalar> Fronts<'_, S> {
                 }
                 let (sum, place, power) = match (target.kind, other.kind) {
                     (Kind::Place, Kind::Place) => {
-                        let place = triangle::place(target.place, other.place);
+                        let place = triangle::place(target.place as usize, other.place as usize);
                         front.entries[place] = entry.scaled(target.power * other.power);
                         continue;
                     }
@@ -203,7 +204,7 @@ impl<S: Scalar> Fronts<'_, S> {
                 };
                 let entry = entry.scaled(power);
                 for (motion, coefficient) in sum[..motions].iter().enumerate() {
-                    front.entries[triangle::place(first + motion, place)] += entry * *coefficient;
+                    front.entries[triangle::place(first + motion, place as usize)] += entry * *coefficient;
                 }
             }
         }

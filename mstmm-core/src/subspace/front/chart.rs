@@ -77,6 +77,8 @@ pub struct JoinedEnd<S> {
     pub(crate) node: usize,
     /// The freedoms that the end does not share with the node.
     pub(crate) released: Freedoms,
+    /// Whether its displacements vanish.
+    pub(crate) rests: bool,
     /// What its displacements along and across the member and its rotation are of the motions of the node.
     pub(crate) rows: [[S; MOST_FREEDOMS]; MOST_FREEDOMS],
 }

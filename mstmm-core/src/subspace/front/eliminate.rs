@@ -37,14 +37,8 @@ impl<S: Scalar> Front<'_, S> {
             if choice == Choice::Largest {
                 self.swap(self.largest(), self.count - 1);
             }
-            let last = self.count - 1;
-            let (partner, largest) = self.largest_beside(last);
-            let own = self.entries[row(last) + last].size().first();
-            total.look_at_row(if own > largest { own } else { largest }, self.terms[last], self.errors[last]);
-            if own > 0.0 && own >= SUFFICIENT * largest {
+            if self.suffices(total) {
                 self.pivot_on_last(total);
-            } else if choice == Choice::InOrder && self.suffices(partner, largest) {
-                self.pivot_with(partner, total);
             } else {
                 self.pivot_on_best(total);
             }
@@ -53,11 +47,13 @@ impl<S: Scalar> Front<'_, S> {
     }
 
     /// The interior variable with the largest entry on the diagonal.
+    #[inline]
     fn largest(&self) -> usize {
-        let mut place = self.count - 1;
-        let mut own = self.size(place, place);
-        for other in self.boundary..place {
-            let size = self.size(other, other);
+        let (mut place, mut own) = (self.count - 1, 0.0);
+        let mut at = row(self.boundary) + self.boundary;
+        for other in self.interior() {
+            let size = self.entries[at].size().first();
+            at += other + 2;
             if size > own {
                 (place, own) = (other, size);
             }
@@ -65,25 +61,19 @@ impl<S: Scalar> Front<'_, S> {
         place
     }
 
-    /// The largest entry beside the diagonal in the row of the last variable, and its place.
+    /// Whether the last variable is a pivot by itself.
     #[inline]
-    fn largest_beside(&self, last: usize) -> (usize, f64) {
-        let (mut place, mut largest) = (0, 0.0);
-        for (k, entry) in self.entries[row(last)..row(last) + last].iter().enumerate() {
-            let size = entry.size().first();
-            if size > largest {
-                (place, largest) = (k, size);
-            }
-        }
-        (place, largest)
-    }
-
-    /// Whether the last variable and another one, given the size of the entry between both, are a pivot.
-    #[inline]
-    fn suffices(&self, partner: usize, between: f64) -> bool {
+    fn suffices(&self, total: &mut Total<S>) -> bool {
         let last = self.count - 1;
-        let entries = &self.entries[row(last)..=row(last) + last];
-        self.determinant(entries[last], entries[partner], partner) >= SUFFICIENT * between * between && between > 0.0
+        let entries = &self.entries[row(last)..row(self.count)];
+        let mut largest = 0.0_f64;
+        for entry in entries {
+            let size = entry.size().first();
+            largest = if size > largest { size } else { largest };
+        }
+        total.look_at_row(largest, self.terms[last], self.errors[last]);
+        let own = entries[last].size().first();
+        own > 0.0 && own >= SUFFICIENT * largest
     }
 
     /// Takes a pivot on the last variable and another one, which leaves as well, or flips on the boundary.
@@ -128,20 +118,24 @@ impl<S: Scalar> Front<'_, S> {
 
     /// The pivot with the largest gain: of one interior variable, of two, or of one with a variable of the boundary that flips. The gain
     /// of two that leave is shared by both.
-    fn best_pivot(&self) -> Option<Pivot> {
+    fn best_pivot(&mut self) -> Option<Pivot> {
+        let diagonal = &mut self.solved[0][..self.count];
+        for (k, entry) in diagonal.iter_mut().enumerate() {
+            *entry = self.entries[row(k) + k];
+        }
         // squares of gains
         let (mut gain, mut best) = (0.0, None);
-        for place in self.interior() {
-            let entries = &self.entries[row(place)..row(place + 1)];
-            let own = entries[place].size().first();
-            if own * own > gain {
-                (gain, best) = (own * own, Some((place, None)));
+        for place in self.boundary..self.count {
+            let (own, entries) = (diagonal[place], &self.entries[row(place)..row(place) + place]);
+            let size = own.size().first();
+            if size * size > gain {
+                (gain, best) = (size * size, Some((place, None)));
             }
-            for (other, between) in entries[..place].iter().enumerate() {
+            for (other, (between, of_other)) in entries.iter().zip(&*diagonal).enumerate() {
                 if between.is_zero() {
                     continue;
                 }
-                let size = self.determinant(entries[place], *between, other);
+                let size = (own * *of_other - *between * *between).size().first();
                 let square = if other < self.boundary { size * size } else { size };
                 if square > gain {
                     (gain, best) = (square, Some((place, Some(other))));
@@ -149,12 +143,6 @@ impl<S: Scalar> Front<'_, S> {
             }
         }
         best
-    }
-
-    /// The size of the determinant over two variables, given the diagonal entry of the one and the entry between both.
-    #[inline]
-    fn determinant(&self, own: S, between: S, other: usize) -> f64 {
-        (own * self.entry(other, other) - between * between).size().first()
     }
 
     /// Flips variables of the boundary until no entry exceeds the bound. The product of pivots grows with each, so that it ends.
@@ -193,6 +181,8 @@ impl<S: Scalar> Front<'_, S> {
             return Some((place, None));
         }
         let [one, other] = pair?;
-        (self.determinant(self.entry(one, one), self.entry(one, other), other) >= BOUND).then_some((one, Some(other)))
+        let between = self.entry(one, other);
+        let determinant = self.entry(one, one) * self.entry(other, other) - between * between;
+        (determinant.size().first() >= BOUND).then_some((one, Some(other)))
     }
 }

@@ -7,13 +7,14 @@ use crate::subspace::front::eliminate::Choice;
 use crate::subspace::front::matrix::Front;
 use crate::subspace::front::objects::{Objects, Start};
 use crate::subspace::front::total::Total;
+use crate::subspace::front::triangle::row;
 use crate::subspace::front::variable::Variable;
 
 /// Memory for fronts of up to `W` variables at once.
 #[derive(Debug)]
 pub struct FrontRoom<S, const W: usize> {
-    /// The triangles of objects and of a front.
-    triangles: [[[S; W]; W]; 2],
+    /// The triangles of objects, which have a variable less than all together, and of a front.
+    triangles: [[S; W]; W],
     /// Rows of pivots, and these divided by them.
     pivots: [[S; W]; 4],
     variables: [[Variable; W]; 2],
@@ -27,7 +28,7 @@ impl<S: Copy, const W: usize> FrontRoom<S, W> {
     /// Memory that is filled with a number.
     const fn filled_with(number: S) -> Self {
         FrontRoom {
-            triangles: [[[number; W]; W]; 2],
+            triangles: [[number; W]; W],
             pivots: [[number; W]; 4],
             variables: [[Variable::DISPLACEMENT; W]; 2],
             rows: [[number; MOST_FREEDOMS]; W],
@@ -41,13 +42,13 @@ impl<S: Copy, const W: usize> FrontRoom<S, W> {
 impl<S: Scalar, const W: usize> FrontRoom<S, W> {
     /// Fronts without objects, given how pivots are chosen and whether errors are to be carried along.
     pub(crate) fn fronts(&mut self, choice: Choice, carries_errors: bool) -> Fronts<'_, S> {
-        let [objects, front] = &mut self.triangles;
+        let (objects, front) = self.triangles.as_flattened_mut().split_at_mut(row(W - 1));
         let [one, other, solved, other_solved] = &mut self.pivots;
         let [waiting, variables] = &mut self.variables;
         let [waiting_errors, errors, terms] = &mut self.sizes;
         Fronts {
             objects: Objects {
-                entries: objects.as_flattened_mut(),
+                entries: objects,
                 variables: waiting,
                 rows: &mut self.rows,
                 errors: waiting_errors,
@@ -55,7 +56,7 @@ impl<S: Scalar, const W: usize> FrontRoom<S, W> {
                 count: 0,
             },
             front: Front {
-                entries: front.as_flattened_mut(),
+                entries: front,
                 pivots: [one, other],
                 solved: [solved, other_solved],
                 variables,
@@ -86,7 +87,7 @@ pub struct Fronts<'r, S: Scalar> {
 #[derive(Clone, Copy, Debug)]
 pub struct FrontNode<S> {
     /// Its index.
-    pub(crate) index: usize,
+    pub(crate) index: u32,
     /// How many of the last objects it joins.
     pub(crate) objects: usize,
     /// The number of its motions, and whether the last one is a rotation.

@@ -40,7 +40,8 @@ fn fill(front: &mut Front<'_, f64>, case: &Case) {
     front.begin(BOUNDARY, COUNT);
     let place = |row: usize| (row + BOUNDARY) % COUNT;
     for row in 0..COUNT {
-        front.variables[place(row)] = Variable { node: row, is_force: case.is_force[row], ..Variable::DISPLACEMENT };
+        front.variables[place(row)] =
+            Variable { node: row as u32, is_force: case.is_force[row], ..Variable::DISPLACEMENT };
         for column in 0..=row {
             front.add(place(row), place(column), case.entries[(row, column)]);
         }

@@ -74,12 +74,13 @@ impl<S: Scalar> Objects<'_, S> {
                 if chart.freedoms.contains(kind) {
                     let is_rotation = freedom + 1 == MOST_FREEDOMS;
                     self.variables[start.variable + place] = Variable {
-                        node: end.node,
+                        node: end.node as u32,
                         measure: chart.measure,
                         unit: chart.units.of(is_rotation),
                         is_force: chart.is_force(place),
                         is_rotation,
                         is_released: end.released.contains(kind),
+                        rests: end.rests,
                     };
                     self.rows[start.variable + place] = end.rows[freedom];
                     place += 1;
@@ -99,7 +100,7 @@ impl<S: Scalar> Objects<'_, S> {
     }
 
     /// Replaces the last objects, from one on, by what is left of their front, in units that are `2^shift` times as large.
-    pub(super) fn replace_last(&mut self, from: usize, node: usize, front: &Front<'_, S>, shift: i32) {
+    pub(super) fn replace_last(&mut self, from: usize, node: u32, front: &Front<'_, S>, shift: i32) {
         let places = self.last(from);
         self.count = from;
         let Start { variable, entry } = self.open(front.boundary);

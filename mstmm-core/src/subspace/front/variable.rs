@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Variable {
     /// Index of the node of the end.
-    pub(crate) node: usize,
+    pub(crate) node: u32,
     /// What its unit comes from.
     pub(crate) measure: Measure,
     /// Logarithm to base 2 of the unit of the displacement; the force has its inverse.
@@ -15,6 +15,8 @@ pub(crate) struct Variable {
     pub(crate) is_rotation: bool,
     /// Whether the end does not share the freedom with its node.
     pub(crate) is_released: bool,
+    /// Whether the displacement that the end shares with its node vanishes.
+    pub(crate) rests: bool,
 }
 
 /// What gives a variable its unit.
@@ -44,6 +46,7 @@ impl Variable {
         is_force: false,
         is_rotation: false,
         is_released: false,
+        rests: false,
     };
 
     /// Logarithm to base 2 of the factor of a row of this variable in another unit.
