@@ -11,7 +11,7 @@ use mstmm_plan::NetworkOrder;
 const ROUNDINGS: f64 = 2.0;
 
 /// Size of the row of a pivot, in units of its error, beyond which no other choice of pivots is looked at.
-const NEAR: f64 = 8.0;
+const NEAR: f64 = 16.0;
 
 /// A network as its evaluation reads it.
 pub trait Placed: System {

@@ -29,21 +29,23 @@ enum Kind {
     Place,
     /// To the motions of the node, the sum of them with the coefficients of its row.
     Motions,
-    /// Out of it: a force that the node does not take, or a displacement that vanishes.
+    /// Out of it: a force that the node does not take.
     Nowhere,
 }
 
 impl<S: Scalar> Fronts<'_, S> {
     /// Joins the last objects at a node, with the body there.
     pub(super) fn join(&mut self, node: &FrontNode<S>, from: usize) {
-        let units = self.units(node, from);
-        self.restrain(node, from, units);
-        let (first, count) = self.aim(node, from, units);
-        self.front.begin(first, count);
+        let (units, boundary) = self.units(node, from);
+        for object in from..self.objects.count {
+            self.restrain(node, object, units);
+        }
+        let count = self.aim(node, from, units, boundary);
+        self.front.begin(boundary, count);
         for motion in 0..node.motions {
             let is_rotation = node.is_rotation(motion);
             let unit = units.of(is_rotation);
-            self.front.variables[first + motion] = Variable { is_rotation, unit, ..Variable::DISPLACEMENT };
+            self.front.variables[boundary + motion] = Variable { is_rotation, unit, ..Variable::DISPLACEMENT };
         }
         self.enter_ports(node, from, units);
         for object in from..self.objects.count {
@@ -53,37 +55,38 @@ impl<S: Scalar> Fronts<'_, S> {
             self.front.add_body(&body[..node.motions]);
         }
         if self.total.carries_errors {
-            self.front.note_entries();
+            self.enter_errors(node.motions, from);
         }
     }
 
-    /// The units of a node.
-    fn units(&self, node: &FrontNode<S>, from: usize) -> Units {
-        let mut units = NodeUnits::new();
+    /// The units of a node, and the number of variables elsewhere.
+    fn units(&self, node: &FrontNode<S>, from: usize) -> (Units, usize) {
+        let (mut units, mut elsewhere) = (NodeUnits::new(), 0);
         for variable in &self.objects.variables[self.objects.last(from)] {
             if variable.node == node.index {
                 units.include(variable);
+            } else {
+                elsewhere += 1;
             }
         }
-        units.units(node.inertias)
+        (units.units(node.inertias), elsewhere)
     }
 
-    /// Lets displacements at the node become forces where their objects are stiff in its units. Else these stiffnesses would be added to
+    /// Lets displacements of an object at the node become forces where it is stiff in its units. Else these stiffnesses would be added to
     /// softer ones there.
-    fn restrain(&mut self, node: &FrontNode<S>, from: usize, units: Units) {
-        for object in from..self.objects.count {
-            let variables = self.objects.range(object);
-            for place in variables.clone() {
-                let variable = &self.objects.variables[place];
-                if variable.node != node.index || variable.is_force || variable.is_released || variable.rests {
-                    continue;
-                }
-                let (own, unit) = (place - variables.start, units.of(variable.is_rotation));
-                let power = power_of_two(variable.shift_to(unit));
-                let size = self.objects.triangle(object)[triangle::place(own, own)].size().first();
-                if size * power * power > BOUND {
-                    self.flip(object, own, unit);
-                }
+    fn restrain(&mut self, node: &FrontNode<S>, object: usize, units: Units) {
+        let mut at = self.objects.first_entry(object);
+        for (k, place) in self.objects.range(object).enumerate() {
+            let size = self.objects.entries[at].size().first();
+            at += k + 2;
+            let variable = &self.objects.variables[place];
+            if variable.is_force || variable.is_released || variable.node != node.index {
+                continue;
+            }
+            let unit = units.of(variable.is_rotation);
+            let power = power_of_two(unit - variable.unit);
+            if size * power * power > BOUND {
+                self.flip(object, k, unit);
             }
         }
     }
@@ -99,6 +102,7 @@ impl<S: Scalar> Fronts<'_, S> {
         front.entries[..row(front.count)].copy_from_slice(objects.triangle(object));
         let power = power_of_two(front.variables[place].shift_to(unit));
         front.variables[place].unit = unit;
+        front.errors[place] *= power * power;
         for other in 0..front.count {
             let factor = if other == place { power * power } else { power };
             let entry = &mut front.entries[triangle::place(place, other)];
@@ -108,11 +112,10 @@ impl<S: Scalar> Fronts<'_, S> {
         objects.replace(object, front);
     }
 
-    /// Finds where each variable goes. Returns the number of variables of the boundary, behind which the motions stand, and of all.
-    fn aim(&mut self, node: &FrontNode<S>, from: usize, units: Units) -> (usize, usize) {
+    /// Finds where each variable goes, given how many stay on the boundary, behind which the motions stand. Returns the number of all.
+    fn aim(&mut self, node: &FrontNode<S>, from: usize, units: Units, boundary: usize) -> usize {
         let places = self.objects.last(from);
         let variables = &self.objects.variables[places.clone()];
-        let boundary = variables.iter().filter(|variable| variable.node != node.index).count();
         let (mut outer, mut inner) = (0, boundary + node.motions);
         for (variable, target) in variables.iter().zip(&mut self.targets[places]) {
             let unit = units.of(variable.is_rotation);
@@ -123,54 +126,61 @@ impl<S: Scalar> Fronts<'_, S> {
             } else if variable.is_force != variable.is_released {
                 (&mut inner, unit)
             } else {
-                target.kind = if variable.is_force || variable.rests { Kind::Nowhere } else { Kind::Motions };
+                target.kind = Kind::Motions;
+                if variable.is_force {
+                    target.kind = Kind::Nowhere;
+                    self.total.count(1.0);
+                }
                 continue;
             };
-            *target = Target { kind: Kind::Place, place: *next as u32, power: power_of_two(variable.shift_to(unit)) };
+            let power = power_of_two(variable.shift_to(unit));
+            *target = Target { kind: Kind::Place, place: *next as u32, power };
             self.front.variables[*next] = Variable { unit, measure: variable.measure.once_joined(), ..*variable };
             *next += 1;
         }
-        (boundary, inner)
+        inner
     }
 
-    /// Enters what the forces of ports do to the motions, and the errors of all variables.
+    /// Brings the rows of ports into units, and enters those of forces, which act on the motions.
     fn enter_ports(&mut self, node: &FrontNode<S>, from: usize, units: Units) {
-        let Fronts { objects, front, targets, total, .. } = self;
-        let (first, motions) = (front.boundary, node.motions);
+        let Fronts { objects, front, targets, .. } = self;
+        let (first, motions, places) = (front.boundary, node.motions, objects.last(from));
         let powers = [units.displacement, units.rotation].map(power_of_two);
-        for place in objects.last(from) {
-            let Target { kind, place: at, power } = targets[place];
-            let at = at as usize;
-            let variable = &objects.variables[place];
-            if kind == Kind::Place && (at < first || !variable.is_force) {
-                if total.carries_errors {
-                    front.note_error(at, objects.errors[place] * power * power);
-                }
+        let ports = objects.variables[places.clone()].iter().zip(&mut objects.rows[places.clone()]);
+        for ((variable, sum), target) in ports.zip(&targets[places]) {
+            if variable.node != node.index || variable.is_released {
                 continue;
             }
             // the row of a force stands in the unit of the node, that of a displacement in its own
             let own = power_of_two(-if variable.is_force { units.of(variable.is_rotation) } else { variable.unit });
-            let row_of = &mut objects.rows[place][..motions];
-            for (motion, coefficient) in row_of.iter_mut().enumerate() {
+            let sum = &mut sum[..motions];
+            for (motion, coefficient) in sum.iter_mut().enumerate() {
                 *coefficient = coefficient.scaled(powers[usize::from(node.is_rotation(motion))] * own);
             }
-            match kind {
-                Kind::Place => {
-                    front.entries[row(at) + first..][..motions].copy_from_slice(row_of);
-                    if total.carries_errors {
-                        front.note_error(at, objects.errors[place] * power * power);
-                    }
-                }
-                Kind::Motions if total.carries_errors => {
-                    for (motion, coefficient) in row_of.iter().enumerate() {
-                        let size = coefficient.size().first();
-                        front.note_error(first + motion, objects.errors[place] * size * size);
-                    }
-                }
-                Kind::Nowhere if variable.is_force => total.count(1.0),
-                Kind::Motions | Kind::Nowhere => {}
+            if target.kind == Kind::Place {
+                front.entries[row(target.place as usize) + first..][..motions].copy_from_slice(sum);
             }
         }
+    }
+
+    /// Enters the errors of objects, and what the assembly has rounded.
+    #[cold]
+    fn enter_errors(&mut self, motions: usize, from: usize) {
+        let Fronts { objects, front, targets, .. } = self;
+        for place in objects.last(from) {
+            let (target, error) = (&targets[place], objects.errors[place]);
+            match target.kind {
+                Kind::Place => front.note_error(target.place as usize, error * target.power * target.power),
+                Kind::Motions => {
+                    for (motion, coefficient) in objects.rows[place][..motions].iter().enumerate() {
+                        let size = coefficient.size().first();
+                        front.note_error(front.boundary + motion, error * size * size);
+                    }
+                }
+                Kind::Nowhere => {}
+            }
+        }
+        front.note_entries();
     }
 
     /// Enters the matrix of an object.

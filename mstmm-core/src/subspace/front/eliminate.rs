@@ -10,6 +10,8 @@ use core::ops::Range;
 /// The part of the largest entry of its row that a pivot on one variable must have.
 const SUFFICIENT: f64 = 0.64;
 
+const PAIRED: f64 = 0.64;
+
 /// The size beyond which an entry on the boundary changes the kind of its variable.
 pub(super) const BOUND: f64 = 4.0;
 
@@ -88,8 +90,35 @@ impl<S: Scalar> Front<'_, S> {
         }
     }
 
+    /// The partner of the last variable, if both together are as good a pivot as any.
+    fn partner(&self) -> Option<usize> {
+        let last = self.count - 1;
+        let (before, entries) = self.entries[..row(self.count)].split_at(row(last));
+        let (mut partner, mut largest) = (last, 0.0);
+        for (k, entry) in entries[self.boundary..last].iter().enumerate() {
+            let size = entry.size().first();
+            if size > largest {
+                (partner, largest) = (self.boundary + k, size);
+            }
+        }
+        if partner == last {
+            return None;
+        }
+        let between = entries[partner];
+        let determinant = (entries[last] * before[row(partner) + partner] - between * between).size().first();
+        let mut of_all = 0.0_f64;
+        for entry in &self.entries[row(self.boundary)..row(self.count)] {
+            let size = entry.size().first();
+            of_all = if size > of_all { size } else { of_all };
+        }
+        (determinant >= PAIRED * of_all * of_all).then_some(partner)
+    }
+
     /// Takes the pivot with the largest gain.
     fn pivot_on_best(&mut self, total: &mut Total<S>) {
+        if let Some(partner) = self.partner() {
+            return self.pivot_with(partner, total);
+        }
         match self.best_pivot() {
             Some((place, None)) => {
                 self.swap(place, self.count - 1);

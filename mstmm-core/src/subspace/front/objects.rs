@@ -1,7 +1,7 @@
 //! Members and fronts that wait for the elimination of a node, one upon the other.
 
 use crate::number::{Scalar, Size, power_of_two};
-use crate::subspace::front::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
+use crate::subspace::front::chart::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES};
 use crate::subspace::front::matrix::Front;
 use crate::subspace::front::total::Total;
 use crate::subspace::front::triangle::row;
@@ -49,6 +49,12 @@ impl<S: Scalar> Objects<'_, S> {
         self.starts[from].variable..self.starts[self.count].variable
     }
 
+    /// Where the entries of an object begin.
+    #[inline]
+    pub(super) fn first_entry(&self, object: usize) -> usize {
+        self.starts[object].entry
+    }
+
     /// The entries of an object.
     #[inline]
     pub(super) fn triangle(&self, object: usize) -> &[S] {
@@ -64,34 +70,52 @@ impl<S: Scalar> Objects<'_, S> {
         start
     }
 
-    /// Adds a member by its chart.
-    pub(crate) fn push_chart(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], total: &mut Total<S>) {
-        let freedoms = chart.freedoms.count();
-        let start = self.open(2 * freedoms);
-        let mut place = 0;
+    /// Adds a member by its chart, without displacements that vanish.
+    pub(super) fn push_chart(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], total: &mut Total<S>) {
+        let start = self.starts[self.count];
+        // the places in the chart of the variables that stay
+        let mut kept = [0; MOST_VARIABLES];
+        let (mut place, mut count) = (0, 0);
         for end in ends {
             for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
-                if chart.freedoms.contains(kind) {
+                if !chart.freedoms.contains(kind) {
+                    continue;
+                }
+                let (is_force, is_released) = (chart.is_force(place), end.released.contains(kind));
+                if is_force || is_released || !end.rests {
                     let is_rotation = freedom + 1 == MOST_FREEDOMS;
-                    self.variables[start.variable + place] = Variable {
+                    self.variables[start.variable + count] = Variable {
                         node: end.node as u32,
                         measure: chart.measure,
                         unit: chart.units.of(is_rotation),
-                        is_force: chart.is_force(place),
+                        is_force,
                         is_rotation,
-                        is_released: end.released.contains(kind),
-                        rests: end.rests,
+                        is_released,
                     };
-                    self.rows[start.variable + place] = end.rows[freedom];
-                    place += 1;
+                    self.rows[start.variable + count] = end.rows[freedom];
+                    kept[count] = place;
+                    count += 1;
+                }
+                place += 1;
+            }
+        }
+        let kept = &kept[..count];
+        self.open(count);
+        let entries = &mut self.entries[start.entry..start.entry + row(count)];
+        if count == place {
+            entries.copy_from_slice(&chart.entries[..row(count)]);
+        } else {
+            let mut entries = entries.iter_mut();
+            for (k, one) in kept.iter().enumerate() {
+                let from = &chart.entries[row(*one)..=row(*one) + one];
+                for (other, entry) in kept[..=k].iter().zip(&mut entries) {
+                    *entry = from[*other];
                 }
             }
         }
-        let entries = &chart.entries[..row(place)];
-        self.entries[start.entry..start.entry + row(place)].copy_from_slice(entries);
         if total.carries_errors {
-            for (one, error) in self.errors[start.variable..start.variable + place].iter_mut().enumerate() {
-                let sizes = (0..place).map(|other| chart.entry(one, other).size().first());
+            for (one, error) in kept.iter().zip(&mut self.errors[start.variable..]) {
+                let sizes = kept.iter().map(|other| chart.entry(*one, *other).size().first());
                 *error = sizes.fold(0.0, f64::max);
             }
         }

@@ -15,8 +15,6 @@ pub(crate) struct Variable {
     pub(crate) is_rotation: bool,
     /// Whether the end does not share the freedom with its node.
     pub(crate) is_released: bool,
-    /// Whether the displacement that the end shares with its node vanishes.
-    pub(crate) rests: bool,
 }
 
 /// What gives a variable its unit.
@@ -46,7 +44,6 @@ impl Variable {
         is_force: false,
         is_rotation: false,
         is_released: false,
-        rests: false,
     };
 
     /// Logarithm to base 2 of the factor of a row of this variable in another unit.
