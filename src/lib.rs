@@ -85,7 +85,9 @@ pub mod search {
     ///
     pub use mstmm_core::search::Sweep;
     pub use mstmm_core::search::*;
-    pub use mstmm_core::{Characteristic, Evaluate, InBlocks, Lanewise, ManyFrequencies, Model, SearchError, System};
+    pub use mstmm_core::{
+        Characteristic, Evaluate, InBlocks, Lanewise, ManyFrequencies, Model, SearchError, Spot, System,
+    };
 }
 
 /// What an element is, how it transfers subspaces and states, and its energies: for elements of one's own.

@@ -47,7 +47,7 @@ pub use elements::shared::longitudinal_chart::LongitudinalWaves;
 pub use elements::{AnyElement, AnyUndamped};
 pub use model::chain_rule::{Chain, ChainRule, Fields, NamedFields};
 pub use model::ends::Ends;
-pub use model::error::{InvalidParameter, ParameterError, Requirement, SearchError};
+pub use model::error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot};
 pub use model::estimates::FrequencyEstimates;
 pub use model::label::{Entry, Label, Load, Point};
 pub use model::motion_error::MotionError;

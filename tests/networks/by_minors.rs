@@ -17,8 +17,11 @@ const RIGID: f64 = 1e10;
 /// What stretches a little: the exact factor of a member that is held along its axis tells how much.
 const STIFF: f64 = 16_777_216.0;
 
-/// Part of a quotient of two Δ in twice the digits that rounding is.
-const SAME: f64 = 1e-24;
+/// Part of a quotient of two Δ in twice the digits that rounding is: of each variable of the members, as large as what hardly stretches is
+/// stiff.
+fn rounding(structure: &Structure) -> f64 {
+    (6 * structure.members.len()) as f64 * DoubleDouble::EPSILON * STIFF
+}
 
 const OMEGAS: [f64; 6] = [0.037, 0.31, 1.9, 7.3, 41.0, 190.0];
 
@@ -120,7 +123,7 @@ impl Report {
                     quotient(value, list.characteristic(DoubleDouble::from(omega))) / axial(&stretched, omega)
                 };
                 let ratios: Vec<DoubleDouble> = OMEGAS.into_iter().zip(values).map(ratio).collect();
-                self.quotients(name, &ratios, nearest);
+                self.quotients(name, &ratios, rounding(&stretched) / nearest);
             }
         }
     }
@@ -140,14 +143,14 @@ impl Report {
         }
     }
 
-    /// Relative errors of Δ grow next to roots, the nearest of which is this part of a frequency away.
-    fn quotients(&mut self, name: &str, ratios: &[DoubleDouble], nearest: f64) {
+    /// Quotients of Δ are constant up to an error, which grows next to roots.
+    fn quotients(&mut self, name: &str, ratios: &[DoubleDouble], error: f64) {
         for ratio in ratios {
             let difference = (*ratio / ratios[0] - DoubleDouble::from(1.0)).to_f64().abs();
             self.quotients += 1;
             self.largest = self.largest.max(difference);
             // a NaN is not constant
-            if difference.is_nan() || difference * nearest > SAME {
+            if difference.is_nan() || difference > error {
                 self.wrong.push(format!("{name}: Δ differs by {difference:e}"));
             }
         }

@@ -29,3 +29,4 @@ mod structure;
 pub mod support;
 mod through_library;
 mod tree_as_network;
+mod without_hold;

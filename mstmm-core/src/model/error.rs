@@ -144,6 +144,24 @@ impl fmt::Display for ParameterError {
 
 impl core::error::Error for ParameterError {}
 
+/// A point of a network.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spot {
+    /// The node of an index, of a network that is a list.
+    Node(usize),
+    /// The point of a name.
+    Point(&'static str),
+}
+
+impl fmt::Display for Spot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Spot::Node(node) => write!(f, "node {node}"),
+            Spot::Point(name) => write!(f, "{name}"),
+        }
+    }
+}
+
 /// A search that cannot start or cannot return all it found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -179,6 +197,8 @@ pub enum SearchError {
     Zero {
         /// Number of points.
         points: usize,
+        /// Where in a network that shows.
+        at: Option<Spot>,
     },
     /// A search on a rectangle did not come to rest.
     StillMoving {
@@ -230,9 +250,10 @@ impl fmt::Display for SearchError {
             SearchError::NotANumber { x, y } => {
                 write!(f, "the function is not a number at ({x:e}, {y:e}); where it overflows, search a smaller range")
             }
-            SearchError::Zero { points } => {
+            SearchError::Zero { points, at } => {
                 write!(f, "the function is zero at all {points} points that were tried, far from each other: ")?;
-                write!(f, "something is held twice, or a massless part by nothing")
+                write!(f, "something is held twice, or a massless part by nothing")?;
+                at.map_or(Ok(()), |spot| write!(f, ", as shows at {spot}"))
             }
             SearchError::StillMoving { x, y, moves } => {
                 write!(f, "the search for a minimum was given up at ({x}, {y}), still moving after {moves} moves")

@@ -11,7 +11,7 @@ pub(crate) mod state;
 
 pub(crate) use chain_rule::{Chain, Fields, NamedFields};
 pub(crate) use ends::Ends;
-pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchError};
+pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot};
 pub(crate) use estimates::FrequencyEstimates;
 pub(crate) use label::{Entry, Label, Load, Point};
 pub(crate) use motion_error::MotionError;

@@ -4,6 +4,7 @@
 //! rules. Each rule adds the negative eigenvalues of the stiffness that a step eliminates. A support is the limit of a
 //! stiff spring, hence the rules for exact zeros. All decide by signs alone, without a quotient, in all lanes of a number.
 
+use crate::model::Spot;
 use crate::number::{Scalar, Scaled, Size, Truth, is_ill_conditioned};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
@@ -64,6 +65,9 @@ pub trait RootCounter<S: Scalar> {
     /// A sum lost more digits to cancellation than a certificate has room for, or all of them: then it was taken for zero.
     #[inline(always)]
     fn cancelled(&mut self, _completely: bool) {}
+    /// What holds a point of a network has vanished.
+    #[inline(always)]
+    fn vanished(&mut self, _at: Spot) {}
     /// Whether the frequency is so close to a root that the terms of Δ are examined.
     #[inline(always)]
     fn looks_at_root(&self) -> bool {
@@ -123,6 +127,7 @@ pub struct WittrickWilliams<Z: Size = f64, const WATCHES: bool = true> {
     below: Z,
     cancelled: Cancelled<Z::Truth>,
     is_at_root: bool,
+    vanished: Option<Spot>,
 }
 
 impl<const WATCHES: bool> WittrickWilliams<f64, WATCHES> {
@@ -144,6 +149,11 @@ impl<Z: Size, const WATCHES: bool> WittrickWilliams<Z, WATCHES> {
     #[inline]
     pub(crate) fn new(is_at_root: bool) -> Self {
         WittrickWilliams { is_at_root, ..WittrickWilliams::default() }
+    }
+
+    /// The point of a network where what holds it has vanished.
+    pub(crate) fn vanished(&self) -> Option<Spot> {
+        self.vanished
     }
 
     /// The sums that cancelled in the pass.
@@ -270,6 +280,11 @@ impl<S: Scalar, const WATCHES: bool> RootCounter<S> for WittrickWilliams<S::Size
     }
 
     #[inline(always)]
+    fn vanished(&mut self, at: Spot) {
+        self.vanished = Some(at);
+    }
+
+    #[inline(always)]
     fn looks_at_root(&self) -> bool {
         WATCHES && self.is_at_root
     }
@@ -292,6 +307,8 @@ impl<S: Scalar, const WATCHES: bool> RootCounter<S> for WittrickWilliams<S::Size
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Watch {
     pub(crate) cancelled: Cancelled,
+    /// The point of a network where what holds it has vanished.
+    pub(crate) vanished: Option<Spot>,
 }
 
 impl<S: Scalar> RootCounter<S> for Watch {
@@ -300,5 +317,9 @@ impl<S: Scalar> RootCounter<S> for Watch {
     #[inline(always)]
     fn cancelled(&mut self, completely: bool) {
         self.cancelled.add(completely);
+    }
+    #[inline(always)]
+    fn vanished(&mut self, at: Spot) {
+        self.vanished = Some(at);
     }
 }

@@ -21,7 +21,10 @@ impl Display for Skeleton<'_> {
             f,
             "In the order of their elimination, with the motions that supports leave, the members that begin there,"
         )?;
-        writeln!(f, "and the number of variables that are left behind each.\n\n```text")?;
+        writeln!(
+            f,
+            "and the number of variables that are left behind each. Points at rest leave with their members.\n\n```text"
+        )?;
         let lines = self.in_order(|order| self.lines(order)).unwrap_or_default();
         lines.iter().try_for_each(|line| writeln!(f, "{}", line.trim_end()))?;
         write!(f, "```")

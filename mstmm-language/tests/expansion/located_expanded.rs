@@ -13,19 +13,17 @@ pub struct Mast {
 /// # Size
 ///
 /// ```text
-/// nodes 3, members 2, variables of the widest front 8
+/// nodes 3, members 2, variables of the widest front 11
 /// closed loops 0
 /// ```
 ///
 /// # Nodes
 ///
 /// In the order of their elimination, with the motions that supports leave, the members that begin there,
-/// and the number of variables that are left behind each.
+/// and the number of variables that are left behind each. Points at rest leave with their members.
 ///
 /// ```text
-/// fixed at planar_beam 1   held       3   planar_beam 1
-/// conn top                 x y rz     1   spring guy
-/// conn anchor              held       0
+/// conn top                 x y rz     0   planar_beam 1, spring guy
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct MastSystem<T: mstmm::__private::Parameter = f64> {
@@ -264,6 +262,9 @@ const _: () = {
         ) -> &mstmm::__private::Placement<T> {
             self.skeleton.placement(member)
         }
+        fn spot(&self, node: ::core::primitive::usize) -> mstmm::__private::Spot {
+            SKETCH.spot(node)
+        }
         fn order(&self) -> mstmm::__private::NetworkOrder<'_> {
             ORDER.order(3usize, 2usize)
         }
@@ -314,13 +315,14 @@ const _: () = {
         S: mstmm::__private::Frequency<T>,
         mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::Charted<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::Charted<S>,
+        S: mstmm::__private::FrontScalar,
     {
         fn pass<C: mstmm::__private::RootCounter<S>>(
             &self,
             x: S,
             counter: &mut C,
         ) -> mstmm::__private::Scaled<S> {
-            mstmm::__private::network_pass::<8usize, Self, S, C>(self, x, counter)
+            mstmm::__private::network_pass::<11usize, Self, S, C>(self, x, counter)
         }
     }
 };

@@ -59,3 +59,18 @@ fn two_points_at_one_place_are_named() {
     let error = Cantilever { length: f64::NAN }.build().unwrap_err();
     assert_eq!((error.element, error.parameter), ("free at planar_beam 1", "x"));
 }
+
+system! {
+    /// A cable is a spring along itself: across it nothing holds its knot.
+    struct Loose { k: f64 }
+
+    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 5.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn tip at (1.0, 0.0);
+    conn tip -> spring 2 { stiffness: k } -> conn knot at (1.0, 1.0);
+    conn knot -> spring 3 { stiffness: k } -> fixed at (1.0, 2.0);
+}
+
+#[test]
+fn a_mechanism_without_mass_is_named() {
+    let error = Loose { k: 3.0 }.build().unwrap().first_frequencies::<2>().unwrap_err();
+    assert!(error.to_string().ends_with("or a massless part by nothing, as shows at conn knot"), "{error}");
+}

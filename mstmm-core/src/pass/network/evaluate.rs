@@ -1,6 +1,7 @@
 //! The evaluation of a network: its nodes are eliminated one after the other.
 
-use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Size, Truth};
+use crate::model::Spot;
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size, Truth};
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
@@ -13,6 +14,9 @@ const ROUNDINGS: f64 = 2.0;
 /// Size of the row of a pivot, in units of its error, beyond which no other choice of pivots is looked at.
 const NEAR: f64 = 16.0;
 
+/// Part of Δ by which another choice of pivots may change it, as it may where rounding alone is left.
+const NOISE: f64 = 0.5;
+
 /// A network as its evaluation reads it.
 pub trait Placed: System {
     /// A node and its motions.
@@ -20,6 +24,11 @@ pub trait Placed: System {
 
     /// Where a member stands.
     fn placement(&self, member: usize) -> &Placement<Self::Parameter>;
+
+    /// What errors call a node.
+    fn spot(&self, node: usize) -> Spot {
+        Spot::Node(node)
+    }
 
     /// The order of its nodes.
     fn order(&self) -> NetworkOrder<'_>;
@@ -38,22 +47,36 @@ where
     S: Frequency<Y::Parameter> + FrontScalar,
     C: RootCounter<S>,
 {
-    let total = eliminated::<WIDTH, _, _>(network, x, Choice::Largest, counter.looks_at_root());
-    if C::WATCHES && total.has_vanished {
+    let other = || eliminated::<WIDTH, _, _>(network, x, Choice::InOrder, false);
+    let total = eliminated::<WIDTH, _, _>(network, x, Choice::Largest, S::IS_EXTENDED || counter.looks_at_root());
+    let [row, error] = total.smallest_row;
+    let is_near = total.carries_errors && row < NEAR * S::EPSILON * error;
+    let mut vanished_at = total.vanished_at;
+    // another choice of pivots rounds otherwise: what differs is decided by rounding
+    if is_near && S::IS_EXTENDED && vanished_at.is_none() && differs(total.delta(), other().delta()) {
+        vanished_at = Some(total.smallest_at);
+    }
+    if let (true, Some(node)) = (C::WATCHES, vanished_at) {
         counter.cancelled(true);
+        counter.vanished(network.spot(node as usize));
     }
     if counter.looks_at_root() {
-        let [row, error] = total.smallest_row;
         counter.root_sum(S::Size::of(row), S::Size::of(ROUNDINGS * error));
-        // another choice of pivots rounds otherwise: what differs is decided by rounding
-        let is_near = row < NEAR * S::EPSILON * error;
-        if is_near && eliminated::<WIDTH, _, _>(network, x, Choice::InOrder, false).below != total.below {
+        if is_near && other().below != total.below {
             counter.cancelled(false);
         }
     }
     counter.eliminated(total.below);
-    // in extended precision a row of rounding alone is zero: there is nothing further that could tell
-    if S::IS_EXTENDED && total.has_vanished { Scaled::new(S::zero(), 0) } else { total.delta() }
+    // in extended precision what is rounding alone is zero: there is nothing further that could tell
+    if S::IS_EXTENDED && vanished_at.is_some() { Scaled::new(S::zero(), 0) } else { total.delta() }
+}
+
+/// Whether two numbers have no digits in common.
+#[cold]
+fn differs<S: Scalar>(one: Scaled<S>, other: Scaled<S>) -> bool {
+    let difference = (one.over(other).over_power(0) - S::one()).size().first();
+    // a NaN has none
+    difference.is_nan() || difference > NOISE
 }
 
 /// Eliminates all nodes.

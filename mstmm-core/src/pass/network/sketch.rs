@@ -1,5 +1,6 @@
 //! What `system!` says of a network: its nodes and members by indices, its numbers by their place in a list.
 
+use crate::model::Spot;
 use mstmm_plan::{Freedoms, in_motion};
 
 /// A network without its numbers.
@@ -89,6 +90,11 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             member += 1;
         }
         pairs
+    }
+
+    /// What errors call a node: the name of its place, or its index where it is a motion of a path.
+    pub fn spot(&self, node: usize) -> Spot {
+        self.nodes[node].place.map_or(Spot::Node(node), |place| Spot::Point(self.places[place]))
     }
 }
 

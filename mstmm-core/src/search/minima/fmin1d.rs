@@ -83,7 +83,7 @@ pub fn fmin1d<const CAP: usize, V: Into<Magnitude>>(
         }
     }
     if all_zero {
-        return Err(SearchError::Zero { points });
+        return Err(SearchError::Zero { points, at: None });
     }
     minima.as_mut_slice().sort_unstable_by(|a, b| a.x.total_cmp(&b.x));
     Ok(Minima { minima, evaluations })
@@ -369,7 +369,7 @@ mod tests {
         assert_eq!(run(-1e308..=1e308, 9, 0.1), SearchError::Range { start: -1e308, end: 1e308 });
         assert_eq!(run(0.0..=1.0, usize::MAX, 0.1), SearchError::Grid { points: usize::MAX, limit: MAX_POINTS });
         let zero = fmin1d::<1, _>(|_| 0.0, 0.0..=1.0, 9, 0.1).unwrap_err();
-        assert_eq!(zero, SearchError::Zero { points: 9 });
+        assert_eq!(zero, SearchError::Zero { points: 9, at: None });
         let full = fmin1d::<1, _>(|x: f64| x.sin(), 1.0..=7.0, 20, 0.1).unwrap_err();
         assert_eq!(full, SearchError::Capacity { capacity: 1 });
     }

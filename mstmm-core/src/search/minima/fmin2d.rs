@@ -98,7 +98,7 @@ pub fn fmin2d<const CAP: usize, V: Into<Magnitude>>(
         }
     }
     if all_zero {
-        return Err(SearchError::Zero { points: points[0].saturating_mul(points[1]) });
+        return Err(SearchError::Zero { points: points[0].saturating_mul(points[1]), at: None });
     }
     Ok(Minima { minima, evaluations })
 }
@@ -326,7 +326,7 @@ mod tests {
             SearchError::Grid { points: usize::MAX, limit: MAX_POINTS }
         ));
         let zero = fmin2d::<1, _>(|_, _| 0.0, unit(), [3, 4], [0.1, 0.1]).unwrap_err();
-        assert_eq!(zero, SearchError::Zero { points: 12 });
+        assert_eq!(zero, SearchError::Zero { points: 12, at: None });
         let two = fmin2d::<1, _>(|x: f64, y: f64| C::new((x - 0.2) * (x - 0.8), y - 0.5), unit(), [11, 11], [0.1, 0.1]);
         assert_eq!(two.unwrap_err(), SearchError::Capacity { capacity: 1 });
     }

@@ -109,6 +109,7 @@ impl<S: Scalar> Fronts<'_, S> {
     #[inline(always)]
     fn take_up(&mut self, node: &FrontNode<S>) {
         let from = self.objects.count - node.objects;
+        self.total.node = node.index;
         self.join(node, from);
         self.front.eliminate(self.choice, &mut self.total);
         let shift = self.front.balance();

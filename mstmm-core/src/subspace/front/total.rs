@@ -13,18 +13,29 @@ pub(crate) struct Total<S: Scalar> {
     /// Negative pivots and natural frequencies of held members, less the number of forces: at the end the frequencies below.
     pub(crate) below: S::Size,
     /// Whether rows carry what rounding has done to them.
-    pub(super) carries_errors: bool,
-    /// Whether a row was nothing but rounding.
-    pub(crate) has_vanished: bool,
+    pub(crate) carries_errors: bool,
+    /// The node that is eliminated, and the first one where a row was nothing but rounding.
+    pub(super) node: u32,
+    pub(crate) vanished_at: Option<u32>,
     /// The size of the row of a pivot and its error in units of rounding, where the first is smallest beside the second.
     pub(crate) smallest_row: [f64; 2],
+    pub(crate) smallest_at: u32,
 }
 
 impl<S: Scalar> Total<S> {
     /// Nothing yet, given whether errors are to be carried along.
     pub(crate) fn new(carries_errors: bool) -> Self {
         let (product, below) = (S::one(), S::Size::of(0.0));
-        Total { product, exponent: 0, below, carries_errors, has_vanished: false, smallest_row: [1.0; 2] }
+        Total {
+            product,
+            exponent: 0,
+            below,
+            carries_errors,
+            node: 0,
+            vanished_at: None,
+            smallest_row: [1.0; 2],
+            smallest_at: 0,
+        }
     }
 
     /// Not a number, of a network that could not be evaluated.
@@ -51,9 +62,11 @@ impl<S: Scalar> Total<S> {
     pub(super) fn look_at_row(&mut self, largest: f64, term: f64, error: f64) {
         let [smallest, of] = self.smallest_row;
         if largest * of < smallest * error {
-            self.smallest_row = [largest, error];
+            (self.smallest_row, self.smallest_at) = ([largest, error], self.node);
         }
-        self.has_vanished |= largest <= ROUNDING * S::EPSILON * term;
+        if largest <= ROUNDING * S::EPSILON * term {
+            self.vanished_at = self.vanished_at.or(Some(self.node));
+        }
     }
 
     /// Adds to the count.

@@ -127,6 +127,10 @@ pub(super) fn placed(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
                 self.skeleton.placement(member)
             }
 
+            fn spot(&self, node: ::core::primitive::usize) -> #private::Spot {
+                SKETCH.spot(node)
+            }
+
             fn order(&self) -> #private::NetworkOrder<'_> {
                 ORDER.order(#nodes, #members)
             }
