@@ -146,35 +146,28 @@ pub const fn in_motion([from, to]: [usize; 2], rest: [bool; 2]) -> [usize; 2] {
 /// that it takes up are the last ones.
 ///
 /// Each node is chosen such that it cuts the fewest members, among equals with most that are cut already: a chain is followed from its end,
-/// a building storey by storey, a star from the tips of its arms. The last node also takes up what is left of parts that hang together
-/// through nodes at rest alone: nothing. Returns how many nodes there are in the order.
+/// a building storey by storey, a star from the tips of its arms. Parts that hang together through nodes at rest alone follow each other.
+/// Returns how many nodes there are in the order.
 pub(crate) const fn eliminated_in_order(
     incidence: &Incidence<'_>,
     nodes: &mut [Elimination],
     order: &mut [usize],
 ) -> usize {
-    let mut last = NONE;
-    let mut k = 0;
-    while k < nodes.len() {
+    loop {
         let node = next_node(incidence, nodes);
         if node == NONE {
             break;
         }
         take_up(incidence, nodes, node);
-        last = node;
-        k += 1;
     }
-    if last == NONE {
-        return 0;
-    }
-    let mut node = 0;
+    let (mut count, mut node) = (0, 0);
     while node < nodes.len() {
-        if nodes[node].is_eliminated && nodes[node].parent == NONE && node != last {
-            give_to(nodes, node, last);
+        if nodes[node].is_eliminated && nodes[node].parent == NONE {
+            count = upon_each_other(nodes, node, order, count);
         }
         node += 1;
     }
-    upon_each_other(nodes, last, order)
+    count
 }
 
 /// The node with members that is not eliminated yet and cuts the fewest ones; of several the one at which most are cut already.
@@ -272,9 +265,10 @@ const fn take_up(incidence: &Incidence<'_>, nodes: &mut [Elimination], node: usi
     nodes[node].is_eliminated = true;
 }
 
-/// Sorts the nodes below one of them so that each stands behind those whose fronts it takes up, and these stand next to it.
-const fn upon_each_other(nodes: &[Elimination], last: usize, order: &mut [usize]) -> usize {
-    let (mut count, mut node) = (0, deepest(nodes, last));
+/// Sorts the nodes below one of them, behind so many others, so that each stands behind those whose fronts it takes up, and these stand next
+/// to it. Returns how many there are then.
+const fn upon_each_other(nodes: &[Elimination], last: usize, order: &mut [usize], before: usize) -> usize {
+    let (mut count, mut node) = (before, deepest(nodes, last));
     loop {
         order[count] = node;
         count += 1;

@@ -30,6 +30,33 @@ system! {
     fixed -> spring_damper 1 { stiffness: 4.0, damping: c } -> mass 2 { mass: 1.0 } -> free;
 }
 
+system! {
+    /// A square frame on four legs through its middle with a damper.
+    struct Cross { l: f64, c: f64 }
+    conn m at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (l, 0.0);
+    conn m -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, l);
+    conn m -> planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (-1.0 * l, 0.0);
+    conn m -> planar_beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (0.0, -1.0 * l);
+    conn a -> planar_beam 5 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b;
+    conn b -> planar_beam 6 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d;
+    conn d -> planar_beam 7 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e;
+    conn e -> planar_beam 8 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
+    conn a -> damper 9 { damping: c } -> fixed at (3.0 * l, 0.0);
+}
+
+system! {
+    /// The frame without the damper, whose double roots are judged.
+    struct Square { l: f64 }
+    conn m at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (l, 0.0);
+    conn m -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, l);
+    conn m -> planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (-1.0 * l, 0.0);
+    conn m -> planar_beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (0.0, -1.0 * l);
+    conn a -> planar_beam 5 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b;
+    conn b -> planar_beam 6 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d;
+    conn d -> planar_beam 7 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e;
+    conn e -> planar_beam 8 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
+}
+
 /// Runs a call on a thread of so many kB.
 fn on_a_stack_of([release, debug]: [usize; 2], call: fn()) {
     let size = if cfg!(debug_assertions) { debug } else { release };
@@ -92,6 +119,17 @@ fn searches_of_damped_systems() {
         let oscillator = Oscillator { c: 4.0 }.build().unwrap();
         let roots = oscillator.eigenvalues::<4>(Region { re: -50.0..=1.0, im: -50.0..=50.0 }).unwrap();
         assert_eq!((roots.len(), roots[0].multiplicity), (1, 2));
+    });
+}
+
+#[test]
+fn searches_of_frames() {
+    on_a_stack_of(REAL, || {
+        let roots = Square { l: 1.0 }.build().unwrap().first_frequencies::<12>().unwrap();
+        assert!(roots.iter().any(|root| root.multiplicity > 1));
+    });
+    on_a_stack_of(COMPLEX, || {
+        assert!(Cross { l: 1.0, c: 0.5 }.build().unwrap().first_eigenvalues::<4>().is_ok());
     });
 }
 

@@ -1,5 +1,6 @@
 //! Plane frames: beams at any angle, loops, rigid bodies with many ports, releases, skew supports, springs along directions.
 
+mod at_rest;
 mod by_minors;
 mod checks;
 mod damped;

@@ -250,6 +250,11 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.map(|part| part.times_power_of_two(exponent))
     }
 
+    #[inline(always)]
+    fn is_constant_zero(self) -> bool {
+        self.value.is_zero() && self.derivative.is_zero()
+    }
+
     #[inline]
     fn scaled(self, power: f64) -> Self {
         self.map(|part| part.scaled(power))

@@ -86,6 +86,12 @@ pub trait Scalar:
     /// Whether a real number is below zero; complex ones have no order.
     fn is_negative(self) -> Self::Truth;
 
+    /// Whether it is the constant zero, whose derivative vanishes as well.
+    #[inline(always)]
+    fn is_constant_zero(self) -> bool {
+        self.is_zero()
+    }
+
     /// Whether the number is zero, a dual one its value.
     fn vanishes(self) -> Self::Truth;
 

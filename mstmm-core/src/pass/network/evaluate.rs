@@ -101,7 +101,7 @@ where
     total.unwrap_or_else(Total::unknown)
 }
 
-/// Adds the members that are cut by the elimination of a node. Returns their number.
+/// Adds the members that are cut by the elimination of a node. Returns the number of objects that they are.
 fn push_members<Y, S>(
     network: &Y,
     order: &NetworkOrder<'_>,
@@ -122,8 +122,8 @@ where
         let placement = network.placement(member);
         if let Some(chart) = network.chart(member, at, placement.length()) {
             let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
-            S::push_chart(fronts, &chart, &placement.joined(nodes, nodes.map(|node| network.node(node).1)));
-            count += 1;
+            let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
+            count += S::push_chart(fronts, &chart, &ends);
         }
     }
     count

@@ -194,7 +194,7 @@ impl<S: Scalar> Fronts<'_, S> {
             let (entries, others) = rest.split_at(k + 1);
             rest = others;
             for ((entry, other), other_sum) in entries.iter().zip(targets).zip(rows) {
-                if entry.is_zero() {
+                if entry.is_constant_zero() {
                     continue;
                 }
                 let (sum, place, power) = match (target.kind, other.kind) {

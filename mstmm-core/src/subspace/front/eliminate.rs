@@ -10,6 +10,8 @@ use core::ops::Range;
 /// The part of the largest entry of its row that a pivot on one variable must have.
 const SUFFICIENT: f64 = 0.64;
 
+/// The part of the square of the largest entry inside that the determinant over two variables must have, if they are taken without a look
+/// at all others.
 const PAIRED: f64 = 0.64;
 
 /// The size beyond which an entry on the boundary changes the kind of its variable.

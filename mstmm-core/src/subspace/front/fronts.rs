@@ -127,9 +127,9 @@ pub trait FrontScalar: Scalar {
     #[doc(hidden)]
     fn in_memory<const W: usize, R>(work: impl FnOnce(&mut FrontRoom<Self, W>) -> R) -> Option<R>;
 
-    /// Adds a member by its chart.
+    /// Adds a member by its chart. Returns the number of objects that were added.
     #[doc(hidden)]
-    fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]);
+    fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]) -> usize;
 
     /// Eliminates a node.
     #[doc(hidden)]
@@ -146,8 +146,8 @@ macro_rules! compiled {
                 Some(work(&mut room))
             }
 
-            fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]) {
-                fronts.objects.push_chart(chart, ends, &mut fronts.total);
+            fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]) -> usize {
+                fronts.objects.push_chart(chart, ends, &mut fronts.total)
             }
 
             fn eliminate(fronts: &mut Fronts<'_, Self>, node: &FrontNode<Self>) {
@@ -166,7 +166,9 @@ impl<V: crate::number::lanes::Waving> FrontScalar for mstmm_lanes::Lanes<V> {
         None
     }
 
-    fn push_chart(_fronts: &mut Fronts<'_, Self>, _chart: &Chart<Self>, _ends: &[JoinedEnd<Self>; 2]) {}
+    fn push_chart(_fronts: &mut Fronts<'_, Self>, _chart: &Chart<Self>, _ends: &[JoinedEnd<Self>; 2]) -> usize {
+        0
+    }
 
     fn eliminate(_fronts: &mut Fronts<'_, Self>, _node: &FrontNode<Self>) {}
 }

@@ -70,8 +70,9 @@ impl<S: Scalar> Objects<'_, S> {
         start
     }
 
-    /// Adds a member by its chart, without displacements that vanish.
-    pub(super) fn push_chart(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], total: &mut Total<S>) {
+    /// Adds a member by its chart, without displacements that vanish. Returns the number of objects that were added: one without variables is
+    /// none.
+    pub(super) fn push_chart(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], total: &mut Total<S>) -> usize {
         let start = self.starts[self.count];
         // the places in the chart of the variables that stay
         let mut kept = [0; MOST_VARIABLES];
@@ -99,6 +100,11 @@ impl<S: Scalar> Objects<'_, S> {
                 place += 1;
             }
         }
+        total.multiply(chart.product.mantissa(), chart.product.exponent());
+        total.below = total.below + chart.below;
+        if count == 0 {
+            return 0;
+        }
         let kept = &kept[..count];
         self.open(count);
         let entries = &mut self.entries[start.entry..start.entry + row(count)];
@@ -119,14 +125,16 @@ impl<S: Scalar> Objects<'_, S> {
                 *error = sizes.fold(0.0, f64::max);
             }
         }
-        total.multiply(chart.product.mantissa(), chart.product.exponent());
-        total.below = total.below + chart.below;
+        1
     }
 
-    /// Replaces the last objects, from one on, by what is left of their front, in units that are `2^shift` times as large.
+    /// Replaces the last objects, from one on, by what is left of their front, if anything is, in units that are `2^shift` times as large.
     pub(super) fn replace_last(&mut self, from: usize, node: u32, front: &Front<'_, S>, shift: i32) {
         let places = self.last(from);
         self.count = from;
+        if front.boundary == 0 {
+            return;
+        }
         let Start { variable, entry } = self.open(front.boundary);
         // those elsewhere are the boundary, in their order
         let mut next = variable;

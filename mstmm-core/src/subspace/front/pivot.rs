@@ -217,7 +217,7 @@ fn subtract<S: Scalar, const N: usize>(
         let (entries, others) = rest.split_at_mut(k + 1);
         rest = others;
         let factors = pivots.map(|pivot| pivot[k]);
-        if factors.iter().all(S::is_zero) {
+        if factors.into_iter().all(S::is_constant_zero) {
             continue;
         }
         let mut term = 0.0;
