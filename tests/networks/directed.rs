@@ -6,13 +6,15 @@ use crate::families::directed::{Family, families};
 use crate::families::{Named, named_structures};
 use crate::oracle::Oracle;
 use crate::structure::Structure;
-use crate::through_library::first;
+use crate::through_library::{first, first_by};
 
 /// What was compared over a family.
 #[derive(Debug, Default)]
 pub(crate) struct Report {
     pub(crate) structures: usize,
     pub(crate) roots: usize,
+    /// How many of them were judged in extended precision, which takes two evaluations or more.
+    pub(crate) judged: usize,
     pub(crate) ends: usize,
     pub(crate) unsure: usize,
     /// The widest interval in units of eps.
@@ -45,8 +47,11 @@ impl Report {
     }
 
     pub(crate) fn search(&mut self, (name, structure): &Named) {
-        match first(structure) {
-            Ok(found) => self.compare(name, structure, 0, &found),
+        match first_by(structure) {
+            Ok((found, [_, extended])) => {
+                self.judged += (extended / 2).min(found.len());
+                self.compare(name, structure, 0, &found);
+            }
             Err(error) => {
                 self.structures += 1;
                 self.refused.push(format!("{name}: {error}"));
@@ -55,10 +60,10 @@ impl Report {
     }
 
     pub(crate) fn show(&self, name: &str) {
-        let Report { structures, roots, ends, unsure, widest, wide, refused, wrong } = self;
-        let share = *unsure as f64 / (*ends).max(1) as f64;
+        let Report { structures, roots, judged, ends, unsure, widest, wide, refused, wrong } = self;
+        let [unsure, judged] = [(unsure, ends), (judged, roots)].map(|(part, all)| *part as f64 / (*all).max(1) as f64);
         println!(
-            "{name}: {structures} structures, {roots} roots, widest {widest:.0} eps, {} refused, {} wrong, unsure {share:.3}",
+            "{name}: {structures} structures, {roots} roots, judged {judged:.2}, widest {widest:.0} eps, {} refused, {} wrong, unsure {unsure:.3}",
             refused.len(),
             wrong.len()
         );

@@ -1,5 +1,6 @@
 //! The library against the independent count: exact reference cases, structures that are hard, random ones.
 
+use crate::directed::Report;
 use crate::families::random::Spread;
 use crate::families::{named_structures, random_structures};
 use crate::judgement::{Tally, judge_counts, judge_reference_cases, judge_reference_counts, judge_searches};
@@ -57,8 +58,9 @@ fn counts_of_random_structures_are_right() {
 #[ignore = "many structures: in .ci/long"]
 fn thousands_of_random_structures_have_their_frequencies_where_they_belong() {
     for spread in [Spread::Moderate, Spread::Stiff] {
-        let tally = judge_searches(random_structures(0..2000, spread), first);
-        show(&format!("{spread:?}"), &tally);
-        assert!(tally.refusals.len() * 500 < tally.structures, "{spread:?}");
+        let mut report = Report::default();
+        random_structures(0..2000, spread).for_each(|structure| report.search(&structure));
+        report.show(&format!("{spread:?}"));
+        assert!(report.wrong.is_empty() && report.refused.len() * 500 < report.structures, "{spread:?}");
     }
 }

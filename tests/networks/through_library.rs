@@ -135,11 +135,11 @@ pub(crate) fn first(structure: &Structure) -> Result<Vec<Found>, String> {
     Ok(first_by(structure)?.0)
 }
 
-/// The first frequencies, and the number of evaluations that they took.
-pub(crate) fn first_by(structure: &Structure) -> Result<(Vec<Found>, usize), String> {
+/// The first frequencies, and the number of evaluations that they took, of all and of those in extended precision.
+pub(crate) fn first_by(structure: &Structure) -> Result<(Vec<Found>, [usize; 2]), String> {
     asked(structure, |network| {
         let found = network.first_frequencies::<10>().map_err(|error| error.to_string())?;
-        Ok((found.iter().map(entry).collect(), found.evaluations()))
+        Ok((found.iter().map(entry).collect(), [found.evaluations(), found.extended_evaluations()]))
     })
 }
 

@@ -33,6 +33,7 @@ impl<T: Real> NaturalFrequency<T> {
 pub struct FrequencyList<T, const CAP: usize> {
     pub(super) frequencies: List<NaturalFrequency<T>, CAP>,
     pub(super) evaluations: usize,
+    pub(super) extended: usize,
 }
 
 impl<T, const CAP: usize> FrequencyList<T, CAP> {
@@ -40,6 +41,13 @@ impl<T, const CAP: usize> FrequencyList<T, CAP> {
     #[inline]
     pub fn evaluations(&self) -> usize {
         self.evaluations
+    }
+
+    /// Number of evaluations among these in extended precision, which judged what was doubtful: two for an interval, and more where the
+    /// search was made again. Each takes some six times as long as another one.
+    #[inline]
+    pub fn extended_evaluations(&self) -> usize {
+        self.extended
     }
 }
 

@@ -81,7 +81,7 @@ impl<'a, M: Lanewise<System<f64>: Undamped<Parameter = f64>>> InStep<'a, M> {
         }
         let mut lists = [None; MODELS];
         for lane in lanes_of(!self.lost) {
-            lists[lane] = Some(FrequencyList { frequencies: found[lane], evaluations: self.evaluations });
+            lists[lane] = Some(FrequencyList { frequencies: found[lane], evaluations: self.evaluations, extended: 0 });
         }
         lists
     }

@@ -42,7 +42,7 @@ where
             }
         }
         self.complete(found.as_mut_slice(), &bottom, &lower)?;
-        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
+        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations, extended: self.extended })
     }
 
     /// The lowest frequencies.
@@ -74,7 +74,7 @@ where
             Self::push(&mut found, Some(root))?;
         }
         self.complete(found.as_mut_slice(), &bottom, &lower)?;
-        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations })
+        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations, extended: self.extended })
     }
 
     /// Counts the roots that intervals hold beyond the first and the last sample of a search, where a pair that rounding cannot tell

@@ -195,11 +195,15 @@ fn judged<Y: Undamped + ?Sized, const CAP: usize>(
     }
     let mut judge = Isolation::<Y, <Y::Parameter as Real>::Extended>::new(system);
     let range = range.map(|range| [*range.start(), *range.end()].map(Frequency::from_parameter));
+    // those of the search before
+    let mut plain = 0;
     if let Ok(found) = &found {
         judge.evaluations = found.evaluations;
+        plain = found.evaluations - found.extended;
         // where counts fail, a search says why
         if judge.confirms(found, range).unwrap_or(false) {
-            return Ok(FrequencyList { evaluations: judge.evaluations, ..*found });
+            let (evaluations, extended) = (judge.evaluations, judge.evaluations - plain);
+            return Ok(FrequencyList { evaluations, extended, ..*found });
         }
     }
     let judged = match range {
@@ -212,5 +216,6 @@ fn judged<Y: Undamped + ?Sized, const CAP: usize>(
         let root = NaturalFrequency { omega, lower, upper, multiplicity: root.multiplicity };
         frequencies.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
     }
-    Ok(FrequencyList { frequencies, evaluations: judged.evaluations })
+    let evaluations = judged.evaluations;
+    Ok(FrequencyList { frequencies, evaluations, extended: evaluations - plain })
 }

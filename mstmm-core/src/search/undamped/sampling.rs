@@ -67,6 +67,8 @@ pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     /// The unit in the last place of the parameters, to which results are good.
     pub(super) precision: f64,
     pub(super) evaluations: usize,
+    /// How many of these were in further precision than this.
+    pub(super) extended: usize,
     /// Whether the result is doubtful: counts do not grow, slopes do not fit, or roots coincide.
     pub(super) is_doubtful: bool,
     /// Whether Δ of a sample was smaller, compared with its terms, than near a well-conditioned root.
@@ -98,6 +100,7 @@ where
             half_width,
             precision,
             evaluations: 0,
+            extended: 0,
             is_doubtful: false,
             is_ill_conditioned: false,
             is_at_root: false,
@@ -154,7 +157,7 @@ where
         if !T::HAS_EXTENDED {
             return true;
         }
-        self.evaluations += 2;
+        (self.evaluations, self.extended) = (self.evaluations + 2, self.extended + 2);
         let [below, above] = [root.lower, root.upper].map(|omega| extended(self.system, omega).0.below());
         (below, above) == counts
     }

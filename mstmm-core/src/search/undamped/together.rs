@@ -74,7 +74,7 @@ where
             let last = self.samples.last()?;
             (from, below) = (last.point.s, last.below);
         }
-        Some(FrequencyList { frequencies: found, evaluations: self.single.evaluations })
+        Some(FrequencyList { frequencies: found, evaluations: self.single.evaluations, extended: self.single.extended })
     }
 
     /// The frequencies of a range, if all of them are certified.
@@ -102,7 +102,7 @@ where
         for root in found.iter().filter(|root| root.upper >= start && root.lower <= end) {
             frequencies.push(*root).ok()?;
         }
-        Some(FrequencyList { frequencies, evaluations: self.single.evaluations })
+        Some(FrequencyList { frequencies, evaluations: self.single.evaluations, extended: self.single.extended })
     }
 
     /// The entry of frequencies that are zero, if there are any.
