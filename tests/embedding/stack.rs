@@ -35,8 +35,8 @@ system! {
     struct Cross { l: f64, c: f64 }
     conn m at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (l, 0.0);
     conn m -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, l);
-    conn m -> planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (-1.0 * l, 0.0);
-    conn m -> planar_beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (0.0, -1.0 * l);
+    conn m -> planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (-l, 0.0);
+    conn m -> planar_beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (0.0, -l);
     conn a -> planar_beam 5 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b;
     conn b -> planar_beam 6 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d;
     conn d -> planar_beam 7 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e;
@@ -49,8 +49,8 @@ system! {
     struct Square { l: f64 }
     conn m at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (l, 0.0);
     conn m -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, l);
-    conn m -> planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (-1.0 * l, 0.0);
-    conn m -> planar_beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (0.0, -1.0 * l);
+    conn m -> planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (-l, 0.0);
+    conn m -> planar_beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (0.0, -l);
     conn a -> planar_beam 5 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b;
     conn b -> planar_beam 6 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d;
     conn d -> planar_beam 7 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e;

@@ -150,14 +150,14 @@ pub enum Spot {
     /// The node of an index, of a network that is a list.
     Node(usize),
     /// The point of a name.
-    Point(&'static str),
+    Named(&'static str),
 }
 
 impl fmt::Display for Spot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Spot::Node(node) => write!(f, "node {node}"),
-            Spot::Point(name) => write!(f, "{name}"),
+            Spot::Named(name) => write!(f, "{name}"),
         }
     }
 }

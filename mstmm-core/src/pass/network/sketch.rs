@@ -94,7 +94,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
 
     /// What errors call a node: the name of its place, or its index where it is a motion of a path.
     pub fn spot(&self, node: usize) -> Spot {
-        self.nodes[node].place.map_or(Spot::Node(node), |place| Spot::Point(self.places[place]))
+        self.nodes[node].place.map_or(Spot::Node(node), |place| Spot::Named(self.places[place]))
     }
 }
 

@@ -5,33 +5,10 @@ use crate::subspace::front::chart::MOST_FREEDOMS;
 use crate::subspace::front::eliminate::BOUND;
 use crate::subspace::front::fronts::{FrontNode, Fronts};
 use crate::subspace::front::matrix::Front;
+use crate::subspace::front::target::{Kind, Target};
 use crate::subspace::front::triangle::{self, row};
 use crate::subspace::front::units::{NodeUnits, Units};
 use crate::subspace::front::variable::{Measure, Variable};
-
-/// Where the variable of an object goes in the front.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Target {
-    /// A power of two for its row, and its place.
-    power: f64,
-    place: u32,
-    kind: Kind,
-}
-
-impl Target {
-    /// Not known yet.
-    pub(super) const NONE: Target = Target { kind: Kind::Place, place: 0, power: 0.0 };
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    /// To a place.
-    Place,
-    /// To the motions of the node, the sum of them with the coefficients of its row.
-    Motions,
-    /// Out of it: a force that the node does not take.
-    Nowhere,
-}
 
 impl<S: Scalar> Fronts<'_, S> {
     /// Joins the last objects at a node, with the body there.
@@ -256,13 +233,5 @@ impl<S: Scalar> Front<'_, S> {
             let largest = sizes.fold(self.terms[row], f64::max);
             self.note_error(row, largest);
         }
-    }
-}
-
-impl<S> FrontNode<S> {
-    /// Whether a motion is the rotation.
-    #[inline]
-    fn is_rotation(&self, motion: usize) -> bool {
-        self.has_rotation && motion + 1 == self.motions
     }
 }

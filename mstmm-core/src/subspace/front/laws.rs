@@ -1,8 +1,8 @@
 //! The kernel beside dense algebra: whatever the pivots are, relation, determinant and inertia are those of the whole matrix.
 
 use crate::subspace::front::eliminate::Choice;
-use crate::subspace::front::fronts::FrontScalar;
 use crate::subspace::front::matrix::Front;
+use crate::subspace::front::room::FrontScalar;
 use crate::subspace::front::total::Total;
 use crate::subspace::front::variable::Variable;
 use nalgebra::{SMatrix, SVector};

@@ -19,6 +19,8 @@ mod laws;
 pub(crate) mod matrix;
 pub(crate) mod objects;
 mod pivot;
+pub(crate) mod room;
+mod target;
 pub(crate) mod total;
 pub(crate) mod triangle;
 pub(crate) mod units;
