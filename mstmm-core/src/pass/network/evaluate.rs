@@ -47,22 +47,26 @@ where
     S: Frequency<Y::Parameter> + FrontScalar,
     C: RootCounter<S>,
 {
-    let other = || eliminated::<WIDTH, _, _>(network, x, Choice::InOrder, false);
-    let total = eliminated::<WIDTH, _, _>(network, x, Choice::Largest, S::IS_EXTENDED || counter.looks_at_root());
+    let is_at_root = counter.looks_at_root();
+    let total = eliminated::<WIDTH, _, _>(network, x, Choice::Largest, S::IS_EXTENDED || is_at_root);
     let [row, error] = total.smallest_row;
-    let is_near = total.carries_errors && row < NEAR * S::EPSILON * error;
     let mut vanished_at = total.vanished_at;
     // another choice of pivots rounds otherwise: what differs is decided by rounding
-    if is_near && S::IS_EXTENDED && vanished_at.is_none() && differs(total.delta(), other().delta()) {
+    let is_asked = is_at_root || (S::IS_EXTENDED && vanished_at.is_none());
+    let is_near = is_asked && row < NEAR * S::EPSILON * error;
+    let other = is_near.then(|| eliminated::<WIDTH, _, _>(network, x, Choice::InOrder, false));
+    if let (true, None, Some(other)) = (S::IS_EXTENDED, vanished_at, &other)
+        && differs(total.delta(), other.delta())
+    {
         vanished_at = Some(total.smallest_at);
     }
     if let (true, Some(node)) = (C::WATCHES, vanished_at) {
         counter.cancelled(true);
         counter.vanished(network.spot(node as usize));
     }
-    if counter.looks_at_root() {
+    if is_at_root {
         counter.root_sum(S::Size::of(row), S::Size::of(ROUNDINGS * error));
-        if is_near && other().below != total.below {
+        if other.is_some_and(|other| other.below != total.below) {
             counter.cancelled(false);
         }
     }

@@ -52,10 +52,8 @@ impl<S: Scalar> Fronts<'_, S> {
     /// Lets displacements of an object at the node become forces where it is stiff in its units. Else these stiffnesses would be added to
     /// softer ones there.
     fn restrain(&mut self, node: &FrontNode<S>, object: usize, units: Units) {
-        let mut at = self.objects.first_entry(object);
         for (k, place) in self.objects.range(object).enumerate() {
-            let size = self.objects.entries[at].size().first();
-            at += k + 2;
+            let size = self.objects.triangle(object)[row(k) + k].size().first();
             let variable = &self.objects.variables[place];
             if variable.is_force || variable.is_released || variable.node != node.index {
                 continue;
@@ -86,7 +84,7 @@ impl<S: Scalar> Fronts<'_, S> {
             *entry = entry.scaled(factor);
         }
         front.flip_one(place, total);
-        objects.replace(object, front);
+        objects.copy(object, front);
     }
 
     /// Finds where each variable goes, given how many stay on the boundary, behind which the motions stand. Returns the number of all.

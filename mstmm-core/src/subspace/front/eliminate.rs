@@ -70,11 +70,7 @@ impl<S: Scalar> Front<'_, S> {
     fn suffices(&self, total: &mut Total<S>) -> bool {
         let last = self.count - 1;
         let entries = &self.entries[row(last)..row(self.count)];
-        let mut largest = 0.0_f64;
-        for entry in entries {
-            let size = entry.size().first();
-            largest = if size > largest { size } else { largest };
-        }
+        let largest = triangle::largest(entries);
         total.look_at_row(largest, self.terms[last], self.errors[last]);
         let own = entries[last].size().first();
         own > 0.0 && own >= SUFFICIENT * largest
@@ -108,11 +104,7 @@ impl<S: Scalar> Front<'_, S> {
         }
         let between = entries[partner];
         let determinant = (entries[last] * before[row(partner) + partner] - between * between).size().first();
-        let mut of_all = 0.0_f64;
-        for entry in &self.entries[row(self.boundary)..row(self.count)] {
-            let size = entry.size().first();
-            of_all = if size > of_all { size } else { of_all };
-        }
+        let of_all = triangle::largest(&self.entries[row(self.boundary)..row(self.count)]);
         (determinant >= PAIRED * of_all * of_all).then_some(partner)
     }
 

@@ -49,12 +49,6 @@ impl<S: Scalar> Objects<'_, S> {
         self.starts[from].variable..self.starts[self.count].variable
     }
 
-    /// Where the entries of an object begin.
-    #[inline]
-    pub(super) fn first_entry(&self, object: usize) -> usize {
-        self.starts[object].entry
-    }
-
     /// The entries of an object.
     #[inline]
     pub(super) fn triangle(&self, object: usize) -> &[S] {
@@ -144,14 +138,12 @@ impl<S: Scalar> Objects<'_, S> {
                 next += 1;
             }
         }
-        let variables = &mut self.variables[variable..next];
-        variables.copy_from_slice(&front.variables[..front.boundary]);
-        self.errors[variable..next].copy_from_slice(&front.errors[..front.boundary]);
-        let entries = &mut self.entries[entry..entry + row(front.boundary)];
-        entries.copy_from_slice(&front.entries[..row(front.boundary)]);
+        self.copy(self.count - 1, front);
         if shift == 0 {
             return;
         }
+        let variables = &mut self.variables[variable..next];
+        let entries = &mut self.entries[entry..];
         let powers = [power_of_two(shift), power_of_two(-shift)];
         for one in 0..front.boundary {
             let own = powers[usize::from(variables[one].is_force)];
@@ -163,12 +155,11 @@ impl<S: Scalar> Objects<'_, S> {
         }
     }
 
-    /// Puts the boundary of a front in the place of an object.
-    pub(super) fn replace(&mut self, object: usize, front: &Front<'_, S>) {
-        let Range { start, end } = self.range(object);
-        self.variables[start..end].copy_from_slice(&front.variables[..front.boundary]);
-        self.errors[start..end].copy_from_slice(&front.errors[..front.boundary]);
-        let at = self.starts[object].entry;
-        self.entries[at..at + row(front.boundary)].copy_from_slice(&front.entries[..row(front.boundary)]);
+    /// Copies the boundary of a front to an object of as many variables.
+    pub(super) fn copy(&mut self, object: usize, front: &Front<'_, S>) {
+        let (places, entry) = (self.range(object), self.starts[object].entry);
+        self.variables[places.clone()].copy_from_slice(&front.variables[..front.boundary]);
+        self.errors[places].copy_from_slice(&front.errors[..front.boundary]);
+        self.entries[entry..entry + row(front.boundary)].copy_from_slice(&front.entries[..row(front.boundary)]);
     }
 }

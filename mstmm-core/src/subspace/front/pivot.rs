@@ -33,7 +33,7 @@ impl<S: Scalar> Front<'_, S> {
     fn carry_errors<const N: usize>(&mut self, of_pivots: [f64; N]) {
         let mut largest = [0.0_f64; N];
         for (largest, solved) in largest.iter_mut().zip(&self.solved) {
-            *largest = solved[..self.count].iter().fold(0.0, |largest, entry| entry.size().first().max(largest));
+            *largest = triangle::largest(&solved[..self.count]);
         }
         for row in 0..self.count {
             let (mut of_row, mut inherited) = (0.0, 0.0);
@@ -46,20 +46,18 @@ impl<S: Scalar> Front<'_, S> {
         }
     }
 
-    /// Writes the row of a pivot as that of the other kind, given which of the solved rows is its own, its diagonal entry, and its error.
+    /// Lets a pivot become the other kind and writes its row, given which of the solved rows is its own, its diagonal entry, and its error.
     fn flip(&mut self, place: usize, own: usize, diagonal: S, error: f64, total: &mut Total<S>) {
-        let mut largest = error;
         for other in 0..self.count {
-            let entry = self.signed(place, self.solved[own][other]);
-            self.entries[triangle::place(place, other)] = entry;
-            largest = largest.max(entry.size().first());
+            self.entries[triangle::place(place, other)] = self.signed(place, self.solved[own][other]);
         }
         self.entries[triangle::place(place, place)] = diagonal;
         self.terms[place] = 0.0;
-        self.errors[place] = largest;
+        self.errors[place] = triangle::largest(&self.solved[own][..self.count]).max(error);
         if !self.variables[place].is_force {
             total.count(-1.0);
         }
+        self.variables[place].is_force ^= true;
     }
 
     /// Pivots on the last variable, which leaves.
@@ -74,8 +72,7 @@ impl<S: Scalar> Front<'_, S> {
             *solved = *entry * inverse;
         }
         subtract(rest, [&own[..last]], [solved], &mut self.terms[..last]);
-        total.multiply(self.signed(last, pivot), self.unit_power(last));
-        total.count_if(pivot.is_negative());
+        self.multiply_by_one(pivot, last, total);
         self.count = last;
         if total.carries_errors {
             self.pivots[0][..last].copy_from_slice(&self.entries[row(last)..row(last) + last]);
@@ -88,8 +85,7 @@ impl<S: Scalar> Front<'_, S> {
         self.gather(0, place);
         let pivot = self.pivots[0][place];
         let inverse = S::one() / pivot;
-        total.multiply(self.signed(place, pivot), self.unit_power(place));
-        total.count_if(pivot.is_negative());
+        self.multiply_by_one(pivot, place, total);
         for (solved, entry) in self.solved[0][..self.count].iter_mut().zip(&self.pivots[0][..self.count]) {
             *solved = *entry * inverse;
         }
@@ -106,7 +102,6 @@ impl<S: Scalar> Front<'_, S> {
         }
         let size = inverse.size().first();
         self.flip(place, 0, -inverse, size * size * error, total);
-        self.variables[place].is_force ^= true;
     }
 
     /// Pivots on the last two variables, which leave.
@@ -124,7 +119,7 @@ impl<S: Scalar> Front<'_, S> {
             self.pivots[1][..j].copy_from_slice(two);
         }
         self.count = j;
-        self.multiply_by(&block, [i, j], total);
+        self.multiply_by_two(&block, [i, j], total);
         if total.carries_errors {
             self.carry_errors([self.errors[i], self.errors[j]]);
         }
@@ -136,7 +131,7 @@ impl<S: Scalar> Front<'_, S> {
         self.gather(0, i);
         self.gather(1, j);
         let block = Block::of([self.pivots[0][i], self.pivots[0][j], self.pivots[1][j]]);
-        self.multiply_by(&block, places, total);
+        self.multiply_by_two(&block, places, total);
         self.count -= usize::from(after == After::Leaves);
         let count = self.count;
         let pivots = [&self.pivots[0][..count], &self.pivots[1][..count]];
@@ -159,13 +154,17 @@ impl<S: Scalar> Front<'_, S> {
         if after == After::Flips {
             self.flip(i, 0, -own, of_own * errors[0] + cross * errors[1], total);
             self.entries[triangle::place(i, j)] = flipped;
-            self.variables[i].is_force ^= true;
         }
-        self.variables[j].is_force ^= true;
+    }
+
+    /// Multiplies Δ by a pivot on one variable, and counts it.
+    fn multiply_by_one(&self, pivot: S, place: usize, total: &mut Total<S>) {
+        total.multiply(self.signed(place, pivot), self.unit_power(place));
+        total.count_if(pivot.is_negative());
     }
 
     /// Multiplies Δ by a pivot on two variables, and counts it.
-    fn multiply_by(&self, block: &Block<S>, [i, j]: [usize; 2], total: &mut Total<S>) {
+    fn multiply_by_two(&self, block: &Block<S>, [i, j]: [usize; 2], total: &mut Total<S>) {
         let determinant = self.signed(i, self.signed(j, block.determinant));
         total.multiply(determinant, self.unit_power(i) + self.unit_power(j));
         let definite = S::Size::choose(block.is_first_negative, S::Size::of(2.0), S::Size::of(0.0));

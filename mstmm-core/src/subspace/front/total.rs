@@ -13,7 +13,7 @@ pub(crate) struct Total<S: Scalar> {
     /// Negative pivots and natural frequencies of held members, less the number of forces: at the end the frequencies below.
     pub(crate) below: S::Size,
     /// Whether rows carry what rounding has done to them.
-    pub(crate) carries_errors: bool,
+    pub(super) carries_errors: bool,
     /// The node that is eliminated, and the first one where a row was nothing but rounding.
     pub(super) node: u32,
     pub(crate) vanished_at: Option<u32>,
