@@ -123,14 +123,14 @@ pub mod list {
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
     pub use mstmm_core::{
-        AnyMember, Chart, Charted, End, Freedoms, Joint, Member, MemberChart, MemberElement, Network, NetworkError,
-        NetworkRoom as Room, Node, Section, Support, UndampedMember,
+        AnyMember, Chart, Charted, End, Freedoms, InNetwork, Joint, Member, MemberChart, MemberElement, Network,
+        NetworkError, NetworkRoom as Room, Node, Section, Support, UndampedMember,
     };
 }
 
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {
-    pub use crate::motion::ModalAnalysis;
+    pub use crate::motion::{FrameAnalysis, ModalAnalysis};
     pub use crate::search::{
         Characteristic, Eigenvalue, Eigenvalues, Evaluate, ManyFrequencies, NaturalFrequencies, NaturalFrequency,
         Region, Spectrum, Sweep, Undamped, fmin1d, fmin2d,

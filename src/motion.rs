@@ -1,10 +1,13 @@
 //! Motions: mode shapes, responses, sensitivities.
 //!
-//! Questions are methods of [`ModalAnalysis`]; points of a model are its labels, such as `Footbridge::conn_2`.
+//! Questions are methods of [`ModalAnalysis`], of plane structures of [`FrameAnalysis`]; points of a model are its labels, such as
+//! `Footbridge::conn_2`.
 
 pub use mstmm_core::{
-    Coordinate, EnergyShares, Entry, ExtendedTree, ForceHistory, Label, Load, ModalAnalysis, MotionError, Planned,
-    Point, Root, Sample, ShapeList, State, SystemStates, Tree,
+    Coordinate, EndMotion, EnergyShares, Entry, ExtendedTree, ForceHistory, FrameAnalysis, Label, Load, MemberEnd,
+    MemberLabel, ModalAnalysis, MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlaneLoad, PlanePoint,
+    PlaneResponse, PlaneShape, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates,
+    Tree,
 };
 
 /// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.

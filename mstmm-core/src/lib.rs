@@ -27,6 +27,11 @@ pub use answer::frequency_response::FrequencyResponse;
 pub use answer::many_frequencies::ManyFrequencies;
 pub use answer::modal_response::ModalResponse;
 pub use answer::mode_shape::{ModeShape, ShapeList};
+pub use answer::network::frequency::{MovingNetwork, PlaneFrequency};
+pub use answer::network::questions::FrameAnalysis;
+pub use answer::network::response::PlaneResponse;
+pub use answer::network::shape::{PlaneShape, PlaneShapes};
+pub use answer::network::states::PlaneStates;
 pub use answer::questions::ModalAnalysis;
 pub use answer::response_curve::Sample;
 pub use answer::root::Root;
@@ -51,6 +56,7 @@ pub use model::error::{InvalidParameter, ParameterError, Requirement, SearchErro
 pub use model::estimates::FrequencyEstimates;
 pub use model::label::{Entry, Label, Load, Point};
 pub use model::motion_error::MotionError;
+pub use model::plane_label::{MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use mstmm_plan::{Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, Place, Scheme, Space, Step, Support};
 pub use nalgebra::SMatrix;
@@ -73,9 +79,9 @@ pub use pass::characteristic::{Characteristic, System};
 pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
 pub use pass::network::{
-    Axis, End, Located, Member, Motions, Network, NetworkError, NetworkRoom, NetworkSketch, Node, Placed, PlacedCharts,
+    Axis, End, InNetwork, Located, Member, Motions, Network, NetworkError, NetworkRoom, NetworkSketch, Node, Placed, PlacedCharts,
     Placement, Skeleton, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, build_member, estimate_member,
-    network_pass,
+    in_way_back, network_pass,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;
@@ -89,6 +95,8 @@ pub use subspace::count::{Held, NoCount, RootCounter, WittrickWilliams};
 pub use subspace::front::chart::{Chart, JoinedEnd, MOST_ENTRIES, MOST_FREEDOMS, MOST_VARIABLES};
 pub use subspace::front::fronts::{FrontNode, Fronts};
 pub use subspace::front::room::{FrontRoom, FrontScalar};
+pub use subspace::front::way_back::EndMotion;
+pub use subspace::front::way_back_room::WayBack;
 pub use subspace::minors::covector::Covector;
 pub use subspace::minors::line::Line;
 pub use subspace::minors::plane::Plane;

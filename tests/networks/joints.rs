@@ -11,7 +11,7 @@ const SECTION: Section<f64> = Section { axial_stiffness: 4e8, bending_stiffness:
 
 fn frequencies(nodes: &[Node<f64>], members: &[Frame]) -> Vec<f64> {
     let mut room = Room::<_, 8, 8>::new();
-    let network = Network::<_, 24>::new(nodes, members, &mut room).unwrap();
+    let network = Network::<_, 24, _, _>::new(nodes, members, &mut room).unwrap();
     network.first_frequencies::<6>().unwrap().iter().map(|root| root.omega).collect()
 }
 
@@ -92,6 +92,6 @@ fn a_joint_of_two_places_is_refused() {
     let nodes = [clamped([0.0, 0.0]), Node::at([0.0, 3.0])];
     let mut room = Room::<UndampedMember<f64>, 8, 8>::new();
     let members = [Frame::new(0, 1, Joint::rigid(Freedoms::ALL))];
-    let refused = Network::<_, 24>::new(&nodes, &members, &mut room).map(|_| ());
+    let refused = Network::<_, 24, _, _>::new(&nodes, &members, &mut room).map(|_| ());
     assert_eq!(refused, Err(NetworkError::TwoPlaces { member: 0, nodes: [0, 1] }));
 }

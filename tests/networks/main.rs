@@ -21,6 +21,7 @@ mod oracle_laws;
 #[path = "../../examples/portal.rs"]
 pub mod portal;
 mod reference_cases;
+mod motions;
 mod rigid_trees;
 mod sketches;
 #[path = "../support/stiffness_matrix/mod.rs"]

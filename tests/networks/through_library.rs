@@ -17,7 +17,7 @@ const NODES: usize = 1002;
 const MEMBERS: usize = 1202;
 
 /// A network of the library.
-pub(crate) type Undamped<'a> = Network<'a, UndampedMember<f64>, WIDTH>;
+pub(crate) type Undamped<'a> = Network<'a, UndampedMember<f64>, WIDTH, NODES, MEMBERS>;
 
 fn freedoms(set: Freedoms) -> network::Freedoms {
     let all = [(set.x, network::Freedoms::X), (set.y, network::Freedoms::Y), (set.rz, network::Freedoms::RZ)];
@@ -99,7 +99,7 @@ pub(crate) fn eigenvalues(
 ) -> Result<(Vec<Eigenvalue>, Option<u64>), String> {
     let (nodes, members) = (nodes(structure), members(structure, any));
     let mut room = Box::new(Room::<_, 100, 160>::new());
-    let network = Network::<_, DAMPED_WIDTH>::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
+    let network = Network::<_, DAMPED_WIDTH, _, _>::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
     let Some(region) = region else {
         let found = network.first_eigenvalues::<12>().map_err(|error| error.to_string());
         return found.map(|found| (found.to_vec(), None));
@@ -120,7 +120,7 @@ pub(crate) fn characteristic(structure: &Structure, omegas: &[f64]) -> Result<Ve
 pub(crate) fn needed_width(structure: &Structure) -> usize {
     let (nodes, members) = (nodes(structure), members(structure, undamped::<UndampedMember<f64>>));
     let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
-    match Network::<_, 1>::new(&nodes, &members, &mut room) {
+    match Network::<_, 1, _, _>::new(&nodes, &members, &mut room) {
         Err(NetworkError::Width { needed }) => needed,
         other => unreachable!("a width of one: {other:?}"),
     }
@@ -157,4 +157,23 @@ pub(crate) fn in_range(
 /// The number of frequencies below one.
 pub(crate) fn count(structure: &Structure, omega: f64) -> Result<u64, String> {
     asked(structure, |network| network.count_below(omega).map_err(|error| error.to_string()))
+}
+
+/// A network of the library that is small enough for its motions.
+pub(crate) type Moving<'a> = Network<'a, UndampedMember<f64>, WIDTH, 60, 80>;
+
+/// Asks the library about motions of a structure, on a stack that has room for them.
+pub(crate) fn asked_to_move<R: Send>(
+    structure: &Structure,
+    ask: impl FnOnce(&Moving<'_>) -> Result<R, String> + Send,
+) -> Result<R, String> {
+    std::thread::scope(|scope| {
+        let work = move || {
+            let (nodes, members) = (nodes(structure), members(structure, undamped));
+            let mut room = Box::new(Room::<_, 60, 80>::new());
+            let network = Moving::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
+            ask(&network)
+        };
+        std::thread::Builder::new().stack_size(1 << 28).spawn_scoped(scope, work).unwrap().join().unwrap()
+    })
 }

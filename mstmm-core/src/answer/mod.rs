@@ -11,6 +11,7 @@ pub(crate) mod many_frequencies;
 pub(crate) mod misfit;
 pub(crate) mod modal_response;
 pub(crate) mod mode_shape;
+pub(crate) mod network;
 pub(crate) mod questions;
 pub(crate) mod repeated_root;
 pub(crate) mod response_curve;

@@ -8,7 +8,9 @@ use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::{Sensitivities, sensitivities};
 use crate::model::{Chain, Entry, Load, MotionError};
 use crate::number::{Frequency, Oscillation};
+use crate::element::ListElement;
 use crate::pass::characteristic::System;
+use crate::pass::step_list::StepList;
 use crate::pass::tree::{ExtendedTree, Planned};
 
 /// The meaning of the frequencies of roots: [`RealFrequency`](crate::number::frequency::RealFrequency) or
@@ -131,4 +133,7 @@ pub trait ModalAnalysis: System {
     }
 }
 
-impl<Y: System + ?Sized> ModalAnalysis for Y {}
+impl<Y: Planned + ?Sized> ModalAnalysis for Y {}
+
+/// A list without a plan has none: the bounds of each question say so.
+impl<E: ListElement> ModalAnalysis for StepList<'_, E> {}

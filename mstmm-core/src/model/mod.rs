@@ -6,6 +6,7 @@ pub(crate) mod error;
 pub(crate) mod estimates;
 pub(crate) mod label;
 pub(crate) mod motion_error;
+pub(crate) mod plane_label;
 pub(crate) mod scaled_state;
 pub(crate) mod state;
 
@@ -15,5 +16,6 @@ pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchErro
 pub(crate) use estimates::FrequencyEstimates;
 pub(crate) use label::{Entry, Label, Load, Point};
 pub(crate) use motion_error::MotionError;
+pub(crate) use plane_label::{PlaneEntry, PlaneLoad, Quantity, Site};
 pub(crate) use scaled_state::ScaledState;
 pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};

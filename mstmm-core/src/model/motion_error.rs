@@ -60,6 +60,11 @@ pub enum MotionError {
         /// The entry.
         coordinate: Coordinate,
     },
+    /// A point or a member of another list, or a load where its freedom is released.
+    NoSuchPoint {
+        /// Index of the node or of the member.
+        index: usize,
+    },
     /// A range of frequencies that is empty, reversed or not finite.
     Range {
         /// Start of the range [rad/s].
@@ -162,6 +167,9 @@ impl MotionError {
                     Coordinate::X | Coordinate::Qx => ("longitudinal entry", "planar"),
                 };
                 write!(f, "no state at this point has a {name}: no {path} path leads there")
+            }
+            MotionError::NoSuchPoint { index } => {
+                write!(f, "there is no such point at {index}: no node or member of this index, or its freedom is released there")
             }
             MotionError::Range { start, end } => {
                 write!(f, "the range from {start} to {end} rad/s must run upwards and be finite")

@@ -28,7 +28,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>) -> syn::Result<Tok
     let labels = labels::labels(model, &names);
     let sketch = sketch::sketch(skeleton, &names);
     let build = system::build(model, skeleton, &names);
-    let placed = system::placed(skeleton, &names);
+    let placed = system::placed(model, skeleton, width, &names);
     let charts = system::charts(skeleton, width, &names);
     Ok(quote_spanned! {names.here=>
         #parameters

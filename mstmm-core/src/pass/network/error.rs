@@ -97,7 +97,7 @@ impl fmt::Display for NetworkError {
                 write!(f, "the room is too small for {nodes} nodes and {members} members")
             }
             NetworkError::Width { needed } => {
-                write!(f, "the widest front has {needed} variables: `Network::<_, {needed}>` has room for them")
+                write!(f, "the widest front has {needed} variables: `Network::<_, {needed}, _, _>` has room for them")
             }
         }
     }

@@ -5,7 +5,8 @@ use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size,
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
-use crate::subspace::{Chart, Choice, FrontNode, FrontScalar, Fronts, RootCounter, Total};
+use crate::subspace::{Chart, Choice, FrontNode, FrontScalar, Fronts, RootCounter, Total, WayBack, WayBackRoom};
+use core::fmt::Debug;
 use mstmm_plan::NetworkOrder;
 
 /// Number of roundings that add up in the row of a pivot, in units of the largest one.
@@ -19,11 +20,17 @@ const NOISE: f64 = 0.5;
 
 /// A network as its evaluation reads it.
 pub trait Placed: System {
+    /// The model whose points it has.
+    type Model;
+
     /// A node and its motions.
     fn node(&self, node: usize) -> (&Node<Self::Parameter>, &Motions<Self::Parameter>);
 
     /// Where a member stands.
     fn placement(&self, member: usize) -> &Placement<Self::Parameter>;
+
+    /// A place that rigid bodies tie.
+    fn place(&self, place: usize) -> [Self::Parameter; 2];
 
     /// What errors call a node.
     fn spot(&self, node: usize) -> Spot {
@@ -32,6 +39,29 @@ pub trait Placed: System {
 
     /// The order of its nodes.
     fn order(&self) -> NetworkOrder<'_>;
+
+    /// The number of nodes and of members.
+    fn sizes(&self) -> [usize; 2];
+
+    /// A value per node.
+    type PerNode<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
+
+    /// A value per member.
+    type PerMember<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
+
+    /// One value for all nodes.
+    fn per_node<V: Copy + Debug>(value: V) -> Self::PerNode<V>;
+
+    /// One value for all members.
+    fn per_member<V: Copy + Debug>(value: V) -> Self::PerMember<V>;
+
+    /// What a function does in memory for the way back.
+    fn in_way_back<S: FrontScalar, R>(work: impl FnOnce(WayBack<'_, S>) -> R) -> R;
+}
+
+/// What a function does in memory for the way back through so many nodes, with fronts of up to `WIDTH` variables without a load.
+pub fn in_way_back<const WIDTH: usize, const NODES: usize, S: Scalar, R>(work: impl FnOnce(WayBack<'_, S>) -> R) -> R {
+    work(WayBackRoom::<S, WIDTH, NODES>::new().way_back())
 }
 
 /// A network whose members are known at a frequency.
@@ -106,7 +136,7 @@ where
 }
 
 /// Adds the members that are cut by the elimination of a node. Returns the number of objects that they are.
-fn push_members<Y, S>(
+pub(super) fn push_members<Y, S>(
     network: &Y,
     order: &NetworkOrder<'_>,
     node: usize,
@@ -134,7 +164,7 @@ where
 }
 
 /// What fronts need of a node.
-fn front_node<T: Parameter, S: Frequency<T>>(
+pub(super) fn front_node<T: Parameter, S: Frequency<T>>(
     index: usize,
     objects: usize,
     node: &Node<T>,

@@ -109,6 +109,13 @@ fn norm<S: Scalar>([x, y]: [S; 2]) -> S {
     (x * x + y * y).sqrt()
 }
 
+/// The direction of the x axis of an end: its own, or that from the one end to the other.
+fn direction_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize) -> [S; 2] {
+    let direction = ends[end].along.map_or_else(|| between(ends), |along| along.map(S::from_parameter));
+    let size = norm(direction);
+    direction.map(|part| part / size)
+}
+
 /// What a freedom of an end is of the motions of its node.
 fn row_of<T: Parameter, S: Frequency<T>>(
     ends: &[PlacedEnd<T>; 2],
@@ -116,14 +123,12 @@ fn row_of<T: Parameter, S: Frequency<T>>(
     freedom: usize,
     motions: &Motions<T>,
 ) -> [S; 3] {
-    let PlacedEnd { place, node, along, .. } = &ends[end];
+    let PlacedEnd { place, node, .. } = &ends[end];
     let (zero, one) = (S::zero(), S::one());
     if freedom == 2 {
         return motions.parts_of([zero, zero, one]);
     }
-    let direction = along.map_or_else(|| between(ends), |along| along.map(S::from_parameter));
-    let size = norm(direction);
-    let [c, s] = direction.map(|part| part / size);
+    let [c, s]: [S; 2] = direction_of(ends, end);
     let [x, y] = [0, 1].map(|k| S::from_parameter(place[k]) - S::from_parameter(node[k]));
     motions.parts_of(if freedom == 0 { [c, s, s * x - c * y] } else { [-s, c, s * y + c * x] })
 }
@@ -140,7 +145,9 @@ pub struct Placement<T> {
 /// precision the span follows from them anew, so that what is rigid stays so.
 #[derive(Clone, Copy, Debug)]
 struct PlacedEnd<T> {
+    index: usize,
     place: [T; 2],
+    /// The place of its node.
     node: [T; 2],
     along: Option<[T; 2]>,
     released: Freedoms,
@@ -152,7 +159,7 @@ impl<T: Real> Placement<T> {
     /// No place yet.
     pub(crate) fn nowhere() -> Self {
         let origin = [T::zero(); 2];
-        let end = PlacedEnd { place: origin, node: origin, along: None, released: Freedoms::NONE, rests: false };
+        let end = PlacedEnd { index: 0, place: origin, node: origin, along: None, released: Freedoms::NONE, rests: false };
         Placement {
             freedoms: Freedoms::NONE,
             ends: [end; 2],
@@ -165,7 +172,7 @@ impl<T: Real> Placement<T> {
         let ends = [0, 1].map(|k| {
             let End { position, along, released, .. } = *ends[k];
             let node = nodes[k].position;
-            PlacedEnd { place: position.unwrap_or(node), node, along, released, rests: motions[k].count == 0 }
+            PlacedEnd { index: ends[k].node, place: position.unwrap_or(node), node, along, released, rests: motions[k].count == 0 }
         });
         let span = Span::new(&ends, motions);
         Placement { freedoms, ends, span }
@@ -196,6 +203,29 @@ impl<T: Real> Placement<T> {
                 self.span.rows[end].map(|row| row.map(S::from_parameter))
             },
         })
+    }
+}
+
+impl<T: Real> Placement<T> {
+    /// The direction of the x axis of an end.
+    pub(crate) fn axis<S: Frequency<T>>(&self, end: usize) -> [S; 2] {
+        direction_of(&self.ends, end)
+    }
+
+    /// Where an end is from its node.
+    pub(crate) fn offset<S: Frequency<T>>(&self, end: usize) -> [S; 2] {
+        let PlacedEnd { place, node, .. } = &self.ends[end];
+        [0, 1].map(|k| S::from_parameter(place[k]) - S::from_parameter(node[k]))
+    }
+
+    /// The node of an end.
+    pub(crate) fn node_of(&self, end: usize) -> usize {
+        self.ends[end].index
+    }
+
+    /// The freedoms that an end does not share with its node.
+    pub(crate) fn released(&self, end: usize) -> Freedoms {
+        self.ends[end].released
     }
 }
 

@@ -3,15 +3,17 @@
 mod error;
 mod evaluate;
 mod member;
+mod motion;
 mod node;
 mod skeleton;
 mod sketch;
 mod structure;
 
 pub use error::NetworkError;
-pub use evaluate::{Placed, PlacedCharts, network_pass};
+pub use evaluate::{Placed, PlacedCharts, in_way_back, network_pass};
+pub(crate) use motion::{NetworkMotion, motion};
 pub use member::{End, Member, Placement};
 pub use node::{Motions, Node};
 pub use skeleton::{Skeleton, build_member, estimate_member};
 pub use sketch::{Axis, Located, NetworkSketch, SketchedBody, SketchedEnd, SketchedMember, SketchedNode};
-pub use structure::{Network, NetworkRoom};
+pub use structure::{InNetwork, Network, NetworkRoom};

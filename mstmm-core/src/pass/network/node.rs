@@ -127,6 +127,16 @@ impl<T: Parameter> Motions<T> {
     }
 }
 
+impl<T: Parameter> Motions<T> {
+    /// The displacements x, y and the rotation of the node in its motions.
+    pub(crate) fn displacements<S: Frequency<T>>(&self, motions: [S; 3]) -> [S; 3] {
+        [0, 1, 2].map(|k| {
+            let parts = motions.iter().zip(&self.directions);
+            parts.fold(S::zero(), |sum, (motion, direction)| sum + *motion * direction[k])
+        })
+    }
+}
+
 impl<T: Parameter> Node<T> {
     /// The mass matrix of the body over x, y and the rotation of the node.
     pub(crate) fn mass_matrix<S: Frequency<T>>(&self) -> [[S; 3]; 3] {

@@ -9,13 +9,14 @@ use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedEnd, SketchedMem
 
 /// The nodes of a network and the placements of its members; what the members are made of stands elsewhere.
 #[derive(Clone, Debug)]
-pub struct Skeleton<T, const NODES: usize, const MEMBERS: usize> {
+pub struct Skeleton<T, const NODES: usize, const MEMBERS: usize, const PLACES: usize> {
+    places: [[T; 2]; PLACES],
     nodes: [Node<T>; NODES],
     motions: [Motions<T>; NODES],
     placements: [Placement<T>; MEMBERS],
 }
 
-impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBERS> {
+impl<T: Real, const NODES: usize, const MEMBERS: usize, const PLACES: usize> Skeleton<T, NODES, MEMBERS, PLACES> {
     /// The skeleton of a sketch with its numbers.
     ///
     /// # Errors
@@ -40,7 +41,8 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
             *placement = Placement::new(member.freedoms, [&ends[0], &ends[1]], at_nodes.0, at_nodes.1);
             numbers.check_distance(member, placement.own_length().to_f64(), sketch.places)?;
         }
-        Ok(Skeleton { nodes, motions, placements })
+        let places = core::array::from_fn(|place| numbers.place(Some(place)));
+        Ok(Skeleton { places, nodes, motions, placements })
     }
 
     /// The length of a member.
@@ -54,7 +56,12 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
     }
 }
 
-impl<T, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBERS> {
+impl<T: Copy, const NODES: usize, const MEMBERS: usize, const PLACES: usize> Skeleton<T, NODES, MEMBERS, PLACES> {
+    /// A place.
+    pub fn place(&self, place: usize) -> [T; 2] {
+        self.places[place]
+    }
+
     /// A node and its motions.
     pub fn node(&self, node: usize) -> (&Node<T>, &Motions<T>) {
         (&self.nodes[node], &self.motions[node])

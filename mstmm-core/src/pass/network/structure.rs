@@ -5,11 +5,16 @@ use crate::model::FrequencyEstimates;
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Truth};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
-use crate::pass::network::evaluate::{Placed, PlacedCharts, network_pass};
+use crate::pass::network::evaluate::{Placed, PlacedCharts, in_way_back, network_pass};
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
-use crate::subspace::{Chart, FrontScalar, RootCounter};
+use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
+use core::fmt::Debug;
 use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
+
+/// The points of networks, by their indices.
+#[derive(Clone, Copy, Debug)]
+pub enum InNetwork {}
 
 /// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 100 bytes per node, some 300 per member.
 #[derive(Clone, Debug)]
@@ -53,13 +58,13 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
 /// let section = Section { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 };
 /// let members = [[0, 1], [1, 2], [3, 2]].map(|[from, to]| Member::<UndampedMember<f64>>::new(from, to, section));
 /// let mut room = NetworkRoom::<_, 4, 3>::new();
-/// let portal = Network::<_, 16>::new(&nodes, &members, &mut room)?;
+/// let portal = Network::<_, 16, _, _>::new(&nodes, &members, &mut room)?;
 /// let found = portal.first_frequencies::<2>().unwrap();
 /// assert!((found[0].omega - 178.832186592728532).abs() < 1e-12);
 /// # Ok::<(), mstmm_core::NetworkError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Network<'a, E: MemberElement, const WIDTH: usize> {
+pub struct Network<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> {
     nodes: &'a [Node<E::Parameter>],
     motions: &'a [Motions<E::Parameter>],
     members: &'a [Option<E::Built>],
@@ -67,12 +72,14 @@ pub struct Network<'a, E: MemberElement, const WIDTH: usize> {
     order: NetworkOrder<'a>,
 }
 
-impl<'a, E: MemberElement, const WIDTH: usize> Network<'a, E, WIDTH> {
+impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize>
+    Network<'a, E, WIDTH, NODES, MEMBERS>
+{
     /// Builds a network in memory of the caller's.
     ///
     /// # Errors
     /// [`NetworkError`] for what cannot be built, and for a room or a `WIDTH` that is too small.
-    pub fn new<const NODES: usize, const MEMBERS: usize>(
+    pub fn new(
         nodes: &'a [Node<E::Parameter>],
         members: &[Member<E>],
         room: &'a mut NetworkRoom<E, NODES, MEMBERS>,
@@ -180,7 +187,9 @@ fn built<E: MemberElement>(
     Ok((built, placement))
 }
 
-impl<E: MemberElement, const WIDTH: usize> System for Network<'_, E, WIDTH> {
+impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> System
+    for Network<'_, E, WIDTH, NODES, MEMBERS>
+{
     type Parameter = E::Parameter;
 
     const HAS_PHASES: bool = false;
@@ -198,9 +207,21 @@ impl<E: MemberElement, const WIDTH: usize> System for Network<'_, E, WIDTH> {
     }
 }
 
-impl<E: MemberElement, const WIDTH: usize> Placed for Network<'_, E, WIDTH> {
+impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Placed
+    for Network<'_, E, WIDTH, NODES, MEMBERS>
+{
+    type Model = InNetwork;
+
     fn node(&self, node: usize) -> (&Node<E::Parameter>, &Motions<E::Parameter>) {
         (&self.nodes[node], &self.motions[node])
+    }
+
+    fn sizes(&self) -> [usize; 2] {
+        [self.nodes.len(), self.members.len()]
+    }
+
+    fn place(&self, place: usize) -> [E::Parameter; 2] {
+        self.nodes[place].position
     }
 
     fn placement(&self, member: usize) -> &Placement<E::Parameter> {
@@ -210,9 +231,25 @@ impl<E: MemberElement, const WIDTH: usize> Placed for Network<'_, E, WIDTH> {
     fn order(&self) -> NetworkOrder<'_> {
         self.order
     }
+
+    type PerNode<V: Copy + Debug> = [V; NODES];
+    type PerMember<V: Copy + Debug> = [V; MEMBERS];
+
+    fn per_node<V: Copy + Debug>(value: V) -> [V; NODES] {
+        [value; NODES]
+    }
+
+    fn per_member<V: Copy + Debug>(value: V) -> [V; MEMBERS] {
+        [value; MEMBERS]
+    }
+
+    fn in_way_back<S: FrontScalar, R>(work: impl FnOnce(WayBack<'_, S>) -> R) -> R {
+        in_way_back::<WIDTH, NODES, S, R>(work)
+    }
 }
 
-impl<E, S, const WIDTH: usize> PlacedCharts<S> for Network<'_, E, WIDTH>
+impl<E, S, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> PlacedCharts<S>
+    for Network<'_, E, WIDTH, NODES, MEMBERS>
 where
     E: MemberChart<S>,
     S: Frequency<E::Parameter>,
@@ -222,7 +259,8 @@ where
     }
 }
 
-impl<E, S, const WIDTH: usize> Characteristic<S> for Network<'_, E, WIDTH>
+impl<E, S, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Characteristic<S>
+    for Network<'_, E, WIDTH, NODES, MEMBERS>
 where
     E: MemberChart<S>,
     S: Frequency<E::Parameter> + FrontScalar,

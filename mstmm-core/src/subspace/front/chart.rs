@@ -82,3 +82,11 @@ pub struct JoinedEnd<S> {
     /// What its displacements along and across the member and its rotation are of the motions of the node.
     pub(crate) rows: [[S; MOST_FREEDOMS]; MOST_FREEDOMS],
 }
+
+impl<S> JoinedEnd<S> {
+    /// Whether a variable of a freedom stays: a displacement at rest does not, unless it is released.
+    #[inline]
+    pub(super) fn keeps(&self, is_force: bool, freedom: Freedoms) -> bool {
+        is_force || !self.rests || self.released.contains(freedom)
+    }
+}

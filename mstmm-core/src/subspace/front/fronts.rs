@@ -17,6 +17,8 @@ pub struct Fronts<'r, S: Scalar> {
     pub(super) targets: &'r mut [Target],
     pub(super) total: Total<S>,
     pub(super) choice: Choice,
+    /// Whether each interior variable of a front has a rider by which it is read.
+    pub(super) has_readers: bool,
 }
 
 /// A node that is eliminated.

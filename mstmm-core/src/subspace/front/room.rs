@@ -10,6 +10,7 @@ use crate::subspace::front::target::Target;
 use crate::subspace::front::total::Total;
 use crate::subspace::front::triangle::row;
 use crate::subspace::front::variable::Variable;
+use crate::subspace::front::way_back::{Back, Kept, NodeLoad};
 
 /// Memory for fronts of up to `W` variables at once.
 #[derive(Debug)]
@@ -55,6 +56,7 @@ impl<S: Scalar, const W: usize> FrontRoom<S, W> {
                 errors: waiting_errors,
                 starts: &mut self.starts,
                 count: 0,
+                loads: 0,
             },
             front: Front {
                 entries: front,
@@ -63,12 +65,14 @@ impl<S: Scalar, const W: usize> FrontRoom<S, W> {
                 variables,
                 terms,
                 errors,
+                riders: 0,
                 boundary: 0,
                 count: 0,
             },
             targets: &mut self.targets,
             total: Total::new(carries_errors),
             choice,
+            has_readers: false,
         }
     }
 }
@@ -103,6 +107,19 @@ pub trait FrontScalar: Scalar {
     /// Eliminates a node.
     #[doc(hidden)]
     fn eliminate(fronts: &mut Fronts<'_, Self>, node: &FrontNode<Self>);
+
+    /// Eliminates a node under a load, and keeps what the way back needs.
+    #[doc(hidden)]
+    fn eliminate_and_keep(
+        fronts: &mut Fronts<'_, Self>,
+        node: &FrontNode<Self>,
+        load: &NodeLoad<Self>,
+        kept: &mut Kept<'_, Self>,
+    );
+
+    /// Goes back through a node. Returns its motions.
+    #[doc(hidden)]
+    fn recover(back: &mut Back<'_, Self>, node: &FrontNode<Self>) -> [Self; MOST_FREEDOMS];
 }
 
 /// Compiles fronts of numbers, given the zero of each: a constant, since memory is filled with it in one go.
@@ -122,6 +139,19 @@ macro_rules! compiled {
             fn eliminate(fronts: &mut Fronts<'_, Self>, node: &FrontNode<Self>) {
                 fronts.take_up(node);
             }
+
+            fn eliminate_and_keep(
+                fronts: &mut Fronts<'_, Self>,
+                node: &FrontNode<Self>,
+                load: &NodeLoad<Self>,
+                kept: &mut Kept<'_, Self>,
+            ) {
+                fronts.take_up_and_keep(node, load, kept);
+            }
+
+            fn recover(back: &mut Back<'_, Self>, node: &FrontNode<Self>) -> [Self; MOST_FREEDOMS] {
+                back.node(node)
+            }
         }
     )*};
 }
@@ -140,4 +170,16 @@ impl<V: crate::number::lanes::Waving> FrontScalar for mstmm_lanes::Lanes<V> {
     }
 
     fn eliminate(_fronts: &mut Fronts<'_, Self>, _node: &FrontNode<Self>) {}
+
+    fn eliminate_and_keep(
+        _fronts: &mut Fronts<'_, Self>,
+        _node: &FrontNode<Self>,
+        _load: &NodeLoad<Self>,
+        _kept: &mut Kept<'_, Self>,
+    ) {
+    }
+
+    fn recover(_back: &mut Back<'_, Self>, _node: &FrontNode<Self>) -> [Self; MOST_FREEDOMS] {
+        [Self::zero(); MOST_FREEDOMS]
+    }
 }

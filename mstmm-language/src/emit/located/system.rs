@@ -12,7 +12,7 @@ use quote::quote_spanned;
 pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
-    let (nodes, members) = (skeleton.nodes.len(), skeleton.members.len());
+    let (nodes, members, places) = (skeleton.nodes.len(), skeleton.members.len(), skeleton.places.len());
     let fields = skeleton.members.iter().enumerate().map(|(index, member)| {
         let (span, kind) = (member.span(names), member.kind(names));
         let (field, element) = (field(index, span), names.trait_at("Element", span));
@@ -27,7 +27,7 @@ pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, names: &Names) 
         #(#[doc = #doc])*
         #[derive(::core::clone::Clone, ::core::fmt::Debug)]
         #visibility struct #system<#parameter: #private::Parameter = f64> {
-            skeleton: #private::Skeleton<#parameter, #nodes, #members>,
+            skeleton: #private::Skeleton<#parameter, #nodes, #members, #places>,
             #(#fields,)*
             estimates: #private::FrequencyEstimates,
         }
@@ -100,8 +100,9 @@ fn literal(index: usize, element: &Element, place: &mut usize, names: &Names) ->
 }
 
 /// `impl System` and `impl Placed`.
-pub(super) fn placed(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
+pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
+    let model = &model.parameters.ident;
     let (nodes, members) = (skeleton.nodes.len(), skeleton.members.len());
     quote_spanned! {names.here=>
         #[automatically_derived]
@@ -116,6 +117,32 @@ pub(super) fn placed(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
 
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::Placed for #system<#parameter> {
+            type Model = #model;
+            type PerNode<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; #nodes];
+            type PerMember<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; #members];
+
+            fn per_node<V: ::core::marker::Copy + ::core::fmt::Debug>(value: V) -> [V; #nodes] {
+                [value; #nodes]
+            }
+
+            fn per_member<V: ::core::marker::Copy + ::core::fmt::Debug>(value: V) -> [V; #members] {
+                [value; #members]
+            }
+
+            fn in_way_back<S: #private::FrontScalar, R>(
+                work: impl ::core::ops::FnOnce(#private::WayBack<'_, S>) -> R,
+            ) -> R {
+                #private::in_way_back::<#width, #nodes, S, R>(work)
+            }
+
+            fn sizes(&self) -> [::core::primitive::usize; 2] {
+                [#nodes, #members]
+            }
+
+            fn place(&self, place: ::core::primitive::usize) -> [#parameter; 2] {
+                self.skeleton.place(place)
+            }
+
             fn node(
                 &self,
                 node: ::core::primitive::usize,

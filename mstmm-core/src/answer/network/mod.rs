@@ -1,0 +1,8 @@
+//! Answers about the motion of plane structures.
+
+pub(crate) mod frequency;
+pub(crate) mod products;
+pub(crate) mod questions;
+pub(crate) mod response;
+pub(crate) mod shape;
+pub(crate) mod states;

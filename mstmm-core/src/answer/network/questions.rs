@@ -1,0 +1,59 @@
+//! Questions about motions of plane structures: the trait that users call.
+
+use crate::answer::network::frequency::{MovingNetwork, PlaneFrequency};
+use crate::answer::network::response::PlaneResponse;
+use crate::answer::network::shape::{PlaneShape, PlaneShapes, all, simple};
+use crate::answer::root::{Root, simple_root};
+use crate::model::{MotionError, PlaneEntry, PlaneLoad};
+use crate::pass::characteristic::System;
+use crate::pass::network::Placed;
+
+/// Shapes, internal forces and responses of a plane structure, by the names that [`ModalAnalysis`](crate::ModalAnalysis) has for trees.
+pub trait FrameAnalysis: Placed + Sized {
+    /// The shape of a simple root: displacements of all points, displacements and forces of all ends of members.
+    ///
+    /// # Errors
+    /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](FrameAnalysis::mode_shapes);
+    /// [`MotionError::NotARoot`] for a frequency that is no root of this system; [`MotionError::Unresolved`] where other roots are so
+    /// close that shapes cannot be told apart.
+    fn mode_shape<S>(
+        &self,
+        root: &impl Root<Self::Parameter, Frequency = S>,
+    ) -> Result<PlaneShape<'_, Self, S>, MotionError>
+    where
+        S: PlaneFrequency<<Self as System>::Parameter>,
+        Self: MovingNetwork<S>,
+    {
+        simple(self, simple_root(root)?)
+    }
+
+    /// All shapes of a root, orthogonal with respect to the mass.
+    ///
+    /// # Errors
+    /// As [`mode_shape`](FrameAnalysis::mode_shape); [`MotionError::Capacity`] for more than `CAP` shapes.
+    fn mode_shapes<const CAP: usize, S>(
+        &self,
+        root: &impl Root<Self::Parameter, Frequency = S>,
+    ) -> Result<PlaneShapes<'_, Self, S, CAP>, MotionError>
+    where
+        S: PlaneFrequency<<Self as System>::Parameter>,
+        Self: MovingNetwork<S>,
+    {
+        all(self, root.frequency(), root.multiplicity())
+    }
+
+    /// The response of a displacement, an internal force or a reaction to a harmonic load of 1, as a function of the frequency. Nothing is
+    /// evaluated yet.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] for a load on a point that this system has not got.
+    fn frequency_response(
+        &self,
+        load: PlaneLoad<Self::Model>,
+        entry: PlaneEntry<Self::Model>,
+    ) -> Result<PlaneResponse<'_, Self>, MotionError> {
+        PlaneResponse::new(self, load, entry)
+    }
+}
+
+impl<Y: Placed> FrameAnalysis for Y {}

@@ -1,0 +1,207 @@
+//! Points of plane models as values: a point of another model does not compile.
+
+use core::fmt;
+use core::marker::PhantomData;
+
+/// A point of a plane model `M`: a connection, or a point of a rigid body.
+pub struct PlanePoint<M> {
+    pub(crate) site: Site,
+    of: PhantomData<fn() -> M>,
+}
+
+/// The end of a member of a plane model `M`.
+pub struct MemberEnd<M> {
+    pub(crate) member: usize,
+    pub(crate) end: usize,
+    of: PhantomData<fn() -> M>,
+}
+
+/// The label of a member of type `E` of a plane model `M`, such as `Portal::planar_beam_1`.
+pub struct MemberLabel<M, E> {
+    member: usize,
+    of: PhantomData<fn() -> (M, E)>,
+}
+
+/// A harmonic force or moment of 1 at a point of a plane model.
+pub struct PlaneLoad<M> {
+    pub(crate) site: Site,
+    /// The axis: x, y or the rotation.
+    pub(crate) axis: usize,
+    of: PhantomData<fn() -> M>,
+}
+
+/// What a motion of a plane model is asked for.
+pub struct PlaneEntry<M> {
+    pub(crate) quantity: Quantity,
+    of: PhantomData<fn() -> M>,
+}
+
+/// Where a point of a plane model is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Site {
+    /// At a node.
+    Node(usize),
+    /// At a place that a node ties rigidly.
+    Tied { node: usize, place: usize },
+    /// Where a member ends.
+    End { member: usize, end: usize },
+}
+
+/// A quantity of a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    /// The displacement of a point along x or y, or its rotation.
+    Displacement(Site, usize),
+    /// A force of a support on its node along x or y, or its moment.
+    Reaction(usize, usize),
+    /// An internal force at the end of a member: axial, shear, moment.
+    Internal { member: usize, end: usize, force: usize },
+}
+
+impl<M> PlanePoint<M> {
+    const fn of(site: Site) -> Self {
+        PlanePoint { site, of: PhantomData }
+    }
+
+    /// A node of a list, by its index.
+    pub const fn node(node: usize) -> Self {
+        PlanePoint::of(Site::Node(node))
+    }
+
+    /// For emitted code: a place that a node ties rigidly.
+    #[doc(hidden)]
+    pub const fn tied(node: usize, place: usize) -> Self {
+        PlanePoint::of(Site::Tied { node, place })
+    }
+}
+
+impl<M> MemberEnd<M> {
+    const fn point(self) -> PlanePoint<M> {
+        PlanePoint::of(Site::End { member: self.member, end: self.end })
+    }
+
+    const fn internal(self, force: usize) -> PlaneEntry<M> {
+        PlaneEntry { quantity: Quantity::Internal { member: self.member, end: self.end, force }, of: PhantomData }
+    }
+
+    /// The axial force \[N\], tension positive.
+    pub const fn axial_force(self) -> PlaneEntry<M> {
+        self.internal(0)
+    }
+
+    /// The shear force `Q = M'` \[N\], with x from the input end to the output end.
+    pub const fn shear(self) -> PlaneEntry<M> {
+        self.internal(1)
+    }
+
+    /// The bending moment `M = EI Θ'` [N m].
+    pub const fn moment(self) -> PlaneEntry<M> {
+        self.internal(2)
+    }
+}
+
+/// The motions of a point and the loads on it, in global axes.
+macro_rules! in_global_axes {
+    ($type:ident, $self:ident => $site:expr) => {
+        impl<M> $type<M> {
+            /// The displacement along x \[m\].
+            pub const fn displacement_x($self) -> PlaneEntry<M> {
+                PlaneEntry { quantity: Quantity::Displacement($site, 0), of: PhantomData }
+            }
+
+            /// The displacement along y \[m\].
+            pub const fn displacement_y($self) -> PlaneEntry<M> {
+                PlaneEntry { quantity: Quantity::Displacement($site, 1), of: PhantomData }
+            }
+
+            /// The rotation \[rad\], anticlockwise.
+            pub const fn rotation_z($self) -> PlaneEntry<M> {
+                PlaneEntry { quantity: Quantity::Displacement($site, 2), of: PhantomData }
+            }
+
+            /// A force of 1 N along x.
+            pub const fn force_x($self) -> PlaneLoad<M> {
+                PlaneLoad { site: $site, axis: 0, of: PhantomData }
+            }
+
+            /// A force of 1 N along y.
+            pub const fn force_y($self) -> PlaneLoad<M> {
+                PlaneLoad { site: $site, axis: 1, of: PhantomData }
+            }
+
+            /// A moment of 1 N m, anticlockwise.
+            pub const fn torque_z($self) -> PlaneLoad<M> {
+                PlaneLoad { site: $site, axis: 2, of: PhantomData }
+            }
+        }
+    };
+}
+in_global_axes!(PlanePoint, self => self.site);
+in_global_axes!(MemberEnd, self => self.point().site);
+
+impl<M> PlanePoint<M> {
+    const fn reaction(self, axis: usize) -> PlaneEntry<M> {
+        let node = match self.site {
+            Site::Node(node) | Site::Tied { node, .. } => node,
+            // no point of this type is the end of a member
+            Site::End { member, .. } => member,
+        };
+        PlaneEntry { quantity: Quantity::Reaction(node, axis), of: PhantomData }
+    }
+
+    /// The force of the support along x on the point \[N\].
+    pub const fn reaction_x(self) -> PlaneEntry<M> {
+        self.reaction(0)
+    }
+
+    /// The force of the support along y on the point \[N\].
+    pub const fn reaction_y(self) -> PlaneEntry<M> {
+        self.reaction(1)
+    }
+
+    /// The moment of the support on the point [N m].
+    pub const fn reaction_z(self) -> PlaneEntry<M> {
+        self.reaction(2)
+    }
+}
+
+impl<M, E> MemberLabel<M, E> {
+    /// The member of an index, of a list.
+    pub const fn member(member: usize) -> Self {
+        MemberLabel { member, of: PhantomData }
+    }
+
+    /// The input end.
+    pub const fn input(self) -> MemberEnd<M> {
+        MemberEnd { member: self.member, end: 0, of: PhantomData }
+    }
+
+    /// The output end.
+    pub const fn output(self) -> MemberEnd<M> {
+        MemberEnd { member: self.member, end: 1, of: PhantomData }
+    }
+}
+
+/// Copies and prints a value whatever the model is.
+macro_rules! plain {
+    ($name:ident<M $(, $other:ident)?>, $($field:ident),*) => {
+        impl<M $(, $other)?> Clone for $name<M $(, $other)?> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<M $(, $other)?> Copy for $name<M $(, $other)?> {}
+
+        impl<M $(, $other)?> fmt::Debug for $name<M $(, $other)?> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.debug_struct(stringify!($name))$(.field(stringify!($field), &self.$field))*.finish()
+            }
+        }
+    };
+}
+plain!(PlanePoint<M>, site);
+plain!(MemberEnd<M>, member, end);
+plain!(MemberLabel<M, E>, member);
+plain!(PlaneLoad<M>, site, axis);
+plain!(PlaneEntry<M>, quantity);

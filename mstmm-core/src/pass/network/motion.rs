@@ -1,0 +1,109 @@
+//! The motion of a network under loads: its nodes are eliminated one after the other, and the way back gives what each one does.
+
+use crate::number::{Frequency, FrequencyPowers, Scalar, Size};
+use crate::pass::network::evaluate::{Placed, PlacedCharts, front_node, push_members};
+use crate::subspace::{EndMotion, FrontScalar, NodeLoad};
+
+/// The motion of a network.
+#[derive(Debug)]
+pub(crate) struct NetworkMotion<Y: Placed, S: Scalar> {
+    /// Displacements x \[m\], y \[m\] and rotation \[rad\] of each node.
+    pub(crate) nodes: Y::PerNode<[S; 3]>,
+    /// Displacements and forces of both ends of each member.
+    pub(crate) members: Y::PerMember<[EndMotion<S>; 2]>,
+    /// The work of the load on the motion: the sum of forces times displacements.
+    pub(crate) work: S,
+    /// Whether a pivot was rounding alone, as at a resonance.
+    pub(crate) vanishes: bool,
+}
+
+impl<Y: Placed, S: Scalar> Clone for NetworkMotion<Y, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<Y: Placed, S: Scalar> Copy for NetworkMotion<Y, S> {}
+
+/// The motion of a network at a frequency under loads of its nodes.
+pub(crate) fn motion<Y, S>(
+    network: &Y,
+    at: &FrequencyPowers<S>,
+    load: impl Fn(usize) -> NodeLoad<S>,
+) -> NetworkMotion<Y, S>
+where
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter> + FrontScalar,
+{
+    let order = network.order();
+    let zero = [S::zero(); 3];
+    let (mut nodes, mut members) = (Y::per_node(zero), Y::per_member([EndMotion::at_rest(); 2]));
+    let (work, vanishes) = Y::in_way_back(|mut way| {
+        for &node in order.nodes {
+            let objects = order.taken_up[node] + push_members(network, &order, node, at, &mut way.fronts);
+            let (body, motions) = network.node(node);
+            let front = front_node(node, objects, body, motions, at.lambda_squared);
+            S::eliminate_and_keep(&mut way.fronts, &front, &load(node), &mut way.back.kept);
+        }
+        for &node in order.nodes.iter().rev() {
+            let (body, motions) = network.node(node);
+            let front = front_node(node, 0, body, motions, at.lambda_squared);
+            nodes.as_mut()[node] = motions.displacements(S::recover(&mut way.back, &front));
+            for &end in order.incidence.ends(node).iter().rev() {
+                let member = end / 2;
+                let placement = network.placement(member);
+                if !order.is_first_at(end, node) {
+                    continue;
+                }
+                if let Some(chart) = network.chart(member, at, placement.length()) {
+                    let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
+                    let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
+                    members.as_mut()[member] = way.back.member(&chart, &ends);
+                }
+            }
+        }
+        (-way.back.kept.form, way.fronts.total().vanished_at.is_some())
+    });
+    NetworkMotion { nodes, members, work, vanishes }
+}
+
+impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
+    /// The motion with each number replaced; the work of its load is that of one load on both.
+    fn map(&self, change: impl Fn(S, S) -> S, other: &Self, of_work: impl Fn(S) -> S) -> Self {
+        let mut changed = *self;
+        for (one, other) in changed.nodes.as_mut().iter_mut().zip(other.nodes.as_ref()) {
+            for (one, other) in one.iter_mut().zip(other) {
+                *one = change(*one, *other);
+            }
+        }
+        let members = changed.members.as_mut().iter_mut().zip(other.members.as_ref());
+        for (one, other) in members.flat_map(|(one, other)| one.iter_mut().zip(other)) {
+            for (one, other) in one.displacements.iter_mut().zip(other.displacements) {
+                *one = change(*one, other);
+            }
+            for (one, other) in one.forces.iter_mut().zip(other.forces) {
+                *one = change(*one, other);
+            }
+        }
+        changed.work = of_work(changed.work);
+        changed
+    }
+
+    /// The motion under so many times the load.
+    pub(crate) fn times(&self, factor: S) -> Self {
+        self.map(|one, _| one * factor, self, |work| work * factor * factor)
+    }
+
+    /// The motion plus another one times a factor.
+    pub(crate) fn plus(&self, other: &Self, factor: S) -> Self {
+        self.map(|one, other| one + other * factor, other, |work| work)
+    }
+
+    /// The size of the largest displacement or rotation; 1 if there is none.
+    pub(crate) fn size(&self) -> f64 {
+        let of_nodes = self.nodes.as_ref().iter().flatten();
+        let of_ends = self.members.as_ref().iter().flatten().flat_map(|end| &end.displacements);
+        let largest = of_nodes.chain(of_ends).map(|number| number.size().first()).fold(0.0, f64::max);
+        if largest > 0.0 { largest } else { 1.0 }
+    }
+}
