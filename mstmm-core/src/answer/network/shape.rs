@@ -10,11 +10,18 @@ use crate::pass::network::{NetworkMotion, Placed, PlacedCharts, motion};
 use crate::subspace::{FrontScalar, NodeLoad};
 use core::ops::Deref;
 
+/// The relative error of a root that is known to rounding.
+const NEAR: f64 = 1e-14;
+
 /// Relative size of λ² - λ₁², with λ₁ the root, beyond which a frequency is none.
 const NO_ROOT: f64 = 1e-7;
 
-/// Size of the difference of two shapes under different loads beside them, beyond which other roots are too close for plain numbers.
-const TWO_SHAPES: f64 = 1e-12;
+/// The difference of shapes under two loads, of unit modal mass, and the sum of forces at a node beside the largest, beyond which a shape
+/// is computed again in extended precision.
+const FITTING: f64 = 1e-12;
+
+/// The difference of shapes under two loads beyond which other roots are too close for any precision.
+const RESOLVED: f64 = 1e-9;
 
 /// The motion of a plane structure at a root, normalised to unit modal mass; dereferences to its states.
 #[derive(Debug)]
@@ -69,79 +76,143 @@ where
     motion(system, &FrequencyPowers::new(x, true), |_| NodeLoad::Everywhere(number))
 }
 
-/// The shape of a simple root: the motion under a load everywhere, which is the shape but for rounding. Where that under another load
-/// differs, both are computed in extended precision, at the root with more digits.
-pub(super) fn simple<Y, S>(system: &Y, x: S) -> Result<PlaneShape<'_, Y, S>, MotionError>
-where
-    Y: MovingNetwork<S>,
-    S: PlaneFrequency<<Y as System>::Parameter>,
-{
-    let frequency = x.modulus();
-    let [first, second] = [0, 1].map(|number| everywhere(system, x, number));
-    let (Some(one), Some(other)) = (normalised(system, x, first), normalised(system, x, second)) else {
-        return Err(MotionError::NotFinite { frequency });
-    };
-    let mismatch = one.distance;
-    if !(mismatch <= NO_ROOT) {
-        return Err(MotionError::NotARoot { frequency, mismatch });
-    }
-    let difference = without(system, x, &other.motion, &one.motion);
-    let misfit = mass_product(system, x, &difference, &difference).size().sqrt();
-    if misfit <= TWO_SHAPES {
-        return Ok(one.shape(system, x));
-    }
-    if !S::HAS_EXTENDED {
-        return Err(MotionError::Unresolved { root: frequency, misfit });
-    }
-    Err(MotionError::Unresolved { root: frequency, misfit })
-}
-
 /// A motion of unit modal mass.
 struct Normalised<Y: Placed, S: Scalar> {
     motion: NetworkMotion<Y, S>,
-    /// How far λ² is from that of the root, beside λ² or the smallest one.
-    distance: f64,
-}
-
-impl<Y: Placed, S: PlaneFrequency<Y::Parameter>> Normalised<Y, S> {
-    fn shape(self, system: &Y, x: S) -> PlaneShape<'_, Y, S> {
-        PlaneShape { states: PlaneStates { system, x, motion: self.motion } }
-    }
+    /// λ² less that of the root.
+    distance: S,
 }
 
 /// A motion of unit modal mass; none where it is not finite.
-fn normalised<Y, S>(system: &Y, x: S, motion: NetworkMotion<Y, S>) -> Option<Normalised<Y, S>>
+fn normalised<Y, S>(system: &Y, x: S, motion: &NetworkMotion<Y, S>) -> Option<Normalised<Y, S>>
 where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
-    // sizes of motions at a root are beyond those of their squares in a shorter format
+    // of a motion at a root the square is out of range in a short format
     let motion = motion.times(S::one() / S::from_f64(motion.size()));
     let mass = mass_product(system, x, &motion, &motion);
     if !(mass.size() > 0.0 && mass.size().is_finite()) {
         return None;
     }
-    let square = if x.is_zero() {
-        S::one().times_power_of_two(2 * system.estimates().lowest_exponent())
-    } else {
-        x.lambda_squared()
-    };
-    let distance = (motion.work / (mass * square)).size();
-    Some(Normalised { motion: motion.times(S::one() / mass.sqrt()), distance })
+    Some(Normalised { motion: motion.times(S::one() / mass.sqrt()), distance: motion.work / mass })
 }
 
 /// A motion less its part in another one of unit modal mass.
-fn without<Y, S>(
-    system: &Y,
-    x: S,
-    motion: &NetworkMotion<Y, S>,
-    other: &NetworkMotion<Y, S>,
-) -> NetworkMotion<Y, S>
+fn without<Y, S>(system: &Y, x: S, motion: &NetworkMotion<Y, S>, other: &NetworkMotion<Y, S>) -> NetworkMotion<Y, S>
 where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
     motion.plus(other, -mass_product(system, x, motion, other))
+}
+
+/// The motions under loads everywhere at a root, in plain numbers or at the root with twice the digits.
+#[derive(Clone, Copy)]
+struct AtRoot<'a, Y: Placed, S: PlaneFrequency<Y::Parameter>> {
+    system: &'a Y,
+    x: S,
+    /// The root in extended precision; none for plain numbers.
+    nearer: Option<S::Extended>,
+}
+
+impl<'a, Y, S> AtRoot<'a, Y, S>
+where
+    Y: MovingNetwork<S>,
+    S: PlaneFrequency<<Y as System>::Parameter>,
+{
+    /// The motion under the load of a number.
+    fn motion(&self, number: u32) -> NetworkMotion<Y, S> {
+        match self.nearer {
+            Some(nearer) => {
+                let motion = everywhere(self.system, nearer, number);
+                let size = S::Extended::from_f64(motion.size());
+                motion.times(S::Extended::from_f64(1.0) / size).rounded(S::from_extended)
+            }
+            None => everywhere(self.system, self.x, number),
+        }
+    }
+
+    fn not_finite(&self) -> MotionError {
+        MotionError::NotFinite { frequency: self.x.modulus() }
+    }
+
+    /// The motion of unit modal mass under the load of a number.
+    ///
+    /// # Errors
+    /// It is not finite, or the frequency is no root.
+    fn normalised(&self, motion: &NetworkMotion<Y, S>) -> Result<Normalised<Y, S>, MotionError> {
+        let found = normalised(self.system, self.x, motion).ok_or_else(|| self.not_finite())?;
+        // at rest λ² has no size to compare with: a count has found the root there
+        let mismatch = (found.distance / self.x.lambda_squared()).size();
+        if !self.x.is_zero() && !(mismatch <= NO_ROOT) {
+            return Err(MotionError::NotARoot { frequency: self.x.modulus(), mismatch });
+        }
+        Ok(found)
+    }
+
+    /// The root with twice the digits: λ² less what the work of a load says of it.
+    fn extended(self) -> Result<Self, MotionError> {
+        let plain = everywhere(self.system, self.x.to_extended(), 0);
+        let x = self.x.to_extended();
+        if self.x.is_zero() {
+            return Ok(AtRoot { nearer: Some(x), ..self });
+        }
+        let size = S::Extended::from_f64(plain.size());
+        let scaled = plain.times(S::Extended::from_f64(1.0) / size);
+        let rounded = scaled.rounded(S::from_extended);
+        let mass = mass_product(self.system, self.x, &rounded, &rounded);
+        let step = scaled.work / (mass.to_extended() * x.slope_of_lambda_squared());
+        // a load that hardly excites the shape says nothing: the root is known better
+        let is_known = step.size() <= NEAR * x.size();
+        Ok(AtRoot { nearer: Some(if is_known { x - step } else { x }), ..self })
+    }
+
+    fn shape(&self, motion: NetworkMotion<Y, S>) -> PlaneShape<'a, Y, S> {
+        PlaneShape { states: PlaneStates { system: self.system, x: self.x, motion } }
+    }
+
+    /// The shape of a simple root, and how far that under another load is from it.
+    fn simple(&self) -> Result<(PlaneShape<'a, Y, S>, f64), MotionError> {
+        let Normalised { motion, .. } = self.normalised(&self.motion(0))?;
+        let Normalised { motion: other, .. } = self.normalised(&self.motion(1))?;
+        let difference = without(self.system, self.x, &other, &motion);
+        let misfit = mass_product(self.system, self.x, &difference, &difference).size().sqrt();
+        Ok((self.shape(motion), misfit))
+    }
+
+    /// As many shapes as a root has, orthogonal with respect to the mass.
+    fn all<const CAP: usize>(&self, multiplicity: usize) -> Result<PlaneShapes<'a, Y, S, CAP>, MotionError> {
+        let mut found = PlaneShapes { shapes: [const { None }; CAP] };
+        for number in 0..multiplicity {
+            let mut next = self.motion(number as u32);
+            next = next.times(S::one() / S::from_f64(next.size()));
+            // twice: what the first time leaves may be small, and rounding large beside it
+            for _ in 0..2 {
+                for shape in found.shapes[..number].iter().flatten() {
+                    next = without(self.system, self.x, &next, &shape.motion);
+                }
+            }
+            found.shapes[number] = Some(self.shape(self.normalised(&next)?.motion));
+        }
+        Ok(found)
+    }
+}
+
+/// The shape of a simple root: the motion under a load everywhere, which is the shape but for rounding. Where that under another load
+/// differs, or forces at nodes do not add up to zero, it is computed again in extended precision.
+pub(super) fn simple<Y, S>(system: &Y, x: S) -> Result<PlaneShape<'_, Y, S>, MotionError>
+where
+    Y: MovingNetwork<S>,
+    S: PlaneFrequency<<Y as System>::Parameter>,
+{
+    let plain = AtRoot { system, x, nearer: None };
+    let (shape, misfit) = plain.simple()?;
+    if misfit <= FITTING && shape.imbalance() <= FITTING {
+        return Ok(shape);
+    }
+    let (shape, misfit) = if S::HAS_EXTENDED { plain.extended()?.simple()? } else { (shape, misfit) };
+    if misfit <= RESOLVED { Ok(shape) } else { Err(MotionError::Unresolved { root: x.modulus(), misfit }) }
 }
 
 /// All shapes of a root, orthogonal with respect to the mass: motions under as many loads as it is multiple.
@@ -154,29 +225,17 @@ where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
-    let mut found = PlaneShapes { shapes: [const { None }; CAP] };
-    if multiplicity == 1 && CAP > 0 {
+    let wanted = usize::try_from(multiplicity).ok().filter(|wanted| *wanted <= CAP);
+    let wanted = wanted.ok_or(MotionError::Capacity { capacity: CAP })?;
+    if wanted == 1 {
+        let mut found = PlaneShapes { shapes: [const { None }; CAP] };
         found.shapes[0] = Some(simple(system, x)?);
         return Ok(found);
     }
-    let wanted = usize::try_from(multiplicity).ok().filter(|wanted| *wanted <= CAP);
-    let wanted = wanted.ok_or(MotionError::Capacity { capacity: CAP })?;
-    let frequency = x.modulus();
-    for number in 0..wanted {
-        let mut next = everywhere(system, x, number as u32);
-        next = next.times(S::one() / S::from_f64(next.size()));
-        // twice: the first difference may be small, and rounding large beside it
-        for _ in 0..2 {
-            for shape in found.shapes[..number].iter().flatten() {
-                next = without(system, x, &next, &shape.motion);
-            }
-        }
-        let next = normalised(system, x, next).ok_or(MotionError::NotFinite { frequency })?;
-        let mismatch = next.distance;
-        if !(mismatch <= NO_ROOT) {
-            return Err(MotionError::NotARoot { frequency, mismatch });
-        }
-        found.shapes[number] = Some(next.shape(system, x));
+    let plain = AtRoot { system, x, nearer: None };
+    let found = plain.all(wanted)?;
+    if S::HAS_EXTENDED && found.iter().any(|shape| !(shape.imbalance() <= FITTING)) {
+        return plain.extended()?.all(wanted);
     }
     Ok(found)
 }

@@ -1,7 +1,7 @@
 //! What a plane structure does in one motion.
 
 use crate::model::{MotionError, PlaneEntry, Quantity, Site};
-use crate::number::Frequency;
+use crate::number::{Frequency, Parameter, Size};
 use crate::pass::network::{NetworkMotion, Placed};
 use crate::subspace::EndMotion;
 
@@ -74,14 +74,42 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         }
     }
 
+    /// The largest sum of forces on the motions of a node, beside the largest force of a member or of inertia; a moment counts by the
+    /// longest member.
+    pub(crate) fn imbalance(&self) -> f64 {
+        let [nodes, members] = self.system.sizes();
+        let lengths = (0..members).map(|member| self.system.placement(member).own_length().to_f64());
+        let length = Some(lengths.fold(0.0, f64::max)).filter(|length| *length > 0.0).unwrap_or(1.0);
+        let size = |forces: &[S; 3]| {
+            let [x, y, moment] = forces.map(|force| force.size().first());
+            x.max(y).max(moment / length)
+        };
+        let ends = self.motion.members.as_ref()[..members].iter().flatten();
+        let mut largest = ends.map(|end| size(&end.forces)).fold(0.0, f64::max);
+        let mut worst = 0.0_f64;
+        for (node, displacements) in self.motion.nodes.as_ref()[..nodes].iter().enumerate() {
+            for (row, displacement) in self.inertia(node).iter().zip(displacements) {
+                largest = largest.max(size(&row.map(|entry| entry * *displacement)));
+            }
+            let motions = self.system.node(node).1;
+            let sum = self.reaction(node).unwrap_or([S::zero(); 3]);
+            worst = worst.max(size(&motions.displacements(motions.parts_of(sum))));
+        }
+        if worst > 0.0 { worst / largest } else { 0.0 }
+    }
+
+    /// λ² times the mass matrix of the body of a node.
+    fn inertia(&self, node: usize) -> [[S; 3]; 3] {
+        let lambda_squared = self.x.lambda_squared();
+        self.system.node(node).0.mass_matrix::<S>().map(|row| row.map(|entry| lambda_squared * entry))
+    }
+
     /// What a support does to its node, but for loads there: the inertia of its body less the forces of members.
     fn reaction(&self, node: usize) -> Result<[S; 3], MotionError> {
         let displacements = self.node(node)?;
-        let matrix = self.system.node(node).0.mass_matrix::<S>();
-        let lambda_squared = self.x.lambda_squared();
-        let mut sum = matrix.map(|row| {
+        let mut sum = self.inertia(node).map(|row| {
             let terms = row.iter().zip(displacements).map(|(entry, displacement)| *entry * displacement);
-            lambda_squared * terms.fold(S::zero(), |sum, term| sum + term)
+            terms.fold(S::zero(), |sum, term| sum + term)
         });
         for (member, ends) in self.motion.members.as_ref()[..self.system.sizes()[1]].iter().enumerate() {
             let placement = self.system.placement(member);

@@ -207,9 +207,9 @@ impl<T: Real> Placement<T> {
 }
 
 impl<T: Real> Placement<T> {
-    /// The direction of the x axis of an end.
+    /// The direction of the x axis of an end; what acts on rotations alone needs none, and has that of the plane.
     pub(crate) fn axis<S: Frequency<T>>(&self, end: usize) -> [S; 2] {
-        direction_of(&self.ends, end)
+        if self.freedoms.is(Freedoms::RZ) { [S::one(), S::zero()] } else { direction_of(&self.ends, end) }
     }
 
     /// Where an end is from its node.

@@ -68,35 +68,40 @@ where
 }
 
 impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
-    /// The motion with each number replaced; the work of its load is that of one load on both.
-    fn map(&self, change: impl Fn(S, S) -> S, other: &Self, of_work: impl Fn(S) -> S) -> Self {
-        let mut changed = *self;
-        for (one, other) in changed.nodes.as_mut().iter_mut().zip(other.nodes.as_ref()) {
-            for (one, other) in one.iter_mut().zip(other) {
-                *one = change(*one, *other);
-            }
+    /// Each number of this motion and of another one through a function.
+    fn with<R: Scalar>(&self, other: &Self, change: impl Fn(S, S) -> R, work: R) -> NetworkMotion<Y, R> {
+        let three = |one: [S; 3], other: [S; 3]| [0, 1, 2].map(|k| change(one[k], other[k]));
+        let mut nodes = Y::per_node([R::zero(); 3]);
+        for (changed, (one, other)) in
+            nodes.as_mut().iter_mut().zip(self.nodes.as_ref().iter().zip(other.nodes.as_ref()))
+        {
+            *changed = three(*one, *other);
         }
-        let members = changed.members.as_mut().iter_mut().zip(other.members.as_ref());
-        for (one, other) in members.flat_map(|(one, other)| one.iter_mut().zip(other)) {
-            for (one, other) in one.displacements.iter_mut().zip(other.displacements) {
-                *one = change(*one, other);
-            }
-            for (one, other) in one.forces.iter_mut().zip(other.forces) {
-                *one = change(*one, other);
-            }
+        let mut members = Y::per_member([EndMotion::at_rest(); 2]);
+        for (changed, (one, other)) in
+            members.as_mut().iter_mut().zip(self.members.as_ref().iter().zip(other.members.as_ref()))
+        {
+            *changed = [0, 1].map(|end| EndMotion {
+                displacements: three(one[end].displacements, other[end].displacements),
+                forces: three(one[end].forces, other[end].forces),
+            });
         }
-        changed.work = of_work(changed.work);
-        changed
+        NetworkMotion { nodes, members, work, vanishes: self.vanishes }
     }
 
     /// The motion under so many times the load.
     pub(crate) fn times(&self, factor: S) -> Self {
-        self.map(|one, _| one * factor, self, |work| work * factor * factor)
+        self.with(self, |one, _| one * factor, self.work * factor * factor)
     }
 
-    /// The motion plus another one times a factor.
+    /// The motion plus another one times a factor; the work stays that of the first load alone.
     pub(crate) fn plus(&self, other: &Self, factor: S) -> Self {
-        self.map(|one, other| one + other * factor, other, |work| work)
+        self.with(other, |one, other| one + other * factor, self.work)
+    }
+
+    /// The motion in numbers of another precision.
+    pub(crate) fn rounded<R: Scalar>(&self, round: impl Fn(S) -> R) -> NetworkMotion<Y, R> {
+        self.with(self, |one, _| round(one), round(self.work))
     }
 
     /// The size of the largest displacement or rotation; 1 if there is none.

@@ -180,6 +180,6 @@ impl<V: crate::number::lanes::Waving> FrontScalar for mstmm_lanes::Lanes<V> {
     }
 
     fn recover(_back: &mut Back<'_, Self>, _node: &FrontNode<Self>) -> [Self; MOST_FREEDOMS] {
-        [Self::zero(); MOST_FREEDOMS]
+        [Self::from_f64(0.0); MOST_FREEDOMS]
     }
 }
