@@ -27,7 +27,6 @@ pub use answer::frequency_response::FrequencyResponse;
 pub use answer::many_frequencies::ManyFrequencies;
 pub use answer::modal_response::ModalResponse;
 pub use answer::mode_shape::{ModeShape, ShapeList};
-pub use answer::network::frequency::{MovingNetwork, PlaneFrequency};
 pub use answer::network::questions::FrameAnalysis;
 pub use answer::network::response::PlaneResponse;
 pub use answer::network::shape::{PlaneShape, PlaneShapes};
@@ -51,6 +50,7 @@ pub use elements::shared::chart_scalar::ChartScalar;
 pub use elements::shared::longitudinal_chart::LongitudinalWaves;
 pub use elements::{AnyElement, AnyUndamped};
 pub use model::chain_rule::{Chain, ChainRule, Fields, NamedFields};
+pub use model::end_motion::EndMotion;
 pub use model::ends::Ends;
 pub use model::error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot};
 pub use model::estimates::FrequencyEstimates;
@@ -79,9 +79,9 @@ pub use pass::characteristic::{Characteristic, System};
 pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
 pub use pass::network::{
-    Axis, End, InNetwork, Located, Member, Motions, Network, NetworkError, NetworkRoom, NetworkSketch, Node, Placed, PlacedCharts,
-    Placement, Skeleton, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, build_member, estimate_member,
-    in_way_back, network_pass,
+    Axis, End, InNetwork, Located, Member, Motions, MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch,
+    Node, Placed, PlacedCharts, Placement, PlaneFrequency, Skeleton, SketchedBody, SketchedEnd, SketchedMember,
+    SketchedNode, build_member, estimate_member, in_way_back, network_pass,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;
@@ -95,7 +95,6 @@ pub use subspace::count::{Held, NoCount, RootCounter, WittrickWilliams};
 pub use subspace::front::chart::{Chart, JoinedEnd, MOST_ENTRIES, MOST_FREEDOMS, MOST_VARIABLES};
 pub use subspace::front::fronts::{FrontNode, Fronts};
 pub use subspace::front::room::{FrontRoom, FrontScalar};
-pub use subspace::front::way_back::EndMotion;
 pub use subspace::front::way_back_room::WayBack;
 pub use subspace::minors::covector::Covector;
 pub use subspace::minors::line::Line;

@@ -11,7 +11,7 @@ mod paths;
 mod tests;
 mod text;
 
-use crate::ast::Element;
+use crate::ast::{Connection, Element};
 use mstmm_plan::Freedoms;
 use syn::Expr;
 
@@ -23,6 +23,18 @@ pub(crate) struct Skeleton<'a> {
     pub(crate) bodies: Vec<Body<'a>>,
     pub(crate) nodes: Vec<Node>,
     pub(crate) members: Vec<Member<'a>>,
+    /// The connections that are points with a place.
+    pub(crate) points: Vec<Point<'a>>,
+}
+
+/// A connection that is a point with a place.
+pub(crate) struct Point<'a> {
+    pub(crate) connection: &'a Connection,
+    /// Indices of its node and of its place.
+    pub(crate) node: usize,
+    pub(crate) place: usize,
+    /// The freedoms that elements bring there.
+    pub(crate) freedoms: Freedoms,
 }
 
 /// A place or a direction, with the name of what has it.

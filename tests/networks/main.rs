@@ -13,6 +13,7 @@ mod judgement;
 mod large;
 mod library;
 mod lines;
+mod motions;
 mod oracle;
 mod oracle_against_cases;
 mod oracle_as_search;
@@ -21,7 +22,6 @@ mod oracle_laws;
 #[path = "../../examples/portal.rs"]
 pub mod portal;
 mod reference_cases;
-mod motions;
 mod rigid_trees;
 mod sketches;
 #[path = "../support/stiffness_matrix/mod.rs"]

@@ -99,7 +99,8 @@ pub(crate) fn eigenvalues(
 ) -> Result<(Vec<Eigenvalue>, Option<u64>), String> {
     let (nodes, members) = (nodes(structure), members(structure, any));
     let mut room = Box::new(Room::<_, 100, 160>::new());
-    let network = Network::<_, DAMPED_WIDTH, _, _>::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
+    let network =
+        Network::<_, DAMPED_WIDTH, _, _>::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
     let Some(region) = region else {
         let found = network.first_eigenvalues::<12>().map_err(|error| error.to_string());
         return found.map(|found| (found.to_vec(), None));

@@ -1,6 +1,7 @@
 //! What a model is, with numbers: states, labels, parameters with their errors, estimates of frequencies.
 
 pub(crate) mod chain_rule;
+pub(crate) mod end_motion;
 pub(crate) mod ends;
 pub(crate) mod error;
 pub(crate) mod estimates;
@@ -11,6 +12,7 @@ pub(crate) mod scaled_state;
 pub(crate) mod state;
 
 pub(crate) use chain_rule::{Chain, Fields, NamedFields};
+pub(crate) use end_motion::EndMotion;
 pub(crate) use ends::Ends;
 pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot};
 pub(crate) use estimates::FrequencyEstimates;

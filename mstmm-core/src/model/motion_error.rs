@@ -1,7 +1,7 @@
 //! Errors of questions about motions.
 
 use core::fmt;
-use mstmm_plan::Coordinate;
+use mstmm_plan::{Coordinate, Freedoms};
 
 /// The reason why a motion cannot be given.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,10 +60,15 @@ pub enum MotionError {
         /// The entry.
         coordinate: Coordinate,
     },
-    /// A point or a member of another list, or a load where its freedom is released.
+    /// A node or a member of another list.
     NoSuchPoint {
         /// Index of the node or of the member.
         index: usize,
+    },
+    /// A point of a plane structure without this motion, or the end of a member that does not share it with its node.
+    NoSuchFreedom {
+        /// The motion: along x, along y, or the rotation; of a member along it, across it, or the rotation.
+        freedom: Freedoms,
     },
     /// A range of frequencies that is empty, reversed or not finite.
     Range {
@@ -169,7 +174,15 @@ impl MotionError {
                 write!(f, "no state at this point has a {name}: no {path} path leads there")
             }
             MotionError::NoSuchPoint { index } => {
-                write!(f, "there is no such point at {index}: no node or member of this index, or its freedom is released there")
+                write!(f, "this structure has no node or member {index}")
+            }
+            MotionError::NoSuchFreedom { freedom } => {
+                let name = match freedom {
+                    Freedoms::X => "displacement or force along x",
+                    Freedoms::Y => "displacement or force along y",
+                    _ => "rotation or moment",
+                };
+                write!(f, "this point has no {name}: no element there brings it, or a joint releases it")
             }
             MotionError::Range { start, end } => {
                 write!(f, "the range from {start} to {end} rad/s must run upwards and be finite")

@@ -2,6 +2,7 @@
 
 use core::fmt;
 use core::marker::PhantomData;
+use mstmm_plan::Freedoms;
 
 /// A point of a plane model `M`: a connection, or a point of a rigid body.
 pub struct PlanePoint<M> {
@@ -41,8 +42,8 @@ pub struct PlaneEntry<M> {
 pub(crate) enum Site {
     /// At a node.
     Node(usize),
-    /// At a place that a node ties rigidly.
-    Tied { node: usize, place: usize },
+    /// At a place that a node ties rigidly, with the freedoms that elements bring there.
+    Tied { node: usize, place: usize, freedoms: Freedoms },
     /// Where a member ends.
     End { member: usize, end: usize },
 }
@@ -68,10 +69,10 @@ impl<M> PlanePoint<M> {
         PlanePoint::of(Site::Node(node))
     }
 
-    /// For emitted code: a place that a node ties rigidly.
+    /// For emitted code: a place that a node ties rigidly, with the freedoms that elements bring there.
     #[doc(hidden)]
-    pub const fn tied(node: usize, place: usize) -> Self {
-        PlanePoint::of(Site::Tied { node, place })
+    pub const fn tied(node: usize, place: usize, freedoms: Freedoms) -> Self {
+        PlanePoint::of(Site::Tied { node, place, freedoms })
     }
 }
 

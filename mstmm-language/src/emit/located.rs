@@ -1,6 +1,7 @@
 //! Emits the code of a model with locations: its numbers, the built system, and what an evaluation by fronts asks of it.
 
 mod numbers;
+mod points;
 mod sketch;
 mod system;
 
@@ -26,18 +27,22 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>) -> syn::Result<Tok
     let definition = system::definition(model, skeleton, &names);
     let numbers = numbers::numbers(model, skeleton, &names);
     let labels = labels::labels(model, &names);
+    let points = points::points(model, skeleton, &names);
     let sketch = sketch::sketch(skeleton, &names);
     let build = system::build(model, skeleton, &names);
     let placed = system::placed(model, skeleton, width, &names);
     let charts = system::charts(skeleton, width, &names);
+    let system = system::system(&names);
     Ok(quote_spanned! {names.here=>
         #parameters
         #definition
         #numbers
         const _: () = {
             #labels
+            #points
             #sketch
             #build
+            #system
             #placed
             #charts
         };

@@ -38,7 +38,7 @@ pub(super) fn labels(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStre
     }
 }
 
-fn constant(keyword: &str, label: &Label, names: &Names) -> Ident {
+pub(super) fn constant(keyword: &str, label: &Label, names: &Names) -> Ident {
     format_ident!("{keyword}_{}", label.to_string(), span = names.here)
 }
 

@@ -1,11 +1,12 @@
 //! The skeleton of a checked network.
 
 use super::names::{Naming, join_name};
-use super::{Axis, Body, End, Member, Node, Skeleton, Vector, What};
+use super::{Axis, Body, End, Member, Node, Point, Skeleton, Vector, What};
 use crate::ast::{Coordinates, Element};
 use crate::keywords::located_of;
 use crate::network::{Classes, Holds, Joint, Network, Support};
 use mstmm_plan::Freedoms;
+use std::collections::BTreeSet;
 use syn::Expr;
 
 impl<'a> Skeleton<'a> {
@@ -27,6 +28,7 @@ impl<'a> Skeleton<'a> {
         }
         network.joints.iter().for_each(|joint| assembly.joint(joint));
         network.paths.iter().for_each(|path| assembly.path(path));
+        assembly.points();
         assembly.skeleton
     }
 }
@@ -67,6 +69,17 @@ impl<'a> Assembly<'a> {
         }
         let is_supported = vec![false; skeleton.nodes.len()];
         Assembly { network, skeleton, naming, node_of, is_supported }
+    }
+
+    /// The connections with a place, each once.
+    fn points(&mut self) {
+        let mut named = BTreeSet::new();
+        for (point, node) in self.network.points.iter().zip(&self.node_of) {
+            for connection in point.connections.iter().filter(|connection| named.insert(connection.label.to_string())) {
+                let (place, freedoms) = (point.place, point.freedoms);
+                self.skeleton.points.push(Point { connection, node: *node, place, freedoms });
+            }
+        }
     }
 
     /// A support holds the node of its point. A second one on a body holds another place of it, by a rigid joint with the ground.

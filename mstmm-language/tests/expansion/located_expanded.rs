@@ -27,7 +27,7 @@ pub struct Mast {
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct MastSystem<T: mstmm::__private::Parameter = f64> {
-    skeleton: mstmm::__private::Skeleton<T, 3usize, 2usize>,
+    skeleton: mstmm::__private::Skeleton<T, 3usize, 2usize, 3usize>,
     /// `planar_beam 1`
     member_0: <mstmm::__private::elements::PlanarBeam<
         T,
@@ -118,6 +118,34 @@ const _: () = {
         let _ = labels.anchor;
         let _ = labels.top;
     };
+    /// The labels of the sketch: points and members, as results about motions take them.
+    #[allow(dead_code, non_upper_case_globals)]
+    impl Mast {
+        /// `conn top`
+        pub const conn_top: mstmm::__private::PlanePoint<Mast> = mstmm::__private::PlanePoint::tied(
+            1usize,
+            1usize,
+            mstmm::__private::Freedoms::ALL,
+        );
+        /// `conn anchor`
+        pub const conn_anchor: mstmm::__private::PlanePoint<Mast> = mstmm::__private::PlanePoint::tied(
+            2usize,
+            2usize,
+            mstmm::__private::Freedoms::NONE
+                .union(mstmm::__private::Freedoms::X)
+                .union(mstmm::__private::Freedoms::Y),
+        );
+        /// `planar_beam 1`
+        pub const planar_beam_1: mstmm::__private::MemberLabel<
+            Mast,
+            mstmm::__private::elements::PlanarBeam<f64>,
+        > = mstmm::__private::MemberLabel::member(0usize);
+        /// `spring guy`
+        pub const spring_guy: mstmm::__private::MemberLabel<
+            Mast,
+            mstmm::__private::elements::Spring<f64>,
+        > = mstmm::__private::MemberLabel::member(1usize);
+    }
     const SKETCH: mstmm::__private::NetworkSketch<3usize, 2usize> = mstmm::__private::NetworkSketch {
         places: &["fixed at planar_beam 1", "conn top", "conn anchor"],
         directions: &[],
@@ -250,6 +278,30 @@ const _: () = {
     }
     #[automatically_derived]
     impl<T: mstmm::__private::Real> mstmm::__private::Placed for MastSystem<T> {
+        type Model = Mast;
+        type PerNode<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; 3usize];
+        type PerMember<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; 2usize];
+        fn per_node<V: ::core::marker::Copy + ::core::fmt::Debug>(
+            value: V,
+        ) -> [V; 3usize] {
+            [value; 3usize]
+        }
+        fn per_member<V: ::core::marker::Copy + ::core::fmt::Debug>(
+            value: V,
+        ) -> [V; 2usize] {
+            [value; 2usize]
+        }
+        fn in_way_back<S: mstmm::__private::FrontScalar, R>(
+            work: impl ::core::ops::FnOnce(mstmm::__private::WayBack<'_, S>) -> R,
+        ) -> R {
+            mstmm::__private::in_way_back::<11usize, 3usize, S, R>(work)
+        }
+        fn sizes(&self) -> [::core::primitive::usize; 2] {
+            [3usize, 2usize]
+        }
+        fn place(&self, place: ::core::primitive::usize) -> [T; 2] {
+            self.skeleton.place(place)
+        }
         fn node(
             &self,
             node: ::core::primitive::usize,

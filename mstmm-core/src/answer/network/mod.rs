@@ -1,7 +1,5 @@
 //! Answers about the motion of plane structures.
 
-pub(crate) mod frequency;
-pub(crate) mod products;
 pub(crate) mod questions;
 pub(crate) mod response;
 pub(crate) mod shape;

@@ -1,12 +1,11 @@
 //! Questions about motions of plane structures: the trait that users call.
 
-use crate::answer::network::frequency::{MovingNetwork, PlaneFrequency};
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::shape::{PlaneShape, PlaneShapes, all, simple};
 use crate::answer::root::{Root, simple_root};
 use crate::model::{MotionError, PlaneEntry, PlaneLoad};
 use crate::pass::characteristic::System;
-use crate::pass::network::Placed;
+use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
 
 /// Shapes, internal forces and responses of a plane structure, by the names that [`ModalAnalysis`](crate::ModalAnalysis) has for trees.
 pub trait FrameAnalysis: Placed + Sized {

@@ -1,11 +1,9 @@
 //! Responses of plane structures to harmonic loads.
 
-use crate::answer::network::frequency::PlaneFrequency;
-use crate::answer::network::states::{PlaneStates, offset};
+use crate::answer::network::states::{PlaneStates, check_freedom, offset};
 use crate::model::{MotionError, PlaneEntry, PlaneLoad, Site};
-use crate::number::{Frequency, FrequencyPowers};
-use crate::pass::network::{Placed, PlacedCharts, motion};
-use crate::subspace::NodeLoad;
+use crate::number::Frequency;
+use crate::pass::network::{Placed, PlacedCharts, PlaneFrequency, motion_under};
 
 /// A transfer function of a plane structure: a displacement, an internal force or a reaction per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
@@ -56,14 +54,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         S: PlaneFrequency<Y::Parameter>,
     {
         let (loaded, forces) = acting_at::<Y, S>(self.system, self.load)?;
-        let load = |node: usize| {
-            if node == loaded {
-                NodeLoad::Motions(self.system.node(node).1.parts_of(forces))
-            } else {
-                NodeLoad::Nothing
-            }
-        };
-        let motion = motion(self.system, &FrequencyPowers::new(x, true), load);
+        let motion = motion_under(self.system, x, loaded, forces);
         if motion.vanishes {
             return Err(MotionError::Resonance { frequency: x.modulus() });
         }
@@ -97,16 +88,18 @@ fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
 ) -> Result<(usize, [S; 3]), MotionError> {
     let mut forces = [S::zero(); 3];
     forces[load.axis] = S::one();
+    check_freedom(load.site, load.axis)?;
     let (node, [x, y]) = match load.site {
         Site::Node(node) => (node, [S::zero(); 2]),
-        Site::Tied { node, place } => (node, offset(system, node, place)),
+        Site::Tied { node, place, .. } => (node, offset(system, node, place)),
         Site::End { member, end } => {
             if member >= system.sizes()[1] {
                 return Err(MotionError::NoSuchPoint { index: member });
             }
             let placement = system.placement(member);
-            if !placement.released(end).is_empty() {
-                return Err(MotionError::NoSuchPoint { index: member });
+            let released = placement.released(end);
+            if !released.is_empty() {
+                return Err(MotionError::NoSuchFreedom { freedom: released });
             }
             (placement.node_of(end), placement.offset(end))
         }

@@ -1,13 +1,10 @@
 //! Mode shapes of plane structures.
 
-use crate::answer::network::frequency::{MovingNetwork, PlaneFrequency};
-use crate::answer::network::products::mass_product;
 use crate::answer::network::states::PlaneStates;
 use crate::model::MotionError;
-use crate::number::{FrequencyPowers, Oscillation, Scalar};
+use crate::number::{Oscillation, Scalar};
 use crate::pass::characteristic::System;
-use crate::pass::network::{NetworkMotion, Placed, PlacedCharts, motion};
-use crate::subspace::{FrontScalar, NodeLoad};
+use crate::pass::network::{MovingNetwork, NetworkMotion, Placed, PlaneFrequency, mass_product, motion_everywhere};
 use core::ops::Deref;
 
 /// The relative error of a root that is known to rounding.
@@ -67,15 +64,6 @@ impl<'a, Y: Placed, S: PlaneFrequency<Y::Parameter>, const CAP: usize> PlaneShap
     }
 }
 
-/// The motion under the load of a number everywhere.
-fn everywhere<Y, S>(system: &Y, x: S, number: u32) -> NetworkMotion<Y, S>
-where
-    Y: PlacedCharts<S>,
-    S: Oscillation<Y::Parameter> + FrontScalar,
-{
-    motion(system, &FrequencyPowers::new(x, true), |_| NodeLoad::Everywhere(number))
-}
-
 /// A motion of unit modal mass.
 struct Normalised<Y: Placed, S: Scalar> {
     motion: NetworkMotion<Y, S>,
@@ -125,11 +113,11 @@ where
     fn motion(&self, number: u32) -> NetworkMotion<Y, S> {
         match self.nearer {
             Some(nearer) => {
-                let motion = everywhere(self.system, nearer, number);
+                let motion = motion_everywhere(self.system, nearer, number);
                 let size = S::Extended::from_f64(motion.size());
                 motion.times(S::Extended::from_f64(1.0) / size).rounded(S::from_extended)
             }
-            None => everywhere(self.system, self.x, number),
+            None => motion_everywhere(self.system, self.x, number),
         }
     }
 
@@ -153,7 +141,7 @@ where
 
     /// The root with twice the digits: λ² less what the work of a load says of it.
     fn extended(self) -> Result<Self, MotionError> {
-        let plain = everywhere(self.system, self.x.to_extended(), 0);
+        let plain = motion_everywhere(self.system, self.x.to_extended(), 0);
         let x = self.x.to_extended();
         if self.x.is_zero() {
             return Ok(AtRoot { nearer: Some(x), ..self });

@@ -1,9 +1,9 @@
 //! What a plane structure does in one motion.
 
-use crate::model::{MotionError, PlaneEntry, Quantity, Site};
-use crate::number::{Frequency, Parameter, Size};
+use crate::model::{EndMotion, MotionError, PlaneEntry, Quantity, Site};
+use crate::number::{Frequency, Parameter, Scalar, Size};
 use crate::pass::network::{NetworkMotion, Placed};
-use crate::subspace::EndMotion;
+use mstmm_plan::Freedoms;
 
 /// Signs of forces on a member, along it, across and of the moment, in its axial force, shear and bending moment: at the input end and
 /// at the output end, where the sketch of a beam has them as at a cut.
@@ -27,13 +27,24 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     /// A quantity at a point: a displacement, an internal force, a reaction.
     ///
     /// # Errors
-    /// [`MotionError::NoSuchPoint`] for a node or a member that this system has not got.
+    /// [`MotionError::NoSuchPoint`] for a node or a member that this system has not got; [`MotionError::NoSuchFreedom`] for a motion or a force
+    /// that no element brings to this point, such as the moment of a spring.
     pub fn value(&self, entry: PlaneEntry<Y::Model>) -> Result<S, MotionError> {
         match entry.quantity {
-            Quantity::Displacement(site, axis) => Ok(self.displacements(site)?[axis]),
-            Quantity::Reaction(node, axis) => Ok(self.reaction(node)?[axis]),
+            Quantity::Displacement(site, axis) => {
+                check_freedom(site, axis)?;
+                Ok(self.displacements(site)?[axis])
+            }
+            Quantity::Reaction(node, axis) => {
+                self.node(node)?;
+                Ok(self.reactions().as_ref()[node][axis])
+            }
             Quantity::Internal { member, end, force } => {
-                Ok(self.member(member)?[end].forces[force] * S::from_f64(SIGNS[end][force]))
+                let (ends, freedom) = (self.member(member)?, Freedoms::SINGLE[force]);
+                if !self.system.placement(member).freedoms.contains(freedom) {
+                    return Err(MotionError::NoSuchFreedom { freedom });
+                }
+                Ok(ends[end].forces[force] * S::from_f64(SIGNS[end][force]))
             }
         }
     }
@@ -61,15 +72,19 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     fn displacements(&self, site: Site) -> Result<[S; 3], MotionError> {
         match site {
             Site::Node(node) => self.node(node),
-            Site::Tied { node, place } => {
-                let [x, y, rotation] = self.node(node)?;
-                let [to_x, to_y] = offset::<Y, S>(self.system, node, place);
-                Ok([x - rotation * to_y, y + rotation * to_x, rotation])
-            }
+            Site::Tied { node, place, .. } => Ok(moved(self.node(node)?, offset(self.system, node, place))),
             Site::End { member, end } => {
-                let [along, across, rotation] = self.member(member)?[end].displacements;
-                let [c, s] = self.system.placement(member).axis::<S>(end);
-                Ok([c * along - s * across, s * along + c * across, rotation])
+                let own = self.member(member)?[end].displacements;
+                let placement = self.system.placement(member);
+                let tied = moved(self.node(placement.node_of(end))?, placement.offset(end));
+                let [c, s] = placement.axis::<S>(end);
+                let mut local = [c * tied[0] + s * tied[1], c * tied[1] - s * tied[0], tied[2]];
+                for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
+                    if placement.released(end).contains(kind) {
+                        local[freedom] = own[freedom];
+                    }
+                }
+                Ok([c * local[0] - s * local[1], s * local[0] + c * local[1], local[2]])
             }
         }
     }
@@ -87,13 +102,14 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         let ends = self.motion.members.as_ref()[..members].iter().flatten();
         let mut largest = ends.map(|end| size(&end.forces)).fold(0.0, f64::max);
         let mut worst = 0.0_f64;
-        for (node, displacements) in self.motion.nodes.as_ref()[..nodes].iter().enumerate() {
+        let reactions = self.reactions();
+        let of_nodes = self.motion.nodes.as_ref().iter().zip(reactions.as_ref());
+        for (node, (displacements, reaction)) in of_nodes.enumerate().take(nodes) {
             for (row, displacement) in self.inertia(node).iter().zip(displacements) {
                 largest = largest.max(size(&row.map(|entry| entry * *displacement)));
             }
             let motions = self.system.node(node).1;
-            let sum = self.reaction(node).unwrap_or([S::zero(); 3]);
-            worst = worst.max(size(&motions.displacements(motions.parts_of(sum))));
+            worst = worst.max(size(&motions.displacements(motions.parts_of(*reaction))));
         }
         if worst > 0.0 { worst / largest } else { 0.0 }
     }
@@ -104,26 +120,46 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         self.system.node(node).0.mass_matrix::<S>().map(|row| row.map(|entry| lambda_squared * entry))
     }
 
-    /// What a support does to its node, but for loads there: the inertia of its body less the forces of members.
-    fn reaction(&self, node: usize) -> Result<[S; 3], MotionError> {
-        let displacements = self.node(node)?;
-        let mut sum = self.inertia(node).map(|row| {
-            let terms = row.iter().zip(displacements).map(|(entry, displacement)| *entry * displacement);
-            terms.fold(S::zero(), |sum, term| sum + term)
-        });
-        for (member, ends) in self.motion.members.as_ref()[..self.system.sizes()[1]].iter().enumerate() {
+    /// What supports do to their nodes, but for loads there: the inertia of bodies less the forces of members.
+    fn reactions(&self) -> Y::PerNode<[S; 3]> {
+        let [nodes, members] = self.system.sizes();
+        let mut reactions = Y::per_node([S::zero(); 3]);
+        let sums = reactions.as_mut();
+        for (node, (sum, displacements)) in sums.iter_mut().zip(self.motion.nodes.as_ref()).enumerate().take(nodes) {
+            for (entry, row) in sum.iter_mut().zip(self.inertia(node)) {
+                for (part, displacement) in row.iter().zip(displacements) {
+                    *entry += *part * *displacement;
+                }
+            }
+        }
+        for (member, ends) in self.motion.members.as_ref()[..members].iter().enumerate() {
             let placement = self.system.placement(member);
-            for (end, motion) in ends.iter().enumerate().filter(|(end, _)| placement.node_of(*end) == node) {
+            for (end, motion) in ends.iter().enumerate() {
                 let [along, across, moment] = motion.forces;
                 let ([c, s], [x, y]) = (placement.axis::<S>(end), placement.offset::<S>(end));
                 let force = [c * along - s * across, s * along + c * across];
+                let sum = &mut sums[placement.node_of(end)];
                 sum[0] += force[0];
                 sum[1] += force[1];
                 sum[2] += moment + x * force[1] - y * force[0];
             }
         }
-        Ok(sum)
+        reactions
     }
+}
+
+/// Whether elements bring a motion to a point.
+pub(super) fn check_freedom(site: Site, axis: usize) -> Result<(), MotionError> {
+    let freedom = Freedoms::SINGLE[axis];
+    match site {
+        Site::Tied { freedoms, .. } if !freedoms.contains(freedom) => Err(MotionError::NoSuchFreedom { freedom }),
+        _ => Ok(()),
+    }
+}
+
+/// The displacements of a place that is tied to a node at a distance.
+fn moved<S: Scalar>([x, y, rotation]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 3] {
+    [x - rotation * to_y, y + rotation * to_x, rotation]
 }
 
 /// Where a place is from the node that ties it.

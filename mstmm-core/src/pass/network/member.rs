@@ -159,7 +159,8 @@ impl<T: Real> Placement<T> {
     /// No place yet.
     pub(crate) fn nowhere() -> Self {
         let origin = [T::zero(); 2];
-        let end = PlacedEnd { index: 0, place: origin, node: origin, along: None, released: Freedoms::NONE, rests: false };
+        let end =
+            PlacedEnd { index: 0, place: origin, node: origin, along: None, released: Freedoms::NONE, rests: false };
         Placement {
             freedoms: Freedoms::NONE,
             ends: [end; 2],
@@ -172,7 +173,14 @@ impl<T: Real> Placement<T> {
         let ends = [0, 1].map(|k| {
             let End { position, along, released, .. } = *ends[k];
             let node = nodes[k].position;
-            PlacedEnd { index: ends[k].node, place: position.unwrap_or(node), node, along, released, rests: motions[k].count == 0 }
+            PlacedEnd {
+                index: ends[k].node,
+                place: position.unwrap_or(node),
+                node,
+                along,
+                released,
+                rests: motions[k].count == 0,
+            }
         });
         let span = Span::new(&ends, motions);
         Placement { freedoms, ends, span }

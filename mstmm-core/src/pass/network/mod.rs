@@ -2,18 +2,22 @@
 
 mod error;
 mod evaluate;
+mod frequency;
 mod member;
 mod motion;
 mod node;
+mod products;
 mod skeleton;
 mod sketch;
 mod structure;
 
 pub use error::NetworkError;
 pub use evaluate::{Placed, PlacedCharts, in_way_back, network_pass};
-pub(crate) use motion::{NetworkMotion, motion};
+pub use frequency::{MovingNetwork, PlaneFrequency};
 pub use member::{End, Member, Placement};
+pub(crate) use motion::{NetworkMotion, motion_everywhere, motion_under};
 pub use node::{Motions, Node};
+pub(crate) use products::mass_product;
 pub use skeleton::{Skeleton, build_member, estimate_member};
 pub use sketch::{Axis, Located, NetworkSketch, SketchedBody, SketchedEnd, SketchedMember, SketchedNode};
 pub use structure::{InNetwork, Network, NetworkRoom};

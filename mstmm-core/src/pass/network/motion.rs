@@ -1,8 +1,9 @@
 //! The motion of a network under loads: its nodes are eliminated one after the other, and the way back gives what each one does.
 
+use crate::model::EndMotion;
 use crate::number::{Frequency, FrequencyPowers, Scalar, Size};
 use crate::pass::network::evaluate::{Placed, PlacedCharts, front_node, push_members};
-use crate::subspace::{EndMotion, FrontScalar, NodeLoad};
+use crate::subspace::{FrontScalar, NodeLoad};
 
 /// The motion of a network.
 #[derive(Debug)]
@@ -25,12 +26,32 @@ impl<Y: Placed, S: Scalar> Clone for NetworkMotion<Y, S> {
 
 impl<Y: Placed, S: Scalar> Copy for NetworkMotion<Y, S> {}
 
+/// The motion under forces x and y and a moment on one node.
+pub(crate) fn motion_under<Y, S>(network: &Y, x: S, loaded: usize, forces: [S; 3]) -> NetworkMotion<Y, S>
+where
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter> + FrontScalar,
+{
+    let load = |node: usize| {
+        if node != loaded {
+            return NodeLoad::Nothing;
+        }
+        NodeLoad::Motions(network.node(node).1.parts_of(forces))
+    };
+    motion(network, &FrequencyPowers::new(x, true), load)
+}
+
+/// The motion under a load everywhere, another one for each number.
+pub(crate) fn motion_everywhere<Y, S>(network: &Y, x: S, number: u32) -> NetworkMotion<Y, S>
+where
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter> + FrontScalar,
+{
+    motion(network, &FrequencyPowers::new(x, true), |_| NodeLoad::Everywhere(number))
+}
+
 /// The motion of a network at a frequency under loads of its nodes.
-pub(crate) fn motion<Y, S>(
-    network: &Y,
-    at: &FrequencyPowers<S>,
-    load: impl Fn(usize) -> NodeLoad<S>,
-) -> NetworkMotion<Y, S>
+fn motion<Y, S>(network: &Y, at: &FrequencyPowers<S>, load: impl Fn(usize) -> NodeLoad<S>) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,

@@ -104,7 +104,8 @@ impl<S: Scalar> Front<'_, S> {
         }
         let between = entries[partner];
         let determinant = (entries[last] * before[row(partner) + partner] - between * between).size().first();
-        let sizes = self.interior().map(|place| triangle::largest(&self.entries[row(place) + self.riders..row(place + 1)]));
+        let sizes =
+            self.interior().map(|place| triangle::largest(&self.entries[row(place) + self.riders..row(place + 1)]));
         let of_all = sizes.fold(0.0, f64::max);
         (determinant >= PAIRED * of_all * of_all).then_some(partner)
     }
@@ -183,7 +184,8 @@ impl<S: Scalar> Front<'_, S> {
 
     /// A variable of the boundary, or two, whose entry exceeds the bound.
     fn beyond_bound(&self) -> Option<Pivot> {
-        let mut rows = (self.riders..self.boundary).map(|place| &self.entries[row(place) + self.riders..row(place + 1)]);
+        let mut rows =
+            (self.riders..self.boundary).map(|place| &self.entries[row(place) + self.riders..row(place + 1)]);
         if !rows.any(|entries| entries.iter().any(|entry| entry.size().first() > BOUND)) {
             return None;
         }

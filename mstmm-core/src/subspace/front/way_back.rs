@@ -4,6 +4,7 @@
 //! pivot changes `v = ∂Π/∂s`: at the end the row of the rider is what v is of the load and of the boundary, whatever has flipped. A load
 //! is a rider too, which goes on from front to front.
 
+use crate::model::EndMotion;
 use crate::number::{Scalar, power_of_two};
 use crate::subspace::front::chart::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES};
 use crate::subspace::front::fronts::{FrontNode, Fronts};
@@ -85,9 +86,7 @@ impl<S: Scalar> Kept<'_, S> {
             let restrained = variable.restrained.filter(|_| variable.node == node.index);
             self.sources[next] = match restrained {
                 Some(unit) => Target { kind: Kind::Motions, place: 0, power: power_of_two(variable.unit - unit) },
-                None if fronts.targets[place].kind == Kind::Motions => {
-                    Target { power: 1.0, ..fronts.targets[place] }
-                }
+                None if fronts.targets[place].kind == Kind::Motions => Target { power: 1.0, ..fronts.targets[place] },
                 None => fronts.targets[place],
             };
             self.rows[next] = fronts.objects.rows[place];
@@ -170,23 +169,6 @@ impl<S: Scalar> Front<'_, S> {
                 }
             }
         }
-    }
-}
-
-/// The displacement and the force of an end of a member, in its own axes: along it, across, and of the rotation. The force acts on the
-/// member.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EndMotion<S> {
-    /// Displacements \[m\], \[m\], \[rad\].
-    pub displacements: [S; MOST_FREEDOMS],
-    /// Forces \[N\], \[N\], [N m].
-    pub forces: [S; MOST_FREEDOMS],
-}
-
-impl<S: Scalar> EndMotion<S> {
-    /// At rest, without forces.
-    pub(crate) fn at_rest() -> Self {
-        EndMotion { displacements: [S::zero(); MOST_FREEDOMS], forces: [S::zero(); MOST_FREEDOMS] }
     }
 }
 

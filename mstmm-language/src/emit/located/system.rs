@@ -99,11 +99,9 @@ fn literal(index: usize, element: &Element, place: &mut usize, names: &Names) ->
     quote_spanned!(element.kind.place().last=> #literal { #length #(#parameters),* })
 }
 
-/// `impl System` and `impl Placed`.
-pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names: &Names) -> TokenStream {
+/// `impl System`.
+pub(super) fn system(names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
-    let model = &model.parameters.ident;
-    let (nodes, members) = (skeleton.nodes.len(), skeleton.members.len());
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
@@ -114,7 +112,15 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names
                 self.estimates
             }
         }
+    }
+}
 
+/// `impl Placed`.
+pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let model = &model.parameters.ident;
+    let (nodes, members) = (skeleton.nodes.len(), skeleton.members.len());
+    quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::Placed for #system<#parameter> {
             type Model = #model;

@@ -1,17 +1,19 @@
 //! The mass form of two motions of a plane structure.
 
-use crate::answer::network::frequency::{MovingNetwork, PlaneFrequency};
+use crate::model::EndMotion;
 use crate::number::{Real, power_of_two};
 use crate::pass::characteristic::System;
-use crate::pass::network::{NetworkMotion, PlacedCharts};
-use crate::subspace::{Chart, EndMotion, MOST_VARIABLES};
+use crate::pass::network::evaluate::PlacedCharts;
+use crate::pass::network::frequency::{MovingNetwork, PlaneFrequency};
+use crate::pass::network::motion::NetworkMotion;
+use crate::subspace::{Chart, MOST_VARIABLES};
 use mstmm_plan::Freedoms;
 
 /// `φ₁ᵀ M φ₂`, with dampers `φ₁ᵀ M φ₂ + φ₁ᵀ C φ₂/(2λ)`: the derivative of the dynamic work with respect to λ² at the frequency of both.
 ///
 /// A member's work is a quadratic form of the variables of its chart, and so is its derivative while these are held, whatever their
 /// kinds.
-pub(super) fn mass_product<Y, S>(network: &Y, x: S, first: &NetworkMotion<Y, S>, second: &NetworkMotion<Y, S>) -> S
+pub(crate) fn mass_product<Y, S>(network: &Y, x: S, first: &NetworkMotion<Y, S>, second: &NetworkMotion<Y, S>) -> S
 where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,

@@ -2,7 +2,7 @@
 
 use crate::number::{Dual, ExtendedOf, Frequency, FrequencyPowers, Oscillation, Real};
 use crate::pass::characteristic::System;
-use crate::pass::network::PlacedCharts;
+use crate::pass::network::evaluate::PlacedCharts;
 use crate::subspace::FrontScalar;
 use num_complex::Complex;
 
