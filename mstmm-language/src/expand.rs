@@ -23,7 +23,7 @@ pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
     let derivatives = check::derivatives(&model, &mut errors);
     if model.is_located() {
         let network = network(&model, errors)?;
-        return emit::located(&model, &Skeleton::of(&network));
+        return emit::located(&model, &Skeleton::of(&network), &derivatives);
     }
     let graph = Graph::of(&model, &mut errors);
     let tree = check::topology(&model, &graph, errors)?;

@@ -12,6 +12,7 @@ use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
 mod chart;
+mod gradient;
 
 /// Uniform Euler-Bernoulli beam, exact at every frequency.
 ///

@@ -1,7 +1,8 @@
 //! Joint of two points at one place.
 
-use crate::element::{Charted, Element};
+use crate::element::{Charted, Element, MemberGradient, MemberWork};
 use crate::elements::shared::connector::{Tie, chart_of_ties};
+use crate::elements::shared::line_forms::half;
 use crate::elements::{ElasticHinge, PlanarHinge};
 use crate::model::{FrequencyEstimates, InvalidParameter, Planar, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter};
@@ -94,5 +95,20 @@ impl<T: Parameter> Element for Joint<T> {
 impl<T: Parameter, S: Frequency<T>> Charted<S> for Joint<T> {
     fn chart(built: &Self, _at: &FrequencyPowers<S>, _length: S) -> Chart<S> {
         chart_of_ties(built.ties())
+    }
+}
+
+impl<T: Parameter, S: Frequency<T>> MemberGradient<S> for Joint<T> {
+    type Gradient = PlanarHinge<S>;
+
+    /// Half of the square of the elongation of each spring, which its force says, however stiff it is.
+    fn member_gradient(built: &Self, work: &MemberWork<S>) -> PlanarHinge<S> {
+        let [stiffness_x, stiffness_y, stiffness_theta] = [0, 1, 2].map(|freedom| {
+            built.elastic[freedom].map_or(S::zero(), |stiffness| {
+                let elongation = work.ends[1].forces[freedom] / S::from_parameter(stiffness);
+                half(elongation * elongation)
+            })
+        });
+        PlanarHinge { stiffness_x, stiffness_y, stiffness_theta }
     }
 }

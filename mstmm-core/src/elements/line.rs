@@ -2,7 +2,7 @@
 //!
 //! They differ in their coordinate, in the sign of its force, and in which of stiffness, damping and inertia they have.
 
-use crate::element::{BackTransfer, Charted, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, Charted, Element, Energies, MemberGradient, MemberWork, PlaneStep, TransferMatrix};
 use crate::elements::shared::connector::{along_member, connector};
 use crate::elements::shared::line_forms::{displacements, elongations, half, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_inertia, through_stiffness};
@@ -66,13 +66,13 @@ macro_rules! parts {
     };
 }
 
-/// The derivative of the dynamic work with respect to a field, given half of the form of the elongations.
+/// The derivative of the dynamic work with respect to a field, given the frequency and half of the form of the elongations.
 macro_rules! slope {
-    (stiffness, $ends:ident, $form:ident) => {
+    (stiffness, $x:expr, $form:ident) => {
         $form
     };
-    (damping, $ends:ident, $form:ident) => {
-        $ends.x.lambda() * $form
+    (damping, $x:expr, $form:ident) => {
+        $x.lambda() * $form
     };
 }
 
@@ -154,7 +154,22 @@ macro_rules! massless {
 
             fn gradient(_built: &Self, ends: &Ends<S>) -> $element<S> {
                 let form = half(elongations(Coordinate::$coordinate, ends, ends));
-                $element { $($field: slope!($field, ends, form)),* }
+                $element { $($field: slope!($field, ends.x, form)),* }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberGradient<S> for $element<T> {
+            type Gradient = $element<S>;
+
+            fn member_gradient(built: &Self, work: &MemberWork<S>) -> $element<S> {
+                let freedom = if is_rotation::<Self>() { 2 } else { 0 };
+                let [input, output] = work.ends.map(|end| end.displacements[freedom]);
+                // a force says how long a stiff spring is, where the difference of displacements is rounding
+                let kappa: S = parts!(built, $($field)*).dynamic_stiffness(work.x);
+                let by_force = work.ends[1].forces[freedom] / kappa;
+                let elongation = if kappa.is_zero() { output - input } else { by_force };
+                let form = half(elongation * elongation);
+                $element { $($field: slope!($field, work.x, form)),* }
             }
         }
     };

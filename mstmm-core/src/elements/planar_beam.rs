@@ -7,6 +7,7 @@ use crate::number::{Frequency, Parameter, Single};
 use nalgebra::Matrix6;
 
 mod chart;
+mod gradient;
 
 /// Uniform Euler-Bernoulli beam with exact longitudinal vibration; the two motions do not couple along a beam.
 ///

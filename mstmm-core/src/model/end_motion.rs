@@ -17,4 +17,11 @@ impl<S: Scalar> EndMotion<S> {
     pub(crate) fn at_rest() -> Self {
         EndMotion { displacements: [S::zero(); 3], forces: [S::zero(); 3] }
     }
+
+    /// Leaves nothing but what is along the member.
+    pub(crate) fn keep_longitudinal(&mut self) {
+        for part in [&mut self.displacements, &mut self.forces] {
+            part[1..].fill(S::zero());
+        }
+    }
 }

@@ -13,7 +13,7 @@ mod functions;
 mod scope;
 
 use super::listed;
-use crate::ast::{Element, Model, Parameter};
+use crate::ast::{Element, Model, Parameter, tuple_parts};
 use crate::diagnostics::Errors;
 use dependence::Dependence;
 use proc_macro2::{Span, TokenStream};
@@ -29,12 +29,24 @@ pub(crate) struct Derivatives {
     pub(crate) lets: Vec<Local>,
     /// By the labels of the elements: the parameters that depend on fields.
     parameters: BTreeMap<String, Vec<(Ident, Expr)>>,
+    /// By their text: the numbers of a model with locations that depend on fields.
+    numbers: BTreeMap<String, Expr>,
 }
 
 impl Derivatives {
     /// The parameters of an element that depend on fields.
     pub(crate) fn of(&self, element: &Element) -> &[(Ident, Expr)] {
         self.parameters.get(&element.label.to_string()).map_or(&[], Vec::as_slice)
+    }
+
+    /// The formula of a number of a model with locations that depends on fields.
+    pub(crate) fn of_number(&self, number: &Expr) -> Option<&Expr> {
+        self.numbers.get(&number.to_token_stream().to_string())
+    }
+
+    /// Whether nothing depends on a field.
+    pub(crate) fn are_none(&self) -> bool {
+        self.numbers.is_empty() && self.parameters.values().all(Vec::is_empty)
     }
 }
 
@@ -48,13 +60,23 @@ pub(crate) fn derivatives(model: &Model, errors: &mut Errors) -> Derivatives {
         let dependent = element.parameters().filter_map(|parameter| formulas.parameter(parameter));
         parameters.entry(element.label.to_string()).or_default().extend(dependent);
     }
+    let mut numbers = BTreeMap::new();
     for part in model.coordinates().flat_map(|coordinates| &coordinates.parts) {
-        formulas.expression(&mut part.clone());
+        numbers.extend(formulas.number(part));
     }
-    if parameters.values().any(|parameters| !parameters.is_empty()) {
+    // what is wrong with a parameter was said with its element
+    let silent = &mut Errors::default();
+    let mut formulas = Formulas { scope: formulas.scope, facade: &model.facade, errors: silent };
+    for value in model.elements().flat_map(Element::parameters).map(Parameter::expression) {
+        for part in tuple_parts(&value).unwrap_or_else(|| vec![&value]) {
+            numbers.extend(formulas.number(part));
+        }
+    }
+    let derivatives = Derivatives { lets, parameters, numbers };
+    if !derivatives.are_none() {
         exits::exits(model, errors);
     }
-    Derivatives { lets, parameters }
+    derivatives
 }
 
 /// Goes through the formulas in the order of the source and rewrites them.
@@ -70,6 +92,13 @@ impl Formulas<'_> {
         let mut value = parameter.expression();
         let dependence = self.expression(&mut value);
         matches!(dependence, Dependence::Number(_)).then(|| (parameter.name.clone(), value))
+    }
+
+    /// The text and the formula of a number that depends on fields.
+    fn number(&mut self, part: &Expr) -> Option<(String, Expr)> {
+        let mut value = part.clone();
+        let dependence = self.expression(&mut value);
+        matches!(dependence, Dependence::Number(_)).then(|| (part.to_token_stream().to_string(), value))
     }
 
     /// Refuses code through which a value passes, if the value depends on fields.

@@ -2,11 +2,13 @@
 
 mod numbers;
 mod points;
+mod sensitivity;
 mod sketch;
 mod system;
 
 use super::{Names, labels, parameters};
 use crate::ast::Model;
+use crate::check::Derivatives;
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote_spanned};
@@ -16,7 +18,7 @@ use std::collections::BTreeMap;
 ///
 /// # Errors
 /// Nothing joins a part of the model to the rest.
-pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>) -> syn::Result<TokenStream> {
+pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Derivatives) -> syn::Result<TokenStream> {
     let apart = |name| {
         let message = format!("nothing joins {name} to the rest of the model: a model is one structure");
         syn::Error::new(model.parameters.ident.span(), message)
@@ -24,12 +26,14 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>) -> syn::Result<Tok
     let width = skeleton.width().map_err(apart)?;
     let names = Names::of(model);
     let parameters = parameters(model);
-    let definition = system::definition(model, skeleton, &names);
+    let keeps_fields = !derivatives.are_none();
+    let definition = system::definition(model, skeleton, keeps_fields, &names);
     let numbers = numbers::numbers(model, skeleton, &names);
     let labels = labels::labels(model, &names);
     let points = points::points(model, skeleton, &names);
     let sketch = sketch::sketch(skeleton, &names);
-    let build = system::build(model, skeleton, &names);
+    let build = system::build(model, skeleton, keeps_fields, &names);
+    let sensitivity = sensitivity::sensitivity(model, skeleton, derivatives, &names);
     let placed = system::placed(model, skeleton, width, &names);
     let charts = system::charts(skeleton, width, &names);
     let system = system::system(&names);
@@ -45,6 +49,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>) -> syn::Result<Tok
             #system
             #placed
             #charts
+            #sensitivity
         };
     })
 }

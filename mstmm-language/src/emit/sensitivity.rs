@@ -26,7 +26,7 @@ pub(super) fn member(field: &Field<'_>, names: &Names) -> Ident {
 }
 
 /// `impl Fields`: the names of the fields that have derivatives.
-fn fields(model: &Model, names: &Names) -> TokenStream {
+pub(super) fn fields(model: &Model, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let with_derivative = || model.fields().filter(|field| field.has_derivative);
     let texts = with_derivative().map(|Field { name, conditions, .. }| {
@@ -59,12 +59,7 @@ fn chain(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives, names: &Name
     let Names { private, frequency, .. } = names;
     let mut body = TokenStream::new();
     if keeps_fields(plan, derivatives) {
-        let variables = model.fields().map(|field| {
-            let (member, name, conditions) = (member(&field, names), field.name, &field.conditions);
-            let value = quote_spanned!(names.here=> self.#member);
-            let value = if field.has_derivative { quote_spanned!(names.here=> chain.variable(#value)) } else { value };
-            quote_spanned!(names.here=> #(#conditions)* let #name = #value;)
-        });
+        let variables = variables(model, names);
         let lets = &derivatives.lets;
         let elements = (0..plan.elements.len()).map(|index| summand(index, plan, derivatives, names));
         body = quote_spanned!(names.here=> #(#variables)* #(#lets)* #(#elements)*);
@@ -82,6 +77,16 @@ fn chain(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives, names: &Name
     };
     let elements = first_of_each_type(plan, names).into_iter().map(|element| bound(element, names)).collect();
     implement("Chain", "Real", elements, &body, names)
+}
+
+/// Makes variables of the fields, in their order: `let length = chain.variable(self.field_length);`.
+pub(super) fn variables<'m>(model: &'m Model, names: &'m Names) -> impl Iterator<Item = TokenStream> + 'm {
+    model.fields().map(|field| {
+        let (member, name, conditions) = (member(&field, names), field.name, &field.conditions);
+        let value = quote_spanned!(names.here=> self.#member);
+        let value = if field.has_derivative { quote_spanned!(names.here=> chain.variable(#value)) } else { value };
+        quote_spanned!(names.here=> #(#conditions)* let #name = #value;)
+    })
 }
 
 /// `Type<T>: Energies<S, Gradient = Type<S>>`

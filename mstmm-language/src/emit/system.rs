@@ -34,11 +34,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
 /// The struct of elements.
 fn definition(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
-    let kept = model.fields().filter(|_| keeps_fields).map(|field| {
-        let (member, conditions) = (member(&field, names), field.conditions);
-        let doc = format!(" The field `{}`", field.name);
-        quote_spanned!(names.here=> #(#conditions)* #[doc = #doc] #member: ::core::primitive::f64)
-    });
+    let kept = kept_fields(model, keeps_fields, names);
     let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
     let fields = plan.elements.iter().map(|element| {
         let (field, kind) = (element_field(element, names), names.element_as(element, "Element"));
@@ -60,6 +56,31 @@ fn definition(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
             parameter: ::core::marker::PhantomData<#parameter>,
         }
     }
+}
+
+/// What a built system keeps of the fields: `field_length: f64`.
+pub(super) fn kept_fields<'m>(
+    model: &'m Model,
+    keeps_fields: bool,
+    names: &'m Names,
+) -> impl Iterator<Item = TokenStream> + 'm {
+    model.fields().filter(move |_| keeps_fields).map(|field| {
+        let (member, conditions) = (member(&field, names), field.conditions);
+        let doc = format!(" The field `{}`", field.name);
+        quote_spanned!(names.here=> #(#conditions)* #[doc = #doc] #member: ::core::primitive::f64)
+    })
+}
+
+/// The fields as a built system keeps them: `field_length: self.length`.
+pub(super) fn values_of_fields<'m>(
+    model: &'m Model,
+    keeps_fields: bool,
+    names: &'m Names,
+) -> impl Iterator<Item = TokenStream> + 'm {
+    model.fields().filter(move |_| keeps_fields).map(|field| {
+        let (member, Field { name, conditions, .. }) = (member(&field, names), field);
+        quote_spanned!(names.here=> #(#conditions)* #member: self.#name)
+    })
 }
 
 /// `build()`: from the parameters to the struct of elements and the estimates of the searches.
@@ -124,10 +145,7 @@ fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
     let bindings = model
         .fields()
         .map(|Field { name, conditions, .. }| quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;));
-    let kept = model.fields().filter(|_| keeps_fields).map(|field| {
-        let (member, Field { name, conditions, .. }) = (member(&field, names), field);
-        quote_spanned!(names.here=> #(#conditions)* #member: self.#name)
-    });
+    let kept = values_of_fields(model, keeps_fields, names);
     let numbers: Vec<_> = plan.elements.iter().flat_map(|element| element.parameters()).collect();
     let (count, numbers) = (numbers.len(), numbers.into_iter().map(|parameter| number(parameter, names)));
     let mut place = 0_usize;

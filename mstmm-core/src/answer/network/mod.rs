@@ -1,6 +1,8 @@
 //! Answers about the motion of plane structures.
 
+pub(crate) mod geometry;
 pub(crate) mod questions;
 pub(crate) mod response;
+pub(crate) mod sensitivity;
 pub(crate) mod shape;
 pub(crate) mod states;

@@ -1,8 +1,10 @@
 //! Questions about motions of plane structures: the trait that users call.
 
 use crate::answer::network::response::PlaneResponse;
+use crate::answer::network::sensitivity::{PlaneChain, sensitivities};
 use crate::answer::network::shape::{PlaneShape, PlaneShapes, all, simple};
 use crate::answer::root::{Root, simple_root};
+use crate::answer::sensitivity::Sensitivities;
 use crate::model::{MotionError, PlaneEntry, PlaneLoad};
 use crate::pass::characteristic::System;
 use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
@@ -39,6 +41,23 @@ pub trait FrameAnalysis: Placed + Sized {
         Self: MovingNetwork<S>,
     {
         all(self, root.frequency(), root.multiplicity())
+    }
+
+    /// The derivatives of a simple root with respect to all fields of the model, positions of points among them: dω/dp [rad/s per unit of
+    /// the field], or dλ/dp [1/s per unit of the field] for an eigenvalue, exact, all in one call.
+    ///
+    /// # Errors
+    /// [`MotionError::Multiple`] for a multiple root, whose parts move apart; [`MotionError::ZeroFrequency`] for ω = 0, since parameters
+    /// move ω², whose root has no derivative there; else as [`mode_shape`](FrameAnalysis::mode_shape).
+    fn sensitivity<S>(
+        &self,
+        root: &impl Root<Self::Parameter, Frequency = S>,
+    ) -> Result<Sensitivities<Self, S>, MotionError>
+    where
+        S: PlaneFrequency<<Self as System>::Parameter>,
+        Self: MovingNetwork<S> + PlaneChain<S>,
+    {
+        sensitivities(self, simple_root(root)?)
     }
 
     /// The response of a displacement, an internal force or a reaction to a harmonic load of 1, as a function of the frequency. Nothing is

@@ -76,9 +76,8 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
             Site::End { member, end } => {
                 let own = self.member(member)?[end].displacements;
                 let placement = self.system.placement(member);
-                let tied = moved(self.node(placement.node_of(end))?, placement.offset(end));
                 let [c, s] = placement.axis::<S>(end);
-                let mut local = [c * tied[0] + s * tied[1], c * tied[1] - s * tied[0], tied[2]];
+                let mut local = self.tied(member, end);
                 for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
                     if placement.released(end).contains(kind) {
                         local[freedom] = own[freedom];
@@ -87,6 +86,15 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
                 Ok([c * local[0] - s * local[1], s * local[0] + c * local[1], local[2]])
             }
         }
+    }
+
+    /// The displacements of the place of the end of a member, as its node has them, in the axes of the member.
+    pub(super) fn tied(&self, member: usize, end: usize) -> [S; 3] {
+        let placement = self.system.placement(member);
+        let node = self.motion.nodes.as_ref()[placement.node_of(end)];
+        let [x, y, rotation] = moved(node, placement.offset(end));
+        let [c, s] = placement.axis::<S>(end);
+        [c * x + s * y, c * y - s * x, rotation]
     }
 
     /// The largest sum of forces on the motions of a node, beside the largest force of a member or of inertia; a moment counts by the
@@ -121,7 +129,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     }
 
     /// What supports do to their nodes, but for loads there: the inertia of bodies less the forces of members.
-    fn reactions(&self) -> Y::PerNode<[S; 3]> {
+    pub(super) fn reactions(&self) -> Y::PerNode<[S; 3]> {
         let [nodes, members] = self.system.sizes();
         let mut reactions = Y::per_node([S::zero(); 3]);
         let sums = reactions.as_mut();

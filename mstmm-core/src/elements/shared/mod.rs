@@ -11,3 +11,4 @@ pub(crate) mod line_forms;
 pub(crate) mod line_step;
 pub(crate) mod longitudinal_chart;
 pub(crate) mod massless;
+pub(crate) mod section_gradient;

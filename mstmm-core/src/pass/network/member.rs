@@ -220,6 +220,11 @@ impl<T: Real> Placement<T> {
         if self.freedoms.is(Freedoms::RZ) { [S::one(), S::zero()] } else { direction_of(&self.ends, end) }
     }
 
+    /// The vector that gives an end its x axis, of any length.
+    pub(crate) fn vector<S: Frequency<T>>(&self, end: usize) -> [S; 2] {
+        self.ends[end].along.map_or_else(|| between(&self.ends), |along| along.map(S::from_parameter))
+    }
+
     /// Where an end is from its node.
     pub(crate) fn offset<S: Frequency<T>>(&self, end: usize) -> [S; 2] {
         let PlacedEnd { place, node, .. } = &self.ends[end];

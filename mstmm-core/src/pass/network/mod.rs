@@ -17,7 +17,7 @@ pub use frequency::{MovingNetwork, PlaneFrequency};
 pub use member::{End, Member, Placement};
 pub(crate) use motion::{NetworkMotion, motion_everywhere, motion_under};
 pub use node::{Motions, Node};
-pub(crate) use products::mass_product;
+pub(crate) use products::{mass_product, member_works};
 pub use skeleton::{Skeleton, build_member, estimate_member};
 pub use sketch::{Axis, Located, NetworkSketch, SketchedBody, SketchedEnd, SketchedMember, SketchedNode};
 pub use structure::{InNetwork, Network, NetworkRoom};

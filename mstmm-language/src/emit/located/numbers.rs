@@ -17,13 +17,11 @@ pub(super) fn numbers(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> 
         .fields()
         .map(|Field { name, conditions, .. }| quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;));
     let mut numbers = Vec::new();
-    for vector in skeleton.places.iter().chain(&skeleton.directions) {
-        numbers.extend(two(vector.parts, names));
-    }
-    for body in &skeleton.bodies {
-        numbers.extend(["mass", "inertia"].map(|name| named(body.element, name, names)));
-        numbers.extend(two(body.centre, names));
-    }
+    numbers.extend(geometry(skeleton).map(|entry| match entry {
+        Some(Number::Part(part)) => coordinate(part, names),
+        Some(Number::Parameter(parameter)) => number(parameter, names),
+        None => zero(names),
+    }));
     numbers.extend(skeleton.members.iter().flat_map(|member| member_parameters(member.what)).map(|p| number(p, names)));
     let count = numbers.len();
     quote_spanned! {names.here=>
@@ -45,9 +43,26 @@ pub(super) fn member_parameters<'a>(what: What<'a>) -> impl Iterator<Item = &'a 
     what.element().into_iter().flat_map(Element::parameters)
 }
 
+/// A number of a sketch: a part of a place or a direction, or a parameter of a mass.
+pub(super) enum Number<'s> {
+    Part(&'s Expr),
+    Parameter(&'s Parameter),
+}
+
+/// The numbers of places, directions and masses in the order of the core's sketch; none for what the model does not say, which is zero.
+pub(super) fn geometry<'s>(skeleton: &'s Skeleton<'_>) -> impl Iterator<Item = Option<Number<'s>>> {
+    let vectors = skeleton.places.iter().chain(&skeleton.directions).flat_map(|vector| two(vector.parts));
+    let bodies = skeleton.bodies.iter().flat_map(|body| {
+        let [mass, inertia] = ["mass", "inertia"].map(|name| named(body.element, name).map(Number::Parameter));
+        let [x, y] = two(body.centre);
+        [mass, inertia, x, y]
+    });
+    vectors.chain(bodies)
+}
+
 /// Both parts of a place or a direction.
-fn two(parts: &[Expr], names: &Names) -> [TokenStream; 2] {
-    [0, 1].map(|k| parts.get(k).map_or_else(|| zero(names), |part| coordinate(part, names)))
+fn two(parts: &[Expr]) -> [Option<Number<'_>>; 2] {
+    [0, 1].map(|k| parts.get(k).map(Number::Part))
 }
 
 /// A coordinate as a number.
@@ -56,10 +71,9 @@ fn coordinate(value: &Expr, names: &Names) -> TokenStream {
     number_of(&value.to_token_stream(), span, names.at(span))
 }
 
-/// A parameter of an element by its name; zero where the element has not got it.
-fn named(element: &Element, name: &str, names: &Names) -> TokenStream {
-    let parameter = element.parameters().find(|parameter| parameter.name.unraw() == name);
-    parameter.map_or_else(|| zero(names), |parameter| number(parameter, names))
+/// A parameter of an element by its name.
+fn named<'s>(element: &'s Element, name: &str) -> Option<&'s Parameter> {
+    element.parameters().find(|parameter| parameter.name.unraw() == name)
 }
 
 fn zero(names: &Names) -> TokenStream {

@@ -1,6 +1,6 @@
 //! Emits the built system of a model with locations, `build()`, and its traits.
 
-use super::super::system::build_functions;
+use super::super::system::{build_functions, kept_fields, values_of_fields};
 use super::super::{Names, implement};
 use super::{by_type, field};
 use crate::ast::{Element, Model};
@@ -9,8 +9,9 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
 
 /// The struct of the skeleton and of built members.
-pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
+pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
+    let kept = kept_fields(model, keeps_fields, names);
     let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
     let (nodes, members, places) = (skeleton.nodes.len(), skeleton.members.len(), skeleton.places.len());
     let fields = skeleton.members.iter().enumerate().map(|(index, member)| {
@@ -29,13 +30,14 @@ pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, names: &Names) 
         #visibility struct #system<#parameter: #private::Parameter = f64> {
             skeleton: #private::Skeleton<#parameter, #nodes, #members, #places>,
             #(#fields,)*
+            #(#kept,)*
             estimates: #private::FrequencyEstimates,
         }
     }
 }
 
 /// `build()`: from the parameters to the skeleton, the members and the estimates of the searches.
-pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
+pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let mut place = 2 * (skeleton.places.len() + skeleton.directions.len()) + 4 * skeleton.bodies.len();
     let members = skeleton.members.iter().enumerate().map(|(index, member)| built(index, member, &mut place, names));
@@ -44,12 +46,14 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> To
         let (field, estimate) = (field(index, span), names.function_at("estimate_member", span));
         quote_spanned!(span=> #estimate::<#kind>(&system.#field, &mut system.estimates);)
     });
+    let kept = values_of_fields(model, keeps_fields, names);
     let body = quote_spanned! {names.here=>
         let numbers = #private::Located::numbers(self);
         let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
         let skeleton = #private::Skeleton::new(&SKETCH, &numbers)?;
         let mut system = #system {
             #(#members,)*
+            #(#kept,)*
             skeleton,
             estimates: ::core::default::Default::default(),
         };

@@ -1,0 +1,42 @@
+//! Sensitivities of plane structures: how a root moves with each field of the model.
+
+use crate::answer::network::shape::simple;
+use crate::answer::network::states::PlaneStates;
+use crate::answer::sensitivity::Sensitivities;
+use crate::element::MemberWork;
+use crate::model::{Fields, MotionError};
+use crate::pass::characteristic::System;
+use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency, member_works};
+
+/// A built plane structure whose dynamic work has derivatives with respect to the fields of the model.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no sensitivities",
+    note = "a network as a list has none: its model in `system!` has them"
+)]
+pub trait PlaneChain<S: PlaneFrequency<<Self as System>::Parameter>>: Fields + Placed {
+    /// `∂L/∂(field)`, summed over members, whose motions are given, places, directions and masses.
+    #[doc(hidden)]
+    fn plane_chain(&self, states: &PlaneStates<'_, Self, S>, works: &[MemberWork<S>]) -> Self::PerField<S>
+    where
+        Self: Sized;
+}
+
+/// `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`, where `∂L/∂λ = (dλ²/dλ)/2` for a shape of unit modal mass.
+pub(super) fn sensitivities<Y, S>(system: &Y, x: S) -> Result<Sensitivities<Y, S>, MotionError>
+where
+    Y: MovingNetwork<S> + PlaneChain<S>,
+    S: PlaneFrequency<<Y as System>::Parameter>,
+{
+    if x.is_zero() {
+        return Err(MotionError::ZeroFrequency);
+    }
+    let shape = simple(system, x)?;
+    let works = member_works(system, x, &shape.motion);
+    let mut values = system.plane_chain(&shape, works.as_ref());
+    let two = S::one() + S::one();
+    let factor = -two / x.slope_of_lambda_squared();
+    for value in values.as_mut() {
+        *value *= factor;
+    }
+    Ok(Sensitivities { values })
+}

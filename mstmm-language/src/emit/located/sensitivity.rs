@@ -1,0 +1,110 @@
+//! Emits the derivatives of a model with locations with respect to its fields: the chain rule from members, places and masses.
+
+use super::super::sensitivity::{fields, variables};
+use super::super::{Names, implement};
+use super::numbers::{Number, geometry};
+use super::{by_type, field};
+use crate::ast::Model;
+use crate::check::Derivatives;
+use crate::skeleton::{Member, Skeleton, What};
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote_spanned};
+use syn::Index;
+
+/// `impl Fields` and `impl PlaneChain<S>`.
+pub(super) fn sensitivity(
+    model: &Model,
+    skeleton: &Skeleton<'_>,
+    derivatives: &Derivatives,
+    names: &Names,
+) -> TokenStream {
+    let Names { private, frequency, .. } = names;
+    let fields = fields(model, names);
+    let body = if derivatives.are_none() { TokenStream::new() } else { sums(model, skeleton, derivatives, names) };
+    let body = quote_spanned! {names.here=>
+        fn plane_chain(
+            &self,
+            states: &#private::PlaneStates<'_, Self, #frequency>,
+            works: &[#private::MemberWork<#frequency>],
+        ) -> Self::PerField<#frequency> {
+            let zeros = <Self as #private::Fields>::per_field(#private::Scalar::from_f64(0.0));
+            let mut chain = #private::ChainRule::new(zeros);
+            #body
+            chain.finish()
+        }
+    };
+    let parameter = &names.parameter;
+    let plane = quote_spanned!(names.here=> #frequency: #private::PlaneFrequency<#parameter>);
+    let types = by_type(skeleton, names);
+    let gradients = types.iter().map(|members| gradient_bound(members[0].1, names));
+    let bounds = core::iter::once(plane).chain(gradients).collect();
+    let chain = implement("PlaneChain", "Real", bounds, &body, names);
+    quote_spanned!(names.here=> #fields #chain)
+}
+
+/// What members, places, directions and masses add.
+fn sums(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Derivatives, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let (variables, lets) = (variables(model, names), &derivatives.lets);
+    let members = skeleton.members.iter().enumerate().map(|(index, member)| summand(index, member, derivatives, names));
+    let numbers: Vec<TokenStream> = geometry(skeleton).map(|number| partials(number, derivatives, names)).collect();
+    let (count, members_count) = (numbers.len(), skeleton.members.len());
+    quote_spanned! {names.here=>
+        #(#variables)*
+        #(#lets)*
+        let mut lengths = [#private::Scalar::from_f64(0.0); #members_count];
+        #(#members)*
+        let numbers = [#(#numbers),*];
+        let mut slopes = [#private::Scalar::from_f64(0.0); #count];
+        #private::geometry_slopes(&SKETCH, states, &numbers.map(|number| number.value), &lengths, &mut slopes);
+        for (slope, number) in slopes.into_iter().zip(numbers) {
+            chain.add(slope, number);
+        }
+    }
+}
+
+/// A number of the sketch with its derivatives.
+fn partials(number: Option<Number<'_>>, derivatives: &Derivatives, names: &Names) -> TokenStream {
+    let value = match number {
+        Some(Number::Part(part)) => part.clone(),
+        Some(Number::Parameter(parameter)) => parameter.expression(),
+        None => return quote_spanned!(names.here=> chain.constant(0.0)),
+    };
+    match derivatives.of_number(&value) {
+        Some(formula) => formula.to_token_stream(),
+        None => quote_spanned!(names.here=> chain.constant(#value)),
+    }
+}
+
+/// `Type<T>: MemberGradient<S>`, which gives the derivatives of its parameters.
+fn gradient_bound(member: &Member<'_>, names: &Names) -> TokenStream {
+    let (span, kind, frequency) = (member.span(names), member.kind(names), &names.frequency);
+    let gradient = match member.what {
+        What::Element(element) => names.element_over(element, frequency),
+        What::Hinge(_) | What::Rigid => {
+            let elements = names.function_at("elements", span);
+            quote_spanned!(span=> #elements::PlanarHinge<#frequency>)
+        }
+    };
+    let motion = names.trait_with("MemberGradient", span, &quote_spanned!(span=> Gradient = #gradient));
+    quote_spanned!(span=> #kind: #motion)
+}
+
+/// What a member adds: the derivatives of its parameters, and what its length does.
+fn summand(index: usize, member: &Member<'_>, derivatives: &Derivatives, names: &Names) -> TokenStream {
+    let Some(element) = member.what.element() else { return TokenStream::new() };
+    let span = member.span(names);
+    let (kind, field) = (member.kind(names), field(index, names.here));
+    let gradient = names.trait_at("MemberGradient", span);
+    let parameters = derivatives.of(element);
+    let (parameters, values): (Vec<_>, Vec<_>) = parameters.iter().cloned().unzip();
+    let order = (0..values.len()).map(Index::from);
+    let has_length = element.kind.known().is_some_and(|known| known.parameters.contains(&"length"));
+    let length = has_length.then(|| quote_spanned!(names.here=> lengths[#index] = gradient.length;));
+    quote_spanned! {names.here=>
+        let values = (#(#values,)*);
+        let gradient = <#kind as #gradient>::member_gradient(&self.#field, &works[#index]);
+        #(chain.add(gradient.#parameters, values.#order);)*
+        #length
+    }
+}
