@@ -8,7 +8,7 @@ use crate::subspace::{Covector, Subspace};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` takes no states back through it",
     label = "no `BackTransfer<{S}>` for this element",
-    note = "mode shapes, responses and sensitivities need it; planar elements have none yet, an element of your own \
+    note = "mode shapes, responses and sensitivities need it; planar elements have motions between points with places; an element of your own \
             implements `mstmm::element::BackTransfer<S>`"
 )]
 pub trait BackTransfer<S: Scalar>: PlaneStep<S> {

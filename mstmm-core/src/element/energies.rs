@@ -20,7 +20,7 @@ pub struct Inside {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say how it moves",
     label = "no `Energies<{S}>` for this element",
-    note = "mode shapes, responses and sensitivities need it; planar elements have none yet, an element of your own \
+    note = "mode shapes, responses and sensitivities need it; planar elements have motions between points with places; an element of your own \
             implements `mstmm::element::Energies<S>`"
 )]
 pub trait Energies<S: Scalar>: Element {

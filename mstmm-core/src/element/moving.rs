@@ -12,7 +12,7 @@ pub type CoefficientsOf<E, S> = <E as PlaneStep<S>>::Coefficients;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say how it moves",
     label = "no motion of this element at such a frequency",
-    note = "planar elements have none yet; an element of your own implements `PlaneStep`, `BackTransfer` and `Energies` of \
+    note = "planar elements have motions between points with places, `conn a at (x, y)`; an element of your own implements `PlaneStep`, `BackTransfer` and `Energies` of \
             `mstmm::element` for every `S`",
     note = "a system with a damper moves at a complex λ only: pass `Complex::new(re, im)` for λ [1/s], and search its `eigenvalues` \
             instead of `natural_frequencies`"

@@ -8,7 +8,7 @@ use core::fmt::Debug;
 /// `#[no_sensitivity]`, or the parameters of all elements of a list.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no sensitivities",
-    note = "a `StepList` has them with a plan: `.planned(&mut room)?`, a model with places not yet"
+    note = "a `StepList` has them with a plan: `.planned(&mut room)?`"
 )]
 pub trait Fields {
     /// A value for each of them: an array.
@@ -31,7 +31,7 @@ pub trait NamedFields: Fields {
 /// A built system whose dynamic work has derivatives with respect to the fields of the model.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no sensitivities",
-    note = "a `StepList` has them with a plan: `.planned(&mut room)?`, a model with places not yet"
+    note = "a `StepList` has them with a plan: `.planned(&mut room)?`"
 )]
 pub trait Chain<S: Scalar>: Fields {
     /// `∂L/∂(field) = Σ ∂L/∂(parameter) · ∂(parameter)/∂(field)`, summed over the elements of the sketch and their parameters,

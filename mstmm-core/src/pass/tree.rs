@@ -24,10 +24,9 @@ pub trait Planned: System {
 /// A built system whose elements all have back transfer and energies.
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
-    note = "a real ω is a frequency of undamped systems only; planar elements have no motions yet; an element of your own \
-            implements `mstmm::element::BackTransfer<S>` and `mstmm::element::Energies<S>`, and `mstmm::element::PlaneStep<S>` for every `S`",
-    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`",
-    note = "models with places have no motions yet: no shapes, responses and sensitivities"
+    note = "a real ω is a frequency of undamped systems only; planar elements have motions between points with places, `conn a at (x, y)`; \
+            an element of your own implements `mstmm::element::BackTransfer<S>` and `mstmm::element::Energies<S>`, and `mstmm::element::PlaneStep<S>` for every `S`",
+    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`"
 )]
 pub trait Tree<S: Scalar>: Planned {
     /// Coefficients of all elements at a frequency.
@@ -46,8 +45,7 @@ pub trait Tree<S: Scalar>: Planned {
 /// A tree at frequencies of a type, and at those in its extended precision.
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
-    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`",
-    note = "models with places have no motions yet: no shapes, responses and sensitivities"
+    note = "a `StepList` answers this with a plan: `.planned(&mut room)?`"
 )]
 pub trait ExtendedTree<S>: Tree<S> + Tree<ExtendedOf<S, <Self as System>::Parameter>>
 where

@@ -36,6 +36,14 @@ pub struct MastSystem<T: mstmm::__private::Parameter = f64> {
     member_1: <mstmm::__private::elements::Spring<
         T,
     > as mstmm::__private::Element>::Built,
+    /// The field `height`
+    field_height: ::core::primitive::f64,
+    /// The field `stiffness`
+    field_stiffness: ::core::primitive::f64,
+    /// The field `lamp`
+    field_lamp: ::core::primitive::f64,
+    /// The numbers of places, directions and masses
+    geometry: [::core::primitive::f64; 10usize],
     estimates: mstmm::__private::FrequencyEstimates,
 }
 impl mstmm::__private::Located for Mast {
@@ -254,6 +262,12 @@ const _: () = {
                     },
                     "spring guy",
                 )?,
+                field_height: self.height,
+                field_stiffness: self.stiffness,
+                field_lamp: self.lamp,
+                geometry: ::core::array::from_fn(|k: ::core::primitive::usize| {
+                    numbers[k]
+                }),
                 skeleton,
                 estimates: ::core::default::Default::default(),
             };
@@ -375,6 +389,86 @@ const _: () = {
             counter: &mut C,
         ) -> mstmm::__private::Scaled<S> {
             mstmm::__private::network_pass::<11usize, Self, S, C>(self, x, counter)
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::NamedFields for MastSystem<T> {
+        const NAMES: &'static [&'static ::core::primitive::str] = &[
+            "height",
+            "stiffness",
+            "lamp",
+        ];
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::Fields for MastSystem<T> {
+        type PerField<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; <[()]>::len(
+            &[(), (), ()],
+        )];
+        fn per_field<V: ::core::marker::Copy + ::core::fmt::Debug>(
+            value: V,
+        ) -> Self::PerField<V> {
+            [value; _]
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::PlaneChain<S> for MastSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        S: mstmm::__private::PlaneFrequency<T>,
+        mstmm::__private::elements::PlanarBeam<
+            T,
+        >: mstmm::__private::MemberGradient<
+            S,
+            Gradient = mstmm::__private::elements::PlanarBeam<S>,
+        >,
+        mstmm::__private::elements::Spring<
+            T,
+        >: mstmm::__private::MemberGradient<
+            S,
+            Gradient = mstmm::__private::elements::Spring<S>,
+        >,
+    {
+        fn plane_chain(
+            &self,
+            states: &mstmm::__private::PlaneStates<'_, Self, S>,
+            works: &[mstmm::__private::MemberWork<S>],
+        ) -> Self::PerField<S> {
+            let zeros = <Self as mstmm::__private::Fields>::per_field(
+                mstmm::__private::Scalar::from_f64(0.0),
+            );
+            let mut chain = mstmm::__private::ChainRule::new(zeros);
+            let height = chain.variable(self.field_height);
+            let stiffness = chain.variable(self.field_stiffness);
+            let lamp = chain.variable(self.field_lamp);
+            let mut lengths = [mstmm::__private::Scalar::from_f64(0.0); 2usize];
+            let values = ();
+            let gradient = <mstmm::__private::elements::PlanarBeam<
+                T,
+            > as mstmm::__private::MemberGradient<
+                S,
+            >>::member_gradient(&self.member_0, &works[0usize]);
+            lengths[0usize] = gradient.length;
+            let values = (stiffness,);
+            let gradient = <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::MemberGradient<
+                S,
+            >>::member_gradient(&self.member_1, &works[1usize]);
+            chain.add(gradient.stiffness, values.0);
+            let mut slopes = [mstmm::__private::Scalar::from_f64(0.0); 10usize];
+            mstmm::__private::geometry_slopes(
+                &SKETCH,
+                states,
+                &self.geometry,
+                &lengths,
+                &mut slopes,
+            );
+            chain.add(slopes[3usize], height);
+            chain.add(slopes[4usize], 0.5 * height);
+            chain.add(slopes[6usize], lamp);
+            chain.add(slopes[9usize], height);
+            chain.finish()
         }
     }
 };

@@ -3,13 +3,24 @@ use mstmm::prelude::*;
 system! {
     struct Bar { length: f64 }
     fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-        -> free at (length, 0.0);
+        -> conn a at (length, 0.0);
+}
+
+system! {
+    struct Damped { c: f64 }
+    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
+        -> conn a at (1.0, 0.0);
+    conn a <- along (0.0, 1.0) <- damper 2 { damping: c } <- fixed;
 }
 
 fn main() {
-    let system = Bar { length: 1.0 }.build().unwrap();
-    let roots = system.first_frequencies::<1>().unwrap();
-    let _ = system.mode_shape(&roots[0]);
-//                 ^^^^^^^^^^ models with places have no motions yet
-//                 ^^^^^^^^^^ planar elements have no motions yet
+    let bar = Bar { length: 1.0 }.build().unwrap();
+    let _ = bar.frequency_response(Bar::conn_a.force_y(), Damped::conn_a.displacement_y());
+//                                                        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ a point of another model
+    let _ = bar.frequency_response(Bar::conn_a.force_y(), Bar::conn_a.moment());
+//                                                                    ^^^^^^ of an end of a member
+    let damped = Damped { c: 0.1 }.build().unwrap();
+    let response = damped.frequency_response(Damped::conn_a.force_y(), Damped::conn_a.displacement_y()).unwrap();
+    let _ = response.at(2.0);
+//                      ^^^ a damped system moves at a complex λ
 }

@@ -8,8 +8,8 @@ use crate::ast::Model;
 use crate::check::Derivatives;
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote_spanned};
-use syn::Index;
+use quote::quote_spanned;
+use syn::{Expr, Index};
 
 /// `impl Fields` and `impl PlaneChain<S>`.
 pub(super) fn sensitivity(
@@ -47,32 +47,28 @@ fn sums(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Derivatives, names
     let private = &names.private;
     let (variables, lets) = (variables(model, names), &derivatives.lets);
     let members = skeleton.members.iter().enumerate().map(|(index, member)| summand(index, member, derivatives, names));
-    let numbers: Vec<TokenStream> = geometry(skeleton).map(|number| partials(number, derivatives, names)).collect();
+    let numbers: Vec<_> = geometry(skeleton).collect();
     let (count, members_count) = (numbers.len(), skeleton.members.len());
+    let numbers = numbers.into_iter().enumerate().filter_map(|(index, number)| {
+        let formula = number.and_then(|number| formula(number, derivatives))?;
+        Some(quote_spanned!(names.here=> chain.add(slopes[#index], #formula);))
+    });
     quote_spanned! {names.here=>
         #(#variables)*
         #(#lets)*
         let mut lengths = [#private::Scalar::from_f64(0.0); #members_count];
         #(#members)*
-        let numbers = [#(#numbers),*];
         let mut slopes = [#private::Scalar::from_f64(0.0); #count];
-        #private::geometry_slopes(&SKETCH, states, &numbers.map(|number| number.value), &lengths, &mut slopes);
-        for (slope, number) in slopes.into_iter().zip(numbers) {
-            chain.add(slope, number);
-        }
+        #private::geometry_slopes(&SKETCH, states, &self.geometry, &lengths, &mut slopes);
+        #(#numbers)*
     }
 }
 
-/// A number of the sketch with its derivatives.
-fn partials(number: Option<Number<'_>>, derivatives: &Derivatives, names: &Names) -> TokenStream {
-    let value = match number {
-        Some(Number::Part(part)) => part.clone(),
-        Some(Number::Parameter(parameter)) => parameter.expression(),
-        None => return quote_spanned!(names.here=> chain.constant(0.0)),
-    };
-    match derivatives.of_number(&value) {
-        Some(formula) => formula.to_token_stream(),
-        None => quote_spanned!(names.here=> chain.constant(#value)),
+/// The formula of a number of the sketch that depends on fields.
+fn formula<'d>(number: Number<'_>, derivatives: &'d Derivatives) -> Option<&'d Expr> {
+    match number {
+        Number::Part(part) => derivatives.of_number(part),
+        Number::Parameter(parameter) => derivatives.of_number(&parameter.expression()),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::system::{build_functions, kept_fields, values_of_fields};
 use super::super::{Names, implement};
+use super::numbers::geometry;
 use super::{by_type, field};
 use crate::ast::{Element, Model};
 use crate::skeleton::{Member, Skeleton, What};
@@ -12,6 +13,13 @@ use quote::quote_spanned;
 pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let kept = kept_fields(model, keeps_fields, names);
+    let count = geometry(skeleton).count();
+    let geometry = keeps_fields.then(|| {
+        quote_spanned! {names.here=>
+            /// The numbers of places, directions and masses
+            geometry: [::core::primitive::f64; #count],
+        }
+    });
     let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
     let (nodes, members, places) = (skeleton.nodes.len(), skeleton.members.len(), skeleton.places.len());
     let fields = skeleton.members.iter().enumerate().map(|(index, member)| {
@@ -31,6 +39,7 @@ pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: b
             skeleton: #private::Skeleton<#parameter, #nodes, #members, #places>,
             #(#fields,)*
             #(#kept,)*
+            #geometry
             estimates: #private::FrequencyEstimates,
         }
     }
@@ -47,6 +56,9 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         quote_spanned!(span=> #estimate::<#kind>(&system.#field, &mut system.estimates);)
     });
     let kept = values_of_fields(model, keeps_fields, names);
+    let geometry = keeps_fields.then(
+        || quote_spanned!(names.here=> geometry: ::core::array::from_fn(|k: ::core::primitive::usize| numbers[k]),),
+    );
     let body = quote_spanned! {names.here=>
         let numbers = #private::Located::numbers(self);
         let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
@@ -54,6 +66,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         let mut system = #system {
             #(#members,)*
             #(#kept,)*
+            #geometry
             skeleton,
             estimates: ::core::default::Default::default(),
         };
