@@ -33,7 +33,7 @@ fn large() -> Vec<Named> {
 }
 
 /// A range of few frequencies around the n-th, and the number below.
-fn around(structure: &Structure, n: u64) -> Result<([f64; 2], u64), String> {
+pub(crate) fn around(structure: &Structure, n: u64) -> Result<([f64; 2], u64), String> {
     let (mut lower, mut upper) = (1e-3, 1e9);
     let (mut below, mut above) = (count(structure, lower)?, count(structure, upper)?);
     while above - below > 12 {

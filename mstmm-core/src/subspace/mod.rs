@@ -15,7 +15,7 @@ pub(crate) use front::room::FrontScalar;
 pub(crate) use front::total::Total;
 pub(crate) use front::units::{Units, unit_of};
 pub(crate) use front::variable::Measure;
-pub(crate) use front::way_back::NodeLoad;
+pub(crate) use front::way_back::{LoadEverywhere, NodeLoad};
 pub(crate) use front::way_back_room::{WayBack, WayBackRoom};
 pub(crate) use minors::covector::Covector;
 pub(crate) use minors::join::in_parallel;

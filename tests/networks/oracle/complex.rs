@@ -117,6 +117,15 @@ impl Zeros for Oracle {
     }
 
     fn determinant(&self, lambda: C, cuts: &[bool]) -> Determinant {
+        let mut sum = self.assembled(lambda, cuts);
+        keep_used(&mut sum);
+        determinant(&sum)
+    }
+}
+
+impl Oracle {
+    /// The dynamic stiffness at a complex frequency, with members in one piece or in two.
+    pub(super) fn assembled(&self, lambda: C, cuts: &[bool]) -> Assembled<C> {
         let (bendings, rods) = cuts.split_at(self.bendings.len());
         let count = |cuts: &[bool]| cuts.iter().filter(|is_cut| **is_cut).count();
         let size = self.unknowns + 2 * count(bendings) + count(rods);
@@ -136,8 +145,7 @@ impl Zeros for Oracle {
         for inertia in &self.masses {
             matrix.add(&inertia.form, C::of(inertia.mass) * lambda.lambda_squared(), 1.0);
         }
-        keep_used(&mut matrix.sum);
-        determinant(&matrix.sum)
+        matrix.sum
     }
 }
 

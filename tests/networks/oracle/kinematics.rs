@@ -113,6 +113,7 @@ impl Oracle {
 pub(super) fn model(structure: &Structure) -> Oracle {
     let mut model = Oracle::default();
     let nodes: Vec<Point> = structure.nodes.iter().map(|node| model.node(node)).collect();
+    model.nodes = nodes.iter().map(|node| [node.x.clone(), node.y.clone(), node.rz.clone()]).collect();
     for member in &structure.members {
         let point = |end: &End| nodes[end.node].at(structure.position(end).map(double));
         let [from, to] = member.ends.each_ref().map(point);

@@ -8,6 +8,7 @@ mod complex;
 mod global_matrix;
 mod kinematics;
 mod monotony;
+mod response;
 mod rod;
 mod roots;
 
@@ -47,6 +48,8 @@ pub(crate) struct Oracle {
     masses: Vec<Inertia>,
     bendings: Vec<Bending>,
     rods: Vec<Rod>,
+    /// The displacements x, y and the rotation of each node.
+    nodes: Vec<[Form; 3]>,
 }
 
 fn double(value: f64) -> DoubleDouble {

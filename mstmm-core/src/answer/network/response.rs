@@ -3,7 +3,11 @@
 use crate::answer::network::states::{PlaneStates, check_freedom, offset};
 use crate::model::{MotionError, PlaneEntry, PlaneLoad, Site};
 use crate::number::Frequency;
-use crate::pass::network::{Placed, PlacedCharts, PlaneFrequency, motion_under};
+use crate::pass::characteristic::System;
+use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency, motion_under};
+
+/// The difference of motions with other pivots, beside the largest displacement, beyond which they are computed in extended precision.
+const AGREEING: f64 = 1e-13;
 
 /// A transfer function of a plane structure: a displacement, an internal force or a reaction per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
@@ -31,13 +35,15 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration; at 0 that to a load at rest.
     ///
+    /// It is computed with two choices of pivots, and at a real ω in extended precision where they differ.
+    ///
     /// # Errors
     /// [`MotionError::Resonance`] where it is infinite, [`MotionError::NotFinite`] where numbers overflow,
     /// [`MotionError::NoSuchPoint`] for an entry of another list.
     pub fn at<S>(&self, x: S) -> Result<S, MotionError>
     where
-        Y: PlacedCharts<S>,
-        S: PlaneFrequency<Y::Parameter>,
+        Y: MovingNetwork<S>,
+        S: PlaneFrequency<<Y as System>::Parameter>,
     {
         let value = self.states(x)?.value(self.entry)?;
         let frequency = x.modulus();
@@ -50,11 +56,14 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     /// As [`at`](PlaneResponse::at).
     pub fn states<S>(&self, x: S) -> Result<PlaneStates<'a, Y, S>, MotionError>
     where
-        Y: PlacedCharts<S>,
-        S: PlaneFrequency<Y::Parameter>,
+        Y: MovingNetwork<S>,
+        S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        let (loaded, forces) = acting_at::<Y, S>(self.system, self.load)?;
-        let motion = motion_under(self.system, x, loaded, forces);
+        let (mut motion, difference) = motion_under(self.system, x, acting_at::<Y, S>(self.system, self.load)?);
+        if S::HAS_EXTENDED && (motion.vanishes || !(difference <= AGREEING)) {
+            let load = acting_at::<Y, S::Extended>(self.system, self.load)?;
+            motion = motion_under(self.system, x.to_extended(), load).0.rounded(S::from_extended);
+        }
         if motion.vanishes {
             return Err(MotionError::Resonance { frequency: x.modulus() });
         }
@@ -68,8 +77,8 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     /// `grid`.
     pub fn on<S>(&self, grid: &[S], values: &mut [S]) -> Result<(), MotionError>
     where
-        Y: PlacedCharts<S>,
-        S: PlaneFrequency<Y::Parameter>,
+        Y: MovingNetwork<S>,
+        S: PlaneFrequency<<Y as System>::Parameter>,
     {
         if values.len() < grid.len() {
             return Err(MotionError::Capacity { capacity: values.len() });

@@ -4,11 +4,19 @@ use crate::answer::network::states::PlaneStates;
 use crate::model::MotionError;
 use crate::number::{Oscillation, Scalar};
 use crate::pass::characteristic::System;
-use crate::pass::network::{MovingNetwork, NetworkMotion, Placed, PlaneFrequency, mass_product, motion_everywhere};
+use crate::pass::network::{
+    LoadEverywhere, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, delta, mass_product, mass_product_of_two,
+    motion_everywhere,
+};
 use core::ops::Deref;
 
-/// The relative error of a root that is known to rounding.
-const NEAR: f64 = 1e-14;
+/// Distance from a root in which all its shapes are computed: half of the digits of extended precision, in bits, and somewhat less of λ² at
+/// rest, beside stiffnesses of all sizes.
+const BESIDE: i32 = 52;
+const BESIDE_REST: i32 = 44;
+
+/// Relative step of the secant method, large beside the rounding of a root and small beside the distance of other roots.
+const STEP: f64 = 1e-13;
 
 /// Relative size of λ² - λ₁², with λ₁ the root, beyond which a frequency is none.
 const NO_ROOT: f64 = 1e-7;
@@ -48,6 +56,11 @@ where
     /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`: 1.
     pub fn modal_mass(&self) -> S {
         mass_product(self.system, self.x, &self.motion, &self.motion)
+    }
+
+    /// `φ₁ᵀ M φ₂ + φ₁ᵀ C φ₂/(λ₁ + λ₂)`: zero for shapes of different roots.
+    pub fn product(&self, other: &Self) -> S {
+        mass_product_of_two(self.system, (self.x, &self.motion), (other.x, &other.motion))
     }
 }
 
@@ -113,12 +126,17 @@ where
     fn motion(&self, number: u32) -> NetworkMotion<Y, S> {
         match self.nearer {
             Some(nearer) => {
-                let motion = motion_everywhere(self.system, nearer, number);
+                let motion = motion_everywhere(self.system, nearer, self.load(number));
                 let size = S::Extended::from_f64(motion.size());
                 motion.times(S::Extended::from_f64(1.0) / size).rounded(S::from_extended)
             }
-            None => motion_everywhere(self.system, self.x, number),
+            None => motion_everywhere(self.system, self.x, self.load(number)),
         }
+    }
+
+    /// The load of a number. At rest it has no dislocations: beside motions without stiffness they would not be small.
+    fn load(&self, number: u32) -> LoadEverywhere {
+        LoadEverywhere { number, dislocates: !self.x.is_zero() }
     }
 
     fn not_finite(&self) -> MotionError {
@@ -139,21 +157,27 @@ where
         Ok(found)
     }
 
-    /// The root with twice the digits: λ² less what the work of a load says of it.
-    fn extended(self) -> Result<Self, MotionError> {
-        let plain = motion_everywhere(self.system, self.x.to_extended(), 0);
+    /// The root with twice the digits, after a step of the secant method with Δ.
+    fn extended(self) -> Self {
         let x = self.x.to_extended();
-        if self.x.is_zero() {
-            return Ok(AtRoot { nearer: Some(x), ..self });
-        }
-        let size = S::Extended::from_f64(plain.size());
-        let scaled = plain.times(S::Extended::from_f64(1.0) / size);
-        let rounded = scaled.rounded(S::from_extended);
-        let mass = mass_product(self.system, self.x, &rounded, &rounded);
-        let step = scaled.work / (mass.to_extended() * x.slope_of_lambda_squared());
-        // a load that hardly excites the shape says nothing: the root is known better
-        let is_known = step.size() <= NEAR * x.size();
-        Ok(AtRoot { nearer: Some(if is_known { x - step } else { x }), ..self })
+        let away = x * S::Extended::from_f64(STEP);
+        let ratio = delta(self.system, x + away).over(delta(self.system, x)).value();
+        let step = away / (ratio - S::Extended::from_f64(1.0));
+        // where Δ is zero, or as small as it can be, there is nothing to gain
+        let is_known = step.size() <= STEP * x.size();
+        AtRoot { nearer: Some(if is_known { x - step } else { x }), ..self }
+    }
+
+    /// A frequency beside a root, so near that other shapes are rounding, and so far that all shapes of the root grow alike.
+    fn beside(self) -> Self {
+        let x = self.x.to_extended();
+        let nearer = if self.x.is_zero() {
+            <S::Extended as Oscillation<Y::Parameter>>::of_omega(Y::Parameter::from_f64(1.0))
+                .times_power_of_two(self.system.estimates().lowest_exponent() - BESIDE_REST / 2)
+        } else {
+            x + x.times_power_of_two(-BESIDE)
+        };
+        AtRoot { nearer: Some(nearer), ..self }
     }
 
     fn shape(&self, motion: NetworkMotion<Y, S>) -> PlaneShape<'a, Y, S> {
@@ -195,11 +219,12 @@ where
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
     let plain = AtRoot { system, x, nearer: None };
-    let (shape, misfit) = plain.simple()?;
-    if misfit <= FITTING && shape.imbalance() <= FITTING {
-        return Ok(shape);
+    let (mut shape, mut misfit) = plain.simple()?;
+    if S::HAS_EXTENDED && x.is_zero() {
+        (shape, misfit) = plain.beside().simple()?;
+    } else if S::HAS_EXTENDED && !(misfit <= FITTING && shape.imbalance(None) <= FITTING) {
+        (shape, misfit) = plain.extended().simple()?;
     }
-    let (shape, misfit) = if S::HAS_EXTENDED { plain.extended()?.simple()? } else { (shape, misfit) };
     if misfit <= RESOLVED { Ok(shape) } else { Err(MotionError::Unresolved { root: x.modulus(), misfit }) }
 }
 
@@ -221,9 +246,5 @@ where
         return Ok(found);
     }
     let plain = AtRoot { system, x, nearer: None };
-    let found = plain.all(wanted)?;
-    if S::HAS_EXTENDED && found.iter().any(|shape| !(shape.imbalance() <= FITTING)) {
-        return plain.extended()?.all(wanted);
-    }
-    Ok(found)
+    if S::HAS_EXTENDED { plain.beside().all(wanted) } else { plain.all(wanted) }
 }

@@ -11,13 +11,14 @@ mod skeleton;
 mod sketch;
 mod structure;
 
+pub(crate) use crate::subspace::LoadEverywhere;
 pub use error::NetworkError;
 pub use evaluate::{Placed, PlacedCharts, in_way_back, network_pass};
 pub use frequency::{MovingNetwork, PlaneFrequency};
 pub use member::{End, Member, Placement};
-pub(crate) use motion::{NetworkMotion, motion_everywhere, motion_under};
+pub(crate) use motion::{NetworkMotion, delta, motion_everywhere, motion_under};
 pub use node::{Motions, Node};
-pub(crate) use products::{mass_product, member_works};
+pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member, estimate_member};
 pub use sketch::{Axis, Located, NetworkSketch, SketchedBody, SketchedEnd, SketchedMember, SketchedNode};
 pub use structure::{InNetwork, Network, NetworkRoom};

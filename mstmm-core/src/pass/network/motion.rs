@@ -1,9 +1,9 @@
 //! The motion of a network under loads: its nodes are eliminated one after the other, and the way back gives what each one does.
 
 use crate::model::EndMotion;
-use crate::number::{Frequency, FrequencyPowers, Scalar, Size};
+use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Size};
 use crate::pass::network::evaluate::{Placed, PlacedCharts, front_node, push_members};
-use crate::subspace::{FrontScalar, NodeLoad};
+use crate::subspace::{Choice, FrontScalar, LoadEverywhere, NodeLoad};
 
 /// The motion of a network.
 #[derive(Debug)]
@@ -18,6 +18,25 @@ pub(crate) struct NetworkMotion<Y: Placed, S: Scalar> {
     pub(crate) vanishes: bool,
 }
 
+/// Δ of a network.
+pub(crate) fn delta<Y, S>(network: &Y, x: S) -> Scaled<S>
+where
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter> + FrontScalar,
+{
+    let at = FrequencyPowers::new(x, true);
+    Y::in_way_back(|mut way| {
+        way.fronts.forget_loads();
+        let order = network.order();
+        for &node in order.nodes {
+            let objects = order.taken_up[node] + push_members(network, &order, node, &at, &mut way.fronts);
+            let (body, motions) = network.node(node);
+            S::eliminate(&mut way.fronts, &front_node(node, objects, body, motions, at.lambda_squared));
+        }
+        way.fronts.total().delta()
+    })
+}
+
 impl<Y: Placed, S: Scalar> Clone for NetworkMotion<Y, S> {
     fn clone(&self) -> Self {
         *self
@@ -26,8 +45,9 @@ impl<Y: Placed, S: Scalar> Clone for NetworkMotion<Y, S> {
 
 impl<Y: Placed, S: Scalar> Copy for NetworkMotion<Y, S> {}
 
-/// The motion under forces x and y and a moment on one node.
-pub(crate) fn motion_under<Y, S>(network: &Y, x: S, loaded: usize, forces: [S; 3]) -> NetworkMotion<Y, S>
+/// The motion under forces x and y and a moment on one node, and how far it is from that with other pivots, beside the largest displacement.
+/// What differs is rounding.
+pub(crate) fn motion_under<Y, S>(network: &Y, x: S, (loaded, forces): (usize, [S; 3])) -> (NetworkMotion<Y, S>, f64)
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
@@ -38,20 +58,28 @@ where
         }
         NodeLoad::Motions(network.node(node).1.parts_of(forces))
     };
-    motion(network, &FrequencyPowers::new(x, true), load)
+    let at = FrequencyPowers::new(x, true);
+    let [one, other] = [Choice::Largest, Choice::InOrder].map(|choice| motion(network, &at, choice, load));
+    (one, other.with(&one, |one, other| one - other, S::zero()).largest() / one.size())
 }
 
-/// The motion under a load everywhere, another one for each number.
-pub(crate) fn motion_everywhere<Y, S>(network: &Y, x: S, number: u32) -> NetworkMotion<Y, S>
+/// The motion under a load everywhere, with other pivots for each second number.
+pub(crate) fn motion_everywhere<Y, S>(network: &Y, x: S, load: LoadEverywhere) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
 {
-    motion(network, &FrequencyPowers::new(x, true), |_| NodeLoad::Everywhere(number))
+    let choice = if load.number.is_multiple_of(2) { Choice::Largest } else { Choice::InOrder };
+    motion(network, &FrequencyPowers::new(x, true), choice, |_| NodeLoad::Everywhere(load))
 }
 
 /// The motion of a network at a frequency under loads of its nodes.
-fn motion<Y, S>(network: &Y, at: &FrequencyPowers<S>, load: impl Fn(usize) -> NodeLoad<S>) -> NetworkMotion<Y, S>
+fn motion<Y, S>(
+    network: &Y,
+    at: &FrequencyPowers<S>,
+    choice: Choice,
+    load: impl Fn(usize) -> NodeLoad<S>,
+) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
@@ -60,6 +88,7 @@ where
     let zero = [S::zero(); 3];
     let (mut nodes, mut members) = (Y::per_node(zero), Y::per_member([EndMotion::at_rest(); 2]));
     let (work, vanishes) = Y::in_way_back(|mut way| {
+        way.fronts.choose(choice);
         for &node in order.nodes {
             let objects = order.taken_up[node] + push_members(network, &order, node, at, &mut way.fronts);
             let (body, motions) = network.node(node);
@@ -127,9 +156,13 @@ impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
 
     /// The size of the largest displacement or rotation; 1 if there is none.
     pub(crate) fn size(&self) -> f64 {
+        let largest = self.largest();
+        if largest > 0.0 { largest } else { 1.0 }
+    }
+
+    fn largest(&self) -> f64 {
         let of_nodes = self.nodes.as_ref().iter().flatten();
         let of_ends = self.members.as_ref().iter().flatten().flat_map(|end| &end.displacements);
-        let largest = of_nodes.chain(of_ends).map(|number| number.size().first()).fold(0.0, f64::max);
-        if largest > 0.0 { largest } else { 1.0 }
+        of_nodes.chain(of_ends).map(|number| number.size().first()).fold(0.0, f64::max)
     }
 }

@@ -22,15 +22,49 @@ where
     let at = x.powers_in_square();
     let mut sum = S::zero();
     let members = first.members.as_ref().iter().zip(second.members.as_ref());
-    let [of_nodes, of_members] = network.sizes();
-    for (member, (first, second)) in members.enumerate().take(of_members) {
+    for (member, (first, second)) in members.enumerate().take(network.sizes()[1]) {
         let length = network.placement(member).length::<S>().constant();
         if let Some(chart) = PlacedCharts::<S::WithSlope>::chart(network, member, &at, length) {
             sum += of_member::<Y::Parameter, S>(&chart, first, second);
         }
     }
+    sum + product_of_bodies(network, first, second)
+}
+
+/// `φ₁ᵀ M φ₂ + φ₁ᵀ C φ₂/(λ₁ + λ₂)` of motions at two frequencies: the work of the forces of one on the other less the reverse, over the
+/// difference of λ², and that of bodies.
+pub(crate) fn mass_product_of_two<Y, S>(
+    network: &Y,
+    (x, first): (S, &NetworkMotion<Y, S>),
+    (other_x, second): (S, &NetworkMotion<Y, S>),
+) -> S
+where
+    Y: MovingNetwork<S>,
+    S: PlaneFrequency<<Y as System>::Parameter>,
+{
+    if x == other_x {
+        return mass_product(network, x, first, second);
+    }
+    let mut work = S::zero();
+    let ends = first.members.as_ref().iter().zip(second.members.as_ref()).take(network.sizes()[1]);
+    for (one, other) in ends.flat_map(|(one, other)| one.iter().zip(other)) {
+        for freedom in 0..3 {
+            work += one.forces[freedom] * other.displacements[freedom];
+            work -= other.forces[freedom] * one.displacements[freedom];
+        }
+    }
+    work / (x.lambda_squared() - other_x.lambda_squared()) + product_of_bodies(network, first, second)
+}
+
+/// The mass form of bodies.
+fn product_of_bodies<Y, S>(network: &Y, first: &NetworkMotion<Y, S>, second: &NetworkMotion<Y, S>) -> S
+where
+    Y: MovingNetwork<S>,
+    S: PlaneFrequency<<Y as System>::Parameter>,
+{
+    let mut sum = S::zero();
     let nodes = first.nodes.as_ref().iter().zip(second.nodes.as_ref());
-    for (node, (first, second)) in nodes.enumerate().take(of_nodes) {
+    for (node, (first, second)) in nodes.enumerate().take(network.sizes()[0]) {
         let matrix = network.node(node).0.mass_matrix::<S>();
         for (row, one) in matrix.iter().zip(first) {
             for (entry, other) in row.iter().zip(second) {

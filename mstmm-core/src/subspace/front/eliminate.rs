@@ -128,10 +128,14 @@ impl<S: Scalar> Front<'_, S> {
         }
     }
 
-    /// Takes a row that is zero: Δ vanishes, since nothing holds the variable, or its terms have cancelled, and rounding stands for them.
+    /// Takes a row that is zero: Δ vanishes, since nothing holds the variable, or its terms have cancelled, and rounding stands for them. A
+    /// variable that riders read moves freely then, as far as rounding of its unit lets it.
     #[cold]
     fn pivot_on_nothing(&mut self, total: &mut Total<S>) {
         let last = self.count - 1;
+        if self.riders > 0 && self.terms[last] == 0.0 {
+            self.terms[last] = 1.0;
+        }
         self.entries[triangle::place(last, last)] = S::from_f64(S::EPSILON * self.terms[last]);
         if self.terms[last] > 0.0 {
             self.pivot_on_last(total);

@@ -46,6 +46,16 @@ impl<S> FrontNode<S> {
 }
 
 impl<S: Scalar> Fronts<'_, S> {
+    /// Makes fronts that nobody reads and nothing loads.
+    pub(crate) fn forget_loads(&mut self) {
+        (self.has_readers, self.objects.loads) = (false, 0);
+    }
+
+    /// Lets pivots be chosen in a way.
+    pub(crate) fn choose(&mut self, choice: Choice) {
+        self.choice = choice;
+    }
+
     /// Δ and the count, once all nodes are eliminated.
     pub(crate) fn total(&self) -> &Total<S> {
         &self.total

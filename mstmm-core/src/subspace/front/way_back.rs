@@ -19,8 +19,15 @@ pub enum NodeLoad<S> {
     Nothing,
     /// Forces on its motions.
     Motions([S; MOST_FREEDOMS]),
-    /// Forces and dislocations of the size of its units everywhere, other ones for each number.
-    Everywhere(u32),
+    /// Forces, and perhaps dislocations.
+    Everywhere(LoadEverywhere),
+}
+
+/// Forces on all displacements of the size of their units, other ones for each number, and perhaps dislocations.
+#[derive(Clone, Copy, Debug)]
+pub struct LoadEverywhere {
+    pub(crate) number: u32,
+    pub(crate) dislocates: bool,
 }
 
 /// A variable of the boundary of a front that was left.
@@ -160,8 +167,11 @@ impl<S: Scalar> Front<'_, S> {
                     self.add(place, rider, -force.scaled(power_of_two(self.variables[place].unit)));
                 }
             }
-            NodeLoad::Everywhere(number) => {
+            NodeLoad::Everywhere(LoadEverywhere { number, dislocates }) => {
                 for place in self.boundary..self.count {
+                    if self.variables[place].is_force && !dislocates {
+                        continue;
+                    }
                     // no two in a fixed ratio, so that no motion is at rest under all of them
                     let angle = f64::from(node.index) + 3.0 * place as f64 + 7.0 * f64::from(*number);
                     let part = angle * core::f64::consts::FRAC_1_SQRT_2 % 1.0;

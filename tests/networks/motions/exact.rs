@@ -1,0 +1,1 @@
+//! The shapes and receptances of tests/data/frames.json.
