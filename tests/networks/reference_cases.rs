@@ -181,3 +181,8 @@ fn expressions_of_the_file_are_directions() {
     let direction = serde_json::json!(["-f(5)/13", "f(12)/13"]);
     assert_eq!(across(&direction), [156.0, 65.0]);
 }
+
+/// The names of nodes in the order of the structure, of a case without bodies.
+pub(crate) fn node_names(model: &Value) -> Vec<String> {
+    entries(&model["nodes"]).map(|(name, _)| name.clone()).collect()
+}

@@ -5,6 +5,9 @@ use crate::stiffness_matrix::beam_matrix::Field;
 use crate::stiffness_matrix::discs::{C, Zeros};
 use mstmm::number::Scalar;
 
+/// Part of the largest unknown to which two orders of elimination must agree.
+const SURE: f64 = 1e-14;
+
 impl Oracle {
     /// The displacements of all nodes under a force on one of them, at a complex frequency; none where rounding may stand for a pivot.
     pub(crate) fn response(&self, lambda: C, node: usize, axis: usize) -> Option<Vec<[C; 3]>> {
@@ -14,7 +17,15 @@ impl Oracle {
         for &(unknown, part) in &self.nodes[node][axis] {
             load[unknown] += C::of(part);
         }
-        let solution = solved(matrix.entries, load)?;
+        let solution = solved(matrix.entries.clone(), load.clone())?;
+        // in the reverse order of unknowns other roundings are made
+        let reversed = |row: &Vec<C>| row.iter().rev().copied().collect::<Vec<C>>();
+        let mut other = solved(matrix.entries.iter().rev().map(reversed).collect(), reversed(&load))?;
+        other.reverse();
+        let largest = solution.iter().map(|value| value.size()).fold(0.0, f64::max);
+        if solution.iter().zip(&other).any(|(one, other)| !((*one - *other).size() <= SURE * largest)) {
+            return None;
+        }
         let of_form = |form: &crate::stiffness_matrix::Form| {
             form.iter().fold(C::of(double(0.0)), |sum, &(unknown, part)| sum + C::of(part) * solution[unknown])
         };

@@ -9,6 +9,9 @@ use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency, motion_under};
 /// The difference of motions with other pivots, beside the largest displacement, beyond which they are computed in extended precision.
 const AGREEING: f64 = 1e-13;
 
+/// The part of the row of a pivot that rounding may be, beyond which other pivots may round alike.
+const ROUNDED: f64 = 1e-9;
+
 /// A transfer function of a plane structure: a displacement, an internal force or a reaction per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
 pub struct PlaneResponse<'a, Y: Placed> {
@@ -60,7 +63,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
         let (mut motion, difference) = motion_under(self.system, x, acting_at::<Y, S>(self.system, self.load)?);
-        if S::HAS_EXTENDED && (motion.vanishes || !(difference <= AGREEING)) {
+        if S::HAS_EXTENDED && (motion.vanishes || !(difference <= AGREEING && motion.rounding <= ROUNDED)) {
             let load = acting_at::<Y, S::Extended>(self.system, self.load)?;
             motion = motion_under(self.system, x.to_extended(), load).0.rounded(S::from_extended);
         }

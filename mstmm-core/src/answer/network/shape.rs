@@ -10,10 +10,13 @@ use crate::pass::network::{
 };
 use core::ops::Deref;
 
+/// How often parts of other shapes are taken from one: each time leaves rounding of what was there.
+const PASSES: usize = 3;
+
 /// Distance from a root in which all its shapes are computed: half of the digits of extended precision, in bits, and somewhat less of λ² at
 /// rest, beside stiffnesses of all sizes.
 const BESIDE: i32 = 52;
-const BESIDE_REST: i32 = 44;
+const BESIDE_REST: i32 = 56;
 
 /// Relative step of the secant method, large beside the rounding of a root and small beside the distance of other roots.
 const STEP: f64 = 1e-13;
@@ -53,6 +56,11 @@ where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
+    /// The frequency of the root: ω for a real scalar, λ for a complex one.
+    pub fn frequency(&self) -> S {
+        self.x
+    }
+
     /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`: 1.
     pub fn modal_mass(&self) -> S {
         mass_product(self.system, self.x, &self.motion, &self.motion)
@@ -173,7 +181,7 @@ where
         let x = self.x.to_extended();
         let nearer = if self.x.is_zero() {
             <S::Extended as Oscillation<Y::Parameter>>::of_omega(Y::Parameter::from_f64(1.0))
-                .times_power_of_two(self.system.estimates().lowest_exponent() - BESIDE_REST / 2)
+                .times_power_of_two(self.system.estimates().least_exponent() - BESIDE_REST / 2)
         } else {
             x + x.times_power_of_two(-BESIDE)
         };
@@ -194,18 +202,30 @@ where
     }
 
     /// As many shapes as a root has, orthogonal with respect to the mass.
+    ///
+    /// A light part moves much farther than a heavy one. So motions stay in extended precision until all others are taken from them.
     fn all<const CAP: usize>(&self, multiplicity: usize) -> Result<PlaneShapes<'a, Y, S, CAP>, MotionError> {
         let mut found = PlaneShapes { shapes: [const { None }; CAP] };
+        let mut motions = [const { None::<NetworkMotion<Y, S::Extended>> }; CAP];
+        let x = self.nearer.unwrap_or(self.x.to_extended());
         for number in 0..multiplicity {
-            let mut next = self.motion(number as u32);
-            next = next.times(S::one() / S::from_f64(next.size()));
-            // twice: what the first time leaves may be small, and rounding large beside it
-            for _ in 0..2 {
-                for shape in found.shapes[..number].iter().flatten() {
-                    next = without(self.system, self.x, &next, &shape.motion);
+            let next = motion_everywhere(self.system, x, self.load(number as u32));
+            let mut next = next.times(S::Extended::from_f64(1.0 / next.size()));
+            for _ in 0..PASSES {
+                for other in motions[..number].iter().flatten() {
+                    let rounded = [&next, other].map(|motion| motion.rounded(S::from_extended));
+                    let part = mass_product(self.system, self.x, &rounded[0], &rounded[1]);
+                    next = next.plus(other, (-part).to_extended());
                 }
+                let rounded = next.rounded(S::from_extended);
+                let mass = mass_product(self.system, self.x, &rounded, &rounded);
+                if !(mass.size() > 0.0 && mass.size().is_finite()) {
+                    return Err(self.not_finite());
+                }
+                next = next.times((S::one() / mass.sqrt()).to_extended());
             }
-            found.shapes[number] = Some(self.shape(self.normalised(&next)?.motion));
+            found.shapes[number] = Some(self.shape(next.rounded(S::from_extended)));
+            motions[number] = Some(next);
         }
         Ok(found)
     }
@@ -219,12 +239,15 @@ where
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
     let plain = AtRoot { system, x, nearer: None };
-    let (mut shape, mut misfit) = plain.simple()?;
-    if S::HAS_EXTENDED && x.is_zero() {
-        (shape, misfit) = plain.beside().simple()?;
-    } else if S::HAS_EXTENDED && !(misfit <= FITTING && shape.imbalance(None) <= FITTING) {
-        (shape, misfit) = plain.extended().simple()?;
-    }
+    let fits =
+        |(shape, misfit): &(PlaneShape<'_, Y, S>, f64)| misfit.max(shape.gap()).max(shape.imbalance(None)) <= FITTING;
+    let found = plain.simple();
+    let (shape, misfit) = match found {
+        _ if S::HAS_EXTENDED && x.is_zero() => plain.beside().simple()?,
+        Ok(found) if fits(&found) => found,
+        _ if S::HAS_EXTENDED => plain.extended().simple()?,
+        found => found?,
+    };
     if misfit <= RESOLVED { Ok(shape) } else { Err(MotionError::Unresolved { root: x.modulus(), misfit }) }
 }
 

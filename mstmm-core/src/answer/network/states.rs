@@ -127,6 +127,26 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         if worst > 0.0 { worst / largest } else { 0.0 }
     }
 
+    /// The largest difference of the displacements of the end of a member from those of its node, beside the largest displacement.
+    pub(super) fn gap(&self) -> f64 {
+        let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
+        for (member, ends) in self.motion.members.as_ref()[..self.system.sizes()[1]].iter().enumerate() {
+            let placement = self.system.placement(member);
+            for (end, motion) in ends.iter().enumerate() {
+                let shared = placement.freedoms.without(placement.released(end));
+                let tied = self.tied(member, end);
+                for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
+                    let own = motion.displacements[freedom];
+                    largest = largest.max(own.size().first());
+                    if shared.contains(kind) {
+                        worst = worst.max((own - tied[freedom]).size().first());
+                    }
+                }
+            }
+        }
+        if worst > 0.0 { worst / largest } else { 0.0 }
+    }
+
     /// λ² times the mass matrix of the body of a node.
     fn inertia(&self, node: usize) -> [[S; 3]; 3] {
         let lambda_squared = self.x.lambda_squared();

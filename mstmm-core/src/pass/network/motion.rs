@@ -16,6 +16,8 @@ pub(crate) struct NetworkMotion<Y: Placed, S: Scalar> {
     pub(crate) work: S,
     /// Whether a pivot was rounding alone, as at a resonance.
     pub(crate) vanishes: bool,
+    /// The largest part of the row of a pivot that rounding may be.
+    pub(crate) rounding: f64,
 }
 
 /// Δ of a network.
@@ -87,7 +89,7 @@ where
     let order = network.order();
     let zero = [S::zero(); 3];
     let (mut nodes, mut members) = (Y::per_node(zero), Y::per_member([EndMotion::at_rest(); 2]));
-    let (work, vanishes) = Y::in_way_back(|mut way| {
+    let (work, vanishes, rounding) = Y::in_way_back(|mut way| {
         way.fronts.choose(choice);
         for &node in order.nodes {
             let objects = order.taken_up[node] + push_members(network, &order, node, at, &mut way.fronts);
@@ -112,9 +114,11 @@ where
                 }
             }
         }
-        (-way.back.kept.form, way.fronts.total().vanished_at.is_some())
+        let total = way.fronts.total();
+        let [row, error] = total.smallest_row;
+        (-way.back.kept.form, total.vanished_at.is_some(), S::EPSILON * error / row)
     });
-    NetworkMotion { nodes, members, work, vanishes }
+    NetworkMotion { nodes, members, work, vanishes, rounding }
 }
 
 impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
@@ -136,7 +140,7 @@ impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
                 forces: three(one[end].forces, other[end].forces),
             });
         }
-        NetworkMotion { nodes, members, work, vanishes: self.vanishes }
+        NetworkMotion { nodes, members, work, vanishes: self.vanishes, rounding: self.rounding }
     }
 
     /// The motion under so many times the load.
