@@ -1,4 +1,5 @@
-//! Portal frame with a hinge, a brace and a machine: certified frequencies, and where the machine should stand.
+//! Portal frame with a hinge, a brace and a machine: certified frequencies, where the machine should stand, how the frame moves, what
+//! holds it, and what each field of the model does.
 
 use mstmm::prelude::*;
 use std::error::Error;
@@ -79,6 +80,59 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [under, over] =
             [true, false].map(|before| hertz(before).map_or("none".into(), |hertz| format!("{hertz:.4}")));
         println!("{machine_x:5} {below:7} {under:>17} {over:>17}");
+    }
+    show_shape(&system)?;
+    show_response(&system)?;
+    show_sensitivities(&system)
+}
+
+/// The first mode with the largest sway of 1 m: displacements of points, and moments in the members.
+fn show_shape(system: &PortalSystem) -> Result<(), Box<dyn Error>> {
+    let first = system.first_frequencies::<1>()?[0];
+    let shape = system.mode_shape(&first)?;
+    let sway = shape.value(Portal::conn_b.displacement_x())?;
+    println!("\nFirst mode, {:.4} Hz, with a sway of 1 m of the first corner", first.hertz());
+    println!("point     x [m]      y [m]      rotation [rad]");
+    for (name, point) in [("b", Portal::conn_b), ("girder", Portal::conn_girder), ("c", Portal::conn_c)] {
+        let [x, y] = [shape.value(point.displacement_x())? / sway, shape.value(point.displacement_y())? / sway];
+        println!("{name:6} {x:10.6} {y:10.6} {:10.6}", shape.value(point.rotation_z())? / sway);
+    }
+    println!(
+        "moment at the foot of the first column: {:.0} N m",
+        shape.value(Portal::planar_beam_1.input().moment())? / sway
+    );
+    println!("in the corner b: {:.0} N m", shape.value(Portal::planar_beam_1.output().moment())? / sway);
+    Ok(())
+}
+
+/// The response of the girder, at rest and to the machine at some speeds.
+fn show_response(system: &PortalSystem) -> Result<(), Box<dyn Error>> {
+    let deflection = system.frequency_response(Portal::conn_girder.force_y(), Portal::conn_girder.displacement_y())?;
+    println!("\nDeflection of the girder per kN at the machine");
+    for hertz in [0.0, 10.0, 20.0, 25.0, 30.0] {
+        println!("{hertz:5} Hz {:10.6} mm", 1e6 * deflection.at(hertz * std::f64::consts::TAU)?);
+    }
+    Ok(())
+}
+
+/// The change of the first frequency with each field.
+fn show_sensitivities(system: &PortalSystem) -> Result<(), Box<dyn Error>> {
+    let first = system.first_frequencies::<1>()?[0];
+    println!("\nFirst frequency: relative change per relative change of each field");
+    let fields = steel();
+    let value = |name: &str| match name {
+        "height" => fields.height,
+        "span" => fields.span,
+        "machine_x" => fields.machine_x,
+        "ea" => fields.ea,
+        "ei" => fields.ei,
+        "m" => fields.m,
+        "brace" => fields.brace,
+        "machine" => fields.machine,
+        _ => fields.inertia,
+    };
+    for (name, slope) in system.sensitivity(&first)?.iter() {
+        println!("{name:10} {:9.5}", slope * value(name) / first.omega);
     }
     Ok(())
 }

@@ -6,8 +6,7 @@
 pub use mstmm_core::{
     Coordinate, EndMotion, EnergyShares, Entry, ExtendedTree, ForceHistory, FrameAnalysis, Label, Load, MemberEnd,
     MemberLabel, ModalAnalysis, MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlaneLoad, PlanePoint,
-    PlaneResponse, PlaneShape, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates,
-    Tree,
+    PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates, Tree,
 };
 
 /// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.
@@ -109,3 +108,36 @@ pub use mstmm_core::Sensitivities;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub use mstmm_core::ModalResponse;
+
+/// The shape of a mode of a plane frame: displacements of points, forces in members.
+///
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Portal { height: f64, span: f64, ea: f64, ei: f64, m: f64 }
+///     fixed at (0.0, 0.0)
+///         -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+///         -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+///         <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (span, 0.0);
+/// }
+///
+/// let portal = Portal { height: 2.0, span: 2.0, ea: 4e8, ei: 1e6, m: 20.0 }.build()?;
+/// let first = portal.first_frequencies::<1>()?[0];
+/// let shape = portal.mode_shape(&first)?;
+///
+/// // it sways: both corners go the same way, and the girder has no moment in its middle
+/// let [b, c] = [Portal::conn_b, Portal::conn_c].map(|point| shape.value(point.displacement_x()));
+/// assert!((b? - c?).abs() < 1e-13);
+/// let girder = Portal::planar_beam_2;
+/// assert!((shape.value(girder.input().moment())? + shape.value(girder.output().moment())?).abs() < 1e-8);
+///
+/// // its frequency follows the height of the columns, their feet being where they are
+/// let sensitivity = portal.sensitivity(&first)?;
+/// assert!(sensitivity.get("height").unwrap_or(0.0) < -100.0);
+///
+/// let response = portal.frequency_response(Portal::conn_b.force_x(), Portal::planar_beam_1.input().moment())?;
+/// assert!(response.at(0.0)?.abs() < 1.0 && response.at(0.99 * first.omega)?.abs() > 10.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::PlaneShape;

@@ -69,6 +69,7 @@ fn absorber() -> AbsorberSystem {
 const REAL: [usize; 2] = [128, 384];
 const COMPLEX: [usize; 2] = [192, 768];
 const GRID: [usize; 2] = [256, 512];
+const FRAMES: [usize; 2] = [256, 768];
 
 #[test]
 fn counts() {
@@ -125,6 +126,24 @@ fn searches_of_frames() {
     });
     on_a_stack_of(COMPLEX, || {
         assert!(Portal { l: 1.0, c: 0.5 }.build().unwrap().first_eigenvalues::<4>().is_ok());
+    });
+}
+
+#[test]
+fn motions_of_frames() {
+    on_a_stack_of(FRAMES, || {
+        let square = Square { l: 1.0 }.build().unwrap();
+        for root in &square.first_frequencies::<6>().unwrap() {
+            assert!(square.mode_shapes::<3, _>(root).is_ok());
+            assert!(root.multiplicity > 1 || root.omega == 0.0 || square.sensitivity(root).is_ok());
+        }
+        let response = square.frequency_response(Square::conn_a.force_x(), Square::conn_b.displacement_y()).unwrap();
+        assert!(response.at(1.3).is_ok());
+    });
+    on_a_stack_of(FRAMES, || {
+        let portal = Portal { l: 1.0, c: 0.5 }.build().unwrap();
+        let roots = portal.first_eigenvalues::<2>().unwrap();
+        assert!(portal.mode_shape(&roots[0]).is_ok() && portal.sensitivity(&roots[0]).is_ok());
     });
 }
 

@@ -3,3 +3,4 @@
 mod balance;
 mod exact;
 mod responses;
+mod sensitivities;

@@ -175,6 +175,8 @@ pub(crate) fn asked_to_move<R: Send>(
             let network = Moving::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
             ask(&network)
         };
-        std::thread::Builder::new().stack_size(1 << 28).spawn_scoped(scope, work).unwrap().join().unwrap()
+        let thread = std::thread::Builder::new().stack_size(1 << 28).spawn_scoped(scope, work);
+        let told = thread.map_err(|error| error.to_string())?.join();
+        told.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     })
 }

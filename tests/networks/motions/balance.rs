@@ -1,4 +1,5 @@
 //! Shapes fit together: forces balance at every node, ends move as their nodes do, and shapes are orthogonal.
+#![expect(clippy::unwrap_used, reason = "the structure has the nodes and members that are asked for")]
 
 use crate::families::line::line_structures;
 use crate::families::random::Spread;
@@ -29,7 +30,7 @@ struct Tally {
 impl Tally {
     fn note(&mut self, kind: usize, error: f64, limit: f64, what: impl FnOnce() -> String) {
         self.worst[kind] = self.worst[kind].max(error);
-        if !(error <= limit) {
+        if error > limit || error.is_nan() {
             self.wrong.push(what());
         }
     }

@@ -81,7 +81,7 @@ fn compare((name, structure): &Named, tally: &mut Tally) {
         let error = difference(&found, &exact) / largest / condition;
         tally.compared += 1;
         tally.worst = tally.worst.max(error);
-        if !(error <= 1e-12) {
+        if error > 1e-12 || error.is_nan() {
             tally
                 .wrong
                 .push(format!("{name} at {omega}, load {axis} of node {node}: {error:e}, condition {condition:e}"));

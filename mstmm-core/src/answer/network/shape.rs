@@ -159,7 +159,7 @@ where
         let found = normalised(self.system, self.x, motion).ok_or_else(|| self.not_finite())?;
         // at rest λ² has no size to compare with: a count has found the root there
         let mismatch = (found.distance / self.x.lambda_squared()).size();
-        if !self.x.is_zero() && !(mismatch <= NO_ROOT) {
+        if !self.x.is_zero() && (mismatch > NO_ROOT || mismatch.is_nan()) {
             return Err(MotionError::NotARoot { frequency: self.x.modulus(), mismatch });
         }
         Ok(found)
