@@ -5,8 +5,7 @@ use crate::model::MotionError;
 use crate::number::{Oscillation, Scalar};
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    LoadEverywhere, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, delta, mass_product, mass_product_of_two,
-    motion_everywhere,
+    MovingNetwork, NetworkMotion, Placed, PlaneFrequency, delta, mass_product, mass_product_of_two, motion_everywhere,
 };
 use core::ops::Deref;
 
@@ -134,17 +133,17 @@ where
     fn motion(&self, number: u32) -> NetworkMotion<Y, S> {
         match self.nearer {
             Some(nearer) => {
-                let motion = motion_everywhere(self.system, nearer, self.load(number));
+                let motion = motion_everywhere(self.system, nearer, number, self.dislocates());
                 let size = S::Extended::from_f64(motion.size());
                 motion.times(S::Extended::from_f64(1.0) / size).rounded(S::from_extended)
             }
-            None => motion_everywhere(self.system, self.x, self.load(number)),
+            None => motion_everywhere(self.system, self.x, number, self.dislocates()),
         }
     }
 
-    /// The load of a number. At rest it has no dislocations: beside motions without stiffness they would not be small.
-    fn load(&self, number: u32) -> LoadEverywhere {
-        LoadEverywhere { number, dislocates: !self.x.is_zero() }
+    /// Whether loads have dislocations: at rest, beside motions without stiffness, they would not be small.
+    fn dislocates(&self) -> bool {
+        !self.x.is_zero()
     }
 
     fn not_finite(&self) -> MotionError {
@@ -209,7 +208,7 @@ where
         let mut motions = [const { None::<NetworkMotion<Y, S::Extended>> }; CAP];
         let x = self.nearer.unwrap_or(self.x.to_extended());
         for number in 0..multiplicity {
-            let next = motion_everywhere(self.system, x, self.load(number as u32));
+            let next = motion_everywhere(self.system, x, number as u32, self.dislocates());
             let mut next = next.times(S::Extended::from_f64(1.0 / next.size()));
             for _ in 0..PASSES {
                 for other in motions[..number].iter().flatten() {

@@ -11,7 +11,6 @@ mod skeleton;
 mod sketch;
 mod structure;
 
-pub(crate) use crate::subspace::LoadEverywhere;
 pub use error::NetworkError;
 pub use evaluate::{Placed, PlacedCharts, in_way_back, network_pass};
 pub use frequency::{MovingNetwork, PlaneFrequency};

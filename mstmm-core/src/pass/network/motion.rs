@@ -65,13 +65,14 @@ where
     (one, other.with(&one, |one, other| one - other, S::zero()).largest() / one.size())
 }
 
-/// The motion under a load everywhere, with other pivots for each second number.
-pub(crate) fn motion_everywhere<Y, S>(network: &Y, x: S, load: LoadEverywhere) -> NetworkMotion<Y, S>
+/// The motion under the load of a number, forces and perhaps dislocations everywhere, with other pivots for each second number.
+pub(crate) fn motion_everywhere<Y, S>(network: &Y, x: S, number: u32, dislocates: bool) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
 {
-    let choice = if load.number.is_multiple_of(2) { Choice::Largest } else { Choice::InOrder };
+    let load = LoadEverywhere { number, dislocates };
+    let choice = if number.is_multiple_of(2) { Choice::Largest } else { Choice::InOrder };
     motion(network, &FrequencyPowers::new(x, true), choice, |_| NodeLoad::Everywhere(load))
 }
 
