@@ -1,6 +1,9 @@
 //! Shapes, responses and sensitivities of plane structures.
 
 mod balance;
+mod by_minors;
+mod damped;
 mod exact;
+mod large;
 mod responses;
 mod sensitivities;

@@ -168,13 +168,33 @@ pub(crate) fn asked_to_move<R: Send>(
     structure: &Structure,
     ask: impl FnOnce(&Moving<'_>) -> Result<R, String> + Send,
 ) -> Result<R, String> {
+    on_a_large_stack(|| {
+        let (nodes, members) = (nodes(structure), members(structure, undamped));
+        let mut room = Box::new(Room::<_, 60, 80>::new());
+        let network = Moving::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
+        ask(&network)
+    })
+}
+
+/// A network with dampers that is small enough for its motions.
+pub(crate) type Decaying<'a> = Network<'a, AnyMember<f64>, DAMPED_WIDTH, 60, 80>;
+
+/// Asks the library about motions of a damped structure, on a stack that has room for them.
+pub(crate) fn asked_to_decay<R: Send>(
+    structure: &Structure,
+    ask: impl FnOnce(&Decaying<'_>) -> Result<R, String> + Send,
+) -> Result<R, String> {
+    on_a_large_stack(|| {
+        let (nodes, members) = (nodes(structure), members(structure, any));
+        let mut room = Box::new(Room::<_, 60, 80>::new());
+        let network = Decaying::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
+        ask(&network)
+    })
+}
+
+/// Works on a stack that has room for motions.
+fn on_a_large_stack<R: Send>(work: impl FnOnce() -> Result<R, String> + Send) -> Result<R, String> {
     std::thread::scope(|scope| {
-        let work = move || {
-            let (nodes, members) = (nodes(structure), members(structure, undamped));
-            let mut room = Box::new(Room::<_, 60, 80>::new());
-            let network = Moving::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
-            ask(&network)
-        };
         let thread = std::thread::Builder::new().stack_size(1 << 28).spawn_scoped(scope, work);
         let told = thread.map_err(|error| error.to_string())?.join();
         told.unwrap_or_else(|panic| std::panic::resume_unwind(panic))

@@ -464,10 +464,11 @@ const _: () = {
                 &lengths,
                 &mut slopes,
             );
-            chain.add(slopes[3usize], height);
-            chain.add(slopes[4usize], 0.5 * height);
-            chain.add(slopes[6usize], lamp);
-            chain.add(slopes[9usize], height);
+            let numbers = (height, 0.5 * height, lamp, height);
+            chain.add(slopes[3usize], numbers.0);
+            chain.add(slopes[4usize], numbers.1);
+            chain.add(slopes[6usize], numbers.2);
+            chain.add(slopes[9usize], numbers.3);
             chain.finish()
         }
     }

@@ -9,6 +9,6 @@ system! {
 fn main() {
     let system = Frame { length: 1.0, ea: 1.0, ei: 1.0, m: 1.0 }.build().unwrap();
     let _ = system.mode_shape(&NaturalFrequency::default());
-//          ^^^^^^ planar elements have none yet
-//                 ^^^^^^^^^^ planar elements have none yet
+//          ^^^^^^ planar elements have motions between points with places
+//                 ^^^^^^^^^^ planar elements have motions between points with places
 }

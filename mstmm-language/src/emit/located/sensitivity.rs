@@ -49,10 +49,12 @@ fn sums(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Derivatives, names
     let members = skeleton.members.iter().enumerate().map(|(index, member)| summand(index, member, derivatives, names));
     let numbers: Vec<_> = geometry(skeleton).collect();
     let (count, members_count) = (numbers.len(), skeleton.members.len());
-    let numbers = numbers.into_iter().enumerate().filter_map(|(index, number)| {
+    let formulas = numbers.into_iter().enumerate().filter_map(|(index, number)| {
         let formula = number.and_then(|number| formula(number, derivatives))?;
-        Some(quote_spanned!(names.here=> chain.add(slopes[#index], #formula);))
+        Some((index, formula))
     });
+    let (places, formulas): (Vec<_>, Vec<_>) = formulas.unzip();
+    let order = (0..formulas.len()).map(Index::from);
     quote_spanned! {names.here=>
         #(#variables)*
         #(#lets)*
@@ -60,7 +62,8 @@ fn sums(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Derivatives, names
         #(#members)*
         let mut slopes = [#private::Scalar::from_f64(0.0); #count];
         #private::geometry_slopes(&SKETCH, states, &self.geometry, &lengths, &mut slopes);
-        #(#numbers)*
+        let numbers = (#(#formulas,)*);
+        #(chain.add(slopes[#places], numbers.#order);)*
     }
 }
 
