@@ -16,11 +16,11 @@ system! {
 fn main() {
     let bar = Bar { length: 1.0 }.build().unwrap();
     let _ = bar.frequency_response(Bar::conn_a.force_y(), Damped::conn_a.displacement_y());
-//                                                        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ a point of another model
+//                                                        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ expected `PlaneEntry<Bar>`
     let _ = bar.frequency_response(Bar::conn_a.force_y(), Bar::conn_a.moment());
-//                                                                    ^^^^^^ of an end of a member
+//                                                                    ^^^^^^ method not found in `PlanePoint<Bar>`
     let damped = Damped { c: 0.1 }.build().unwrap();
     let response = damped.frequency_response(Damped::conn_a.force_y(), Damped::conn_a.displacement_y()).unwrap();
     let _ = response.at(2.0);
-//                      ^^^ a damped system moves at a complex λ
+//                      ^^^ a system with a damper moves at a complex λ
 }

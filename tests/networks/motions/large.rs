@@ -1,5 +1,4 @@
 //! The motion of a chain of a thousand members: time and memory per member.
-#![expect(clippy::unwrap_used, reason = "the chain is right")]
 
 use crate::structure::Section;
 use mstmm::motion::PlanePoint;
