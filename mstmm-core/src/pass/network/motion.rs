@@ -16,7 +16,7 @@ pub(crate) struct NetworkMotion<Y: Placed, S: Scalar> {
     pub(crate) work: S,
     /// Whether a pivot was rounding alone, as at a resonance.
     pub(crate) vanishes: bool,
-    /// The largest part of the row of a pivot that rounding may be.
+    /// The largest part of the row of a pivot that rounding may be, where errors are carried along.
     pub(crate) rounding: f64,
 }
 
@@ -61,7 +61,8 @@ where
         NodeLoad::Motions(network.node(node).1.parts_of(forces))
     };
     let at = FrequencyPowers::new(x, true);
-    let [one, other] = [Choice::Largest, Choice::InOrder].map(|choice| motion(network, &at, choice, load));
+    let [one, other] = [Choice::Largest, Choice::InOrder]
+        .map(|choice| motion(network, &at, (choice, choice == Choice::Largest), load));
     (one, other.with(&one, |one, other| one - other, S::zero()).largest() / one.size())
 }
 
@@ -73,14 +74,14 @@ where
 {
     let load = LoadEverywhere { number, dislocates };
     let choice = if number.is_multiple_of(2) { Choice::Largest } else { Choice::InOrder };
-    motion(network, &FrequencyPowers::new(x, true), choice, |_| NodeLoad::Everywhere(load))
+    motion(network, &FrequencyPowers::new(x, true), (choice, false), |_| NodeLoad::Everywhere(load))
 }
 
 /// The motion of a network at a frequency under loads of its nodes.
 fn motion<Y, S>(
     network: &Y,
     at: &FrequencyPowers<S>,
-    choice: Choice,
+    (choice, carries_errors): (Choice, bool),
     load: impl Fn(usize) -> NodeLoad<S>,
 ) -> NetworkMotion<Y, S>
 where
@@ -91,7 +92,7 @@ where
     let zero = [S::zero(); 3];
     let (mut nodes, mut members) = (Y::per_node(zero), Y::per_member([EndMotion::at_rest(); 2]));
     let (work, vanishes, rounding) = Y::in_way_back(|mut way| {
-        way.fronts.choose(choice);
+        way.fronts.choose(choice, carries_errors);
         for &node in order.nodes {
             let objects = order.taken_up[node] + push_members(network, &order, node, at, &mut way.fronts);
             let (body, motions) = network.node(node);

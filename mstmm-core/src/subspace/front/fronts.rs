@@ -51,9 +51,9 @@ impl<S: Scalar> Fronts<'_, S> {
         (self.has_readers, self.objects.loads) = (false, 0);
     }
 
-    /// Lets pivots be chosen in a way.
-    pub(crate) fn choose(&mut self, choice: Choice) {
-        self.choice = choice;
+    /// Lets pivots be chosen in a way, and errors be carried along or not.
+    pub(crate) fn choose(&mut self, choice: Choice, carries_errors: bool) {
+        (self.choice, self.total.carries_errors) = (choice, carries_errors);
     }
 
     /// Δ and the count, once all nodes are eliminated.

@@ -83,7 +83,7 @@ impl<S: Scalar, const W: usize, const NODES: usize> WayBackRoom<S, W, NODES> {
                 count: 0,
             },
             targets: self.targets.as_flattened_mut(),
-            total: Total::new(true),
+            total: Total::new(false),
             choice: Choice::Largest,
             has_readers: true,
         };
