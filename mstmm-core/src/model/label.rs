@@ -1,6 +1,5 @@
 //! Labels of a model as values: a label of another model does not compile.
 
-use core::fmt;
 use core::marker::PhantomData;
 use mstmm_plan::Coordinate;
 
@@ -99,13 +98,15 @@ macro_rules! plain {
 
         impl<M $(, $other)?> Copy for $name<M $(, $other)?> {}
 
-        impl<M $(, $other)?> fmt::Debug for $name<M $(, $other)?> {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        impl<M $(, $other)?> core::fmt::Debug for $name<M $(, $other)?> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 f.debug_struct(stringify!($name))$(.field(stringify!($field), &self.$field))*.finish()
             }
         }
     };
 }
+pub(crate) use plain;
+
 plain!(Label<M, E>, step, input);
 plain!(Point<M>, step, beyond);
 plain!(Load<M>, point, coordinate);

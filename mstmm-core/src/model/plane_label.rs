@@ -1,6 +1,6 @@
 //! Points of plane models as values: a point of another model does not compile.
 
-use core::fmt;
+use crate::model::label::plain;
 use core::marker::PhantomData;
 use mstmm_plan::Freedoms;
 
@@ -183,24 +183,6 @@ impl<M, E> MemberLabel<M, E> {
     }
 }
 
-/// Copies and prints a value whatever the model is.
-macro_rules! plain {
-    ($name:ident<M $(, $other:ident)?>, $($field:ident),*) => {
-        impl<M $(, $other)?> Clone for $name<M $(, $other)?> {
-            fn clone(&self) -> Self {
-                *self
-            }
-        }
-
-        impl<M $(, $other)?> Copy for $name<M $(, $other)?> {}
-
-        impl<M $(, $other)?> fmt::Debug for $name<M $(, $other)?> {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.debug_struct(stringify!($name))$(.field(stringify!($field), &self.$field))*.finish()
-            }
-        }
-    };
-}
 plain!(PlanePoint<M>, site);
 plain!(MemberEnd<M>, member, end);
 plain!(MemberLabel<M, E>, member);

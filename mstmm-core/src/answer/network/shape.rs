@@ -239,7 +239,7 @@ where
 {
     let plain = AtRoot { system, x, nearer: None };
     let fits =
-        |(shape, misfit): &(PlaneShape<'_, Y, S>, f64)| misfit.max(shape.gap()).max(shape.imbalance(None)) <= FITTING;
+        |(shape, misfit): &(PlaneShape<'_, Y, S>, f64)| misfit.max(shape.gap()).max(shape.imbalance()) <= FITTING;
     let found = plain.simple();
     let (shape, misfit) = match found {
         _ if S::HAS_EXTENDED && x.is_zero() => plain.beside().simple()?,

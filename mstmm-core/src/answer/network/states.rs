@@ -99,8 +99,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
 
     /// The largest sum of forces on the motions of a node, beside the largest force of a member or of inertia; a moment counts by the
     /// longest member.
-    #[doc(hidden)]
-    pub fn imbalance(&self, load: Option<(usize, [S; 3])>) -> f64 {
+    pub(super) fn imbalance(&self) -> f64 {
         let [nodes, members] = self.system.sizes();
         let lengths = (0..members).map(|member| self.system.placement(member).own_length().to_f64());
         let length = Some(lengths.fold(0.0, f64::max)).filter(|length| *length > 0.0).unwrap_or(1.0);
@@ -118,11 +117,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
                 largest = largest.max(size(&row.map(|entry| entry * *displacement)));
             }
             let motions = self.system.node(node).1;
-            let mut rest = *reaction;
-            if let Some((_, forces)) = load.filter(|(loaded, _)| *loaded == node) {
-                rest = [0, 1, 2].map(|k| rest[k] - forces[k]);
-            }
-            worst = worst.max(size(&motions.displacements(motions.parts_of(rest))));
+            worst = worst.max(size(&motions.displacements(motions.parts_of(*reaction))));
         }
         if worst > 0.0 { worst / largest } else { 0.0 }
     }
