@@ -78,15 +78,17 @@ fn members<E: MemberElement<Parameter = f64>>(structure: &Structure, element: im
     structure.members.iter().map(member).collect()
 }
 
-/// Asks the library about a structure.
-pub(crate) fn asked<R>(
+/// Asks the library about a structure, on a stack that has room for the largest.
+pub(crate) fn asked<R: Send>(
     structure: &Structure,
-    ask: impl FnOnce(&Undamped<'_>) -> Result<R, String>,
+    ask: impl FnOnce(&Undamped<'_>) -> Result<R, String> + Send,
 ) -> Result<R, String> {
-    let (nodes, members) = (nodes(structure), members(structure, undamped));
-    let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
-    let network = Undamped::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
-    ask(&network)
+    on_a_large_stack(|| {
+        let (nodes, members) = (nodes(structure), members(structure, undamped));
+        let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
+        let network = Undamped::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
+        ask(&network)
+    })
 }
 
 /// Variables of the widest front of a damped structure.

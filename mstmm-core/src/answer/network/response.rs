@@ -4,7 +4,7 @@ use crate::answer::network::states::{PlaneStates, check_freedom, offset};
 use crate::model::{MotionError, PlaneEntry, PlaneLoad, Site};
 use crate::number::Frequency;
 use crate::pass::characteristic::System;
-use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency, motion_under};
+use crate::pass::network::{MovingNetwork, NetworkMotion, Placed, PlaneFrequency, motion_under, rounding_under};
 
 /// The difference of motions with other pivots, beside the largest displacement, beyond which they are computed in extended precision.
 const AGREEING: f64 = 1e-13;
@@ -62,10 +62,14 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        let (mut motion, difference) = motion_under(self.system, x, acting_at::<Y, S>(self.system, self.load)?);
-        if S::HAS_EXTENDED && (motion.vanishes || !(difference <= AGREEING && motion.rounding <= ROUNDED)) {
+        let load = acting_at::<Y, S>(self.system, self.load)?;
+        let mut motion = motion_under(self.system, x, load);
+        let is_sure = |motion: &NetworkMotion<Y, S>| {
+            !motion.vanishes && motion.rounding <= ROUNDED && rounding_under(self.system, x, load, motion) <= AGREEING
+        };
+        if S::HAS_EXTENDED && !is_sure(&motion) {
             let load = acting_at::<Y, S::Extended>(self.system, self.load)?;
-            motion = motion_under(self.system, x.to_extended(), load).0.rounded(S::from_extended);
+            motion = motion_under(self.system, x.to_extended(), load).rounded(S::from_extended);
         }
         if motion.vanishes {
             return Err(MotionError::Resonance { frequency: x.modulus() });

@@ -84,28 +84,6 @@ impl<'a, Y: Placed, S: PlaneFrequency<Y::Parameter>, const CAP: usize> PlaneShap
     }
 }
 
-/// A motion of unit modal mass.
-struct Normalised<Y: Placed, S: Scalar> {
-    motion: NetworkMotion<Y, S>,
-    /// λ² less that of the root.
-    distance: S,
-}
-
-/// A motion of unit modal mass; none where it is not finite.
-fn normalised<Y, S>(system: &Y, x: S, motion: &NetworkMotion<Y, S>) -> Option<Normalised<Y, S>>
-where
-    Y: MovingNetwork<S>,
-    S: PlaneFrequency<<Y as System>::Parameter>,
-{
-    // of a motion at a root the square is out of range in a short format
-    let motion = motion.times(S::one() / S::from_f64(motion.size()));
-    let mass = mass_product(system, x, &motion, &motion);
-    if !(mass.size() > 0.0 && mass.size().is_finite()) {
-        return None;
-    }
-    Some(Normalised { motion: motion.times(S::one() / mass.sqrt()), distance: motion.work / mass })
-}
-
 /// A motion less its part in another one of unit modal mass.
 fn without<Y, S>(system: &Y, x: S, motion: &NetworkMotion<Y, S>, other: &NetworkMotion<Y, S>) -> NetworkMotion<Y, S>
 where
@@ -154,14 +132,20 @@ where
     ///
     /// # Errors
     /// It is not finite, or the frequency is no root.
-    fn normalised(&self, motion: &NetworkMotion<Y, S>) -> Result<Normalised<Y, S>, MotionError> {
-        let found = normalised(self.system, self.x, motion).ok_or_else(|| self.not_finite())?;
-        // at rest λ² has no size to compare with: a count has found the root there
-        let mismatch = (found.distance / self.x.lambda_squared()).size();
+    fn normalised(&self, number: u32) -> Result<NetworkMotion<Y, S>, MotionError> {
+        let motion = self.motion(number);
+        // of a motion at a root the square is out of range in a short format
+        let motion = motion.times(S::one() / S::from_f64(motion.size()));
+        let mass = mass_product(self.system, self.x, &motion, &motion);
+        if !(mass.size() > 0.0 && mass.size().is_finite()) {
+            return Err(self.not_finite());
+        }
+        // the work of the load over the mass is λ² less that of the root; at rest λ² has no size to compare with: a count has found it
+        let mismatch = (motion.work / mass / self.x.lambda_squared()).size();
         if !self.x.is_zero() && (mismatch > NO_ROOT || mismatch.is_nan()) {
             return Err(MotionError::NotARoot { frequency: self.x.modulus(), mismatch });
         }
-        Ok(found)
+        Ok(motion.times(S::one() / mass.sqrt()))
     }
 
     /// The root with twice the digits, after a step of the secant method with Δ.
@@ -193,8 +177,7 @@ where
 
     /// The shape of a simple root, and how far that under another load is from it.
     fn simple(&self) -> Result<(PlaneShape<'a, Y, S>, f64), MotionError> {
-        let Normalised { motion, .. } = self.normalised(&self.motion(0))?;
-        let Normalised { motion: other, .. } = self.normalised(&self.motion(1))?;
+        let (motion, other) = (self.normalised(0)?, self.normalised(1)?);
         let difference = without(self.system, self.x, &other, &motion);
         let misfit = mass_product(self.system, self.x, &difference, &difference).size().sqrt();
         Ok((self.shape(motion), misfit))

@@ -123,16 +123,26 @@ where
     let at = FrequencyPowers::new(x, true);
     let total = S::in_memory::<WIDTH, _>(|room| {
         let mut fronts = room.fronts(choice, carries_errors);
-        let order = network.order();
-        for &node in order.nodes {
-            let objects = order.taken_up[node] + push_members(network, &order, node, &at, &mut fronts);
-            let (body, motions) = network.node(node);
-            S::eliminate(&mut fronts, &front_node(node, objects, body, motions, at.lambda_squared));
-        }
+        eliminate_nodes(network, &at, &mut fronts);
         *fronts.total()
     });
     // numbers in lanes are evaluated alone
     total.unwrap_or_else(Total::unknown)
+}
+
+/// Takes up and eliminates all nodes in their order.
+#[inline(always)]
+pub(super) fn eliminate_nodes<Y, S>(network: &Y, at: &FrequencyPowers<S>, fronts: &mut Fronts<'_, S>)
+where
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter> + FrontScalar,
+{
+    let order = network.order();
+    for &node in order.nodes {
+        let objects = order.taken_up[node] + push_members(network, &order, node, at, fronts);
+        let (body, motions) = network.node(node);
+        S::eliminate(fronts, &front_node(node, objects, body, motions, at.lambda_squared));
+    }
 }
 
 /// Adds the members that are cut by the elimination of a node. Returns the number of objects that they are.

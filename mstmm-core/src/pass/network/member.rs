@@ -109,11 +109,21 @@ fn norm<S: Scalar>([x, y]: [S; 2]) -> S {
     (x * x + y * y).sqrt()
 }
 
-/// The direction of the x axis of an end: its own, or that from the one end to the other.
+/// The vector that gives an end its x axis, of any length: its own, or that from the one end to the other.
+fn vector_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize) -> [S; 2] {
+    ends[end].along.map_or_else(|| between(ends), |along| along.map(S::from_parameter))
+}
+
+/// The direction of the x axis of an end.
 fn direction_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize) -> [S; 2] {
-    let direction = ends[end].along.map_or_else(|| between(ends), |along| along.map(S::from_parameter));
-    let size = norm(direction);
-    direction.map(|part| part / size)
+    let vector: [S; 2] = vector_of(ends, end);
+    let size = norm(vector);
+    vector.map(|part| part / size)
+}
+
+/// Where an end is from its node.
+fn offset_of<T: Parameter, S: Frequency<T>>(PlacedEnd { place, node, .. }: &PlacedEnd<T>) -> [S; 2] {
+    [0, 1].map(|k| S::from_parameter(place[k]) - S::from_parameter(node[k]))
 }
 
 /// What a freedom of an end is of the motions of its node.
@@ -123,13 +133,12 @@ fn row_of<T: Parameter, S: Frequency<T>>(
     freedom: usize,
     motions: &Motions<T>,
 ) -> [S; 3] {
-    let PlacedEnd { place, node, .. } = &ends[end];
     let (zero, one) = (S::zero(), S::one());
     if freedom == 2 {
         return motions.parts_of([zero, zero, one]);
     }
     let [c, s]: [S; 2] = direction_of(ends, end);
-    let [x, y] = [0, 1].map(|k| S::from_parameter(place[k]) - S::from_parameter(node[k]));
+    let [x, y]: [S; 2] = offset_of(&ends[end]);
     motions.parts_of(if freedom == 0 { [c, s, s * x - c * y] } else { [-s, c, s * y + c * x] })
 }
 
@@ -222,13 +231,12 @@ impl<T: Real> Placement<T> {
 
     /// The vector that gives an end its x axis, of any length.
     pub(crate) fn vector<S: Frequency<T>>(&self, end: usize) -> [S; 2] {
-        self.ends[end].along.map_or_else(|| between(&self.ends), |along| along.map(S::from_parameter))
+        vector_of(&self.ends, end)
     }
 
     /// Where an end is from its node.
     pub(crate) fn offset<S: Frequency<T>>(&self, end: usize) -> [S; 2] {
-        let PlacedEnd { place, node, .. } = &self.ends[end];
-        [0, 1].map(|k| S::from_parameter(place[k]) - S::from_parameter(node[k]))
+        offset_of(&self.ends[end])
     }
 
     /// The node of an end.

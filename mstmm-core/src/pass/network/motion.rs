@@ -2,7 +2,7 @@
 
 use crate::model::EndMotion;
 use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Size};
-use crate::pass::network::evaluate::{Placed, PlacedCharts, front_node, push_members};
+use crate::pass::network::evaluate::{Placed, PlacedCharts, eliminate_nodes, front_node, push_members};
 use crate::subspace::{Choice, FrontScalar, LoadEverywhere, NodeLoad};
 
 /// The motion of a network.
@@ -29,12 +29,7 @@ where
     let at = FrequencyPowers::new(x, true);
     Y::in_way_back(|mut way| {
         way.fronts.forget_loads();
-        let order = network.order();
-        for &node in order.nodes {
-            let objects = order.taken_up[node] + push_members(network, &order, node, &at, &mut way.fronts);
-            let (body, motions) = network.node(node);
-            S::eliminate(&mut way.fronts, &front_node(node, objects, body, motions, at.lambda_squared));
-        }
+        eliminate_nodes(network, &at, &mut way.fronts);
         way.fronts.total().delta()
     })
 }
@@ -47,23 +42,36 @@ impl<Y: Placed, S: Scalar> Clone for NetworkMotion<Y, S> {
 
 impl<Y: Placed, S: Scalar> Copy for NetworkMotion<Y, S> {}
 
-/// The motion under forces x and y and a moment on one node, and how far it is from that with other pivots, beside the largest displacement.
-/// What differs is rounding.
-pub(crate) fn motion_under<Y, S>(network: &Y, x: S, (loaded, forces): (usize, [S; 3])) -> (NetworkMotion<Y, S>, f64)
+/// The motion under forces x and y and a moment on one node, with the errors of its rows.
+pub(crate) fn motion_under<Y, S>(network: &Y, x: S, load: (usize, [S; 3])) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
 {
-    let load = |node: usize| {
-        if node != loaded {
-            return NodeLoad::Nothing;
-        }
-        NodeLoad::Motions(network.node(node).1.parts_of(forces))
-    };
+    motion(network, &FrequencyPowers::new(x, true), (Choice::Largest, true), |node| on_node(network, node, load))
+}
+
+/// How far the motion under a load is from that with other pivots, beside the largest displacement: what differs is rounding.
+pub(crate) fn rounding_under<Y, S>(network: &Y, x: S, load: (usize, [S; 3]), found: &NetworkMotion<Y, S>) -> f64
+where
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter> + FrontScalar,
+{
     let at = FrequencyPowers::new(x, true);
-    let [one, other] = [Choice::Largest, Choice::InOrder]
-        .map(|choice| motion(network, &at, (choice, choice == Choice::Largest), load));
-    (one, other.with(&one, |one, other| one - other, S::zero()).largest() / one.size())
+    let other = motion(network, &at, (Choice::InOrder, false), |node| on_node(network, node, load));
+    other.with(found, |one, other| one - other, S::zero()).largest() / found.size()
+}
+
+/// What forces x and y and a moment on one node are at any.
+fn on_node<Y: Placed, S: Frequency<Y::Parameter>>(
+    network: &Y,
+    node: usize,
+    (loaded, forces): (usize, [S; 3]),
+) -> NodeLoad<S> {
+    if node != loaded {
+        return NodeLoad::Nothing;
+    }
+    NodeLoad::Motions(network.node(node).1.parts_of(forces))
 }
 
 /// The motion under the load of a number, forces and perhaps dislocations everywhere, with other pivots for each second number.
