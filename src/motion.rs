@@ -5,8 +5,9 @@
 
 pub use mstmm_core::{
     Coordinate, EndMotion, EnergyShares, Entry, ExtendedTree, ForceHistory, FrameAnalysis, Label, Load, MemberEnd,
-    MemberLabel, ModalAnalysis, MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlaneLoad, PlanePoint,
-    PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates, Tree,
+    MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlaneLoad,
+    PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates,
+    Tree,
 };
 
 /// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.

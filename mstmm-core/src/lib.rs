@@ -28,6 +28,7 @@ pub use answer::many_frequencies::ManyFrequencies;
 pub use answer::modal_response::ModalResponse;
 pub use answer::mode_shape::{ModeShape, ShapeList};
 pub use answer::network::geometry::geometry_slopes;
+pub use answer::network::inside::MemberState;
 pub use answer::network::questions::FrameAnalysis;
 pub use answer::network::response::PlaneResponse;
 pub use answer::network::sensitivity::PlaneChain;
@@ -39,10 +40,11 @@ pub use answer::root::Root;
 pub use answer::sensitivity::Sensitivities;
 pub use answer::states::SystemStates;
 pub use element::back_transfer::BackTransfer;
-pub use element::charted::{Charted, MemberChart, MemberElement};
+pub use element::charted::{Charted, MemberChart, MemberElement, MemberVisit};
 pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub use element::member_gradient::{MemberGradient, MemberWork};
+pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use element::visit::{Visit, VisitStep};
@@ -83,8 +85,8 @@ pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
 pub use pass::network::{
     Axis, End, InNetwork, Located, Member, Motions, MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch,
-    Node, Placed, PlacedCharts, Placement, PlaneFrequency, Skeleton, SketchedBody, SketchedEnd, SketchedMember,
-    SketchedNode, build_member, estimate_member, in_way_back, network_pass,
+    Node, Placed, PlacedCharts, PlacedMotions, Placement, PlaneFrequency, Skeleton, SketchedBody, SketchedEnd,
+    SketchedMember, SketchedNode, build_member, estimate_member, in_way_back, network_pass,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

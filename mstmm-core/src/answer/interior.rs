@@ -9,11 +9,11 @@ use crate::pass::tree::Tree;
 /// Samples per half wave; a deflection between two of them is monotonic or has one extremum.
 const SAMPLES: f64 = 16.0;
 /// Number of halvings that narrow the distance of two samples to rounding.
-const HALVINGS: u32 = 60;
+pub(crate) const HALVINGS: u32 = 60;
 
 impl Inside {
     /// Number of samples between the ends.
-    fn samples(&self) -> u32 {
+    pub(crate) fn samples(&self) -> u32 {
         (SAMPLES * (1.0 + self.wave_number * self.length / core::f64::consts::PI)) as u32
     }
 }
@@ -76,15 +76,20 @@ where
         let samples = inside.samples();
         let deflection =
             |sample: u32| self.state_at(label.step, inside.length * f64::from(sample) / f64::from(samples)).y;
-        let largest = (0..=samples).map(|sample| deflection(sample).size()).fold(0.0, f64::max);
-        // a deflection that a support holds is zero to rounding, and no node
-        let shown = |y: &T| y.size() > largest * Scalar::sqrt(f64::from(samples) * T::EPSILON);
-        let ends = [0, samples].map(deflection);
-        let first = Some(ends[0]).filter(shown);
-        let last = Some(ends[1]).filter(shown);
-        let inner = (1..samples).map(deflection);
-        let mut signs = first.into_iter().chain(inner).chain(last).filter(|y| !y.is_zero()).map(|y| y > T::zero());
-        let Some(mut before) = signs.next() else { return 0 };
-        signs.filter(|&sign| core::mem::replace(&mut before, sign) != sign).count()
+        sign_changes(samples, deflection)
     }
+}
+
+/// How often a deflection changes its sign inside of an element, given at samples from its input end to its output end.
+pub(crate) fn sign_changes<T: Real>(samples: u32, deflection: impl Fn(u32) -> T) -> usize {
+    let largest = (0..=samples).map(|sample| deflection(sample).size()).fold(0.0, f64::max);
+    // a deflection that a support holds is zero to rounding, and no node
+    let shown = |y: &T| y.size() > largest * Scalar::sqrt(f64::from(samples) * T::EPSILON);
+    let ends = [0, samples].map(&deflection);
+    let first = Some(ends[0]).filter(shown);
+    let last = Some(ends[1]).filter(shown);
+    let inner = (1..samples).map(&deflection);
+    let mut signs = first.into_iter().chain(inner).chain(last).filter(|y| !y.is_zero()).map(|y| y > T::zero());
+    let Some(mut before) = signs.next() else { return 0 };
+    signs.filter(|&sign| core::mem::replace(&mut before, sign) != sign).count()
 }

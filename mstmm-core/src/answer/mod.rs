@@ -12,6 +12,7 @@ pub(crate) mod misfit;
 pub(crate) mod modal_response;
 pub(crate) mod mode_shape;
 pub(crate) mod network;
+pub(crate) mod of_tree;
 pub(crate) mod questions;
 pub(crate) mod repeated_root;
 pub(crate) mod response_curve;

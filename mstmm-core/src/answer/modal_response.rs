@@ -1,19 +1,10 @@
 //! Responses in time by superposition of modes.
 
 use crate::answer::at_rest::{AtRest, Part};
-use crate::answer::frequency_response::FrequencyResponse;
-use crate::answer::mode_shape::{ModeShape, simple};
-use crate::answer::repeated_root::all_shapes;
-use crate::answer::root::{Root, simple_root};
-use crate::model::{Entry, Load, MotionError};
-use crate::number::{
-    ComplexEigenvalue, Frequency, List, Oscillation, Real, RealFrequency, Scalar, Single, exponential, phi_1,
-};
-use crate::pass::characteristic::System;
-use crate::pass::route::Place;
-use crate::pass::tree::{ExtendedTree, Planned, Tree};
+use crate::answer::root::Root;
+use crate::model::MotionError;
+use crate::number::{ComplexEigenvalue, Frequency, List, Oscillation, Real, RealFrequency, Scalar, exponential, phi_1};
 use core::marker::PhantomData;
-use mstmm_plan::Coordinate;
 use num_complex::Complex;
 use num_traits::Zero;
 
@@ -58,17 +49,13 @@ pub(crate) struct Term<T> {
 
 impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// Superposes the shapes of all roots.
-    pub(crate) fn new<'r, Y, R>(
-        system: &Y,
+    pub(crate) fn new<'r, R>(
+        source: &impl Superposed<T, R>,
         roots: impl IntoIterator<Item = &'r R>,
-        load: Load<Y::Model>,
-        entry: Entry<Y::Model>,
     ) -> Result<Self, MotionError>
     where
         R: Root<T> + 'r,
-        Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
     {
-        let places = Places::new(system, load, entry)?;
         let (rigid, residual) = (T::zero(), T::zero());
         let mut response = ModalResponse { terms: List::new(), rigid, residual, meaning: PhantomData };
         let mut at_rest = None;
@@ -82,40 +69,30 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
                 at_rest = Some(root);
                 continue;
             }
-            match root.multiplicity() {
-                0 | 1 => response.add(&simple(system, simple_root(root)?)?, &places)?,
-                2..=USUAL_MULTIPLICITY => {
-                    response.add_all::<{ USUAL_MULTIPLICITY as usize }, Y, R>(system, root, &places)?
-                }
-                _ => response.add_all::<N, Y, R>(system, root, &places)?,
+            if root.multiplicity() <= USUAL_MULTIPLICITY {
+                response.add::<{ USUAL_MULTIPLICITY as usize }, R>(source, root)?;
+            } else {
+                response.add::<N, R>(source, root)?;
             }
         }
-        response.complete(system, &FrequencyResponse::new(system, load, entry)?, at_rest)?;
+        response.complete(source, at_rest)?;
         Ok(response)
     }
 
-    /// Adds the contributions of a multiple root. Not inlined, so that the memory of its shapes is freed.
+    /// Adds the contributions of a root other than zero. Not inlined, so that the memory of its shapes is freed.
     #[inline(never)]
-    fn add_all<const CAP: usize, Y, R>(&mut self, system: &Y, root: &R, places: &Places) -> Result<(), MotionError>
-    where
-        R: Root<T>,
-        Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
-    {
-        let shapes = all_shapes::<CAP, _, _, _>(system, root)?;
-        shapes.iter().try_for_each(|shape| self.add(shape, places))
-    }
-
-    /// Adds the contribution of a shape, of a root other than zero.
-    fn add<Y, S>(&mut self, shape: &ModeShape<'_, Y, S>, places: &Places) -> Result<(), MotionError>
-    where
-        Y: Tree<S, Parameter = T> + ?Sized,
-        S: Oscillation<T>,
-    {
-        let product = places.product(shape).to_complex();
-        let omega = shape.x.omega().to_complex();
+    fn add<const CAP: usize, R: Root<T>>(
+        &mut self,
+        source: &impl Superposed<T, R>,
+        root: &R,
+    ) -> Result<(), MotionError> {
+        let omega = root.frequency().omega().to_complex();
         let lambda = Complex::new(-omega.im, omega.re);
-        let residue = if lambda.im.is_zero() { product / (lambda + lambda) } else { product / lambda };
-        self.push(Term { lambda, residue })
+        source.for_each_product::<CAP>(root, &mut |product: R::Frequency| {
+            let product = product.to_complex();
+            let residue = if lambda.im.is_zero() { product / (lambda + lambda) } else { product / lambda };
+            self.push(Term { lambda, residue })
+        })
     }
 
     fn push(&mut self, term: Term<T>) -> Result<(), MotionError> {
@@ -124,19 +101,10 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
 
     /// Adds the residual compliance from the response at rest, and the motion of the root at zero if the list has it.
     #[inline(never)]
-    fn complete<Y, R>(
-        &mut self,
-        system: &Y,
-        response: &FrequencyResponse<'_, Y>,
-        at_rest: Option<&R>,
-    ) -> Result<(), MotionError>
-    where
-        R: Root<T>,
-        Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
-    {
+    fn complete<R: Root<T>>(&mut self, source: &impl Superposed<T, R>, at_rest: Option<&R>) -> Result<(), MotionError> {
         let held = self.held();
         let scale = self.terms.iter().fold(0.0, |sum, term| sum + term.at_rest().size());
-        match (response.held_at_rest::<R::Frequency>()?, at_rest) {
+        match (source.held_at_rest()?, at_rest) {
             (Some(whole), None) => {
                 let whole = whole.to_complex().re;
                 self.residual = beyond_rounding(whole - held, scale + whole.size());
@@ -144,17 +112,17 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
             }
             // something holds the system: it may not have that root
             (Some(_), Some(root)) => {
-                all_shapes::<{ USUAL_MULTIPLICITY as usize }, _, _, _>(system, root)?;
+                source.for_each_product::<{ USUAL_MULTIPLICITY as usize }>(root, &mut |_| Ok(()))?;
             }
             (None, _) => {}
         }
         let left = |x: R::Frequency| {
-            let whole = response.sized(x)?;
+            let whole = source.sized(x)?;
             let omega = x.omega().to_complex();
             let (sum, size) = self.at(Complex::new(-omega.im, omega.re));
             Ok(Part { value: whole.value - R::Frequency::from_complex(sum), size: whole.size + size })
         };
-        let rest = AtRest::of::<T>(system.estimates().lowest_exponent(), scale, left)?;
+        let rest = AtRest::of::<T>(source.lowest_exponent(), scale, left)?;
         let AtRest { double, simple, finite, uncertainty, .. } = rest;
         if uncertainty > 0.0 {
             return Err(MotionError::Unsettled { change: uncertainty });
@@ -251,23 +219,21 @@ fn beyond_rounding<T: Real>(number: T, scale: f64) -> T {
     if number.size() <= ROUNDING * T::EPSILON * scale { T::zero() } else { number }
 }
 
-/// The places of the load and of the entry.
-struct Places {
-    load: Place,
-    entry: Place,
-}
+/// A response whose parts at roots are known by their shapes.
+pub(crate) trait Superposed<T: Real, R: Root<T>> {
+    /// Hands on `φ φ` at the load and at the entry for each shape of a root, of which there is room for `CAP` if it is multiple.
+    fn for_each_product<const CAP: usize>(
+        &self,
+        root: &R,
+        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+    ) -> Result<(), MotionError>;
 
-impl Places {
-    fn new<Y: Planned + ?Sized>(system: &Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
-        let mut load = Place::of_load(system, load)?;
-        // a force does work along the deflection, a moment along the rotation
-        load.coordinate = if load.coordinate == Coordinate::M { Coordinate::Theta } else { Coordinate::Y };
-        Ok(Places { load, entry: Place::of_entry(system, entry)? })
-    }
+    /// The static limit of a system that is held; `None` where something moves off.
+    fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError>;
 
-    /// `φ φ` of a shape.
-    fn product<Y: Tree<S> + ?Sized, S: Single>(&self, shape: &ModeShape<'_, Y, S>) -> S {
-        let at = |place: Place| shape.at(place.step, place.beyond).entry(place.coordinate);
-        at(self.load) * at(self.entry)
-    }
+    /// The response, and a size compared with which its rounding is small.
+    fn sized(&self, x: R::Frequency) -> Result<Part<R::Frequency>, MotionError>;
+
+    /// Logarithm to base 2 of a frequency below all roots but those at zero.
+    fn lowest_exponent(&self) -> i32;
 }

@@ -3,6 +3,7 @@
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::modal_response::ModalResponse;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
+use crate::answer::of_tree::OfTree;
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::{Sensitivities, sensitivities};
@@ -15,7 +16,7 @@ use crate::pass::tree::{ExtendedTree, Planned};
 
 /// The meaning of the frequencies of roots: [`RealFrequency`](crate::number::frequency::RealFrequency) or
 /// [`ComplexEigenvalue`](crate::number::frequency::ComplexEigenvalue).
-type MeaningOf<Y, R> =
+pub(crate) type MeaningOf<Y, R> =
     <<R as Root<<Y as System>::Parameter>>::Frequency as Frequency<<Y as System>::Parameter>>::Meaning;
 
 /// Shapes, sensitivities and responses of a built system.
@@ -129,7 +130,7 @@ pub trait ModalAnalysis: System {
         R: Root<<Self as System>::Parameter> + 'r,
         Self: ExtendedTree<R::Frequency> + Sized,
     {
-        ModalResponse::new(self, roots, load, entry)
+        ModalResponse::new(&OfTree::new(self, load, entry)?, roots)
     }
 }
 

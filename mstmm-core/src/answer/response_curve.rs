@@ -3,7 +3,7 @@
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::root::Root;
 use crate::model::MotionError;
-use crate::number::{List, Oscillation, Parameter, Scalar};
+use crate::number::{List, Oscillation, Real, Scalar};
 use crate::pass::tree::{Planned, Tree};
 use core::ops::RangeInclusive;
 
@@ -45,55 +45,66 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        let (start, end) = (range.start().to_f64(), range.end().to_f64());
-        if !(start < end && (end - start).is_finite()) {
-            return Err(MotionError::Range { start, end });
-        }
-        if !(tolerance > 0.0 && tolerance.is_finite()) {
-            return Err(MotionError::Tolerance { tolerance });
-        }
-        let mut curve = Refinement { response: self, samples: List::new() };
-        for interval in 0..=INTERVALS {
-            let share = f64::from(interval) / f64::from(INTERVALS);
-            curve.add(start * (1.0 - share) + end * share)?;
-        }
-        let mut finest = FINEST * (end - start);
-        for root in roots {
-            let (omega, width) = root.peak();
-            let (omega, width) = (omega.to_f64(), width.to_f64());
-            let places = [omega - width, omega, omega + width];
-            for place in places.into_iter().filter(|place| width > 0.0 && (start..=end).contains(place)) {
-                curve.add(place)?;
-                finest = finest.min(width / 4.0);
-            }
-        }
-        curve.refine(finest, tolerance)?;
-        Ok(curve.samples)
+        refined(|x| self.at(x), &range, roots, tolerance)
     }
 }
 
+/// A response over a range of ω, refined where it bends.
+pub(crate) fn refined<const CAP: usize, T: Real, S: Oscillation<T>>(
+    at: impl Fn(S) -> Result<S, MotionError>,
+    range: &RangeInclusive<T>,
+    roots: &[impl Root<T, Frequency = S>],
+    tolerance: f64,
+) -> Result<List<Sample<T, S>, CAP>, MotionError> {
+    let (start, end) = (range.start().to_f64(), range.end().to_f64());
+    if !(start < end && (end - start).is_finite()) {
+        return Err(MotionError::Range { start, end });
+    }
+    if !(tolerance > 0.0 && tolerance.is_finite()) {
+        return Err(MotionError::Tolerance { tolerance });
+    }
+    let mut curve = Refinement { at, samples: List::new() };
+    for interval in 0..=INTERVALS {
+        let share = f64::from(interval) / f64::from(INTERVALS);
+        curve.add(start * (1.0 - share) + end * share)?;
+    }
+    let mut finest = FINEST * (end - start);
+    for root in roots {
+        let (omega, width) = root.peak();
+        let (omega, width) = (omega.to_f64(), width.to_f64());
+        let places = [omega - width, omega, omega + width];
+        for place in places.into_iter().filter(|place| width > 0.0 && (start..=end).contains(place)) {
+            curve.add(place)?;
+            finest = finest.min(width / 4.0);
+        }
+    }
+    curve.refine(finest, tolerance)?;
+    Ok(curve.samples)
+}
+
 /// A curve while it is refined.
-struct Refinement<'a, 'y, Y: Planned + ?Sized, T, S, const CAP: usize> {
-    response: &'a FrequencyResponse<'y, Y>,
+struct Refinement<F, T, S, const CAP: usize> {
+    at: F,
     samples: List<Sample<T, S>, CAP>,
 }
 
-impl<Y, S, const CAP: usize> Refinement<'_, '_, Y, Y::Parameter, S, CAP>
+impl<F, T, S, const CAP: usize> Refinement<F, T, S, CAP>
 where
-    Y: Tree<S> + ?Sized,
-    S: Oscillation<Y::Parameter>,
+    F: Fn(S) -> Result<S, MotionError>,
+    T: Real,
+    S: Oscillation<T>,
 {
     /// Adds the sample at ω in its place, unless it is infinite or uncertain.
     fn add(&mut self, omega: f64) -> Result<(), MotionError> {
         let omega = Scalar::from_f64(omega);
-        match self.response.at(S::of_omega(omega)) {
+        match (self.at)(S::of_omega(omega)) {
             Err(MotionError::Resonance { .. } | MotionError::Unsettled { .. }) => Ok(()),
             Err(error) => Err(error),
             Ok(value) => self.insert(Sample { omega, value, is_settled: false }),
         }
     }
 
-    fn insert(&mut self, sample: Sample<Y::Parameter, S>) -> Result<(), MotionError> {
+    fn insert(&mut self, sample: Sample<T, S>) -> Result<(), MotionError> {
         if self.samples.iter().any(|other| other.omega == sample.omega) {
             return Ok(());
         }
@@ -112,14 +123,14 @@ where
                 index += 1;
                 continue;
             }
-            let half = <Y::Parameter as Scalar>::from_f64(0.5);
+            let half = <T as Scalar>::from_f64(0.5);
             let omega = (from.omega + to.omega) * half;
             if omega <= from.omega || omega >= to.omega {
                 // no frequency is between the two
                 index += 1;
                 continue;
             }
-            let Ok(value) = self.response.at(S::of_omega(omega)) else {
+            let Ok(value) = (self.at)(S::of_omega(omega)) else {
                 // a resonance at the middle
                 index += 1;
                 continue;

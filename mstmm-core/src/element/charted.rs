@@ -1,5 +1,6 @@
 //! Charts: what an element is in a front.
 
+use crate::element::member_motion::VisitMember;
 use crate::element::traits::Element;
 use crate::model::{FrequencyEstimates, InvalidParameter};
 use crate::number::{FrequencyPowers, Real, Scalar};
@@ -47,4 +48,10 @@ pub trait MemberElement: Copy + Debug {
 pub trait MemberChart<S: Scalar>: MemberElement {
     /// Its chart.
     fn chart(built: &Self::Built, at: &FrequencyPowers<S>, length: S) -> Chart<S>;
+}
+
+/// A member that says how it moves at a frequency of type `S`.
+pub trait MemberVisit<S: Scalar>: MemberElement {
+    /// What a visitor makes of it.
+    fn visit<V: VisitMember<S>>(built: &Self::Built, visitor: V) -> V::Output;
 }

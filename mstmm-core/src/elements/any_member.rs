@@ -1,13 +1,13 @@
 //! Members of any type, for networks whose size the program decides.
 
-use crate::element::{Charted, Element, MemberChart, MemberElement};
+use crate::element::{Charted, Element, MemberChart, MemberElement, MemberVisit, VisitMember};
 use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::connector::along_member;
 use crate::elements::{Damper, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 use crate::model::{FrequencyEstimates, InvalidParameter};
-use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Real};
+use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real};
 use crate::subspace::Chart;
 use mstmm_plan::Freedoms;
 
@@ -125,6 +125,16 @@ macro_rules! any_member {
                     $built::Beam(beam) => <PlanarBeam<T> as Charted<S>>::chart(beam, at, length),
                     $built::Joint(joint) => <Joint<T> as Charted<S>>::chart(joint, at, length),
                     $($built::$connector(built) => <$connector<T> as Charted<S>>::chart(built, at, length),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberVisit<S> for $name<T> {
+            fn visit<V: VisitMember<S>>(built: &$built<T>, visitor: V) -> V::Output {
+                match built {
+                    $built::Beam(beam) => visitor.member::<PlanarBeam<T>>(beam),
+                    $built::Joint(joint) => visitor.member::<Joint<T>>(joint),
+                    $($built::$connector(built) => visitor.member::<$connector<T>>(built),)*
                 }
             }
         }

@@ -244,7 +244,7 @@ fn products<T: Parameter, S: Frequency<T>>([a, b, c, d]: [S; 4], [e, f, g, h]: [
     [a * e, b * f, c * g, d * h]
 }
 
-mod interior;
+mod member;
 mod motion;
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Joint of two points at one place.
 
-use crate::element::{Charted, Element, MemberGradient, MemberWork};
+use crate::element::{Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberWork};
 use crate::elements::shared::connector::{Tie, chart_of_ties};
 use crate::elements::shared::line_forms::half;
 use crate::elements::{ElasticHinge, PlanarHinge};
@@ -110,5 +110,18 @@ impl<T: Parameter, S: Frequency<T>> MemberGradient<S> for Joint<T> {
             })
         });
         PlanarHinge { stiffness_x, stiffness_y, stiffness_theta }
+    }
+}
+
+impl<T: Parameter, S: Frequency<T>> MemberMotion<S> for Joint<T> {
+    /// Stiffnesses times the elongations of both motions, which forces say.
+    fn forms(built: &Self, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
+        let mut stiffness = S::zero();
+        for (freedom, own) in built.elastic.iter().enumerate() {
+            let Some(own) = own else { continue };
+            let forces = [first, second].map(|motion| motion.ends[1].forces[freedom]);
+            stiffness += forces[0] * forces[1] / S::from_parameter(*own);
+        }
+        Forms { stiffness, ..Forms::none() }
     }
 }

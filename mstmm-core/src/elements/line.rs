@@ -2,7 +2,10 @@
 //!
 //! They differ in their coordinate, in the sign of its force, and in which of stiffness, damping and inertia they have.
 
-use crate::element::{BackTransfer, Charted, Element, Energies, MemberGradient, MemberWork, PlaneStep, TransferMatrix};
+use crate::element::{
+    BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberWork, PlaneStep,
+    TransferMatrix,
+};
 use crate::elements::shared::connector::{along_member, connector};
 use crate::elements::shared::line_forms::{displacements, elongations, half, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_inertia, through_stiffness};
@@ -163,13 +166,15 @@ macro_rules! massless {
 
             fn member_gradient(built: &Self, work: &MemberWork<S>) -> $element<S> {
                 let freedom = if is_rotation::<Self>() { 2 } else { 0 };
-                let [input, output] = work.ends.map(|end| end.displacements[freedom]);
-                // a force says how long a stiff spring is, where the difference of displacements is rounding
-                let kappa: S = parts!(built, $($field)*).dynamic_stiffness(work.x);
-                let by_force = work.ends[1].forces[freedom] / kappa;
-                let elongation = if kappa.is_zero() { output - input } else { by_force };
+                let elongation: S = parts!(built, $($field)*).elongation(work.x, &work.ends, freedom);
                 let form = half(elongation * elongation);
                 $element { $($field: slope!($field, work.x, form)),* }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberMotion<S> for $element<T> {
+            fn forms(built: &Self, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
+                parts!(built, $($field)*).member_forms(if is_rotation::<Self>() { 2 } else { 0 }, first, second)
             }
         }
     };

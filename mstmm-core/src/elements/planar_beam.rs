@@ -8,6 +8,7 @@ use nalgebra::Matrix6;
 
 mod chart;
 mod gradient;
+mod motion;
 
 /// Uniform Euler-Bernoulli beam with exact longitudinal vibration; the two motions do not couple along a beam.
 ///

@@ -1,6 +1,11 @@
 //! The motion of an end of a member.
 
+use crate::model::State;
 use crate::number::Scalar;
+
+/// Signs of forces on a member, along it, across and of the moment, in its axial force, shear and bending moment: at the input end and
+/// at the output end, where the sketch of a beam has them as at a cut.
+const SIGNS: [[f64; 3]; 2] = [[-1.0, 1.0, -1.0], [1.0, -1.0, 1.0]];
 
 /// The displacement and the force of an end of a member, in its own axes: along it, across, and of the rotation. The force acts on the
 /// member.
@@ -23,5 +28,31 @@ impl<S: Scalar> EndMotion<S> {
         for part in [&mut self.displacements, &mut self.forces] {
             part[1..].fill(S::zero());
         }
+    }
+
+    /// Axial force, shear and bending moment, of forces on the input end 0 or on the output end 1.
+    pub(crate) fn internal(&self, end: usize) -> [S; 3] {
+        let [along, across, moment] = self.forces;
+        let [axial, shear, bending] = SIGNS[end].map(S::from_f64);
+        [axial * along, shear * across, bending * moment]
+    }
+
+    /// The state of bending, of the input end 0 or of the output end 1.
+    pub(crate) fn bending(&self, end: usize) -> State<S> {
+        let ([_, y, theta], [_, q, m]) = (self.displacements, self.internal(end));
+        State { y, theta, m, q }
+    }
+
+    /// The motion of an output end in a state of bending.
+    pub(crate) fn bent(state: State<S>) -> Self {
+        let State { y, theta, m, q } = state;
+        EndMotion { displacements: [S::zero(), y, theta], forces: [S::zero(), -q, m] }
+    }
+
+    /// The motion of an output end with a displacement along the member and an axial force.
+    #[must_use]
+    pub(crate) fn stretched(mut self, [displacement, force]: [S; 2]) -> Self {
+        (self.displacements[0], self.forces[0]) = (displacement, force);
+        self
     }
 }

@@ -70,6 +70,13 @@ pub enum MotionError {
         /// The motion: along x, along y, or the rotation; of a member along it, across it, or the rotation.
         freedom: Freedoms,
     },
+    /// A point of a plane structure that no support holds in this freedom.
+    NotHeld {
+        /// The freedom: along x, along y, or the rotation.
+        freedom: Freedoms,
+    },
+    /// A reaction to the motion of a support, which has a part that grows with the frequency and is no sum over modes.
+    NotModal,
     /// A range of frequencies that is empty, reversed or not finite.
     Range {
         /// Start of the range [rad/s].
@@ -175,6 +182,20 @@ impl MotionError {
             }
             MotionError::NoSuchPoint { index } => {
                 write!(f, "this structure has no node or member {index}")
+            }
+            MotionError::NotHeld { freedom } => {
+                let name = match freedom {
+                    Freedoms::X => "along x",
+                    Freedoms::Y => "along y",
+                    _ => "against rotation",
+                };
+                write!(f, "no support holds this point {name}: there is no reaction, and nothing that could move it")
+            }
+            MotionError::NotModal => {
+                write!(
+                    f,
+                    "a reaction to the motion of a support is no sum over modes: ask `frequency_response` for it, or for forces in members"
+                )
             }
             MotionError::NoSuchFreedom { freedom } => {
                 let name = match freedom {

@@ -23,11 +23,13 @@ pub struct MemberLabel<M, E> {
     of: PhantomData<fn() -> (M, E)>,
 }
 
-/// A harmonic force or moment of 1 at a point of a plane model.
+/// A harmonic force or moment of 1 at a point of a plane model, or a harmonic motion of 1 of its support.
 pub struct PlaneLoad<M> {
     pub(crate) site: Site,
     /// The axis: x, y or the rotation.
     pub(crate) axis: usize,
+    /// Whether the support moves; else a force or a moment acts.
+    pub(crate) is_motion: bool,
     of: PhantomData<fn() -> M>,
 }
 
@@ -122,17 +124,17 @@ macro_rules! in_global_axes {
 
             /// A force of 1 N along x.
             pub const fn force_x($self) -> PlaneLoad<M> {
-                PlaneLoad { site: $site, axis: 0, of: PhantomData }
+                PlaneLoad { site: $site, axis: 0, is_motion: false, of: PhantomData }
             }
 
             /// A force of 1 N along y.
             pub const fn force_y($self) -> PlaneLoad<M> {
-                PlaneLoad { site: $site, axis: 1, of: PhantomData }
+                PlaneLoad { site: $site, axis: 1, is_motion: false, of: PhantomData }
             }
 
             /// A moment of 1 N m, anticlockwise.
             pub const fn torque_z($self) -> PlaneLoad<M> {
-                PlaneLoad { site: $site, axis: 2, of: PhantomData }
+                PlaneLoad { site: $site, axis: 2, is_motion: false, of: PhantomData }
             }
         }
     };
@@ -148,6 +150,25 @@ impl<M> PlanePoint<M> {
             Site::End { member, .. } => member,
         };
         PlaneEntry { quantity: Quantity::Reaction(node, axis), of: PhantomData }
+    }
+
+    const fn motion(self, axis: usize) -> PlaneLoad<M> {
+        PlaneLoad { site: self.site, axis, is_motion: true, of: PhantomData }
+    }
+
+    /// A motion of 1 m of the support along x, which takes with it what it holds.
+    pub const fn motion_x(self) -> PlaneLoad<M> {
+        self.motion(0)
+    }
+
+    /// A motion of 1 m of the support along y, which takes with it what it holds.
+    pub const fn motion_y(self) -> PlaneLoad<M> {
+        self.motion(1)
+    }
+
+    /// A rotation of 1 rad of the support about the point, anticlockwise.
+    pub const fn motion_z(self) -> PlaneLoad<M> {
+        self.motion(2)
     }
 
     /// The force of the support along x on the point \[N\].
@@ -167,6 +188,11 @@ impl<M> PlanePoint<M> {
 }
 
 impl<M, E> MemberLabel<M, E> {
+    /// The index of the member.
+    pub(crate) const fn index(self) -> usize {
+        self.member
+    }
+
     /// The member of an index, of a list.
     pub const fn member(member: usize) -> Self {
         MemberLabel { member, of: PhantomData }
@@ -186,5 +212,5 @@ impl<M, E> MemberLabel<M, E> {
 plain!(PlanePoint<M>, site);
 plain!(MemberEnd<M>, member, end);
 plain!(MemberLabel<M, E>, member);
-plain!(PlaneLoad<M>, site, axis);
+plain!(PlaneLoad<M>, site, axis, is_motion);
 plain!(PlaneEntry<M>, quantity);

@@ -36,6 +36,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
     let sensitivity = sensitivity::sensitivity(model, skeleton, derivatives, &names);
     let placed = system::placed(model, skeleton, width, &names);
     let charts = system::charts(skeleton, width, &names);
+    let motions = system::motions(skeleton, &names);
     let system = system::system(&names);
     Ok(quote_spanned! {names.here=>
         #parameters
@@ -49,6 +50,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
             #system
             #placed
             #charts
+            #motions
             #sensitivity
         };
     })

@@ -392,6 +392,40 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl<T, S> mstmm::__private::PlacedMotions<S> for MastSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::MemberMotion<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::MemberMotion<S>,
+    {
+        fn visit_member<V: mstmm::__private::VisitMember<S>>(
+            &self,
+            member: ::core::primitive::usize,
+            visitor: V,
+        ) -> ::core::option::Option<V::Output> {
+            let built = match member {
+                0usize => ::core::option::Option::Some(&self.member_0),
+                _ => ::core::option::Option::None,
+            };
+            if let ::core::option::Option::Some(built) = built {
+                return ::core::option::Option::Some(
+                    visitor.member::<mstmm::__private::elements::PlanarBeam<T>>(built),
+                );
+            }
+            let built = match member {
+                1usize => ::core::option::Option::Some(&self.member_1),
+                _ => ::core::option::Option::None,
+            };
+            if let ::core::option::Option::Some(built) = built {
+                return ::core::option::Option::Some(
+                    visitor.member::<mstmm::__private::elements::Spring<T>>(built),
+                );
+            }
+            ::core::option::Option::None
+        }
+    }
+    #[automatically_derived]
     impl<T: mstmm::__private::Real> mstmm::__private::NamedFields for MastSystem<T> {
         const NAMES: &'static [&'static ::core::primitive::str] = &[
             "height",

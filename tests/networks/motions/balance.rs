@@ -7,7 +7,7 @@ use crate::families::{Named, named_structures, random_structures};
 use crate::large::around;
 use crate::structure::{Element, Structure};
 use crate::through_library::{Moving, asked_to_move};
-use mstmm::motion::{MotionError, PlanePoint, PlaneShape, PlaneStates};
+use mstmm::motion::{MotionError, PlaneShape, PlaneStates};
 use mstmm::prelude::*;
 
 /// Part of the largest force or displacement by which nothing may differ.
@@ -70,9 +70,7 @@ fn largest_force(structure: &Structure, states: &PlaneStates<'_, Moving<'_>, f64
 /// The largest sum of forces on a motion of a node.
 fn largest_sum(structure: &Structure, states: &PlaneStates<'_, Moving<'_>, f64>) -> f64 {
     let of_node = |(index, node): (usize, &crate::structure::Node)| {
-        let point = PlanePoint::node(index);
-        let entries = [point.reaction_x(), point.reaction_y(), point.reaction_z()];
-        let [x, y, moment] = entries.map(|entry| states.value(entry).unwrap());
+        let [x, y, moment] = states.reaction(index).unwrap();
         let turn = if node.held.rz { 0.0 } else { moment.abs() };
         let forces = match node.along {
             Some([c, s]) => (x * c + y * s).abs() / c.hypot(s),

@@ -89,10 +89,10 @@ fn add_member<Y, S, const NODES: usize, const MEMBERS: usize>(
     for (end, motion) in states.motion.members.as_ref()[member].iter().enumerate() {
         let sketched = &sketched.ends[end];
         let node = sketch.nodes[sketched.node].place;
-        let ([c, s], rotation) = (placement.axis::<S>(end), states.motion.nodes.as_ref()[sketched.node][2]);
+        let rotation = states.motion.nodes.as_ref()[sketched.node][2];
         // a spring knows nothing of what its node does across it
         let ([along, across, _], [fx, fy, _]) = (states.tied(member, end), motion.forces);
-        let force = [c * fx - s * fy, s * fx + c * fy];
+        let force = states.in_global_axes(member, end, motion.forces);
         geometry.move_apart(sketched.place, node, [rotation * force[1], -(rotation * force[0])]);
         // a turn of the axes by dφ changes displacements along and across by their cross product with it
         let turn = fx * across - fy * along;

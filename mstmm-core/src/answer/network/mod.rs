@@ -1,6 +1,9 @@
 //! Answers about the motion of plane structures.
 
+pub(crate) mod energies;
 pub(crate) mod geometry;
+pub(crate) mod inside;
+pub(crate) mod of_frame;
 pub(crate) mod questions;
 pub(crate) mod response;
 pub(crate) mod sensitivity;

@@ -1,8 +1,11 @@
 //! Questions about motions of plane structures: the trait that users call.
 
+use crate::answer::modal_response::ModalResponse;
+use crate::answer::network::of_frame::OfFrame;
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::sensitivity::{PlaneChain, sensitivities};
 use crate::answer::network::shape::{PlaneShape, PlaneShapes, all, simple};
+use crate::answer::questions::MeaningOf;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::Sensitivities;
 use crate::model::{MotionError, PlaneEntry, PlaneLoad};
@@ -74,6 +77,30 @@ pub trait FrameAnalysis: Placed + Sized {
         entry: PlaneEntry<Self::Model>,
     ) -> Result<PlaneResponse<'_, Self>, MotionError> {
         PlaneResponse::new(self, load, entry)
+    }
+
+    /// The response of a displacement or an internal force in time to an impulse, a step or a force history, by superposition of the modes of
+    /// some roots: up to `N` of them, besides those of rigid bodies.
+    ///
+    /// The roots are natural frequencies, or the eigenvalues of the closed upper half plane, each once. Besides their shapes it takes one
+    /// response at rest, for the residual compliance. [`ModalResponse`] says what is superposed. Where a load is the motion of a support, an
+    /// impulse is a motion of 1 m s and a step one of 1 m.
+    ///
+    /// # Errors
+    /// [`MotionError::Capacity`] for more than `N` modes, or more than both 4 and `N` of one root; [`MotionError::Unsettled`] where roots
+    /// close to zero hide the residual compliance; [`MotionError::NotModal`] for a reaction to the motion of a support; else as
+    /// [`mode_shape`](FrameAnalysis::mode_shape) and [`frequency_response`](FrameAnalysis::frequency_response).
+    fn modal_response<'r, const N: usize, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R>,
+        load: PlaneLoad<Self::Model>,
+        entry: PlaneEntry<Self::Model>,
+    ) -> Result<ModalResponse<Self::Parameter, N, MeaningOf<Self, R>>, MotionError>
+    where
+        R: Root<<Self as System>::Parameter, Frequency: PlaneFrequency<<Self as System>::Parameter>> + 'r,
+        Self: MovingNetwork<R::Frequency>,
+    {
+        ModalResponse::new(&OfFrame::new(self, load, entry)?, roots)
     }
 }
 

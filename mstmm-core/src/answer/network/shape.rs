@@ -60,9 +60,20 @@ where
         self.x
     }
 
-    /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`: 1.
+    /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`: 1, unless the shape was scaled.
     pub fn modal_mass(&self) -> S {
         mass_product(self.system, self.x, &self.motion, &self.motion)
+    }
+
+    /// The shape divided by the size of its largest displacement, of nodes and inside of members; `None` if nothing is displaced.
+    #[must_use]
+    pub fn with_unit_deflection(mut self) -> Option<Self> {
+        let largest = self.largest_deflection();
+        if largest > 0.0 && largest.is_finite() {
+            self.states.motion = self.motion.times(S::from_f64(1.0 / largest));
+            return Some(self);
+        }
+        None
     }
 
     /// `φ₁ᵀ M φ₂ + φ₁ᵀ C φ₂/(λ₁ + λ₂)`: zero for shapes of different roots.

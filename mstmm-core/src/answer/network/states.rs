@@ -1,13 +1,9 @@
 //! What a plane structure does in one motion.
 
-use crate::model::{EndMotion, MotionError, PlaneEntry, Quantity, Site};
-use crate::number::{Frequency, Parameter, Scalar, Size};
-use crate::pass::network::{NetworkMotion, Placed};
+use crate::model::{EndMotion, MotionError, PlaneEntry, PlanePoint, Quantity, Site};
+use crate::number::{Frequency, Parameter, Size};
+use crate::pass::network::{NetworkMotion, Placed, moved};
 use mstmm_plan::Freedoms;
-
-/// Signs of forces on a member, along it, across and of the moment, in its axial force, shear and bending moment: at the input end and
-/// at the output end, where the sketch of a beam has them as at a cut.
-const SIGNS: [[f64; 3]; 2] = [[-1.0, 1.0, -1.0], [1.0, -1.0, 1.0]];
 
 /// The displacements and forces of a plane structure in one motion.
 #[derive(Debug)]
@@ -36,15 +32,16 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
                 Ok(self.displacements(site)?[axis])
             }
             Quantity::Reaction(node, axis) => {
-                self.node(node)?;
-                Ok(self.reactions().as_ref()[node][axis])
+                let reaction = self.reaction(node)?[axis];
+                let not_held = MotionError::NotHeld { freedom: Freedoms::SINGLE[axis] };
+                self.system.node(node).0.moved::<S>(axis).ok_or(not_held).map(|_| reaction)
             }
             Quantity::Internal { member, end, force } => {
                 let (ends, freedom) = (self.member(member)?, Freedoms::SINGLE[force]);
                 if !self.system.placement(member).freedoms.contains(freedom) {
                     return Err(MotionError::NoSuchFreedom { freedom });
                 }
-                Ok(ends[end].forces[force] * S::from_f64(SIGNS[end][force]))
+                Ok(ends[end].internal(end)[force])
             }
         }
     }
@@ -68,6 +65,35 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         nodes.get(node).copied().ok_or(MotionError::NoSuchPoint { index: node })
     }
 
+    /// The forces x \[N\], y \[N\] and the moment [N m] of its support on a node; zero to rounding in the motions that no support holds, but
+    /// for a load there.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] for a node that this system has not got.
+    pub fn reaction(&self, node: usize) -> Result<[S; 3], MotionError> {
+        self.node(node)?;
+        Ok(self.reactions().as_ref()[node])
+    }
+
+    /// The node with which a point moves.
+    pub(super) fn node_of(&self, point: PlanePoint<Y::Model>) -> Result<usize, MotionError> {
+        let node = match point.site {
+            Site::Node(node) | Site::Tied { node, .. } => node,
+            Site::End { member, end } => {
+                self.member(member)?;
+                self.system.placement(member).node_of(end)
+            }
+        };
+        self.node(node)?;
+        Ok(node)
+    }
+
+    /// A vector of a member in global axes, with the part about z as it is.
+    pub(super) fn in_global_axes(&self, member: usize, end: usize, [along, across, about]: [S; 3]) -> [S; 3] {
+        let [c, s] = self.system.placement(member).axis::<S>(end);
+        [c * along - s * across, s * along + c * across, about]
+    }
+
     /// The displacements of a point.
     fn displacements(&self, site: Site) -> Result<[S; 3], MotionError> {
         match site {
@@ -76,14 +102,13 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
             Site::End { member, end } => {
                 let own = self.member(member)?[end].displacements;
                 let placement = self.system.placement(member);
-                let [c, s] = placement.axis::<S>(end);
                 let mut local = self.tied(member, end);
                 for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
                     if placement.released(end).contains(kind) {
                         local[freedom] = own[freedom];
                     }
                 }
-                Ok([c * local[0] - s * local[1], s * local[0] + c * local[1], local[2]])
+                Ok(self.in_global_axes(member, end, local))
             }
         }
     }
@@ -91,10 +116,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     /// The displacements of the place of the end of a member, as its node has them, in the axes of the member.
     pub(super) fn tied(&self, member: usize, end: usize) -> [S; 3] {
         let placement = self.system.placement(member);
-        let node = self.motion.nodes.as_ref()[placement.node_of(end)];
-        let [x, y, rotation] = moved(node, placement.offset(end));
-        let [c, s] = placement.axis::<S>(end);
-        [c * x + s * y, c * y - s * x, rotation]
+        placement.tied(end, self.motion.nodes.as_ref()[placement.node_of(end)])
     }
 
     /// The largest sum of forces on the motions of a node, beside the largest force of a member or of inertia; a moment counts by the
@@ -120,6 +142,12 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
             worst = worst.max(size(&motions.displacements(motions.parts_of(*reaction))));
         }
         if worst > 0.0 { worst / largest } else { 0.0 }
+    }
+
+    /// The largest force or moment of a member.
+    pub(super) fn largest_force(&self) -> f64 {
+        let ends = self.motion.members.as_ref()[..self.system.sizes()[1]].iter().flatten();
+        ends.flat_map(|end| &end.forces).map(|force| force.size().first()).fold(0.0, f64::max)
     }
 
     /// The largest difference of the displacements of the end of a member from those of its node, beside the largest displacement.
@@ -163,13 +191,12 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         for (member, ends) in self.motion.members.as_ref()[..members].iter().enumerate() {
             let placement = self.system.placement(member);
             for (end, motion) in ends.iter().enumerate() {
-                let [along, across, moment] = motion.forces;
-                let ([c, s], [x, y]) = (placement.axis::<S>(end), placement.offset::<S>(end));
-                let force = [c * along - s * across, s * along + c * across];
+                let [force_x, force_y, moment] = self.in_global_axes(member, end, motion.forces);
+                let [x, y] = placement.offset::<S>(end);
                 let sum = &mut sums[placement.node_of(end)];
-                sum[0] += force[0];
-                sum[1] += force[1];
-                sum[2] += moment + x * force[1] - y * force[0];
+                sum[0] += force_x;
+                sum[1] += force_y;
+                sum[2] += moment + x * force_y - y * force_x;
             }
         }
         reactions
@@ -183,11 +210,6 @@ pub(super) fn check_freedom(site: Site, axis: usize) -> Result<(), MotionError> 
         Site::Tied { freedoms, .. } if !freedoms.contains(freedom) => Err(MotionError::NoSuchFreedom { freedom }),
         _ => Ok(()),
     }
-}
-
-/// The displacements of a place that is tied to a node at a distance.
-fn moved<S: Scalar>([x, y, rotation]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 3] {
-    [x - rotation * to_y, y + rotation * to_x, rotation]
 }
 
 /// Where a place is from the node that ties it.

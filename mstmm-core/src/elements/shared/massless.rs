@@ -1,6 +1,8 @@
 //! Massless springs and dampers in parallel, and their dynamic stiffness.
 
-use crate::number::{Frequency, Parameter, Single, binary_exponent};
+use crate::element::{Forms, MemberEnds};
+use crate::model::EndMotion;
+use crate::number::{Frequency, Oscillation, Parameter, Real, Scalar, Single, Size, binary_exponent};
 
 /// A spring and a damper in parallel, or one of them.
 pub(crate) struct Massless<T> {
@@ -41,6 +43,31 @@ impl<T: Parameter> Massless<T> {
     #[inline]
     pub(crate) fn size(&self, lambda: f64) -> f64 {
         self.stiffness.map_or(0.0, T::to_f64) + self.damping.map_or(0.0, |damping| damping.to_f64() * lambda)
+    }
+}
+
+impl<T: Real> Massless<T> {
+    /// The elongation of a member in a freedom: a force says how long a stiff spring is, where the difference of displacements is
+    /// rounding, but for an overdamped motion, whose κ cancels.
+    pub(crate) fn elongation<S: Frequency<T>>(&self, x: S, ends: &[EndMotion<S>; 2], freedom: usize) -> S {
+        let (kappa, [input, output]) = (self.dynamic_stiffness(x), ends);
+        let lambda = Scalar::sqrt(x.lambda_squared().size().first());
+        if kappa.size().first() > 0.5 * self.size(lambda) {
+            return output.forces[freedom] / kappa;
+        }
+        output.displacements[freedom] - input.displacements[freedom]
+    }
+
+    /// The forms of two motions of a member in a freedom.
+    pub(crate) fn member_forms<S: Oscillation<T>>(
+        &self,
+        freedom: usize,
+        first: &MemberEnds<S>,
+        second: &MemberEnds<S>,
+    ) -> Forms<S> {
+        let [one, other] = [first, second].map(|motion| self.elongation(motion.x, &motion.ends, freedom));
+        let times = |part: Option<T>| part.map_or(S::zero(), |part| one * other * part);
+        Forms { mass: S::zero(), stiffness: times(self.stiffness), damping: times(self.damping) }
     }
 }
 

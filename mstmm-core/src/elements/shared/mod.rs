@@ -2,13 +2,16 @@
 
 pub(crate) mod back_transfer;
 pub(crate) mod bending_chart;
+pub(crate) mod bending_motion;
 pub(crate) mod chart_form;
 pub(crate) mod chart_scalar;
 pub(crate) mod compound;
 pub(crate) mod connector;
+pub(crate) mod gauss;
 pub(crate) mod krylov;
 pub(crate) mod line_forms;
 pub(crate) mod line_step;
 pub(crate) mod longitudinal_chart;
 pub(crate) mod massless;
+pub(crate) mod rod_motion;
 pub(crate) mod section_gradient;

@@ -1,11 +1,14 @@
 //! The evaluation of a network: its nodes are eliminated one after the other.
 
+use crate::element::VisitMember;
 use crate::model::Spot;
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size, Truth};
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
-use crate::subspace::{Chart, Choice, FrontNode, FrontScalar, Fronts, RootCounter, Total, WayBack, WayBackRoom};
+use crate::subspace::{
+    Chart, Choice, FrontNode, FrontScalar, Fronts, JoinedEnd, RootCounter, Total, WayBack, WayBackRoom,
+};
 use core::fmt::Debug;
 use mstmm_plan::NetworkOrder;
 
@@ -68,6 +71,12 @@ pub fn in_way_back<const WIDTH: usize, const NODES: usize, S: Scalar, R>(work: i
 pub trait PlacedCharts<S: Frequency<Self::Parameter>>: Placed {
     /// The chart of a member of a length.
     fn chart(&self, member: usize, at: &FrequencyPowers<S>, length: S) -> Option<Chart<S>>;
+}
+
+/// A network whose members say how they move.
+pub trait PlacedMotions<S: Frequency<Self::Parameter>>: Placed {
+    /// What a visitor makes of a member.
+    fn visit_member<V: VisitMember<S>>(&self, member: usize, visitor: V) -> Option<V::Output>;
 }
 
 /// Δ of a network, with a counter. `WIDTH` is the largest number of variables of a front.
@@ -139,19 +148,20 @@ where
 {
     let order = network.order();
     for &node in order.nodes {
-        let objects = order.taken_up[node] + push_members(network, &order, node, at, fronts);
+        let objects = order.taken_up[node] + push_members(network, (&order, node), at, fronts, |_, _, _, _| {});
         let (body, motions) = network.node(node);
         S::eliminate(fronts, &front_node(node, objects, body, motions, at.lambda_squared));
     }
 }
 
-/// Adds the members that are cut by the elimination of a node. Returns the number of objects that they are.
+/// Adds the members that are cut by the elimination of a node, and hands on each that is an object. Returns the number of objects.
+#[inline(always)]
 pub(super) fn push_members<Y, S>(
     network: &Y,
-    order: &NetworkOrder<'_>,
-    node: usize,
+    (order, node): (&NetworkOrder<'_>, usize),
     at: &FrequencyPowers<S>,
     fronts: &mut Fronts<'_, S>,
+    added: impl Fn(&mut Fronts<'_, S>, usize, &Chart<S>, &[JoinedEnd<S>; 2]),
 ) -> usize
 where
     Y: PlacedCharts<S>,
@@ -167,7 +177,10 @@ where
         if let Some(chart) = network.chart(member, at, placement.length()) {
             let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
             let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
-            count += S::push_chart(fronts, &chart, &ends);
+            if S::push_chart(fronts, &chart, &ends) > 0 {
+                added(fronts, member, &chart, &ends);
+                count += 1;
+            }
         }
     }
     count

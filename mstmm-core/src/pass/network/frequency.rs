@@ -2,7 +2,7 @@
 
 use crate::number::{Dual, ExtendedOf, Frequency, FrequencyPowers, Oscillation, Real};
 use crate::pass::characteristic::System;
-use crate::pass::network::evaluate::PlacedCharts;
+use crate::pass::network::evaluate::{PlacedCharts, PlacedMotions};
 use crate::subspace::FrontScalar;
 use num_complex::Complex;
 
@@ -77,7 +77,10 @@ type WithSlope<Y, S> = <S as PlaneFrequency<<Y as System>::Parameter>>::WithSlop
             instead of `natural_frequencies`"
 )]
 pub trait MovingNetwork<S>:
-    PlacedCharts<S> + PlacedCharts<WithSlope<Self, S>> + PlacedCharts<ExtendedOf<S, <Self as System>::Parameter>>
+    PlacedCharts<S>
+    + PlacedCharts<WithSlope<Self, S>>
+    + PlacedCharts<ExtendedOf<S, <Self as System>::Parameter>>
+    + PlacedMotions<S>
 where
     S: PlaneFrequency<<Self as System>::Parameter>,
 {
@@ -87,6 +90,9 @@ where
 impl<Y, S> MovingNetwork<S> for Y
 where
     S: PlaneFrequency<<Y as System>::Parameter>,
-    Y: PlacedCharts<S> + PlacedCharts<WithSlope<Y, S>> + PlacedCharts<ExtendedOf<S, <Y as System>::Parameter>>,
+    Y: PlacedCharts<S>
+        + PlacedCharts<WithSlope<Y, S>>
+        + PlacedCharts<ExtendedOf<S, <Y as System>::Parameter>>
+        + PlacedMotions<S>,
 {
 }

@@ -239,6 +239,24 @@ impl<T: Real> Placement<T> {
         offset_of(&self.ends[end])
     }
 
+    /// The displacements of the place of an end, as its node has them, in the axes of the member.
+    pub(crate) fn tied<S: Frequency<T>>(&self, end: usize, node: [S; 3]) -> [S; 3] {
+        let [x, y, rotation] = moved(node, self.offset(end));
+        let [c, s] = self.axis::<S>(end);
+        [c * x + s * y, c * y - s * x, rotation]
+    }
+
+    /// The displacements of a node that an end shares, in the axes of the member.
+    pub(crate) fn shared<S: Frequency<T>>(&self, end: usize, node: [S; 3]) -> [S; 3] {
+        let mut shared = self.tied(end, node);
+        for (displacement, freedom) in shared.iter_mut().zip(Freedoms::SINGLE) {
+            if !self.freedoms.without(self.released(end)).contains(freedom) {
+                *displacement = S::zero();
+            }
+        }
+        shared
+    }
+
     /// The node of an end.
     pub(crate) fn node_of(&self, end: usize) -> usize {
         self.ends[end].index
@@ -248,6 +266,11 @@ impl<T: Real> Placement<T> {
     pub(crate) fn released(&self, end: usize) -> Freedoms {
         self.ends[end].released
     }
+}
+
+/// The displacements of a place that is tied to a node at a distance.
+pub(crate) fn moved<S: Scalar>([x, y, rotation]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 3] {
+    [x - rotation * to_y, y + rotation * to_x, rotation]
 }
 
 /// Whether a place is finite.

@@ -12,10 +12,11 @@ mod sketch;
 mod structure;
 
 pub use error::NetworkError;
-pub use evaluate::{Placed, PlacedCharts, in_way_back, network_pass};
+pub use evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
 pub use frequency::{MovingNetwork, PlaneFrequency};
+pub(crate) use member::moved;
 pub use member::{End, Member, Placement};
-pub(crate) use motion::{NetworkMotion, delta, motion_everywhere, motion_under, rounding_under};
+pub(crate) use motion::{LoadAt, NetworkMotion, delta, motion_everywhere, motion_under, rounding_under};
 pub use node::{Motions, Node};
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member, estimate_member};

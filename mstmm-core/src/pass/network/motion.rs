@@ -1,9 +1,10 @@
 //! The motion of a network under loads: its nodes are eliminated one after the other, and the way back gives what each one does.
 
 use crate::model::EndMotion;
-use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Size};
+use crate::number::{Frequency, FrequencyPowers, Real, Scalar, Scaled, Size};
 use crate::pass::network::evaluate::{Placed, PlacedCharts, eliminate_nodes, front_node, push_members};
-use crate::subspace::{Choice, FrontScalar, LoadEverywhere, NodeLoad};
+use crate::pass::network::member::Placement;
+use crate::subspace::{Chart, Choice, FrontScalar, Fronts, JoinedEnd, LoadEverywhere, NodeLoad};
 
 /// The motion of a network.
 #[derive(Debug)]
@@ -42,36 +43,79 @@ impl<Y: Placed, S: Scalar> Clone for NetworkMotion<Y, S> {
 
 impl<Y: Placed, S: Scalar> Copy for NetworkMotion<Y, S> {}
 
-/// The motion under forces x and y and a moment on one node, with the errors of its rows.
-pub(crate) fn motion_under<Y, S>(network: &Y, x: S, load: (usize, [S; 3])) -> NetworkMotion<Y, S>
+/// A harmonic load on one node: forces x and y and a moment on it, or displacements by which its support moves it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LoadAt<S> {
+    pub(crate) node: usize,
+    pub(crate) forces: [S; 3],
+    pub(crate) moved: Option<[S; 3]>,
+}
+
+/// What sets a network in motion.
+enum Loading<S> {
+    At(LoadAt<S>),
+    Everywhere(LoadEverywhere),
+}
+
+impl<S: Scalar> Loading<S> {
+    /// What the load is at a node. A body resists the motion of its support.
+    fn on_node<Y: Placed>(&self, network: &Y, node: usize, at: &FrequencyPowers<S>) -> NodeLoad<S>
+    where
+        S: Frequency<Y::Parameter>,
+    {
+        let load = match self {
+            Loading::Everywhere(load) => return NodeLoad::Everywhere(*load),
+            Loading::At(load) if load.node == node => load,
+            Loading::At(_) => return NodeLoad::Nothing,
+        };
+        let (body, motions) = network.node(node);
+        let mut forces = load.forces;
+        for (row, force) in body.mass_matrix::<S>().iter().zip(&mut forces) {
+            for (mass, moved) in row.iter().zip(load.moved.iter().flatten()) {
+                *force -= at.lambda_squared * *mass * *moved;
+            }
+        }
+        NodeLoad::Motions(motions.parts_of(forces))
+    }
+
+    /// By what its support moves a node.
+    fn moved(&self, node: usize) -> Option<[S; 3]> {
+        match self {
+            Loading::At(load) if load.node == node => load.moved,
+            _ => None,
+        }
+    }
+
+    /// By what supports move the ends of a member, along it, across it and of the rotation.
+    fn of_ends<T: Real>(&self, placement: &Placement<T>) -> [[S; 3]; 2]
+    where
+        S: Frequency<T>,
+    {
+        [0, 1].map(|end| {
+            let moved = self.moved(placement.node_of(end));
+            moved.map_or([S::zero(); 3], |moved| placement.shared(end, moved))
+        })
+    }
+}
+
+/// The motion under a load, with the errors of its rows.
+pub(crate) fn motion_under<Y, S>(network: &Y, x: S, load: LoadAt<S>) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
 {
-    motion(network, &FrequencyPowers::new(x, true), (Choice::Largest, true), |node| on_node(network, node, load))
+    motion(network, &FrequencyPowers::new(x, true), (Choice::Largest, true), &Loading::At(load))
 }
 
 /// How far the motion under a load is from that with other pivots, beside the largest displacement: what differs is rounding.
-pub(crate) fn rounding_under<Y, S>(network: &Y, x: S, load: (usize, [S; 3]), found: &NetworkMotion<Y, S>) -> f64
+pub(crate) fn rounding_under<Y, S>(network: &Y, x: S, load: LoadAt<S>, found: &NetworkMotion<Y, S>) -> f64
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
 {
     let at = FrequencyPowers::new(x, true);
-    let other = motion(network, &at, (Choice::InOrder, false), |node| on_node(network, node, load));
+    let other = motion(network, &at, (Choice::InOrder, false), &Loading::At(load));
     other.with(found, |one, other| one - other, S::zero()).largest() / found.size()
-}
-
-/// What forces x and y and a moment on one node are at any.
-fn on_node<Y: Placed, S: Frequency<Y::Parameter>>(
-    network: &Y,
-    node: usize,
-    (loaded, forces): (usize, [S; 3]),
-) -> NodeLoad<S> {
-    if node != loaded {
-        return NodeLoad::Nothing;
-    }
-    NodeLoad::Motions(network.node(node).1.parts_of(forces))
 }
 
 /// The motion under the load of a number, forces and perhaps dislocations everywhere, with other pivots for each second number.
@@ -82,7 +126,7 @@ where
 {
     let load = LoadEverywhere { number, dislocates };
     let choice = if number.is_multiple_of(2) { Choice::Largest } else { Choice::InOrder };
-    motion(network, &FrequencyPowers::new(x, true), (choice, false), |_| NodeLoad::Everywhere(load))
+    motion(network, &FrequencyPowers::new(x, true), (choice, false), &Loading::Everywhere(load))
 }
 
 /// The motion of a network at a frequency under loads of its nodes.
@@ -90,7 +134,7 @@ fn motion<Y, S>(
     network: &Y,
     at: &FrequencyPowers<S>,
     (choice, carries_errors): (Choice, bool),
-    load: impl Fn(usize) -> NodeLoad<S>,
+    loading: &Loading<S>,
 ) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
@@ -99,18 +143,31 @@ where
     let order = network.order();
     let zero = [S::zero(); 3];
     let (mut nodes, mut members) = (Y::per_node(zero), Y::per_member([EndMotion::at_rest(); 2]));
+    if let Loading::At(LoadAt { node, moved: Some(moved), .. }) = loading {
+        nodes.as_mut()[*node] = *moved;
+    }
     let (work, vanishes, rounding) = Y::in_way_back(|mut way| {
         way.fronts.choose(choice, carries_errors);
         for &node in order.nodes {
-            let objects = order.taken_up[node] + push_members(network, &order, node, at, &mut way.fronts);
+            let moved = |fronts: &mut Fronts<'_, S>, member: usize, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2]| {
+                let moved = loading.of_ends(network.placement(member));
+                if moved.iter().flatten().any(|part| !part.is_zero()) {
+                    S::move_ends(fronts, chart, ends, &moved);
+                }
+            };
+            let objects = order.taken_up[node] + push_members(network, (&order, node), at, &mut way.fronts, moved);
             let (body, motions) = network.node(node);
             let front = front_node(node, objects, body, motions, at.lambda_squared);
-            S::eliminate_and_keep(&mut way.fronts, &front, &load(node), &mut way.back.kept);
+            let load = loading.on_node(network, node, at);
+            S::eliminate_and_keep(&mut way.fronts, &front, &load, &mut way.back.kept);
         }
         for &node in order.nodes.iter().rev() {
             let (body, motions) = network.node(node);
             let front = front_node(node, 0, body, motions, at.lambda_squared);
-            nodes.as_mut()[node] = motions.displacements(S::recover(&mut way.back, &front));
+            let displacements = motions.displacements(S::recover(&mut way.back, &front));
+            for (sum, displacement) in nodes.as_mut()[node].iter_mut().zip(displacements) {
+                *sum += displacement;
+            }
             for &end in order.incidence.ends(node).iter().rev() {
                 let member = end / 2;
                 let placement = network.placement(member);
@@ -120,7 +177,7 @@ where
                 if let Some(chart) = network.chart(member, at, placement.length()) {
                     let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
                     let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
-                    members.as_mut()[member] = way.back.member(&chart, &ends);
+                    members.as_mut()[member] = way.back.member(&chart, &ends, &loading.of_ends(placement));
                 }
             }
         }

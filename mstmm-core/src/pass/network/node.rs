@@ -1,7 +1,7 @@
 //! The nodes of a network: points with what holds them and rigid bodies about them.
 
 use crate::model::FrequencyEstimates;
-use crate::number::{Frequency, Parameter, Real};
+use crate::number::{Frequency, Parameter, Real, Truth};
 use mstmm_plan::Freedoms;
 
 /// A point of a plane network, with the displacements x, y and the rotation about z.
@@ -138,6 +138,20 @@ impl<T: Parameter> Motions<T> {
 }
 
 impl<T: Parameter> Node<T> {
+    /// What a displacement of 1 of its support along x, along y or about z moves the node by; `None` where it does not hold the node so. A
+    /// support that lets the node move along a direction takes it with it across that.
+    pub(crate) fn moved<S: Frequency<T>>(&self, axis: usize) -> Option<[S; 3]> {
+        let mut moved = [S::zero(); 3];
+        moved[axis] = S::one();
+        if let Some(along) = self.along.filter(|_| axis < 2) {
+            let [x, y] = along.map(S::from_parameter);
+            let part = [x, y][axis] / (x * x + y * y);
+            let is_held = !along[1 - axis].vanishes().all();
+            return is_held.then(|| [moved[0] - part * x, moved[1] - part * y, S::zero()]);
+        }
+        self.held.contains(Freedoms::SINGLE[axis]).then_some(moved)
+    }
+
     /// The mass matrix of the body over x, y and the rotation of the node.
     pub(crate) fn mass_matrix<S: Frequency<T>>(&self) -> [[S; 3]; 3] {
         let number = S::from_parameter;

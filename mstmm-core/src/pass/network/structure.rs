@@ -1,11 +1,11 @@
 //! A network with its order of elimination.
 
-use crate::element::{MemberChart, MemberElement};
+use crate::element::{MemberChart, MemberElement, MemberVisit, VisitMember};
 use crate::model::FrequencyEstimates;
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Truth};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
-use crate::pass::network::evaluate::{Placed, PlacedCharts, in_way_back, network_pass};
+use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
@@ -257,6 +257,17 @@ where
 {
     fn chart(&self, member: usize, at: &FrequencyPowers<S>, length: S) -> Option<Chart<S>> {
         Some(E::chart(self.members[member].as_ref()?, at, length))
+    }
+}
+
+impl<E, S, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> PlacedMotions<S>
+    for Network<'_, E, WIDTH, NODES, MEMBERS>
+where
+    E: MemberVisit<S>,
+    S: Frequency<E::Parameter>,
+{
+    fn visit_member<V: VisitMember<S>>(&self, member: usize, visitor: V) -> Option<V::Output> {
+        Some(E::visit(self.members[member].as_ref()?, visitor))
     }
 }
 

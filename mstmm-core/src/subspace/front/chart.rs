@@ -1,6 +1,6 @@
 //! Charts of members: their relations between both ends as an element gives them.
 
-use crate::number::{Scalar, Scaled, Size};
+use crate::number::{Scalar, Scaled, Size, power_of_two};
 use crate::subspace::front::triangle;
 use crate::subspace::front::units::Units;
 use crate::subspace::front::variable::Measure;
@@ -61,6 +61,19 @@ impl<S: Scalar> Chart<S> {
     #[inline]
     pub(crate) fn set(&mut self, row: usize, column: usize, entry: S) {
         self.entries[triangle::place(row, column)] = entry;
+    }
+
+    /// Displacements of both ends in the units of the chart, by the places of its variables.
+    pub(super) fn moved(&self, displacements: &[[S; MOST_FREEDOMS]; 2]) -> [S; MOST_VARIABLES] {
+        let mut moved = [S::zero(); MOST_VARIABLES];
+        let mut place = 0;
+        for (freedom, displacement) in displacements.iter().flat_map(|end| Freedoms::SINGLE.into_iter().zip(end)) {
+            if self.freedoms.contains(freedom) {
+                moved[place] = displacement.scaled(power_of_two(-self.units.of(freedom.is(Freedoms::RZ))));
+                place += 1;
+            }
+        }
+        moved
     }
 
     /// Whether a variable is a force.

@@ -125,6 +125,32 @@ impl<S: Scalar> Objects<'_, S> {
         1
     }
 
+    /// Loads the last object, a member whose ends are moved besides what their nodes do, by given displacements along it, across it and of
+    /// the rotation.
+    ///
+    /// A displacement v of its chart becomes `v + c`, so that Π grows by the entries `M c`; a force f does work on the motion, `f c`.
+    pub(super) fn move_ends(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], moved: &[[S; MOST_FREEDOMS]; 2]) {
+        let Start { variable, entry } = self.starts[self.count - 1];
+        let moved = chart.moved(moved);
+        let (mut place, mut next) = (0, self.loads);
+        for end in ends {
+            for kind in Freedoms::SINGLE {
+                if !chart.freedoms.contains(kind) {
+                    continue;
+                }
+                if end.keeps(chart.is_force(place), kind) {
+                    let displaced = (0..MOST_VARIABLES).filter(|other| !chart.is_force(*other));
+                    let terms = displaced.map(|other| chart.entry(place, other) * moved[other]);
+                    let own = if chart.is_force(place) { moved[place] } else { S::zero() };
+                    self.entries[entry + row(next)] += terms.fold(own, |sum, term| sum + term);
+                    debug_assert!(self.variables[variable].is_load());
+                    next += 1;
+                }
+                place += 1;
+            }
+        }
+    }
+
     /// Replaces the last objects, from one on, by what is left of their front, if anything but loads is, in units that are `2^shift` times
     /// as large.
     pub(super) fn replace_last(&mut self, from: usize, node: u32, front: &Front<'_, S>, shift: i32) {

@@ -104,6 +104,15 @@ pub trait FrontScalar: Scalar {
     #[doc(hidden)]
     fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]) -> usize;
 
+    /// Loads the member that was added last, whose ends are moved besides what their nodes do.
+    #[doc(hidden)]
+    fn move_ends(
+        fronts: &mut Fronts<'_, Self>,
+        chart: &Chart<Self>,
+        ends: &[JoinedEnd<Self>; 2],
+        moved: &[[Self; MOST_FREEDOMS]; 2],
+    );
+
     /// Eliminates a node.
     #[doc(hidden)]
     fn eliminate(fronts: &mut Fronts<'_, Self>, node: &FrontNode<Self>);
@@ -134,6 +143,15 @@ macro_rules! compiled {
 
             fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]) -> usize {
                 fronts.objects.push_chart(chart, ends, &mut fronts.total)
+            }
+
+            fn move_ends(
+                fronts: &mut Fronts<'_, Self>,
+                chart: &Chart<Self>,
+                ends: &[JoinedEnd<Self>; 2],
+                moved: &[[Self; MOST_FREEDOMS]; 2],
+            ) {
+                fronts.objects.move_ends(chart, ends, moved);
             }
 
             fn eliminate(fronts: &mut Fronts<'_, Self>, node: &FrontNode<Self>) {
@@ -167,6 +185,14 @@ impl<V: crate::number::lanes::Waving> FrontScalar for mstmm_lanes::Lanes<V> {
 
     fn push_chart(_fronts: &mut Fronts<'_, Self>, _chart: &Chart<Self>, _ends: &[JoinedEnd<Self>; 2]) -> usize {
         0
+    }
+
+    fn move_ends(
+        _fronts: &mut Fronts<'_, Self>,
+        _chart: &Chart<Self>,
+        _ends: &[JoinedEnd<Self>; 2],
+        _moved: &[[Self; MOST_FREEDOMS]; 2],
+    ) {
     }
 
     fn eliminate(_fronts: &mut Fronts<'_, Self>, _node: &FrontNode<Self>) {}

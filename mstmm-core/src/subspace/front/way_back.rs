@@ -236,8 +236,13 @@ impl<S: Scalar> Back<'_, S> {
         of_node
     }
 
-    /// Takes the values of a member from the top.
-    pub(crate) fn member(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2]) -> [EndMotion<S>; 2] {
+    /// Takes the values of a member from the top, whose ends are moved besides what their nodes do.
+    pub(crate) fn member(
+        &mut self,
+        chart: &Chart<S>,
+        ends: &[JoinedEnd<S>; 2],
+        moved: &[[S; MOST_FREEDOMS]; 2],
+    ) -> [EndMotion<S>; 2] {
         // the end, the freedom and the value of each variable of the chart
         let mut variables = [(0, 0, S::zero()); MOST_VARIABLES];
         let mut count = 0;
@@ -254,6 +259,11 @@ impl<S: Scalar> Back<'_, S> {
             if ends[*end].keeps(chart.is_force(place), Freedoms::SINGLE[*freedom]) {
                 self.count -= 1;
                 *value = self.values[self.count];
+            }
+        }
+        for (place, ((.., value), moved)) in variables.iter_mut().zip(chart.moved(moved)).enumerate() {
+            if !chart.is_force(place) {
+                *value += moved;
             }
         }
         let mut motions = [EndMotion::at_rest(); 2];

@@ -192,7 +192,7 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names
 pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> TokenStream {
     let Names { private, frequency, counter, .. } = names;
     let types = by_type(skeleton, names);
-    let bounds: Vec<TokenStream> = types.iter().map(|members| bound(members[0].1, names)).collect();
+    let bounds: Vec<TokenStream> = types.iter().map(|members| bound("Charted", members[0].1, names)).collect();
     let charts = types.iter().map(|members| chart(members, names));
     let body = quote_spanned! {names.here=>
         fn chart(
@@ -221,17 +221,45 @@ pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> To
     quote_spanned!(names.here=> #charts #characteristic)
 }
 
-/// `Type<T>: Charted<S>`
-fn bound(member: &Member<'_>, names: &Names) -> TokenStream {
+/// `Type<T>: Trait<S>`
+fn bound(of: &str, member: &Member<'_>, names: &Names) -> TokenStream {
     let (span, kind) = (member.span(names), member.kind(names));
-    let charted = names.trait_at("Charted", span);
-    quote_spanned!(span=> #kind: #charted)
+    let of = names.trait_at(of, span);
+    quote_spanned!(span=> #kind: #of)
+}
+
+/// `impl PlacedMotions<S>`.
+pub(super) fn motions(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let frequency = &names.frequency;
+    let types = by_type(skeleton, names);
+    let bounds = types.iter().map(|members| bound("MemberMotion", members[0].1, names)).collect();
+    let visits = types.iter().map(|members| {
+        let kind = members[0].1.kind(names);
+        of_type(members, &quote_spanned!(names.here=> visitor.member::<#kind>(built)), names)
+    });
+    let body = quote_spanned! {names.here=>
+        fn visit_member<V: #private::VisitMember<#frequency>>(
+            &self,
+            member: ::core::primitive::usize,
+            visitor: V,
+        ) -> ::core::option::Option<V::Output> {
+            #(#visits)*
+            ::core::option::Option::None
+        }
+    };
+    implement("PlacedMotions", "Real", bounds, &body, names)
 }
 
 /// The chart of the members of one type: one call for all of them.
 fn chart(members: &[(usize, &Member<'_>)], names: &Names) -> TokenStream {
     let (span, kind) = (members[0].1.span(names), members[0].1.kind(names));
     let charted = names.trait_at("Charted", span);
+    of_type(members, &quote_spanned!(names.here=> <#kind as #charted>::chart(built, at, length)), names)
+}
+
+/// Returns what comes of `built`, if it is a member of one type.
+fn of_type(members: &[(usize, &Member<'_>)], result: &TokenStream, names: &Names) -> TokenStream {
     let cases = members.iter().map(|(index, _)| {
         let field = field(*index, names.here);
         quote_spanned!(names.here=> #index => ::core::option::Option::Some(&self.#field))
@@ -242,7 +270,7 @@ fn chart(members: &[(usize, &Member<'_>)], names: &Names) -> TokenStream {
             _ => ::core::option::Option::None,
         };
         if let ::core::option::Option::Some(built) = built {
-            return ::core::option::Option::Some(<#kind as #charted>::chart(built, at, length));
+            return ::core::option::Option::Some(#result);
         }
     }
 }

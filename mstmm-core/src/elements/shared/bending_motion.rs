@@ -1,27 +1,31 @@
-//! States between the ends of a beam, and integrals over products of them.
+//! Motions of a beam that bends: states between its ends, and the forms of mass and stiffness of two motions.
 
-use crate::elements::beam::BuiltBeam;
+use crate::elements::beam::Beam;
+use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::krylov::krylov;
+use crate::elements::shared::line_forms::half;
 use crate::model::{Ends, State};
 use crate::number::{FrequencyPowers, Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
 use num_traits::Zero;
 
-/// Nodes and weights of Gauss and Legendre on `[-1, 1]`, exact up to degree 13. They are exact to rounding for a product of two
-/// deflections whose phase changes by less than 1 over the interval.
-const GAUSS: [(f64, f64); 7] = [
-    (-0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
-    (-0.741_531_185_599_394_4, 0.279_705_391_489_276_7),
-    (-0.405_845_151_377_397_2, 0.381_830_050_505_118_9),
-    (0.0, 0.417_959_183_673_469_4),
-    (0.405_845_151_377_397_2, 0.381_830_050_505_118_9),
-    (0.741_531_185_599_394_4, 0.279_705_391_489_276_7),
-    (0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
-];
+/// Relative distance of two values of `z⁴`, or of `ζ²`, from which on the integral of a product is a difference at the ends.
+pub(crate) const APART: f64 = 1e-3;
+/// Value of `z⁴`, or of `ζ²`, above which forms are differences between states at the ends: they cancel to this part.
+pub(crate) const LONG: f64 = 1e-2;
 
-impl<T: Real> BuiltBeam<T> {
+/// What the motions of a uniform beam need of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BendingMotion<T> {
+    pub(crate) parameters: Beam<T>,
+    /// `z / sqrt(ω) = (m/EI)^(1/4) l` and `z⁴ / ω²`.
+    pub(crate) wave: T,
+    pub(crate) wave_fourth: T,
+}
+
+impl<T: Real> BendingMotion<T> {
     /// The wave number times the length, `z = βl`.
-    pub(super) fn z<S: Oscillation<T>>(&self, x: S) -> S {
+    pub(crate) fn z<S: Oscillation<T>>(&self, x: S) -> S {
         FrequencyPowers::new(x, true).powers[0] * self.wave
     }
 
@@ -79,22 +83,59 @@ impl<T: Real> BuiltBeam<T> {
     }
 
     /// `[∫ Y₁ Y₂ dx, ∫ M₁ M₂ dx]` by Gauss's rule, on as many pieces as the waves need.
-    pub(super) fn integrals<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
+    fn integrals<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
         let waves = self.z(first.x).size().max(self.z(second.x).size());
-        let pieces = 1 + waves as u32;
-        let half = self.parameters.length / T::from_f64(2.0 * f64::from(pieces));
-        let mut sums = [S::zero(); 2];
-        for piece in 0..pieces {
-            let middle = half * T::from_f64(f64::from(2 * piece + 1));
-            for (node, weight) in GAUSS {
-                let distance = middle + half * T::from_f64(node);
-                let state = self.state_at(first, distance);
-                let other = if first == second { state } else { self.state_at(second, distance) };
-                let width = half * T::from_f64(weight);
-                sums = [sums[0] + state.y * other.y * width, sums[1] + state.m * other.m * width];
-            }
-        }
-        sums
+        integrals(self.parameters.length, waves, |distance| {
+            let state = self.state_at(first, distance);
+            let other = if first == second { state } else { self.state_at(second, distance) };
+            [state.y * other.y, state.m * other.m]
+        })
+    }
+
+    /// Mass and stiffness form of two motions: `[∫ m Y₁ Y₂ dx, ∫ M₁ M₂/EI dx]`.
+    ///
+    /// In a long beam the stiffness form is `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`. The mass form is a difference of the ends, too, if
+    /// the frequencies are apart; that of one motion with itself follows from its flow. In other cases both are integrated.
+    pub(crate) fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
+        let (a, b) = (first.x.lambda_squared(), second.x.lambda_squared());
+        let size = S::size(a).max(S::size(b));
+        let is_long = size * self.wave_fourth.to_f64() > LONG;
+        let mass = if is_long && S::size(a - b) > APART * size {
+            let mixed = |u: &State<S>, v: &State<S>| u.q * v.y - u.m * v.theta + u.theta * v.m - u.y * v.q;
+            (mixed(&first.output, &second.output) - mixed(&first.input, &second.input)) / (b - a)
+        } else if is_long && first == second {
+            self.mass_form_of(first)
+        } else {
+            let [deflection, moment] = self.integrals(first, second);
+            let Beam { bending_stiffness, mass_per_length, .. } = self.parameters;
+            return [deflection * mass_per_length, moment * (T::one() / bending_stiffness)];
+        };
+        let work = |u: &State<S>, v: &State<S>| u.m * v.theta - u.q * v.y;
+        let work = work(&first.output, &second.output) - work(&first.input, &second.input);
+        [mass, work - a * mass]
+    }
+
+    /// `λ² m Y²/2 - M²/(2 EI) + Θ Q` at the end where its terms are smaller, since they cancel where waves decay.
+    pub(crate) fn flow<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
+        let (ei, m) = (self.parameters.bending_stiffness, self.parameters.mass_per_length);
+        let [at_input, at_output] = [ends.input, ends.output].map(|state| {
+            [
+                half(ends.x.lambda_squared() * state.y * state.y) * m,
+                -half(state.m * state.m) * (T::one() / ei),
+                state.theta * state.q,
+            ]
+        });
+        let size = |parts: &[S; 3]| parts.iter().map(|part| part.size()).sum::<f64>();
+        let parts = if size(&at_input) < size(&at_output) { at_input } else { at_output };
+        parts[0] + parts[1] + parts[2]
+    }
+
+    /// `∫ m Y² dx = (l/2) flow/λ² - [3 Y Q - Θ M]/(4 λ²)`, for a beam that is not short.
+    fn mass_form_of<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
+        let at_end = |state: &State<S>| (state.y + state.y + state.y) * state.q - state.theta * state.m;
+        let ends_part = at_end(&ends.output) - at_end(&ends.input);
+        let flow = half(self.flow(ends)) * self.parameters.length;
+        (flow - ends_part * S::from_f64(0.25)) / ends.x.lambda_squared()
     }
 }
 

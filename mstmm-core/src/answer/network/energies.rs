@@ -1,0 +1,95 @@
+//! Energies of modes of plane structures: of members, and of rigid bodies.
+
+use crate::answer::energy_shares::EnergyShares;
+use crate::answer::network::shape::PlaneShape;
+use crate::element::{Forms, MemberEnds, MemberMotion, VisitMember};
+use crate::model::{EndMotion, MemberLabel, MotionError, PlanePoint};
+use crate::number::Scalar;
+use crate::pass::characteristic::System;
+use crate::pass::network::{MovingNetwork, PlaneFrequency};
+
+impl<Y, S> PlaneShape<'_, Y, S>
+where
+    Y: MovingNetwork<S>,
+    S: PlaneFrequency<<Y as System>::Parameter>,
+{
+    /// The modal stiffness `φᵀ K φ`; at a natural frequency ω² times the modal mass.
+    pub fn modal_stiffness(&self) -> S {
+        let members = 0..self.system.sizes()[1];
+        members.fold(S::zero(), |sum, member| sum + self.forms(member, |number| number).stiffness)
+    }
+
+    /// The shares of a member in the energies of this mode, averaged over a cycle.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] for a member that this system has not got.
+    pub fn energy_shares<E>(
+        &self,
+        label: MemberLabel<Y::Model, E>,
+    ) -> Result<EnergyShares<<Y as System>::Parameter>, MotionError> {
+        self.member(label.index())?;
+        Ok(self.shares(self.forms(label.index(), S::conjugate)))
+    }
+
+    /// The shares of the rigid bodies and masses that move with a point; they have kinetic energy alone.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] for a point that this system has not got.
+    pub fn body_shares(
+        &self,
+        point: PlanePoint<Y::Model>,
+    ) -> Result<EnergyShares<<Y as System>::Parameter>, MotionError> {
+        let node = self.node_of(point)?;
+        Ok(self.shares(Forms { mass: self.mass_form(node), ..Forms::none() }))
+    }
+
+    /// Forms of a part beside those of the whole, all of the motion and its conjugate, which are real.
+    fn shares(&self, part: Forms<S>) -> EnergyShares<<Y as System>::Parameter> {
+        let [nodes, members] = self.system.sizes();
+        let of_members = (0..members).map(|member| self.forms(member, S::conjugate));
+        let mut whole = of_members.fold(Forms::none(), Forms::plus);
+        whole.mass = (0..nodes).fold(whole.mass, |sum, node| sum + self.mass_form(node));
+        let share = |part: S, whole: S| if whole.is_zero() { whole } else { part / whole }.to_complex().re;
+        EnergyShares {
+            strain: share(part.stiffness, whole.stiffness),
+            kinetic: share(part.mass, whole.mass),
+            dissipated: share(part.damping, whole.damping),
+        }
+    }
+
+    /// The forms of the motion of a member and a function of it.
+    fn forms(&self, member: usize, of: impl Fn(S) -> S) -> Forms<S> {
+        let first = self.member_ends(member);
+        let ends = first.ends.map(|EndMotion { displacements, forces }| EndMotion {
+            displacements: displacements.map(&of),
+            forces: forces.map(&of),
+        });
+        let second = MemberEnds { x: of(first.x), ends };
+        self.system.visit_member(member, FormsOf { first, second }).unwrap_or_else(Forms::none)
+    }
+
+    /// The mass form of the bodies of a node, of its motion and its conjugate.
+    fn mass_form(&self, node: usize) -> S {
+        let displacements = self.motion.nodes.as_ref()[node];
+        let mut sum = S::zero();
+        for (row, one) in self.system.node(node).0.mass_matrix::<S>().iter().zip(displacements) {
+            for (mass, other) in row.iter().zip(displacements) {
+                sum += one * *mass * other.conjugate();
+            }
+        }
+        sum
+    }
+}
+
+struct FormsOf<S> {
+    first: MemberEnds<S>,
+    second: MemberEnds<S>,
+}
+
+impl<S: Scalar> VisitMember<S> for FormsOf<S> {
+    type Output = Forms<S>;
+
+    fn member<E: MemberMotion<S>>(self, built: &E::Built) -> Forms<S> {
+        E::forms(built, &self.first, &self.second)
+    }
+}

@@ -1,0 +1,151 @@
+//! Motions between the ends of members: states, nodes and the largest deflection.
+
+use crate::answer::interior::{HALVINGS, sign_changes};
+use crate::answer::network::states::PlaneStates;
+use crate::element::{Inside, MemberEnds, MemberMotion, VisitMember};
+use crate::model::{EndMotion, MemberLabel, MotionError};
+use crate::number::{Oscillation, Real, Scalar};
+use crate::pass::network::{Placed, PlacedMotions};
+
+/// The state of a cross section of a member: its displacements in global axes, and the forces inside of the member.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MemberState<S> {
+    /// The displacement along x \[m\].
+    pub displacement_x: S,
+    /// The displacement along y \[m\].
+    pub displacement_y: S,
+    /// The rotation \[rad\], anticlockwise.
+    pub rotation_z: S,
+    /// The axial force \[N\], tension positive.
+    pub axial_force: S,
+    /// The shear force `Q = M'` \[N\], with x from the input end to the output end.
+    pub shear: S,
+    /// The bending moment `M = EI Θ'` [N m].
+    pub moment: S,
+}
+
+impl<Y, S> PlaneStates<'_, Y, S>
+where
+    Y: PlacedMotions<S>,
+    S: Oscillation<Y::Parameter>,
+{
+    /// The state inside of a member, at a distance \[m\] from its input end: exact, however short its waves are.
+    ///
+    /// # Errors
+    /// [`MotionError::Outside`] for a distance beyond its ends; [`MotionError::NoInside`] for springs, dampers and joints;
+    /// [`MotionError::NoSuchPoint`] for a member that this system has not got.
+    pub fn along<E>(&self, label: MemberLabel<Y::Model, E>, distance: f64) -> Result<MemberState<S>, MotionError> {
+        let member = label.index();
+        let Inside { length, .. } = self.inside(member)?;
+        if !(0.0..=length).contains(&distance) {
+            return Err(MotionError::Outside { distance, length });
+        }
+        let motion = self.motion_at(member, distance);
+        let [displacement_x, displacement_y, rotation_z] = self.in_global_axes(member, 0, motion.displacements);
+        let [axial_force, shear, moment] = motion.internal(1);
+        Ok(MemberState { displacement_x, displacement_y, rotation_z, axial_force, shear, moment })
+    }
+
+    /// The interior of a member.
+    fn inside(&self, member: usize) -> Result<Inside, MotionError> {
+        self.member(member)?;
+        self.system.visit_member(member, InsideOf(self.x)).flatten().ok_or(MotionError::NoInside)
+    }
+
+    /// The motion of both ends of a member.
+    pub(super) fn member_ends(&self, member: usize) -> MemberEnds<S> {
+        MemberEnds { x: self.x, ends: self.motion.members.as_ref()[member] }
+    }
+
+    /// The motion of a cross section of a member, in its axes.
+    fn motion_at(&self, member: usize, distance: f64) -> EndMotion<S> {
+        let motion = self.member_ends(member);
+        self.system.visit_member(member, MotionAt { motion, distance }).unwrap_or(motion.ends[1])
+    }
+
+    /// The size of the largest displacement \[m\], of nodes and inside of members.
+    pub(crate) fn largest_deflection(&self) -> f64 {
+        let [nodes, members] = self.system.sizes();
+        let mut largest = 0.0_f64;
+        for [x, y, _] in &self.motion.nodes.as_ref()[..nodes] {
+            largest = largest.max(square(*x) + square(*y));
+        }
+        for member in 0..members {
+            for motion in &self.motion.members.as_ref()[member] {
+                largest = largest.max(square(motion.displacements[0]) + square(motion.displacements[1]));
+            }
+            let Ok(inside) = self.inside(member) else { continue };
+            let at = |distance: f64| {
+                let [along, across, _] = self.motion_at(member, distance).displacements;
+                square(along) + square(across)
+            };
+            let width = inside.length / f64::from(inside.samples());
+            let places = (1..inside.samples()).map(|sample| f64::from(sample) * width);
+            let best = places
+                .map(|place| (at(place), place))
+                .fold((0.0, 0.0), |best, next| if next.0 > best.0 { next } else { best });
+            // beside the largest sample there is one maximum
+            largest = largest.max(maximum(at, best.1 - width, best.1 + width));
+        }
+        Scalar::sqrt(largest)
+    }
+}
+
+/// The largest value of a function between two places, that rises and then falls.
+fn maximum(at: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    let (mut from, mut to) = (from.max(0.0), to);
+    for _ in 0..HALVINGS {
+        let third = (to - from) / 3.0;
+        if at(from + third) < at(to - third) { from += third } else { to -= third }
+    }
+    at(0.5 * (from + to))
+}
+
+impl<Y, T> PlaneStates<'_, Y, T>
+where
+    T: Real + Oscillation<T>,
+    Y: PlacedMotions<T> + Placed<Parameter = T>,
+{
+    /// Number of nodes inside of a member: places between its ends where its deflection across changes its sign.
+    ///
+    /// Shapes of damped systems are complex and have no nodes.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] for a member that this system has not got; [`MotionError::NoInside`] for springs, dampers and joints.
+    pub fn nodes<E>(&self, label: MemberLabel<Y::Model, E>) -> Result<usize, MotionError> {
+        let member = label.index();
+        let inside = self.inside(member)?;
+        let samples = inside.samples();
+        let width = inside.length / f64::from(samples);
+        let deflection = |sample: u32| self.motion_at(member, width * f64::from(sample)).displacements[1];
+        Ok(sign_changes(samples, deflection))
+    }
+}
+
+/// Square of the modulus.
+fn square<T: Real, S: Oscillation<T>>(number: S) -> f64 {
+    number.size() * number.size()
+}
+
+struct InsideOf<S>(S);
+
+impl<S: Scalar> VisitMember<S> for InsideOf<S> {
+    type Output = Option<Inside>;
+
+    fn member<E: MemberMotion<S>>(self, built: &E::Built) -> Option<Inside> {
+        E::inside(built, self.0)
+    }
+}
+
+struct MotionAt<S> {
+    motion: MemberEnds<S>,
+    distance: f64,
+}
+
+impl<S: Scalar> VisitMember<S> for MotionAt<S> {
+    type Output = EndMotion<S>;
+
+    fn member<E: MemberMotion<S>>(self, built: &E::Built) -> EndMotion<S> {
+        E::motion_at(built, &self.motion, self.distance)
+    }
+}

@@ -1,0 +1,82 @@
+//! The response of a plane structure as a sum over modes takes it.
+
+use crate::answer::at_rest::Part;
+use crate::answer::modal_response::Superposed;
+use crate::answer::network::response::{PlaneResponse, acting_at};
+use crate::answer::network::shape::{PlaneShape, all, simple};
+use crate::answer::root::{Root, simple_root};
+use crate::model::{MotionError, PlaneEntry, PlaneLoad, Quantity};
+use crate::number::Real;
+use crate::pass::characteristic::System;
+use crate::pass::network::{LoadAt, MovingNetwork, Placed, PlaneFrequency};
+use num_traits::Zero;
+
+/// The response of a plane structure.
+pub(super) struct OfFrame<'a, Y: Placed> {
+    system: &'a Y,
+    load: PlaneLoad<Y::Model>,
+    entry: PlaneEntry<Y::Model>,
+    response: PlaneResponse<'a, Y>,
+}
+
+impl<'a, Y: Placed> OfFrame<'a, Y> {
+    pub(super) fn new(
+        system: &'a Y,
+        load: PlaneLoad<Y::Model>,
+        entry: PlaneEntry<Y::Model>,
+    ) -> Result<Self, MotionError> {
+        if load.is_motion && matches!(entry.quantity, Quantity::Reaction(..)) {
+            return Err(MotionError::NotModal);
+        }
+        Ok(OfFrame { system, load, entry, response: PlaneResponse::new(system, load, entry)? })
+    }
+
+    /// `φ φ` of a shape: what the load works on it, times the entry. A motion works against the reactions of its support.
+    fn product<S>(&self, shape: &PlaneShape<'_, Y, S>) -> Result<S, MotionError>
+    where
+        Y: MovingNetwork<S>,
+        S: PlaneFrequency<<Y as System>::Parameter>,
+    {
+        let LoadAt { node, forces, moved } = acting_at::<Y, S>(self.system, self.load)?;
+        let (reactions, zero) = (shape.reactions().as_ref()[node], [S::zero(); 3]);
+        let mut work = S::zero();
+        for (k, moved) in moved.unwrap_or(zero).iter().enumerate() {
+            work += forces[k] * shape.node(node)?[k] - *moved * reactions[k];
+        }
+        Ok(work * shape.value(self.entry)?)
+    }
+}
+
+impl<T, R, Y> Superposed<T, R> for OfFrame<'_, Y>
+where
+    T: Real,
+    R: Root<T, Frequency: PlaneFrequency<T>>,
+    Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
+{
+    fn for_each_product<const CAP: usize>(
+        &self,
+        root: &R,
+        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+    ) -> Result<(), MotionError> {
+        if root.multiplicity() <= 1 {
+            return add(self.product(&simple(self.system, simple_root(root)?)?)?);
+        }
+        let shapes = all::<CAP, _, _>(self.system, root.frequency(), root.multiplicity())?;
+        shapes.iter().try_for_each(|shape| add(self.product(shape)?))
+    }
+
+    fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {
+        match self.response.states(R::Frequency::zero()) {
+            Err(MotionError::Resonance { .. }) => Ok(None),
+            states => states?.value(self.entry).map(Some),
+        }
+    }
+
+    fn sized(&self, x: R::Frequency) -> Result<Part<R::Frequency>, MotionError> {
+        self.response.sized(x)
+    }
+
+    fn lowest_exponent(&self) -> i32 {
+        self.response.lowest_exponent()
+    }
+}

@@ -1,0 +1,72 @@
+//! The response of a tree as a sum over modes takes it.
+
+use crate::answer::at_rest::Part;
+use crate::answer::frequency_response::FrequencyResponse;
+use crate::answer::modal_response::Superposed;
+use crate::answer::mode_shape::{ModeShape, simple};
+use crate::answer::repeated_root::all_shapes;
+use crate::answer::root::{Root, simple_root};
+use crate::model::{Entry, Load, MotionError};
+use crate::number::{Real, Single};
+use crate::pass::characteristic::System;
+use crate::pass::route::Place;
+use crate::pass::tree::{ExtendedTree, Planned, Tree};
+use mstmm_plan::Coordinate;
+
+/// The response of a tree.
+pub(crate) struct OfTree<'a, Y: Planned + ?Sized> {
+    system: &'a Y,
+    load: Place,
+    entry: Place,
+    response: FrequencyResponse<'a, Y>,
+}
+
+impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
+    pub(crate) fn new(system: &'a Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
+        let response = FrequencyResponse::new(system, load, entry)?;
+        let mut load = Place::of_load(system, load)?;
+        // a force does work along the deflection, a moment along the rotation
+        load.coordinate = if load.coordinate == Coordinate::M { Coordinate::Theta } else { Coordinate::Y };
+        Ok(OfTree { system, load, entry: Place::of_entry(system, entry)?, response })
+    }
+
+    /// `φ φ` of a shape.
+    fn product<S: Single>(&self, shape: &ModeShape<'_, Y, S>) -> S
+    where
+        Y: Tree<S>,
+    {
+        let at = |place: Place| shape.at(place.step, place.beyond).entry(place.coordinate);
+        at(self.load) * at(self.entry)
+    }
+}
+
+impl<T, R, Y> Superposed<T, R> for OfTree<'_, Y>
+where
+    T: Real,
+    R: Root<T>,
+    Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
+{
+    fn for_each_product<const CAP: usize>(
+        &self,
+        root: &R,
+        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+    ) -> Result<(), MotionError> {
+        if root.multiplicity() <= 1 {
+            return add(self.product(&simple(self.system, simple_root(root)?)?));
+        }
+        let shapes = all_shapes::<CAP, _, _, _>(self.system, root)?;
+        shapes.iter().try_for_each(|shape| add(self.product(shape)))
+    }
+
+    fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {
+        self.response.held_at_rest()
+    }
+
+    fn sized(&self, x: R::Frequency) -> Result<Part<R::Frequency>, MotionError> {
+        self.response.sized(x)
+    }
+
+    fn lowest_exponent(&self) -> i32 {
+        self.system.estimates().lowest_exponent()
+    }
+}

@@ -1,0 +1,78 @@
+//! How a member of a plane structure moves between its ends, and the energies of its motion.
+
+use crate::element::energies::Inside;
+use crate::element::traits::Element;
+use crate::model::{EndMotion, Ends};
+use crate::number::Scalar;
+
+/// The motion of a member at a frequency: what its ends do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MemberEnds<S> {
+    /// The frequency: ω for a real scalar, λ for a complex one.
+    pub x: S,
+    /// The motions of the input end and of the output end.
+    pub ends: [EndMotion<S>; 2],
+}
+
+impl<S: Scalar> MemberEnds<S> {
+    /// The states of bending at both ends.
+    pub(crate) fn bending(&self) -> Ends<S> {
+        let [input, output] = [0, 1].map(|end| self.ends[end].bending(end));
+        Ends { x: self.x, input, output }
+    }
+}
+
+/// The forms of two motions of a member: of mass `∫ m u₁ u₂ dx`, of stiffness `∫ EI y₁'' y₂'' dx + ..`, and of damping `C Δu₁ Δu₂`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Forms<S> {
+    /// Twice the kinetic energy of one motion, over `(dt)²`.
+    pub mass: S,
+    /// Twice the strain energy of one motion.
+    pub stiffness: S,
+    /// The power that dampers take from one motion, over `(dt)²`.
+    pub damping: S,
+}
+
+impl<S: Scalar> Forms<S> {
+    /// The forms of what has neither mass nor stiffness nor damping.
+    pub fn none() -> Self {
+        Forms { mass: S::zero(), stiffness: S::zero(), damping: S::zero() }
+    }
+
+    /// The forms of two parts.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Forms {
+            mass: self.mass + other.mass,
+            stiffness: self.stiffness + other.stiffness,
+            damping: self.damping + other.damping,
+        }
+    }
+}
+
+/// An element of a plane structure that says how it moves between its ends.
+pub trait MemberMotion<S: Scalar>: Element {
+    /// The forms of two motions.
+    fn forms(built: &Self::Built, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S>;
+
+    /// The interior between the ends; `None` for a member without one.
+    #[inline]
+    fn inside(_built: &Self::Built, _x: S) -> Option<Inside> {
+        None
+    }
+
+    /// The motion of a cross section at a distance \[m\] from the input end, as that of the output end of the part before it.
+    #[inline]
+    fn motion_at(_built: &Self::Built, motion: &MemberEnds<S>, _distance: f64) -> EndMotion<S> {
+        motion.ends[1]
+    }
+}
+
+/// What an answer about motions does with a member, of whatever type.
+pub trait VisitMember<S: Scalar> {
+    /// What comes of it.
+    type Output;
+
+    /// Visits a member.
+    fn member<E: MemberMotion<S>>(self, built: &E::Built) -> Self::Output;
+}

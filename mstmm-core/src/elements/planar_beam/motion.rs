@@ -1,0 +1,41 @@
+//! A beam in planar motion between its ends: bending and stretching side by side.
+
+use crate::element::{Forms, Inside, MemberEnds, MemberMotion};
+use crate::elements::Beam;
+use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
+use crate::elements::shared::bending_motion::BendingMotion;
+use crate::elements::shared::rod_motion::{RodMotion, Stretch};
+use crate::model::EndMotion;
+use crate::number::{Oscillation, Real};
+
+impl<T: Real> BuiltPlanarBeam<T> {
+    fn bending(&self) -> BendingMotion<T> {
+        let PlanarBeam { length, bending_stiffness, mass_per_length, .. } = self.parameters;
+        let parameters = Beam { length, bending_stiffness, mass_per_length };
+        BendingMotion { parameters, wave: self.wave, wave_fourth: self.wave_fourth }
+    }
+
+    fn rod(&self) -> RodMotion<T> {
+        let PlanarBeam { length, axial_stiffness, mass_per_length, .. } = self.parameters;
+        RodMotion { length, axial_stiffness, mass_per_length }
+    }
+}
+
+impl<T: Real, S: Oscillation<T>> MemberMotion<S> for PlanarBeam<T> {
+    fn forms(built: &BuiltPlanarBeam<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
+        let [mass, stiffness] = built.rod().forms(&Stretch::of(first), &Stretch::of(second));
+        built.bending().member_forms(first, second).plus(Forms { mass, stiffness, ..Forms::none() })
+    }
+
+    fn inside(built: &BuiltPlanarBeam<T>, x: S) -> Option<Inside> {
+        let bending = built.bending().inside(x);
+        let longitudinal = built.rod().zeta(x) / bending.length;
+        Some(Inside { wave_number: bending.wave_number.max(longitudinal), ..bending })
+    }
+
+    fn motion_at(built: &BuiltPlanarBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
+        let distance = T::from_f64(distance);
+        let bent = EndMotion::bent(built.bending().state_at(&motion.bending(), distance));
+        bent.stretched(built.rod().at(&Stretch::of(motion), distance))
+    }
+}
