@@ -7,8 +7,9 @@ use crate::families::{Named, named_structures, random_structures};
 use crate::large::around;
 use crate::structure::{Element, Structure};
 use crate::through_library::{Moving, asked_to_move};
-use mstmm::motion::{MotionError, PlaneShape, PlaneStates};
+use mstmm::motion::{MotionError, MovingNetwork, PlaneFrequency, PlaneShape, PlaneStates};
 use mstmm::prelude::*;
+use mstmm::search::System;
 
 /// Part of the largest force or displacement by which nothing may differ.
 const PART: f64 = 1e-11;
@@ -47,10 +48,15 @@ impl Tally {
 }
 
 /// The largest of a member's forces, with a moment by its length, or of the inertia of a member or a body.
-fn largest_force(structure: &Structure, states: &PlaneStates<'_, Moving<'_>, f64>, omega: f64) -> f64 {
-    let far = |node: usize| states.node(node).unwrap().into_iter().map(f64::abs).fold(0.0, f64::max);
+pub(super) fn largest_force<Y, S>(structure: &Structure, states: &PlaneStates<'_, Y, S>, omega: f64) -> f64
+where
+    Y: MovingNetwork<S> + System<Parameter = f64>,
+    S: PlaneFrequency<f64>,
+{
+    let far = |node: usize| states.node(node).unwrap().into_iter().map(S::modulus).fold(0.0, f64::max);
     let of_members = structure.members.iter().enumerate().map(|(index, member)| {
-        let forces = states.member(index).unwrap().iter().flat_map(|end| end.forces).map(f64::abs).fold(0.0, f64::max);
+        let forces =
+            states.member(index).unwrap().iter().flat_map(|end| end.forces).map(S::modulus).fold(0.0, f64::max);
         let [[x, y], [to_x, to_y]] = member.ends.map(|end| structure.position(&end));
         let inertia = match &member.element {
             Element::Beam(section) => section.mass_per_length * (to_x - x).hypot(to_y - y) * omega * omega,
@@ -68,13 +74,17 @@ fn largest_force(structure: &Structure, states: &PlaneStates<'_, Moving<'_>, f64
 }
 
 /// The largest sum of forces on a motion of a node.
-fn largest_sum(structure: &Structure, states: &PlaneStates<'_, Moving<'_>, f64>) -> f64 {
+pub(super) fn largest_sum<Y, S>(structure: &Structure, states: &PlaneStates<'_, Y, S>) -> f64
+where
+    Y: MovingNetwork<S> + System<Parameter = f64>,
+    S: PlaneFrequency<f64>,
+{
     let of_node = |(index, node): (usize, &crate::structure::Node)| {
         let [x, y, moment] = states.reaction(index).unwrap();
-        let turn = if node.held.rz { 0.0 } else { moment.abs() };
+        let turn = if node.held.rz { 0.0 } else { moment.modulus() };
         let forces = match node.along {
-            Some([c, s]) => (x * c + y * s).abs() / c.hypot(s),
-            None => f64::max(if node.held.x { 0.0 } else { x.abs() }, if node.held.y { 0.0 } else { y.abs() }),
+            Some([c, s]) => (x * c + y * s).modulus() / c.hypot(s),
+            None => f64::max(if node.held.x { 0.0 } else { x.modulus() }, if node.held.y { 0.0 } else { y.modulus() }),
         };
         turn.max(forces)
     };
@@ -94,7 +104,11 @@ fn mass(structure: &Structure) -> f64 {
 }
 
 /// The largest difference of the displacements of the end of a beam from those of its node, of the largest displacement.
-fn largest_gap(structure: &Structure, states: &PlaneStates<'_, Moving<'_>, f64>) -> f64 {
+pub(super) fn largest_gap<Y, S>(structure: &Structure, states: &PlaneStates<'_, Y, S>) -> f64
+where
+    Y: MovingNetwork<S> + System<Parameter = f64>,
+    S: PlaneFrequency<f64>,
+{
     // a shape of unit modal mass moves that far somewhere, if not at a node
     let (mut worst, mut largest) = (0.0_f64, 1.0 / mass(structure).sqrt());
     for (index, member) in structure.members.iter().enumerate() {
@@ -108,12 +122,12 @@ fn largest_gap(structure: &Structure, states: &PlaneStates<'_, Moving<'_>, f64>)
             let [u, v, rotation] = states.node(end.node).unwrap();
             let ([x, y], [own_x, own_y]) = (structure.position(end), structure.nodes[end.node].position);
             let [u, v] = [u - rotation * (y - own_y), v + rotation * (x - own_x)];
-            let tied = [c * u + s * v, c * v - s * u, rotation];
+            let tied = [u * c + v * s, v * c - u * s, rotation];
             let released = [end.released.x, end.released.y, end.released.rz];
             for k in 0..3 {
-                largest = largest.max(tied[k].abs()).max(motion.displacements[k].abs());
+                largest = largest.max(tied[k].modulus()).max(motion.displacements[k].modulus());
                 if !released[k] {
-                    worst = worst.max((motion.displacements[k] - tied[k]).abs());
+                    worst = worst.max((motion.displacements[k] - tied[k]).modulus());
                 }
             }
         }

@@ -68,7 +68,7 @@ fn compare_undamped((name, structure): &Named, seed: usize, omega: f64, worst: &
     let (Ok((found, _)), Ok((expected, largest))) = (ask(structure, true), ask(&with_node, false)) else {
         return None;
     };
-    for k in 0..6 {
+    for k in (0..6).filter(|k| largest[k / 3] > 0.0) {
         let error = (found[k] - expected[k]).abs() / largest[k / 3];
         assert!(error < 1e-9, "{name}, beam {member} at {omega}: {found:?} {expected:?} of {largest:?}");
         worst[k / 3] = worst[k / 3].max(error);

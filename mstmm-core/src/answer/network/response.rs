@@ -133,9 +133,9 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         let is_sure = |motion: &NetworkMotion<Y, S>| {
             !motion.vanishes && motion.rounding <= ROUNDED && rounding_under(self.system, x, load, motion) <= AGREEING
         };
-        if S::HAS_EXTENDED && !is_sure(&motion) {
-            let load = acting_at::<Y, S::Extended>(self.system, self.load)?;
-            motion = motion_under(self.system, x.to_extended(), load).rounded(S::from_extended);
+        if S::HAS_PRECISE && !is_sure(&motion) {
+            let load = acting_at::<Y, S::Precise>(self.system, self.load)?;
+            motion = motion_under(self.system, x.precise(), load).rounded(S::nearest);
         }
         if motion.vanishes {
             return Err(MotionError::Resonance { frequency: x.modulus() });

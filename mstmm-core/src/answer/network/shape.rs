@@ -2,7 +2,7 @@
 
 use crate::answer::network::states::PlaneStates;
 use crate::model::MotionError;
-use crate::number::{Oscillation, Scalar};
+use crate::number::Scalar;
 use crate::pass::characteristic::System;
 use crate::pass::network::{
     MovingNetwork, NetworkMotion, Placed, PlaneFrequency, delta, mass_product, mass_product_of_two, motion_everywhere,
@@ -110,7 +110,7 @@ struct AtRoot<'a, Y: Placed, S: PlaneFrequency<Y::Parameter>> {
     system: &'a Y,
     x: S,
     /// The root in extended precision; none for plain numbers.
-    nearer: Option<S::Extended>,
+    nearer: Option<S::Precise>,
 }
 
 impl<'a, Y, S> AtRoot<'a, Y, S>
@@ -123,8 +123,8 @@ where
         match self.nearer {
             Some(nearer) => {
                 let motion = motion_everywhere(self.system, nearer, number, self.dislocates());
-                let size = S::Extended::from_f64(motion.size());
-                motion.times(S::Extended::from_f64(1.0) / size).rounded(S::from_extended)
+                let size = S::Precise::from_f64(motion.size());
+                motion.times(S::Precise::from_f64(1.0) / size).rounded(S::nearest)
             }
             None => motion_everywhere(self.system, self.x, number, self.dislocates()),
         }
@@ -161,10 +161,10 @@ where
 
     /// The root with twice the digits, after a step of the secant method with Δ.
     fn extended(self) -> Self {
-        let x = self.x.to_extended();
-        let away = x * S::Extended::from_f64(STEP);
+        let x = self.x.precise();
+        let away = x * S::Precise::from_f64(STEP);
         let ratio = delta(self.system, x + away).over(delta(self.system, x)).value();
-        let step = away / (ratio - S::Extended::from_f64(1.0));
+        let step = away / (ratio - S::Precise::from_f64(1.0));
         // where Δ is zero, or as small as it can be, there is nothing to gain
         let is_known = step.size() <= STEP * x.size();
         AtRoot { nearer: Some(if is_known { x - step } else { x }), ..self }
@@ -172,10 +172,9 @@ where
 
     /// A frequency beside a root, so near that other shapes are rounding, and so far that all shapes of the root grow alike.
     fn beside(self) -> Self {
-        let x = self.x.to_extended();
+        let x = self.x.precise();
         let nearer = if self.x.is_zero() {
-            <S::Extended as Oscillation<Y::Parameter>>::of_omega(Y::Parameter::from_f64(1.0))
-                .times_power_of_two(self.system.estimates().least_exponent() - BESIDE_REST / 2)
+            S::steady(self.system.estimates().least_exponent() - BESIDE_REST / 2)
         } else {
             x + x.times_power_of_two(-BESIDE)
         };
@@ -199,25 +198,25 @@ where
     /// A light part moves much farther than a heavy one. So motions stay in extended precision until all others are taken from them.
     fn all<const CAP: usize>(&self, multiplicity: usize) -> Result<PlaneShapes<'a, Y, S, CAP>, MotionError> {
         let mut found = PlaneShapes { shapes: [const { None }; CAP] };
-        let mut motions = [const { None::<NetworkMotion<Y, S::Extended>> }; CAP];
-        let x = self.nearer.unwrap_or(self.x.to_extended());
+        let mut motions = [const { None::<NetworkMotion<Y, S::Precise>> }; CAP];
+        let x = self.nearer.unwrap_or(self.x.precise());
         for number in 0..multiplicity {
             let next = motion_everywhere(self.system, x, number as u32, self.dislocates());
-            let mut next = next.times(S::Extended::from_f64(1.0 / next.size()));
+            let mut next = next.times(S::Precise::from_f64(1.0 / next.size()));
             for _ in 0..PASSES {
                 for other in motions[..number].iter().flatten() {
-                    let rounded = [&next, other].map(|motion| motion.rounded(S::from_extended));
+                    let rounded = [&next, other].map(|motion| motion.rounded(S::nearest));
                     let part = mass_product(self.system, self.x, &rounded[0], &rounded[1]);
-                    next = next.plus(other, (-part).to_extended());
+                    next = next.plus(other, (-part).precise());
                 }
-                let rounded = next.rounded(S::from_extended);
+                let rounded = next.rounded(S::nearest);
                 let mass = mass_product(self.system, self.x, &rounded, &rounded);
                 if !(mass.size() > 0.0 && mass.size().is_finite()) {
                     return Err(self.not_finite());
                 }
-                next = next.times((S::one() / mass.sqrt()).to_extended());
+                next = next.times((S::one() / mass.sqrt()).precise());
             }
-            found.shapes[number] = Some(self.shape(next.rounded(S::from_extended)));
+            found.shapes[number] = Some(self.shape(next.rounded(S::nearest)));
             motions[number] = Some(next);
         }
         Ok(found)
@@ -236,9 +235,9 @@ where
         |(shape, misfit): &(PlaneShape<'_, Y, S>, f64)| misfit.max(shape.gap()).max(shape.imbalance()) <= FITTING;
     let found = plain.simple();
     let (shape, misfit) = match found {
-        _ if S::HAS_EXTENDED && x.is_zero() => plain.beside().simple()?,
+        _ if S::HAS_PRECISE && x.is_zero() => plain.beside().simple()?,
         Ok(found) if fits(&found) => found,
-        _ if S::HAS_EXTENDED => plain.extended().simple()?,
+        _ if S::HAS_PRECISE => plain.extended().simple()?,
         found => found?,
     };
     if misfit <= RESOLVED { Ok(shape) } else { Err(MotionError::Unresolved { root: x.modulus(), misfit }) }
@@ -262,5 +261,5 @@ where
         return Ok(found);
     }
     let plain = AtRoot { system, x, nearer: None };
-    if S::HAS_EXTENDED { plain.beside().all(wanted) } else { plain.all(wanted) }
+    if S::HAS_PRECISE { plain.beside().all(wanted) } else { plain.all(wanted) }
 }

@@ -1,13 +1,31 @@
 //! The frequencies at which plane structures move.
 
-use crate::number::{Dual, ExtendedOf, Frequency, FrequencyPowers, Oscillation, Real};
+use crate::number::{Dual, Frequency, FrequencyPowers, Oscillation, Real, Scalar, Single};
 use crate::pass::characteristic::System;
 use crate::pass::network::evaluate::{PlacedCharts, PlacedMotions};
 use crate::subspace::FrontScalar;
 use num_complex::Complex;
 
 /// A frequency at which motions of plane structures are computed: a real ω, or a complex λ.
-pub trait PlaneFrequency<T: Real>: Oscillation<T, Extended: FrontScalar> + FrontScalar {
+pub trait PlaneFrequency<T: Real>: Oscillation<T> + FrontScalar {
+    /// The number in extended precision, in which doubtful motions are computed again: of a complex one the dual number that searches of
+    /// eigenvalues have, since parameters multiply those.
+    type Precise: Frequency<T> + FrontScalar + Single;
+
+    /// Whether there is an extended precision.
+    const HAS_PRECISE: bool;
+
+    /// The number in extended precision.
+    fn precise(self) -> Self::Precise;
+
+    /// The number nearest to one in extended precision.
+    fn nearest(precise: Self::Precise) -> Self;
+
+    /// The frequency of a steady vibration at `2^exponent` rad/s in extended precision.
+    fn steady(exponent: i32) -> Self::Precise {
+        Self::of_omega(T::from_f64(1.0)).precise().times_power_of_two(exponent)
+    }
+
     /// The frequency with its slope.
     type WithSlope: Frequency<T>;
 
@@ -33,6 +51,17 @@ where
 }
 
 impl<T: Real<Extended: FrontScalar> + FrontScalar> PlaneFrequency<T> for T {
+    type Precise = T::Extended;
+    const HAS_PRECISE: bool = <T as Oscillation<T>>::HAS_EXTENDED;
+
+    fn precise(self) -> T::Extended {
+        self.to_extended()
+    }
+
+    fn nearest(precise: T::Extended) -> T {
+        T::from_extended(precise)
+    }
+
     type WithSlope = Dual<T>;
 
     fn constant(self) -> Dual<T> {
@@ -51,7 +80,19 @@ impl<T: Real<Extended: FrontScalar> + FrontScalar> PlaneFrequency<T> for T {
 impl<T: Real> PlaneFrequency<T> for Complex<T>
 where
     Complex<T>: FrontScalar<Size = f64, Truth = bool>,
+    Dual<Complex<T::Extended>>: Frequency<T> + FrontScalar<Size = f64, Truth = bool>,
 {
+    type Precise = Dual<Complex<T::Extended>>;
+    const HAS_PRECISE: bool = <T as Oscillation<T>>::HAS_EXTENDED;
+
+    fn precise(self) -> Dual<Complex<T::Extended>> {
+        Dual::constant(Complex::new(self.re.to_extended(), self.im.to_extended()))
+    }
+
+    fn nearest(precise: Dual<Complex<T::Extended>>) -> Self {
+        Complex::new(T::from_extended(precise.value.re), T::from_extended(precise.value.im))
+    }
+
     type WithSlope = Dual<Complex<T>>;
 
     fn constant(self) -> Dual<Complex<T>> {
@@ -70,6 +111,9 @@ where
 /// The frequency of a plane structure `Y` with its slope.
 type WithSlope<Y, S> = <S as PlaneFrequency<<Y as System>::Parameter>>::WithSlope;
 
+/// The frequency of a plane structure `Y` in extended precision.
+type Precise<Y, S> = <S as PlaneFrequency<<Y as System>::Parameter>>::Precise;
+
 /// A plane structure whose motions are known at a frequency, and in its extended precision.
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
@@ -77,10 +121,7 @@ type WithSlope<Y, S> = <S as PlaneFrequency<<Y as System>::Parameter>>::WithSlop
             instead of `natural_frequencies`"
 )]
 pub trait MovingNetwork<S>:
-    PlacedCharts<S>
-    + PlacedCharts<WithSlope<Self, S>>
-    + PlacedCharts<ExtendedOf<S, <Self as System>::Parameter>>
-    + PlacedMotions<S>
+    PlacedCharts<S> + PlacedCharts<WithSlope<Self, S>> + PlacedCharts<Precise<Self, S>> + PlacedMotions<S>
 where
     S: PlaneFrequency<<Self as System>::Parameter>,
 {
@@ -90,9 +131,6 @@ where
 impl<Y, S> MovingNetwork<S> for Y
 where
     S: PlaneFrequency<<Y as System>::Parameter>,
-    Y: PlacedCharts<S>
-        + PlacedCharts<WithSlope<Y, S>>
-        + PlacedCharts<ExtendedOf<S, <Y as System>::Parameter>>
-        + PlacedMotions<S>,
+    Y: PlacedCharts<S> + PlacedCharts<WithSlope<Y, S>> + PlacedCharts<Precise<Y, S>> + PlacedMotions<S>,
 {
 }
