@@ -43,6 +43,7 @@ pub use element::charted::{Charted, MemberChart, MemberElement};
 pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub use element::member_gradient::{MemberGradient, MemberWork};
+pub use element::member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
 pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use element::visit::{Visit, VisitStep};
@@ -61,7 +62,9 @@ pub use model::label::{Entry, Label, Load, Point};
 pub use model::motion_error::MotionError;
 pub use model::plane_label::{MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
-pub use mstmm_plan::{Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, Place, Scheme, Space, Step, Support};
+pub use mstmm_plan::{
+    Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support,
+};
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
 pub use number::double_double::DoubleDouble;
@@ -83,8 +86,9 @@ pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
 pub use pass::network::{
     Axis, End, InNetwork, Located, Member, Motions, MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch,
-    Node, Placed, PlacedCharts, Placement, PlaneFrequency, Skeleton, SketchedBody, SketchedEnd, SketchedMember,
-    SketchedNode, build_member, estimate_member, in_way_back, network_pass,
+    Node, OverallNetwork, Placed, PlacedCharts, PlacedTransfers, Placement, PlaneFrequency, Skeleton, SketchedBody,
+    SketchedEnd, SketchedMember, SketchedNode, build_member, estimate_member, in_way_back, network_pass,
+    overall_determinant, overall_matrix,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

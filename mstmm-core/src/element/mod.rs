@@ -5,15 +5,17 @@ pub(crate) mod charted;
 pub(crate) mod energies;
 pub(crate) mod listed;
 pub(crate) mod member_gradient;
+pub(crate) mod member_transfer;
 pub(crate) mod moving;
 pub(crate) mod traits;
 pub(crate) mod visit;
 
 pub(crate) use back_transfer::BackTransfer;
-pub(crate) use charted::{Charted, MemberChart, MemberElement};
+pub(crate) use charted::{Charted, MemberChart, MemberElement, along_member};
 pub(crate) use energies::{Energies, Inside};
 pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub(crate) use member_gradient::{MemberGradient, MemberWork};
+pub(crate) use member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
 pub(crate) use moving::{CoefficientsOf, Moving};
 pub(crate) use traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of};
 pub(crate) use visit::{Visit, VisitStep};

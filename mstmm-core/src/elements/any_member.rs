@@ -1,13 +1,14 @@
 //! Members of any type, for networks whose size the program decides.
 
-use crate::element::{Charted, Element, MemberChart, MemberElement};
+use crate::element::{
+    Charted, Element, MemberChart, MemberElement, MemberMatrix, MemberTransfer, along_member, member_transfer,
+};
 use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::chart_scalar::ChartScalar;
-use crate::elements::shared::connector::along_member;
 use crate::elements::{Damper, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 use crate::model::{FrequencyEstimates, InvalidParameter};
-use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Real};
+use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Real, Single};
 use crate::subspace::Chart;
 use mstmm_plan::Freedoms;
 
@@ -125,6 +126,16 @@ macro_rules! any_member {
                     $built::Beam(beam) => <PlanarBeam<T> as Charted<S>>::chart(beam, at, length),
                     $built::Joint(joint) => <Joint<T> as Charted<S>>::chart(joint, at, length),
                     $($built::$connector(built) => <$connector<T> as Charted<S>>::chart(built, at, length),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T> + Single> MemberMatrix<S> for $name<T> {
+            fn transfer(built: &$built<T>, x: S) -> MemberTransfer<S> {
+                match built {
+                    $built::Beam(beam) => member_transfer::<PlanarBeam<T>, S>(beam, x),
+                    $built::Joint(joint) => member_transfer::<Joint<T>, S>(joint, x),
+                    $($built::$connector(built) => member_transfer::<$connector<T>, S>(built, x),)*
                 }
             }
         }

@@ -2,8 +2,10 @@
 //!
 //! They differ in their coordinate, in the sign of its force, and in which of stiffness, damping and inertia they have.
 
-use crate::element::{BackTransfer, Charted, Element, Energies, MemberGradient, MemberWork, PlaneStep, TransferMatrix};
-use crate::elements::shared::connector::{along_member, connector};
+use crate::element::{
+    BackTransfer, Charted, Element, Energies, MemberGradient, MemberWork, PlaneStep, TransferMatrix, along_member,
+};
+use crate::elements::shared::connector::connector;
 use crate::elements::shared::line_forms::{displacements, elongations, half, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_inertia, through_stiffness};
 use crate::elements::shared::massless::Massless;

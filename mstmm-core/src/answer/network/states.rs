@@ -1,8 +1,8 @@
 //! What a plane structure does in one motion.
 
 use crate::model::{EndMotion, MotionError, PlaneEntry, Quantity, Site};
-use crate::number::{Frequency, Parameter, Scalar, Size};
-use crate::pass::network::{NetworkMotion, Placed};
+use crate::number::{Frequency, Parameter, Size};
+use crate::pass::network::{NetworkMotion, Placed, moved};
 use mstmm_plan::Freedoms;
 
 /// Signs of forces on a member, along it, across and of the moment, in its axial force, shear and bending moment: at the input end and
@@ -183,11 +183,6 @@ pub(super) fn check_freedom(site: Site, axis: usize) -> Result<(), MotionError> 
         Site::Tied { freedoms, .. } if !freedoms.contains(freedom) => Err(MotionError::NoSuchFreedom { freedom }),
         _ => Ok(()),
     }
-}
-
-/// The displacements of a place that is tied to a node at a distance.
-fn moved<S: Scalar>([x, y, rotation]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 3] {
-    [x - rotation * to_y, y + rotation * to_x, rotation]
 }
 
 /// Where a place is from the node that ties it.

@@ -2,6 +2,7 @@
 
 use crate::element::MemberElement;
 use crate::number::{Frequency, Parameter, Real, Scalar};
+use crate::pass::network::frame::{norm, unit};
 use crate::pass::network::node::{Motions, Node};
 use crate::subspace::JoinedEnd;
 use mstmm_plan::Freedoms;
@@ -105,10 +106,6 @@ fn between<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2]) -> [S; 2] {
     [to[0] - from[0], to[1] - from[1]]
 }
 
-fn norm<S: Scalar>([x, y]: [S; 2]) -> S {
-    (x * x + y * y).sqrt()
-}
-
 /// The vector that gives an end its x axis, of any length: its own, or that from the one end to the other.
 fn vector_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize) -> [S; 2] {
     ends[end].along.map_or_else(|| between(ends), |along| along.map(S::from_parameter))
@@ -116,9 +113,7 @@ fn vector_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize
 
 /// The direction of the x axis of an end.
 fn direction_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize) -> [S; 2] {
-    let vector: [S; 2] = vector_of(ends, end);
-    let size = norm(vector);
-    vector.map(|part| part / size)
+    unit(vector_of(ends, end))
 }
 
 /// Where an end is from its node.

@@ -2,6 +2,7 @@
 
 use crate::model::FrequencyEstimates;
 use crate::number::{Frequency, Parameter, Real};
+use crate::pass::network::frame::unit;
 use mstmm_plan::Freedoms;
 
 /// A point of a plane network, with the displacements x, y and the rotation about z.
@@ -138,6 +139,11 @@ impl<T: Parameter> Motions<T> {
 }
 
 impl<T: Parameter> Node<T> {
+    /// The direction along which it moves, if it does.
+    pub(crate) fn direction<S: Frequency<T>>(&self) -> Option<[S; 2]> {
+        self.along.map(|along| unit(along.map(S::from_parameter)))
+    }
+
     /// The mass matrix of the body over x, y and the rotation of the node.
     pub(crate) fn mass_matrix<S: Frequency<T>>(&self) -> [[S; 3]; 3] {
         let number = S::from_parameter;
