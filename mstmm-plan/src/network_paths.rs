@@ -32,9 +32,18 @@ pub struct PathNode {
 /// The rank of a node that no path reaches yet.
 const UNREACHED: usize = usize::MAX;
 
+impl PathMember {
+    /// No member.
+    pub const NONE: Self = PathMember { nodes: [0; 2], freedoms: Freedoms::NONE, released: 0 };
+}
+
 impl PathNode {
-    /// A node without paths.
-    pub const fn new(freedoms: Freedoms, is_supported: bool) -> Self {
+    /// No node.
+    pub const NONE: Self = PathNode::new(Freedoms::NONE, Freedoms::NONE, false);
+
+    /// A node with some freedoms, of which supports hold those of a set, or the displacement across a direction.
+    pub const fn new(freedoms: Freedoms, held: Freedoms, is_held_across: bool) -> Self {
+        let is_supported = is_held_across || !held.intersection(freedoms).is_empty();
         PathNode { freedoms, is_supported, rank: UNREACHED, leaving: None, reference: None }
     }
 
@@ -166,8 +175,8 @@ pub const fn unknowns(nodes: &[PathNode], members: &[PathMember]) -> usize {
 mod tests {
     use super::*;
 
-    const FREE: PathNode = PathNode::new(Freedoms::ALL, false);
-    const HELD: PathNode = PathNode::new(Freedoms::ALL, true);
+    const FREE: PathNode = PathNode::new(Freedoms::ALL, Freedoms::NONE, false);
+    const HELD: PathNode = PathNode::new(Freedoms::ALL, Freedoms::ALL, false);
 
     fn beam(nodes: [usize; 2]) -> PathMember {
         PathMember { nodes, freedoms: Freedoms::ALL, released: 0 }
@@ -214,7 +223,7 @@ mod tests {
     /// A truss node has a tip of its own, since no bar of it brings both of its displacements.
     #[test]
     fn a_node_that_only_narrow_members_reach_has_a_tip() {
-        let truss = PathNode::new(Freedoms::X.union(Freedoms::Y), false);
+        let truss = PathNode::new(Freedoms::X.union(Freedoms::Y), Freedoms::RZ, false);
         let foot = PathNode { is_supported: true, ..truss };
         let (nodes, unknowns) = led([foot, truss, foot], &[spring([0, 1]), spring([1, 2])]);
         assert_eq!(unknowns, 6);
@@ -224,7 +233,7 @@ mod tests {
 
     #[test]
     fn a_node_that_moves_along_a_line_leaves_no_force_across_it() {
-        let point = PathNode::new(Freedoms::Bending, false);
+        let point = PathNode::new(Freedoms::Bending, Freedoms::X, false);
         assert_eq!(point.left_behind(Freedoms::X), Freedoms::RZ);
         assert_eq!(point.left_behind(Freedoms::RZ), Freedoms::Y);
         assert_eq!(point.left_behind(Freedoms::Bending), Freedoms::NONE);

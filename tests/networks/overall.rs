@@ -20,7 +20,7 @@ use mstmm::prelude::*;
 type Double = DoubleDouble;
 type InDouble<'a, E> = Network<'a, E, 60, 40, 60>;
 
-fn double(number: f64) -> Double {
+pub(crate) fn double(number: f64) -> Double {
     Double::from(number)
 }
 
@@ -115,18 +115,22 @@ where
     let network = InDouble::new(&nodes, &members, &mut room).unwrap();
     let quotients: Vec<S> =
         points.iter().map(|&x| quotient(determinant(&network, x), network.characteristic(x))).collect();
-    let difference = |one: &S| (*one / quotients[0] - S::one()).size();
-    let worst = quotients.iter().map(difference).fold(0.0, |worst, one| if one <= worst { worst } else { one });
-    (unknowns(&network), worst)
+    (unknowns(&network), largest_difference(&quotients))
 }
 
-fn quotient<S: Single>(one: Scaled<S>, other: Scaled<S>) -> S {
+/// The largest relative difference of numbers from the first one; a NaN is largest.
+pub(crate) fn largest_difference<S: Single>(numbers: &[S]) -> f64 {
+    let difference = |one: &S| (*one / numbers[0] - S::one()).size();
+    numbers.iter().map(difference).fold(0.0, |worst, one| if one <= worst { worst } else { one })
+}
+
+pub(crate) fn quotient<S: Single>(one: Scaled<S>, other: Scaled<S>) -> S {
     let shift = (one.exponent() - other.exponent()).clamp(-900, 900);
     (one.mantissa() / other.mantissa()).times_power_of_two(shift as i32)
 }
 
 /// Frequencies as parts of the first one, below it and among those behind, where the overall matrix has its digits.
-const LOW: [f64; 6] = [0.29, 0.73, 1.37, 2.19, 3.31, 4.87];
+pub(crate) const LOW: [f64; 6] = [0.29, 0.73, 1.37, 2.19, 3.31, 4.87];
 
 /// The difference of two quotients that is rounding: 32 digits less those that go to waves and to stiffness ratios.
 const ROUNDING: f64 = 1e-20;
@@ -139,14 +143,14 @@ fn frequencies(structure: &Structure) -> [f64; 6] {
 
 /// What was compared.
 #[derive(Default)]
-struct Report {
+pub(crate) struct Report {
     structures: usize,
     worst: f64,
     wrong: Vec<String>,
 }
 
 impl Report {
-    fn add(&mut self, name: &str, from: f64, (unknowns, difference): (usize, f64)) {
+    pub(crate) fn add(&mut self, name: &str, from: f64, (unknowns, difference): (usize, f64)) {
         self.structures += 1;
         println!("{name}: N = {unknowns}, from {from:.3} rad/s on constant up to {difference:.1e}");
         self.worst = self.worst.max(difference);
@@ -161,7 +165,7 @@ impl Report {
         self.add(name, omegas[0], spread(structure, undamped::<UndampedMember<Double>>, &omegas.map(double)));
     }
 
-    fn judge(self) {
+    pub(crate) fn judge(self) {
         println!("{} structures, the worst constant up to {:.1e}", self.structures, self.worst);
         assert!(self.wrong.is_empty(), "{:#?}", self.wrong);
     }

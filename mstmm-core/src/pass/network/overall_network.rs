@@ -52,7 +52,7 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
 impl<'n, Y: Placed, const N: usize> OverallNetwork<'n, Y, N> {
     fn new(network: &'n Y) -> Result<Self, NetworkError> {
         let [node_count, member_count] = network.sizes();
-        let mut members = Y::per_member(PathMember { nodes: [0; 2], freedoms: Freedoms::NONE, released: 0 });
+        let mut members = Y::per_member(PathMember::NONE);
         let members = &mut members.as_mut()[..member_count];
         for (index, member) in members.iter_mut().enumerate() {
             let placement = network.placement(index);
@@ -64,14 +64,14 @@ impl<'n, Y: Placed, const N: usize> OverallNetwork<'n, Y, N> {
                 released: released.iter().sum(),
             };
         }
-        let mut paths = Y::per_node(PathNode::new(Freedoms::NONE, false));
+        let mut paths = Y::per_node(PathNode::NONE);
         let nodes = &mut paths.as_mut()[..node_count];
         for (index, path) in nodes.iter_mut().enumerate() {
             let here = members.iter().filter(|member| member.nodes.contains(&index));
             let brought = here.fold(Freedoms::NONE, |sum, member| sum.union(in_plane(member.freedoms)));
             let node = network.node(index).0;
             let freedoms = Freedoms::ALL.without(node.held).union(brought);
-            *path = PathNode::new(freedoms, node.along.is_some() || !node.held.intersection(freedoms).is_empty());
+            *path = PathNode::new(freedoms, node.held, node.along.is_some());
         }
         lead_paths(nodes, members);
         match unknowns(nodes, members) {

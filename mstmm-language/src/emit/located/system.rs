@@ -3,7 +3,7 @@
 use super::super::system::{build_functions, kept_fields, values_of_fields};
 use super::super::{Names, implement};
 use super::numbers::geometry;
-use super::{by_type, field};
+use super::{answers_of_members, bounds, field};
 use crate::ast::{Element, Model};
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, TokenStream};
@@ -191,9 +191,11 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names
 /// `impl PlacedCharts<S>` and `impl Characteristic<S>`.
 pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> TokenStream {
     let Names { private, frequency, counter, .. } = names;
-    let types = by_type(skeleton, names);
-    let bounds: Vec<TokenStream> = types.iter().map(|members| bound(members[0].1, names)).collect();
-    let charts = types.iter().map(|members| chart(members, names));
+    let bounds = bounds("Charted", skeleton, names);
+    let charts = answers_of_members(skeleton, names, |kind, span| {
+        let charted = names.trait_at("Charted", span);
+        quote_spanned!(names.here=> <#kind as #charted>::chart(built, at, length))
+    });
     let body = quote_spanned! {names.here=>
         fn chart(
             &self,
@@ -201,8 +203,7 @@ pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> To
             at: &#private::FrequencyPowers<#frequency>,
             length: #frequency,
         ) -> ::core::option::Option<#private::Chart<#frequency>> {
-            #(#charts)*
-            ::core::option::Option::None
+            #charts
         }
     };
     let charts = implement("PlacedCharts", "Real", bounds.clone(), &body, names);
@@ -219,30 +220,4 @@ pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> To
     let bounds = bounds.into_iter().chain([compiled]).collect();
     let characteristic = implement("Characteristic", "Real", bounds, &body, names);
     quote_spanned!(names.here=> #charts #characteristic)
-}
-
-/// `Type<T>: Charted<S>`
-fn bound(member: &Member<'_>, names: &Names) -> TokenStream {
-    let (span, kind) = (member.span(names), member.kind(names));
-    let charted = names.trait_at("Charted", span);
-    quote_spanned!(span=> #kind: #charted)
-}
-
-/// The chart of the members of one type: one call for all of them.
-fn chart(members: &[(usize, &Member<'_>)], names: &Names) -> TokenStream {
-    let (span, kind) = (members[0].1.span(names), members[0].1.kind(names));
-    let charted = names.trait_at("Charted", span);
-    let cases = members.iter().map(|(index, _)| {
-        let field = field(*index, names.here);
-        quote_spanned!(names.here=> #index => ::core::option::Option::Some(&self.#field))
-    });
-    quote_spanned! {names.here=>
-        let built = match member {
-            #(#cases,)*
-            _ => ::core::option::Option::None,
-        };
-        if let ::core::option::Option::Some(built) = built {
-            return ::core::option::Option::Some(<#kind as #charted>::chart(built, at, length));
-        }
-    }
 }
