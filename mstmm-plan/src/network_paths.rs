@@ -133,7 +133,8 @@ const fn root(nodes: &[PathNode]) -> usize {
 const fn widest_end(nodes: &[PathNode], members: &[PathMember]) -> Option<usize> {
     let (mut best, mut width) = (None, 0);
     let mut end = 0;
-    while end < 2 * members.len() {
+    // nothing is wider than all freedoms
+    while end < 2 * members.len() && width < Freedoms::ALL.count() {
         let PathMember { nodes: pair, freedoms, .. } = members[end / 2];
         let leads = nodes[pair[end % 2]].rank == UNREACHED && nodes[pair[1 - end % 2]].rank != UNREACHED;
         if leads && freedoms.count() > width {
