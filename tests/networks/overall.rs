@@ -1,4 +1,5 @@
 //! The determinant of the overall matrix against Δ of fronts: one constant for all frequencies.
+#![expect(clippy::unwrap_used, reason = "a structure that cannot be built fails the test")]
 
 use crate::families::damped::damped_structure;
 use crate::families::named::{
@@ -11,7 +12,7 @@ use crate::structure::{Element, Structure};
 use crate::through_library::{first, freedoms};
 use mstmm::elements::{Damper, PlanarHinge, Spring, TorsionDamper, TorsionSpring};
 use mstmm::network::{
-    AnyMember, End, Joint, Member, MemberElement, MemberMatrix, Network, NetworkError, Node, Room, Section,
+    AnyMember, End, Freedoms, Joint, Member, MemberElement, MemberMatrix, Network, NetworkError, Node, Room, Section,
     UndampedMember,
 };
 use mstmm::number::{DoubleDouble, Frequency, Scaled, Single};
@@ -199,6 +200,23 @@ fn overall_determinants_of_random_structures_are_those_of_fronts() {
         report.undamped(&name, &structure);
     }
     report.judge();
+}
+
+/// A released freedom is a jump: the hinge of a portal has one unknown, and it is said how many there are.
+#[test]
+fn another_number_of_unknowns_is_refused() {
+    let section =
+        Section { axial_stiffness: double(1e4), bending_stiffness: double(1.0), mass_per_length: double(1.0) };
+    let nodes = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]].map(|place| Node::at(place.map(double)));
+    let nodes = [nodes[0].held(Freedoms::ALL), nodes[1], nodes[2], nodes[3].held(Freedoms::ALL)];
+    let hinge = End::of(2).releasing(Freedoms::RZ);
+    type Beam = Member<UndampedMember<Double>>;
+    let members = [Beam::new(0, 1, section), Beam::new(1, hinge, section), Beam::new(3, 2, section)];
+    let mut room = Box::new(Room::<_, 40, 60>::new());
+    let network = InDouble::new(&nodes, &members, &mut room).unwrap();
+    assert!(network.overall::<7>().is_ok());
+    let message = "the overall transfer equation has 7 unknowns: ask for `overall::<7>()`";
+    assert_eq!(network.overall::<6>().unwrap_err().to_string(), message);
 }
 
 /// λ with decay and growth.
