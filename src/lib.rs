@@ -123,8 +123,9 @@ pub mod list {
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
     pub use mstmm_core::{
-        AnyMember, Chart, Charted, End, Freedoms, InNetwork, Joint, Member, MemberChart, MemberElement, Network,
-        NetworkError, NetworkRoom as Room, Node, Section, Support, UndampedMember,
+        AnyMember, Chart, Charted, End, Freedoms, InNetwork, Joint, Member, MemberChart, MemberElement, MemberMatrix,
+        MemberTransfer, Network, NetworkError, NetworkRoom as Room, Node, OverallNetwork, Section, Support,
+        UndampedMember,
     };
 }
 

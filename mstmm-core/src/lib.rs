@@ -45,6 +45,7 @@ pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub use element::member_gradient::{MemberGradient, MemberWork};
 pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
+pub use element::member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
 pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use element::visit::{Visit, VisitStep};
@@ -63,7 +64,9 @@ pub use model::label::{Entry, Label, Load, Point};
 pub use model::motion_error::MotionError;
 pub use model::plane_label::{MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
-pub use mstmm_plan::{Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, Place, Scheme, Space, Step, Support};
+pub use mstmm_plan::{
+    Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support,
+};
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
 pub use number::double_double::DoubleDouble;
@@ -85,8 +88,9 @@ pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
 pub use pass::network::{
     Axis, End, InNetwork, Located, Member, Motions, MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch,
-    Node, Placed, PlacedCharts, PlacedMotions, Placement, PlaneFrequency, Skeleton, SketchedBody, SketchedEnd,
-    SketchedMember, SketchedNode, build_member, estimate_member, in_way_back, network_pass,
+    Node, OverallNetwork, Placed, PlacedCharts, PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Skeleton,
+    SketchedBody, SketchedEnd, SketchedMember, SketchedNode, build_member, estimate_member, in_way_back, network_pass,
+    overall_determinant, overall_matrix,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

@@ -6,6 +6,7 @@
 mod assemble;
 mod names;
 mod order;
+mod overall;
 mod paths;
 #[cfg(test)]
 mod tests;
@@ -57,6 +58,9 @@ pub(crate) struct Node {
     pub(crate) name: String,
     /// Index of its place; none on a path.
     pub(crate) place: Option<usize>,
+    /// The freedoms that it has.
+    pub(crate) freedoms: Freedoms,
+    /// The freedoms that are held, and those that it has not.
     pub(crate) held: Freedoms,
     /// Index of the direction along which it moves.
     pub(crate) along: Option<usize>,

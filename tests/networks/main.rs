@@ -18,6 +18,7 @@ mod oracle;
 mod oracle_against_cases;
 mod oracle_as_search;
 mod oracle_laws;
+mod overall;
 #[expect(dead_code, reason = "the example's main")]
 #[path = "../../examples/portal.rs"]
 pub mod portal;

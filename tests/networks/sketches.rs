@@ -5,6 +5,7 @@ mod bad_numbers;
 mod frames;
 mod line;
 mod lists;
+mod overall;
 
 use crate::checks::Found;
 use crate::judgement::judge_reference_cases;

@@ -19,7 +19,7 @@ const MEMBERS: usize = 1202;
 /// A network of the library.
 pub(crate) type Undamped<'a> = Network<'a, UndampedMember<f64>, WIDTH, NODES, MEMBERS>;
 
-fn freedoms(set: Freedoms) -> network::Freedoms {
+pub(crate) fn freedoms(set: Freedoms) -> network::Freedoms {
     let all = [(set.x, network::Freedoms::X), (set.y, network::Freedoms::Y), (set.rz, network::Freedoms::RZ)];
     all.iter().filter(|(is_in, _)| *is_in).fold(network::Freedoms::NONE, |sum, (_, one)| sum.union(*one))
 }

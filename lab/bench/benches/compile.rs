@@ -21,7 +21,7 @@ const ROUNDS: usize = 3;
 /// What writes the paths of a model of so many elements.
 type Paths = fn(usize) -> String;
 
-/// Each kind, and whether it is a tree, which has an overall matrix.
+/// Each kind, and whether its program evaluates the overall determinant.
 const KINDS: [(&str, Paths, bool); 3] =
     [("chain of distinct beams", chain, true), ("tree", tree, true), ("frame with loops", frame, false)];
 

@@ -1,12 +1,17 @@
 //! Charts: what an element is in a front.
 
 use crate::element::member_motion::VisitMember;
-use crate::element::traits::Element;
+use crate::element::traits::{Element, space_of};
 use crate::model::{FrequencyEstimates, InvalidParameter};
 use crate::number::{FrequencyPowers, Real, Scalar};
 use crate::subspace::Chart;
 use core::fmt::Debug;
-use mstmm_plan::Freedoms;
+use mstmm_plan::{Freedoms, Space};
+
+/// The freedom that the ends of a translation or rotation element have in the axes of a member: along it or about z.
+pub(crate) fn along_member<E: Element>() -> Freedoms {
+    if space_of::<E>().is(Space::Translation) { Freedoms::X } else { Freedoms::RZ }
+}
 
 /// An element as a member of a network.
 ///

@@ -1,13 +1,15 @@
 //! Members of any type, for networks whose size the program decides.
 
-use crate::element::{Charted, Element, MemberChart, MemberElement, MemberVisit, VisitMember};
+use crate::element::{
+    Charted, Element, MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember, along_member,
+    member_transfer,
+};
 use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::chart_scalar::ChartScalar;
-use crate::elements::shared::connector::along_member;
 use crate::elements::{Damper, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 use crate::model::{FrequencyEstimates, InvalidParameter};
-use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real};
+use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real, Single};
 use crate::subspace::Chart;
 use mstmm_plan::Freedoms;
 
@@ -135,6 +137,16 @@ macro_rules! any_member {
                     $built::Beam(beam) => visitor.member::<PlanarBeam<T>>(beam),
                     $built::Joint(joint) => visitor.member::<Joint<T>>(joint),
                     $($built::$connector(built) => visitor.member::<$connector<T>>(built),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T> + Single> MemberMatrix<S> for $name<T> {
+            fn transfer(built: &$built<T>, x: S) -> MemberTransfer<S> {
+                match built {
+                    $built::Beam(beam) => member_transfer::<PlanarBeam<T>, S>(beam, x),
+                    $built::Joint(joint) => member_transfer::<Joint<T>, S>(joint, x),
+                    $($built::$connector(built) => member_transfer::<$connector<T>, S>(built, x),)*
                 }
             }
         }

@@ -1,13 +1,14 @@
 //! Joint of two points at one place.
 
-use crate::element::{Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberWork};
+use crate::element::{Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberWork, TransferMatrix};
 use crate::elements::shared::connector::{Tie, chart_of_ties};
 use crate::elements::shared::line_forms::half;
 use crate::elements::{ElasticHinge, PlanarHinge};
 use crate::model::{FrequencyEstimates, InvalidParameter, Planar, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Parameter};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Single};
 use crate::subspace::Chart;
 use mstmm_plan::Freedoms;
+use nalgebra::Matrix6;
 
 /// A massless joint of two points at one place, which ties freedoms rigidly or by springs: a pin, a slider, an elastic hinge.
 ///
@@ -89,6 +90,20 @@ impl<T: Parameter> Element for Joint<T> {
         let [x, y, rotation] = built.elastic;
         [x, y].into_iter().flatten().for_each(|stiffness| estimates.translational_stiffness(stiffness.to_f64()));
         rotation.into_iter().for_each(|stiffness| estimates.torsional_stiffness(stiffness.to_f64()));
+    }
+}
+
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for Joint<T> {
+    /// That of a [`PlanarHinge`], without compliances where it is rigid. What it does not tie has rows and columns, too, which no path takes.
+    fn transfer_matrix(built: &Self, _x: S) -> Matrix6<S> {
+        let [x, y, rotation] = built
+            .elastic
+            .map(|stiffness| stiffness.map_or(S::zero(), |stiffness| S::from_parameter(T::one() / stiffness)));
+        let mut u = Matrix6::identity();
+        u[(0, 4)] = -x;
+        u[(1, 5)] = -y;
+        u[(2, 3)] = rotation;
+        u
     }
 }
 

@@ -4,9 +4,9 @@
 
 use crate::element::{
     BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberWork, PlaneStep,
-    TransferMatrix,
+    TransferMatrix, along_member,
 };
-use crate::elements::shared::connector::{along_member, connector};
+use crate::elements::shared::connector::connector;
 use crate::elements::shared::line_forms::{displacements, elongations, half, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_inertia, through_stiffness};
 use crate::elements::shared::massless::Massless;

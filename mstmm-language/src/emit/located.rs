@@ -1,6 +1,7 @@
 //! Emits the code of a model with locations: its numbers, the built system, and what an evaluation by fronts asks of it.
 
 mod numbers;
+mod overall;
 mod points;
 mod sensitivity;
 mod sketch;
@@ -37,6 +38,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
     let placed = system::placed(model, skeleton, width, &names);
     let charts = system::charts(skeleton, width, &names);
     let motions = system::motions(skeleton, &names);
+    let overall = overall::overall(skeleton, &names);
     let system = system::system(&names);
     Ok(quote_spanned! {names.here=>
         #parameters
@@ -51,6 +53,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
             #placed
             #charts
             #motions
+            #overall
             #sensitivity
         };
     })
@@ -87,4 +90,40 @@ fn by_type<'s>(skeleton: &'s Skeleton<'_>, names: &Names) -> Vec<Vec<(usize, &'s
         all.entry(member.kind(names).to_string()).or_default().push((index, member));
     }
     all.into_values().collect()
+}
+
+/// What a trait for the built system asks of its members: a trait for each type.
+fn bounds(of_members: &str, skeleton: &Skeleton<'_>, names: &Names) -> Vec<TokenStream> {
+    let bound = |members: &Vec<(usize, &Member<'_>)>| {
+        let (span, kind) = (members[0].1.span(names), members[0].1.kind(names));
+        let bound = names.trait_at(of_members, span);
+        quote_spanned!(span=> #kind: #bound)
+    };
+    by_type(skeleton, names).iter().map(bound).collect()
+}
+
+/// What is known of the member of an index, given the answer of its type about `built`: one call for all members of a type.
+fn answers_of_members(
+    skeleton: &Skeleton<'_>,
+    names: &Names,
+    answer: impl Fn(&TokenStream, Span) -> TokenStream,
+) -> TokenStream {
+    let types = by_type(skeleton, names);
+    let answers = types.iter().map(|members| {
+        let answer = answer(&members[0].1.kind(names), members[0].1.span(names));
+        let cases = members.iter().map(|(index, _)| {
+            let field = field(*index, names.here);
+            quote_spanned!(names.here=> #index => ::core::option::Option::Some(&self.#field))
+        });
+        quote_spanned! {names.here=>
+            let built = match member {
+                #(#cases,)*
+                _ => ::core::option::Option::None,
+            };
+            if let ::core::option::Option::Some(built) = built {
+                return ::core::option::Option::Some(#answer);
+            }
+        }
+    });
+    quote_spanned!(names.here=> #(#answers)* ::core::option::Option::None)
 }

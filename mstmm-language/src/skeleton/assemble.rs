@@ -64,8 +64,9 @@ impl<'a> Assembly<'a> {
                 continue;
             }
             node_of.push(skeleton.nodes.len());
-            let held = Freedoms::ALL.without(point.freedoms);
-            skeleton.nodes.push(Node { name: naming.node(index), place: Some(point.place), held, along: None });
+            let (name, freedoms) = (naming.node(index), point.freedoms);
+            let held = Freedoms::ALL.without(freedoms);
+            skeleton.nodes.push(Node { name, place: Some(point.place), freedoms, held, along: None });
         }
         let is_supported = vec![false; skeleton.nodes.len()];
         Assembly { network, skeleton, naming, node_of, is_supported }
@@ -88,7 +89,7 @@ impl<'a> Assembly<'a> {
             return;
         }
         let node = self.node_of[support.point];
-        let place = self.network.points[support.point].place;
+        let (place, all) = (self.network.points[support.point].place, self.network.points[support.point].freedoms);
         let name = join_name(&support.support.keyword.to_string(), &self.naming.point(support.point));
         let (held, direction) = match support.holds {
             Holds::Freedoms(freedoms) => (freedoms, None),
@@ -105,7 +106,13 @@ impl<'a> Assembly<'a> {
             return;
         }
         let ground = self.skeleton.nodes.len();
-        self.skeleton.nodes.push(Node { name: name.clone(), place: Some(place), held: Freedoms::ALL, along: None });
+        self.skeleton.nodes.push(Node {
+            name: name.clone(),
+            place: Some(place),
+            freedoms: all,
+            held: Freedoms::ALL,
+            along: None,
+        });
         let axis = direction.map_or(Axis::X, Axis::Along);
         let freedoms = if direction.is_some() { held.union(Freedoms::Y) } else { held };
         let ends = [ground, node].map(|node| End { node, place: Some(place), axis });

@@ -36,18 +36,4 @@ impl Skeleton<'_> {
         let freedoms = |end: usize| self.members[end / 2].freedoms.count();
         self.in_order(|order| order.width(|node| self.nodes[node].motions(), freedoms))
     }
-
-    /// The members that close a loop of those before them.
-    pub(super) fn closing(&self) -> Vec<&str> {
-        let mut parts = crate::network::Classes::new(self.nodes.len());
-        let mut closing = Vec::new();
-        for member in &self.members {
-            let [from, to] = member.ends.map(|end| end.node);
-            if parts.of(from) == parts.of(to) {
-                closing.push(member.name.as_str());
-            }
-            parts.join(from, to);
-        }
-        closing
-    }
 }

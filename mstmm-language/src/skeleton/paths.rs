@@ -57,7 +57,7 @@ impl<'a> Assembly<'a> {
             format!("the end of {}", element.unwrap_or_default())
         });
         let held = if motion.is_held { Freedoms::ALL } else { Freedoms::ALL.without(freedom(path)) };
-        self.skeleton.nodes.push(Node { name, place: None, held, along: None });
+        self.skeleton.nodes.push(Node { name, place: None, freedoms: freedom(path), held, along: None });
         let body = |mass: &&'a PathElement<'a>| Body { element: mass.element, node, centre: &[] };
         self.skeleton.bodies.extend(motion.masses.iter().map(body));
         let end = End { node, place: None, axis: Axis::X };

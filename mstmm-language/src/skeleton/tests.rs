@@ -32,7 +32,8 @@ fn loops_and_the_members_that_close_them() {
 
             ```text
             nodes 6, members 7, variables of the widest front 23
-            closed loops 2, closed by planar_beam 6, spring brace
+            closed loops 2, cut at planar_beam 6, spring brace
+            unknowns of the overall transfer equation 14, root pinned at planar_beam 5
             ```
 
             # Nodes
@@ -69,7 +70,8 @@ fn nodes_that_are_no_points() {
 
             ```text
             nodes 8, members 8, variables of the widest front 16
-            closed loops 1, closed by spring 6
+            closed loops 1, cut at spring 6
+            unknowns of the overall transfer equation 18, root roller at conn c
             ```
 
             # Nodes

@@ -9,13 +9,14 @@ const FREEDOMS: [(Freedoms, &str); 3] = [(Freedoms::X, "x"), (Freedoms::Y, "y"),
 
 impl Display for Skeleton<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let (nodes, members, loops) = (self.nodes.len(), self.members.len(), self.closing());
+        let (nodes, members, overall) = (self.nodes.len(), self.members.len(), self.overall());
         writeln!(f, "# Size\n\n```text")?;
         writeln!(f, "nodes {nodes}, members {members}, variables of the widest front {}", self.width().unwrap_or(0))?;
-        match loops.as_slice() {
+        match overall.cuts.as_slice() {
             [] => writeln!(f, "closed loops 0")?,
-            closing => writeln!(f, "closed loops {}, closed by {}", closing.len(), closing.join(", "))?,
+            cuts => writeln!(f, "closed loops {}, cut at {}", cuts.len(), cuts.join(", "))?,
         }
+        writeln!(f, "unknowns of the overall transfer equation {}, root {}", overall.unknowns, overall.root)?;
         writeln!(f, "```\n\n# Nodes\n")?;
         writeln!(
             f,

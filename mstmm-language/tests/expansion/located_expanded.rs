@@ -15,6 +15,7 @@ pub struct Mast {
 /// ```text
 /// nodes 3, members 2, variables of the widest front 11
 /// closed loops 0
+/// unknowns of the overall transfer equation 8, root fixed at planar_beam 1
 /// ```
 ///
 /// # Nodes
@@ -166,16 +167,21 @@ const _: () = {
         nodes: [
             mstmm::__private::SketchedNode {
                 place: ::core::option::Option::Some(0usize),
+                freedoms: mstmm::__private::Freedoms::ALL,
                 held: mstmm::__private::Freedoms::ALL,
                 along: ::core::option::Option::None,
             },
             mstmm::__private::SketchedNode {
                 place: ::core::option::Option::Some(1usize),
+                freedoms: mstmm::__private::Freedoms::ALL,
                 held: mstmm::__private::Freedoms::NONE,
                 along: ::core::option::Option::None,
             },
             mstmm::__private::SketchedNode {
                 place: ::core::option::Option::Some(2usize),
+                freedoms: mstmm::__private::Freedoms::NONE
+                    .union(mstmm::__private::Freedoms::X)
+                    .union(mstmm::__private::Freedoms::Y),
                 held: mstmm::__private::Freedoms::ALL,
                 along: ::core::option::Option::None,
             },
@@ -423,6 +429,70 @@ const _: () = {
                 );
             }
             ::core::option::Option::None
+        }
+    }
+    #[allow(long_running_const_eval)]
+    const PATHS: &[mstmm::__private::PathNode; 3usize] = &SKETCH.paths();
+    impl MastSystem {
+        /// Width of the overall matrix: the number of unknowns at the boundaries and at cuts.
+        pub const N: usize = 8;
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::PlacedTransfers<S> for MastSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
+        S: mstmm::__private::Single,
+    {
+        fn transfer(
+            &self,
+            member: ::core::primitive::usize,
+            x: S,
+        ) -> ::core::option::Option<mstmm::__private::MemberTransfer<S>> {
+            let built = match member {
+                0usize => ::core::option::Option::Some(&self.member_0),
+                _ => ::core::option::Option::None,
+            };
+            if let ::core::option::Option::Some(built) = built {
+                return ::core::option::Option::Some(
+                    mstmm::__private::member_transfer::<
+                        mstmm::__private::elements::PlanarBeam<T>,
+                        S,
+                    >(built, x),
+                );
+            }
+            let built = match member {
+                1usize => ::core::option::Option::Some(&self.member_1),
+                _ => ::core::option::Option::None,
+            };
+            if let ::core::option::Option::Some(built) = built {
+                return ::core::option::Option::Some(
+                    mstmm::__private::member_transfer::<
+                        mstmm::__private::elements::Spring<T>,
+                        S,
+                    >(built, x),
+                );
+            }
+            ::core::option::Option::None
+        }
+    }
+    #[automatically_derived]
+    impl<T, S> mstmm::__private::Evaluate<S> for MastSystem<T>
+    where
+        T: mstmm::__private::Real,
+        S: mstmm::__private::Frequency<T>,
+        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
+        S: mstmm::__private::Single,
+    {
+        type Matrix = mstmm::__private::SMatrix<S, 8, 8>;
+        fn overall_matrix(&self, x: S) -> Self::Matrix {
+            mstmm::__private::overall_matrix::<8, Self, S>(self, PATHS, x)
+        }
+        fn overall_determinant(&self, x: S) -> mstmm::__private::Scaled<S> {
+            mstmm::__private::overall_determinant::<8, Self, S>(self, PATHS, x)
         }
     }
     #[automatically_derived]

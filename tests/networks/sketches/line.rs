@@ -1,6 +1,8 @@
 //! Sketches with one coordinate against trees of the same beams.
 
 use super::{assert_near, eigenvalues, frequencies};
+use crate::overall::{LOW, Report, double, largest_difference, quotient};
+use mstmm::number::DoubleDouble;
 use mstmm::prelude::*;
 
 mod trees {
@@ -13,7 +15,7 @@ mod trees {
         fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m } -> conn 2
             -> beam 3 { length: 2.0 * l, bending_stiffness: ei, mass_per_length: 2.0 * m }
             -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: 0.3 * k } -> beam 5 { length: l, bending_stiffness: ei, mass_per_length: m }
-            -> body 6 { mass, inertia: 0.1 + mass * 0.04, output_x: 0.5, centre_x: 0.2 } -> conn 7 -> free;
+            -> body 6 { mass, inertia: 0.125 + mass * 0.0625, output_x: 0.5, centre_x: 0.25 } -> conn 7 -> free;
         conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass } <- spring 10 { stiffness: 0.5 * k } <- fixed;
         conn 2 <- torsion_spring 11 { stiffness: k } <- inertia 12 { inertia: 0.2 * mass } <- free;
         conn 7 <- spring 13 { stiffness: k } <- fixed;
@@ -41,7 +43,7 @@ mod sketches {
             -> beam 3 { bending_stiffness: ei, mass_per_length: 2.0 * m }
             -> conn h at 3.0 * l -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: 0.3 * k }
             -> beam 5 { bending_stiffness: ei, mass_per_length: m } -> conn e at 4.0 * l
-            -> rigid_body 6 { mass, inertia: 0.1, centre: 4.0 * l + 0.2 } -> conn 7 at 4.0 * l + 0.5;
+            -> rigid_body 6 { mass, inertia: 0.125, centre: 4.0 * l + 0.25 } -> conn 7 at 4.0 * l + 0.5;
         conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass } <- spring 10 { stiffness: 0.5 * k } <- fixed;
         conn 2 <- torsion_spring 11 { stiffness: k } <- inertia 12 { inertia: 0.2 * mass } <- free;
         conn 7 <- spring 13 { stiffness: k } <- fixed;
@@ -77,6 +79,27 @@ fn a_damped_line_has_the_eigenvalues_of_its_tree() {
     for (one, other) in eigenvalues(&sketch).iter().zip(eigenvalues(&tree)) {
         assert!((one - other).norm() < 1e-11 * other.norm(), "{one} and {other}");
     }
+}
+
+/// The overall matrices differ in their unknowns, where the body of the tree is a node, and their determinants in nothing but a constant.
+#[test]
+fn a_line_has_the_overall_determinant_of_its_tree() {
+    let mut report = Report::default();
+    let (l, ei, m, k, mass) = (1.5, 30.0, 2.0, 40.0, 3.0);
+    let tree = trees::Spans { l, ei, m, k, mass }.build_as::<DoubleDouble>().unwrap();
+    let sketch = sketches::Spans { l, ei, m, k, mass }.build_as::<DoubleDouble>().unwrap();
+    let constant =
+        LOW.map(|omega| quotient(sketch.overall_determinant(double(omega)), tree.overall_determinant(double(omega))));
+    report.add("spans", LOW[0], (sketches::SpansSystem::N, largest_difference(&constant)));
+    let (l, k, c) = (1.5, 2.0, 0.4);
+    let tree = trees::Damped { l, k, c }.build_as::<DoubleDouble>().unwrap();
+    let sketch = sketches::Damped { l, k, c }.build_as::<DoubleDouble>().unwrap();
+    let constant = LOW.map(|part| {
+        let lambda = Complex::new(double(0.2 - 0.3 * part), double(part));
+        quotient(sketch.overall_determinant(lambda), tree.overall_determinant(lambda))
+    });
+    report.add("damped", LOW[0], (sketches::DampedSystem::N, largest_difference(&constant)));
+    report.judge();
 }
 
 system! {

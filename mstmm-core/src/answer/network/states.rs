@@ -2,7 +2,7 @@
 
 use crate::model::{EndMotion, MotionError, PlaneEntry, PlanePoint, Quantity, Site};
 use crate::number::{Frequency, Parameter, Size};
-use crate::pass::network::{NetworkMotion, Placed, moved};
+use crate::pass::network::{NetworkMotion, Placed, moved, turned};
 use mstmm_plan::Freedoms;
 
 /// The displacements and forces of a plane structure in one motion.
@@ -89,9 +89,9 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     }
 
     /// A vector of a member in global axes, with the part about z as it is.
-    pub(super) fn in_global_axes(&self, member: usize, end: usize, [along, across, about]: [S; 3]) -> [S; 3] {
+    pub(super) fn in_global_axes(&self, member: usize, end: usize, vector: [S; 3]) -> [S; 3] {
         let [c, s] = self.system.placement(member).axis::<S>(end);
-        [c * along - s * across, s * along + c * across, about]
+        turned(vector, [c, -s])
     }
 
     /// The displacements of a point.

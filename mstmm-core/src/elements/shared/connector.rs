@@ -1,14 +1,8 @@
 //! The charts of what joins freedoms one by one: springs, dampers, hinges, rigid joints.
 
-use crate::element::{Element, space_of};
 use crate::number::{Scalar, Scaled, Size, binary_exponent};
 use crate::subspace::{Chart, Measure, Units, unit_of};
-use mstmm_plan::{Freedoms, Space};
-
-/// The freedom that the ends of a translation or rotation element have in the axes of a member: along it or about z.
-pub(crate) fn along_member<E: Element>() -> Freedoms {
-    if space_of::<E>().is(Space::Translation) { Freedoms::X } else { Freedoms::RZ }
-}
+use mstmm_plan::Freedoms;
 
 /// What joins the two ends in one freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -68,6 +68,11 @@ pub enum NetworkError {
         /// Number of its variables.
         needed: usize,
     },
+    /// The overall transfer equation has another number of unknowns than `N`.
+    Unknowns {
+        /// Number of its unknowns.
+        needed: usize,
+    },
 }
 
 impl fmt::Display for NetworkError {
@@ -98,6 +103,9 @@ impl fmt::Display for NetworkError {
             }
             NetworkError::Width { needed } => {
                 write!(f, "the widest front has {needed} variables: `Network::<_, {needed}, _, _>` has room for them")
+            }
+            NetworkError::Unknowns { needed } => {
+                write!(f, "the overall transfer equation has {needed} unknowns: ask for `overall::<{needed}>()`")
             }
         }
     }

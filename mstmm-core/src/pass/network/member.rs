@@ -2,6 +2,7 @@
 
 use crate::element::MemberElement;
 use crate::number::{Frequency, Parameter, Real, Scalar};
+use crate::pass::network::frame::{moved, norm, turned, unit};
 use crate::pass::network::node::{Motions, Node};
 use crate::subspace::JoinedEnd;
 use mstmm_plan::Freedoms;
@@ -105,10 +106,6 @@ fn between<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2]) -> [S; 2] {
     [to[0] - from[0], to[1] - from[1]]
 }
 
-fn norm<S: Scalar>([x, y]: [S; 2]) -> S {
-    (x * x + y * y).sqrt()
-}
-
 /// The vector that gives an end its x axis, of any length: its own, or that from the one end to the other.
 fn vector_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize) -> [S; 2] {
     ends[end].along.map_or_else(|| between(ends), |along| along.map(S::from_parameter))
@@ -116,9 +113,7 @@ fn vector_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize
 
 /// The direction of the x axis of an end.
 fn direction_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize) -> [S; 2] {
-    let vector: [S; 2] = vector_of(ends, end);
-    let size = norm(vector);
-    vector.map(|part| part / size)
+    unit(vector_of(ends, end))
 }
 
 /// Where an end is from its node.
@@ -241,9 +236,7 @@ impl<T: Real> Placement<T> {
 
     /// The displacements of the place of an end, as its node has them, in the axes of the member.
     pub(crate) fn tied<S: Frequency<T>>(&self, end: usize, node: [S; 3]) -> [S; 3] {
-        let [x, y, rotation] = moved(node, self.offset(end));
-        let [c, s] = self.axis::<S>(end);
-        [c * x + s * y, c * y - s * x, rotation]
+        turned(moved(node, self.offset(end)), self.axis(end))
     }
 
     /// The displacements of a node that an end shares, in the axes of the member.
@@ -266,11 +259,6 @@ impl<T: Real> Placement<T> {
     pub(crate) fn released(&self, end: usize) -> Freedoms {
         self.ends[end].released
     }
-}
-
-/// The displacements of a place that is tied to a node at a distance.
-pub(crate) fn moved<S: Scalar>([x, y, rotation]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 3] {
-    [x - rotation * to_y, y + rotation * to_x, rotation]
 }
 
 /// Whether a place is finite.

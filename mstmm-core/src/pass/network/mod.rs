@@ -2,10 +2,13 @@
 
 mod error;
 mod evaluate;
+mod frame;
 mod frequency;
 mod member;
 mod motion;
 mod node;
+mod overall;
+mod overall_network;
 mod products;
 mod skeleton;
 mod sketch;
@@ -13,11 +16,13 @@ mod structure;
 
 pub use error::NetworkError;
 pub use evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
+pub(crate) use frame::{moved, turned};
 pub use frequency::{MovingNetwork, PlaneFrequency};
-pub(crate) use member::moved;
 pub use member::{End, Member, Placement};
 pub(crate) use motion::{LoadAt, NetworkMotion, delta, motion_everywhere, motion_under, rounding_under};
 pub use node::{Motions, Node};
+pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
+pub use overall_network::OverallNetwork;
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member, estimate_member};
 pub use sketch::{Axis, Located, NetworkSketch, SketchedBody, SketchedEnd, SketchedMember, SketchedNode};

@@ -2,6 +2,7 @@
 
 use crate::model::FrequencyEstimates;
 use crate::number::{Frequency, Parameter, Real, Truth};
+use crate::pass::network::frame::unit;
 use mstmm_plan::Freedoms;
 
 /// A point of a plane network, with the displacements x, y and the rotation about z.
@@ -144,12 +145,17 @@ impl<T: Parameter> Node<T> {
         let mut moved = [S::zero(); 3];
         moved[axis] = S::one();
         if let Some(along) = self.along.filter(|_| axis < 2) {
-            let [x, y] = along.map(S::from_parameter);
-            let part = [x, y][axis] / (x * x + y * y);
+            let [x, y] = unit(along.map(S::from_parameter));
+            let part = [x, y][axis];
             let is_held = !along[1 - axis].vanishes().all();
             return is_held.then(|| [moved[0] - part * x, moved[1] - part * y, S::zero()]);
         }
         self.held.contains(Freedoms::SINGLE[axis]).then_some(moved)
+    }
+
+    /// The direction along which it moves, if it does.
+    pub(crate) fn direction<S: Frequency<T>>(&self) -> Option<[S; 2]> {
+        self.along.map(|along| unit(along.map(S::from_parameter)))
     }
 
     /// The mass matrix of the body over x, y and the rotation of the node.

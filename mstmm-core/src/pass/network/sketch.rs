@@ -1,7 +1,7 @@
 //! What `system!` says of a network: its nodes and members by indices, its numbers by their place in a list.
 
 use crate::model::Spot;
-use mstmm_plan::{Freedoms, in_motion};
+use mstmm_plan::{Freedoms, PathMember, PathNode, in_motion, lead_paths};
 
 /// A network without its numbers.
 ///
@@ -35,7 +35,9 @@ pub struct SketchedBody {
 pub struct SketchedNode {
     /// Index of its place; none of a motion of a path, which is along x.
     pub place: Option<usize>,
-    /// The freedoms that are held.
+    /// The freedoms that it has.
+    pub freedoms: Freedoms,
+    /// The freedoms that are held, and those that it has not.
     pub held: Freedoms,
     /// Index of the direction along which it moves.
     pub along: Option<usize>,
@@ -90,6 +92,26 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             member += 1;
         }
         pairs
+    }
+
+    /// The paths of its overall transfer equation.
+    pub const fn paths(&self) -> [PathNode; NODES] {
+        let mut nodes = [PathNode::NONE; NODES];
+        let mut node = 0;
+        while node < NODES {
+            let SketchedNode { freedoms, held, along, .. } = self.nodes[node];
+            nodes[node] = PathNode::new(freedoms, held, along.is_some());
+            node += 1;
+        }
+        let mut members = [PathMember::NONE; MEMBERS];
+        let mut member = 0;
+        while member < MEMBERS {
+            let SketchedMember { freedoms, ends: [from, to], .. } = &self.members[member];
+            members[member] = PathMember { nodes: [from.node, to.node], freedoms: *freedoms, released: 0 };
+            member += 1;
+        }
+        lead_paths(&mut nodes, &members);
+        nodes
     }
 
     /// What errors call a node: the name of its place, or its index where it is a motion of a path.

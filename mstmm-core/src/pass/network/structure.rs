@@ -1,13 +1,14 @@
 //! A network with its order of elimination.
 
-use crate::element::{MemberChart, MemberElement, MemberVisit, VisitMember};
+use crate::element::{MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
 use crate::model::FrequencyEstimates;
-use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Truth};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Truth};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
 use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
+use crate::pass::network::overall::PlacedTransfers;
 use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
 use core::fmt::Debug;
 use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
@@ -268,6 +269,17 @@ where
 {
     fn visit_member<V: VisitMember<S>>(&self, member: usize, visitor: V) -> Option<V::Output> {
         Some(E::visit(self.members[member].as_ref()?, visitor))
+    }
+}
+
+impl<E, S, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> PlacedTransfers<S>
+    for Network<'_, E, WIDTH, NODES, MEMBERS>
+where
+    E: MemberMatrix<S>,
+    S: Frequency<E::Parameter> + Single,
+{
+    fn transfer(&self, member: usize, x: S) -> Option<MemberTransfer<S>> {
+        Some(E::transfer(self.members[member].as_ref()?, x))
     }
 }
 

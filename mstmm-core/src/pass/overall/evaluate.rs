@@ -8,7 +8,7 @@ pub trait Evaluate<S: Scalar> {
     type Matrix;
 
     /// The reduced overall matrix of `U_all z_all = 0`: main transfer equation first, then the geometrical equations;
-    /// columns by tips, the root's last.
+    /// columns by tips, the root's last. Of plane structures with loops the columns of cuts come first.
     ///
     /// # Source
     /// Eqs. (30), (35), (36), (40) of the paper, boundary zeros removed.

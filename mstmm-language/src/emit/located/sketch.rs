@@ -33,8 +33,11 @@ pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
 
 fn sketched_node(node: &Node, names: &Names) -> TokenStream {
     let private = &names.private;
-    let (place, held, along) = (option(node.place, names), freedoms(node.held, names), option(node.along, names));
-    quote_spanned!(names.here=> #private::SketchedNode { place: #place, held: #held, along: #along })
+    let (place, along) = (option(node.place, names), option(node.along, names));
+    let [own, held] = [node.freedoms, node.held].map(|set| freedoms(set, names));
+    quote_spanned! {names.here=>
+        #private::SketchedNode { place: #place, freedoms: #own, held: #held, along: #along }
+    }
 }
 
 fn sketched_member(member: &Member<'_>, names: &Names) -> TokenStream {

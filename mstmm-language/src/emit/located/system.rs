@@ -3,7 +3,7 @@
 use super::super::system::{build_functions, kept_fields, values_of_fields};
 use super::super::{Names, implement};
 use super::numbers::geometry;
-use super::{by_type, field};
+use super::{answers_of_members, bounds, field};
 use crate::ast::{Element, Model};
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, TokenStream};
@@ -191,9 +191,11 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names
 /// `impl PlacedCharts<S>` and `impl Characteristic<S>`.
 pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> TokenStream {
     let Names { private, frequency, counter, .. } = names;
-    let types = by_type(skeleton, names);
-    let bounds: Vec<TokenStream> = types.iter().map(|members| bound("Charted", members[0].1, names)).collect();
-    let charts = types.iter().map(|members| chart(members, names));
+    let bounds = bounds("Charted", skeleton, names);
+    let charts = answers_of_members(skeleton, names, |kind, span| {
+        let charted = names.trait_at("Charted", span);
+        quote_spanned!(names.here=> <#kind as #charted>::chart(built, at, length))
+    });
     let body = quote_spanned! {names.here=>
         fn chart(
             &self,
@@ -201,8 +203,7 @@ pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> To
             at: &#private::FrequencyPowers<#frequency>,
             length: #frequency,
         ) -> ::core::option::Option<#private::Chart<#frequency>> {
-            #(#charts)*
-            ::core::option::Option::None
+            #charts
         }
     };
     let charts = implement("PlacedCharts", "Real", bounds.clone(), &body, names);
@@ -221,56 +222,19 @@ pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> To
     quote_spanned!(names.here=> #charts #characteristic)
 }
 
-/// `Type<T>: Trait<S>`
-fn bound(of: &str, member: &Member<'_>, names: &Names) -> TokenStream {
-    let (span, kind) = (member.span(names), member.kind(names));
-    let of = names.trait_at(of, span);
-    quote_spanned!(span=> #kind: #of)
-}
-
 /// `impl PlacedMotions<S>`.
 pub(super) fn motions(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
-    let private = &names.private;
-    let frequency = &names.frequency;
-    let types = by_type(skeleton, names);
-    let bounds = types.iter().map(|members| bound("MemberMotion", members[0].1, names)).collect();
-    let visits = types.iter().map(|members| {
-        let kind = members[0].1.kind(names);
-        of_type(members, &quote_spanned!(names.here=> visitor.member::<#kind>(built)), names)
-    });
+    let Names { private, frequency, .. } = names;
+    let visits =
+        answers_of_members(skeleton, names, |kind, _| quote_spanned!(names.here=> visitor.member::<#kind>(built)));
     let body = quote_spanned! {names.here=>
         fn visit_member<V: #private::VisitMember<#frequency>>(
             &self,
             member: ::core::primitive::usize,
             visitor: V,
         ) -> ::core::option::Option<V::Output> {
-            #(#visits)*
-            ::core::option::Option::None
+            #visits
         }
     };
-    implement("PlacedMotions", "Real", bounds, &body, names)
-}
-
-/// The chart of the members of one type: one call for all of them.
-fn chart(members: &[(usize, &Member<'_>)], names: &Names) -> TokenStream {
-    let (span, kind) = (members[0].1.span(names), members[0].1.kind(names));
-    let charted = names.trait_at("Charted", span);
-    of_type(members, &quote_spanned!(names.here=> <#kind as #charted>::chart(built, at, length)), names)
-}
-
-/// Returns what comes of `built`, if it is a member of one type.
-fn of_type(members: &[(usize, &Member<'_>)], result: &TokenStream, names: &Names) -> TokenStream {
-    let cases = members.iter().map(|(index, _)| {
-        let field = field(*index, names.here);
-        quote_spanned!(names.here=> #index => ::core::option::Option::Some(&self.#field))
-    });
-    quote_spanned! {names.here=>
-        let built = match member {
-            #(#cases,)*
-            _ => ::core::option::Option::None,
-        };
-        if let ::core::option::Option::Some(built) = built {
-            return ::core::option::Option::Some(#result);
-        }
-    }
+    implement("PlacedMotions", "Real", bounds("MemberMotion", skeleton, names), &body, names)
 }

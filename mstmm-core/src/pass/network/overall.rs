@@ -1,0 +1,289 @@
+//! The overall transfer equation of a network: one unknown after the other along the paths from the tips to the root.
+
+use crate::element::{MemberTransfer, PathState};
+use crate::number::{Frequency, Scaled, Single};
+use crate::pass::network::evaluate::Placed;
+use crate::pass::network::frame::Frame;
+use crate::pass::overall::determinant::determinant;
+use core::mem::replace;
+use mstmm_plan::{Freedoms, PathNode};
+use nalgebra::SMatrix;
+
+/// A network whose members have transfer matrices at a frequency.
+pub trait PlacedTransfers<S: Frequency<Self::Parameter>>: Placed {
+    /// The transfer matrix of a member.
+    fn transfer(&self, member: usize, x: S) -> Option<MemberTransfer<S>>;
+}
+
+/// The overall matrix of a network, given its paths; `N` is the number of their unknowns.
+///
+/// Rows are the main transfer equation, forces at the root and then displacements, where a member brings them there; forces that are zero
+/// where paths leave freedoms behind; geometrical equations. Columns are the states at cuts, by members, and the unknowns of tips from the
+/// leaves on, those of the root last.
+pub fn overall_matrix<const N: usize, Y, S>(network: &Y, paths: &[PathNode], x: S) -> SMatrix<S, N, N>
+where
+    Y: PlacedTransfers<S>,
+    S: Frequency<Y::Parameter> + Single,
+{
+    let mut links = Y::per_member(Link::none());
+    for (member, link) in links.as_mut().iter_mut().enumerate().take(network.sizes()[1]) {
+        *link = Link::new(network, paths, member, x);
+    }
+    let mut order = Y::per_node(0);
+    for (node, path) in paths.iter().enumerate() {
+        if let Some(place) = order.as_mut().get_mut(path.rank) {
+            *place = node;
+        }
+    }
+    let mut columns = [[S::zero(); N]; N];
+    for (unknown, rows) in columns.iter_mut().enumerate() {
+        let column = Column {
+            network,
+            paths,
+            links: &links.as_ref()[..network.sizes()[1]],
+            nodes: Y::per_node(PathState::zero()),
+            ends: Y::per_member([[S::zero(); 3]; 2]),
+            lambda_squared: x.lambda_squared(),
+            unknown,
+            next_unknown: 0,
+            rows,
+            next_row: 0,
+        };
+        column.fill(&order.as_ref()[..paths.len()]);
+    }
+    SMatrix::from(columns)
+}
+
+/// The determinant of the overall matrix of a network, times what removes the poles of its members.
+pub fn overall_determinant<const N: usize, Y, S>(network: &Y, paths: &[PathNode], x: S) -> Scaled<S>
+where
+    Y: PlacedTransfers<S>,
+    S: Frequency<Y::Parameter> + Single,
+{
+    let members = (0..network.sizes()[1]).filter_map(|member| network.transfer(member, x)?.denominator);
+    members.fold(determinant(overall_matrix::<N, Y, S>(network, paths, x)), Scaled::times)
+}
+
+/// A member on its path.
+#[derive(Clone, Copy, Debug)]
+struct Link<S> {
+    nodes: [usize; 2],
+    freedoms: Freedoms,
+    released: [Freedoms; 2],
+    frames: [Frame<S>; 2],
+    /// From the end by which a path leaves its node, or from the cut at its input.
+    transfer: MemberTransfer<S>,
+    is_cut: bool,
+}
+
+impl<S: Single> Link<S> {
+    fn none() -> Self {
+        Link {
+            nodes: [0; 2],
+            freedoms: Freedoms::NONE,
+            released: [Freedoms::NONE; 2],
+            frames: [Frame::of_node(); 2],
+            transfer: MemberTransfer::none(),
+            is_cut: false,
+        }
+    }
+
+    fn new<Y: PlacedTransfers<S>>(network: &Y, paths: &[PathNode], member: usize, x: S) -> Self
+    where
+        S: Frequency<Y::Parameter>,
+    {
+        let placement = network.placement(member);
+        let nodes = [0, 1].map(|end| placement.node_of(end));
+        let [leaves, is_reversed] = [0, 1].map(|end| paths[nodes[end]].leaves_by(2 * member + end));
+        let transfer = network.transfer(member, x).unwrap_or(MemberTransfer::none());
+        Link {
+            nodes,
+            freedoms: placement.freedoms,
+            released: [0, 1].map(|end| placement.released(end).intersection(placement.freedoms)),
+            frames: [0, 1].map(|end| Frame { axis: placement.axis(end), offset: placement.offset(end) }),
+            transfer: if is_reversed { transfer.reversed() } else { transfer },
+            is_cut: !leaves && !is_reversed,
+        }
+    }
+}
+
+/// What one unknown causes: the states on all paths, and its column of the matrix.
+struct Column<'a, Y: Placed, S: Single> {
+    network: &'a Y,
+    paths: &'a [PathNode],
+    links: &'a [Link<S>],
+    nodes: Y::PerNode<PathState<S>>,
+    /// The displacements of the ends that arrive at nodes, in their own axes.
+    ends: Y::PerMember<[[S; 3]; 2]>,
+    lambda_squared: S,
+    unknown: usize,
+    next_unknown: usize,
+    rows: &'a mut [S],
+    next_row: usize,
+}
+
+impl<Y, S> Column<'_, Y, S>
+where
+    Y: PlacedTransfers<S>,
+    S: Frequency<Y::Parameter> + Single,
+{
+    /// The next unknown: one if it is that of the column.
+    fn unknown(&mut self) -> S {
+        let is_own = self.next_unknown == self.unknown;
+        self.next_unknown += 1;
+        if is_own { S::one() } else { S::zero() }
+    }
+
+    /// The next entry of the column.
+    fn entry(&mut self, entry: S) {
+        if let Some(row) = self.rows.get_mut(self.next_row) {
+            *row = entry;
+        }
+        self.next_row += 1;
+    }
+
+    /// Goes along all paths, given the nodes from the root on.
+    fn fill(mut self, order: &[usize]) {
+        if let Some(&root) = order.first() {
+            let root = self.paths[root];
+            self.next_row = root.freedoms.count() * if root.is_led() { 2 } else { 1 };
+        }
+        let links = self.links;
+        for (member, link) in links.iter().enumerate().filter(|(_, link)| link.is_cut) {
+            let mut state = PathState::zero();
+            for k in numbers(link.freedoms) {
+                state.displacements[k] = self.unknown();
+            }
+            for k in numbers(link.freedoms) {
+                state.forces[k] = self.unknown();
+            }
+            self.arrive(2 * member, state.opposite());
+            self.arrive(2 * member + 1, link.transfer.of(state));
+        }
+        for &node in order.iter().rev() {
+            self.node(node);
+        }
+        for end in 0..2 * links.len() {
+            self.compare(end);
+        }
+    }
+
+    /// Takes the paths that have arrived at a node on, with those of its support or its tip.
+    fn node(&mut self, node: usize) {
+        let path = self.paths[node];
+        let mut state = self.nodes.as_ref()[node].of_freedoms(path.freedoms);
+        let mut tip = PathState::zero();
+        if path.is_boundary() {
+            tip = self.tip(node);
+            if !path.is_led() {
+                state.displacements = tip.displacements;
+            }
+        }
+        self.nodes.as_mut()[node].displacements = state.displacements;
+        let body = self.network.node(node).0.mass_matrix::<S>();
+        for (force, row) in state.forces.iter_mut().zip(body) {
+            for (mass, displacement) in row.into_iter().zip(state.displacements) {
+                *force -= self.lambda_squared * mass * displacement;
+            }
+        }
+        let Some(end) = path.leaving() else { return self.root(path, state, tip) };
+        for k in numbers(path.freedoms) {
+            if path.is_boundary() && path.is_led() {
+                self.entry(tip.displacements[k] - state.displacements[k]);
+            }
+            state.forces[k] += tip.forces[k];
+        }
+        self.leave(end, path, state);
+    }
+
+    /// The unknowns of the support of a node, of the root those of the state there.
+    fn tip(&mut self, node: usize) -> PathState<S> {
+        let path = self.paths[node];
+        let (support, _) = self.network.node(node);
+        let mut tip = PathState::zero();
+        let mut in_axes = path.freedoms;
+        if let Some([c, s]) = support.direction::<S>() {
+            let [along, across] = [self.unknown(), self.unknown()];
+            tip.displacements = [c * along, s * along, S::zero()];
+            tip.forces = [-s * across, c * across, S::zero()];
+            in_axes = in_axes.intersection(Freedoms::RZ);
+        }
+        for k in numbers(in_axes.without(support.held)) {
+            tip.displacements[k] = self.unknown();
+        }
+        for k in numbers(in_axes.intersection(support.held)) {
+            tip.forces[k] = self.unknown();
+        }
+        tip
+    }
+
+    /// Ends all paths at the root, in the first rows: the state there less its own unknowns.
+    fn root(&mut self, path: PathNode, state: PathState<S>, own: PathState<S>) {
+        let next_row = replace(&mut self.next_row, 0);
+        for k in numbers(path.freedoms) {
+            self.entry(state.forces[k] - own.forces[k]);
+        }
+        for k in numbers(path.freedoms).filter(|_| path.is_led()) {
+            self.entry(state.displacements[k] - own.displacements[k]);
+        }
+        self.next_row = next_row;
+    }
+
+    /// Takes a state from a node into the end of a member. Forces that the member does not carry are zero.
+    fn leave(&mut self, end: usize, path: PathNode, state: PathState<S>) {
+        let (links, place) = (self.links, end / 2);
+        let link = &links[place];
+        let mut state = link.frames[end % 2].at_end(state);
+        for k in numbers(path.left_behind(link.freedoms)) {
+            self.entry(state.forces[k]);
+        }
+        state = state.of_freedoms(link.freedoms);
+        self.release(end, &mut state);
+        self.arrive(end ^ 1, link.transfer.of(state));
+    }
+
+    /// Lets the displacements that an end does not share jump; their forces are zero.
+    fn release(&mut self, end: usize, state: &mut PathState<S>) {
+        for k in numbers(self.links[end / 2].released[end % 2]) {
+            let force = replace(&mut state.forces[k], S::zero());
+            self.entry(force);
+            state.displacements[k] += self.unknown();
+        }
+    }
+
+    /// Adds the forces of an end to those of its node, and gives that its displacements, if it has them from here.
+    fn arrive(&mut self, end: usize, mut state: PathState<S>) {
+        self.release(end, &mut state);
+        let link = &self.links[end / 2];
+        self.ends.as_mut()[end / 2][end % 2] = state.displacements;
+        let (state, node) = (link.frames[end % 2].at_node(state), link.nodes[end % 2]);
+        let at_node = &mut self.nodes.as_mut()[node];
+        if self.paths[node].is_led_by(end) {
+            at_node.displacements = state.displacements;
+        }
+        for (sum, force) in at_node.forces.iter_mut().zip(state.forces) {
+            *sum += force;
+        }
+    }
+
+    /// The geometrical equations of an end that arrives: its displacements are those of its node.
+    fn compare(&mut self, end: usize) {
+        let link = &self.links[end / 2];
+        let node = link.nodes[end % 2];
+        let path = self.paths[node];
+        if path.leaves_by(end) || path.is_led_by(end) {
+            return;
+        }
+        let own = self.ends.as_ref()[end / 2][end % 2];
+        let of_node = link.frames[end % 2].at_end(self.nodes.as_ref()[node]);
+        for k in numbers(link.freedoms) {
+            self.entry(own[k] - of_node.displacements[k]);
+        }
+    }
+}
+
+/// The places of freedoms in a state.
+fn numbers(freedoms: Freedoms) -> impl Iterator<Item = usize> {
+    let all = Freedoms::SINGLE.into_iter().enumerate();
+    all.filter(move |(_, freedom)| freedoms.contains(*freedom)).map(|(k, _)| k)
+}

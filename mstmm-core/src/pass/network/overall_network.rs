@@ -1,0 +1,108 @@
+//! The overall transfer equation of a network that is a list.
+
+use crate::element::MemberElement;
+use crate::number::{Frequency, Scaled, Single};
+use crate::pass::network::error::NetworkError;
+use crate::pass::network::evaluate::Placed;
+use crate::pass::network::overall::{PlacedTransfers, overall_determinant, overall_matrix};
+use crate::pass::network::structure::Network;
+use crate::pass::overall::evaluate::Evaluate;
+use mstmm_plan::{Freedoms, PathMember, PathNode, lead_paths, unknowns};
+use nalgebra::SMatrix;
+
+/// A network with its paths, along which the overall transfer equation is assembled; `N` is the number of its unknowns.
+#[derive(Clone, Copy, Debug)]
+pub struct OverallNetwork<'n, Y: Placed, const N: usize> {
+    network: &'n Y,
+    paths: Y::PerNode<PathNode>,
+}
+
+impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize>
+    Network<'a, E, WIDTH, NODES, MEMBERS>
+{
+    /// The overall transfer equation `U_all z_all = 0`, with `overall_matrix` and `overall_determinant`.
+    ///
+    /// `N` unknowns are half of the entries of a state at each support, at the free tips of paths and at the root, all `2n` entries of the
+    /// state of a member with `n` freedoms at each cut, and a jump for each released freedom.
+    ///
+    /// ```
+    /// use mstmm_core::search::NaturalFrequencies;
+    /// use mstmm_core::{Evaluate, Member, Network, NetworkRoom, Node, Section, UndampedMember};
+    ///
+    /// // a free square: one cut, and three displacements of the root
+    /// let nodes = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Node::at);
+    /// let section = Section { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 };
+    /// let members = [[0, 1], [1, 2], [2, 3], [3, 0]].map(|[from, to]| Member::<UndampedMember<f64>>::new(from, to, section));
+    /// let mut room = NetworkRoom::<_, 4, 4>::new();
+    /// let square = Network::<_, 15, _, _>::new(&nodes, &members, &mut room)?;
+    /// let equation = square.overall::<9>()?;
+    /// let first = square.first_frequencies::<5>().unwrap()[1];
+    /// let [below, above] = [0.99, 1.01].map(|part| equation.overall_determinant(part * first.omega).mantissa());
+    /// assert!(below * above < 0.0);
+    /// # Ok::<(), mstmm_core::NetworkError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`NetworkError::Unknowns`] for another `N` than that of the network.
+    pub fn overall<const N: usize>(&self) -> Result<OverallNetwork<'_, Self, N>, NetworkError> {
+        OverallNetwork::new(self)
+    }
+}
+
+impl<'n, Y: Placed, const N: usize> OverallNetwork<'n, Y, N> {
+    fn new(network: &'n Y) -> Result<Self, NetworkError> {
+        let [node_count, member_count] = network.sizes();
+        let mut members = Y::per_member(PathMember::NONE);
+        let members = &mut members.as_mut()[..member_count];
+        for (index, member) in members.iter_mut().enumerate() {
+            let placement = network.placement(index);
+            let freedoms = placement.freedoms;
+            let released = [0, 1].map(|end| placement.released(end).intersection(freedoms).count());
+            *member = PathMember {
+                nodes: [0, 1].map(|end| placement.node_of(end)),
+                freedoms,
+                released: released.iter().sum(),
+            };
+        }
+        let mut paths = Y::per_node(PathNode::NONE);
+        let nodes = &mut paths.as_mut()[..node_count];
+        for (index, path) in nodes.iter_mut().enumerate() {
+            let here = members.iter().filter(|member| member.nodes.contains(&index));
+            let brought = here.fold(Freedoms::NONE, |sum, member| sum.union(in_plane(member.freedoms)));
+            let node = network.node(index).0;
+            let freedoms = Freedoms::ALL.without(node.held).union(brought);
+            *path = PathNode::new(freedoms, node.held, node.along.is_some());
+        }
+        lead_paths(nodes, members);
+        match unknowns(nodes, members) {
+            needed if needed == N => Ok(OverallNetwork { network, paths }),
+            needed => Err(NetworkError::Unknowns { needed }),
+        }
+    }
+
+    fn paths(&self) -> &[PathNode] {
+        &self.paths.as_ref()[..self.network.sizes()[0]]
+    }
+}
+
+/// The freedoms in the axes of the plane that a member with some in axes of its own brings to a node.
+fn in_plane(freedoms: Freedoms) -> Freedoms {
+    let plane = Freedoms::X.union(Freedoms::Y);
+    if freedoms.intersection(plane).is_empty() { freedoms } else { freedoms.union(plane) }
+}
+
+impl<Y, S, const N: usize> Evaluate<S> for OverallNetwork<'_, Y, N>
+where
+    Y: PlacedTransfers<S>,
+    S: Frequency<Y::Parameter> + Single,
+{
+    type Matrix = SMatrix<S, N, N>;
+
+    fn overall_matrix(&self, x: S) -> SMatrix<S, N, N> {
+        overall_matrix(self.network, self.paths(), x)
+    }
+
+    fn overall_determinant(&self, x: S) -> Scaled<S> {
+        overall_determinant::<N, Y, S>(self.network, self.paths(), x)
+    }
+}

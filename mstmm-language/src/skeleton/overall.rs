@@ -1,0 +1,35 @@
+//! The overall transfer equation of a skeleton: its root, the members that are cut, and the number of unknowns.
+
+use super::Skeleton;
+use mstmm_plan::{PathMember, PathNode, is_cut, lead_paths, unknowns};
+
+/// What the documentation of a built system says of the overall transfer equation.
+pub(crate) struct Overall<'s> {
+    /// The width of the overall matrix.
+    pub(crate) unknowns: usize,
+    /// The node at which all paths end.
+    pub(super) root: &'s str,
+    /// The members that are cut, since they close loops.
+    pub(super) cuts: Vec<&'s str>,
+}
+
+impl Skeleton<'_> {
+    /// The overall transfer equation; the skeleton hangs together.
+    pub(crate) fn overall(&self) -> Overall<'_> {
+        let node = |node: &super::Node| PathNode::new(node.freedoms, node.held, node.along.is_some());
+        let mut nodes: Vec<PathNode> = self.nodes.iter().map(node).collect();
+        let member = |member: &super::Member<'_>| {
+            let ([from, to], freedoms) = (&member.ends, member.freedoms);
+            PathMember { nodes: [from.node, to.node], freedoms, released: 0 }
+        };
+        let members: Vec<PathMember> = self.members.iter().map(member).collect();
+        lead_paths(&mut nodes, &members);
+        let cut = (0..members.len()).filter(|&member| is_cut(&nodes, &members, member));
+        let root = nodes.iter().position(|node| node.leaving().is_none()).unwrap_or_default();
+        Overall {
+            unknowns: unknowns(&nodes, &members),
+            root: &self.nodes[root].name,
+            cuts: cut.map(|member| self.members[member].name.as_str()).collect(),
+        }
+    }
+}
