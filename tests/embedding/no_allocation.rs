@@ -19,6 +19,26 @@ system! {
     free -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: m } -> free;
 }
 
+system! {
+    /// A portal with a spring and a damper between its corners.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Portal { length: f64, c: f64 }
+    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (0.0, length)
+        -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (length, length)
+        <- planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } <- conn foot at (length, 0.0) <- pinned;
+    conn a -> spring_damper 4 { stiffness: 1.0, damping: c } -> conn b;
+}
+
+system! {
+    /// A square without supports.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Square { length: f64 }
+    conn a at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (length, 0.0)
+        -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn c at (length, length)
+        -> planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (0.0, length)
+        -> planar_beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
+}
+
 /// The system's allocator, counting what the current thread asks of it: other threads belong to the test harness.
 struct Counting;
 
@@ -183,6 +203,46 @@ fn motions_allocate_nothing() {
     let roots = system.first_eigenvalues::<4>().unwrap();
     let points = [DampedOscillator::conn_5, DampedOscillator::mass_7.output()];
     assert_motions_allocate_nothing!(&system, &roots, Complex::new(0.0, 300.0), points, DampedOscillator::beam_1);
+}
+
+/// Motions of frames, undamped with multiple roots and damped, under loads and motions of supports.
+macro_rules! assert_motions_of_frames_allocate_nothing {
+    ($system:expr, $roots:expr, $x:expr, $loads:expr, $entry:expr, $label:expr) => {{
+        let (system, roots) = ($system, $roots);
+        let work = || {
+            for root in &roots {
+                let shapes = system.mode_shapes::<3, _>(root).unwrap();
+                for shape in shapes.iter() {
+                    let _ = black_box((shape.modal_mass(), shape.modal_stiffness(), shape.product(shape)));
+                    let _ = black_box((shape.energy_shares($label), shape.along($label, 0.01)));
+                    let _ = black_box(shape.clone().with_unit_deflection());
+                }
+                let sensitivities = system.sensitivity(root);
+                let _ = black_box(sensitivities.map(|found| (found.get("length"), found.iter().count())));
+            }
+            for load in $loads {
+                let response = system.frequency_response(load, $entry).unwrap();
+                let _ = black_box(response.curve::<4000, _>(0.1..=2.0, &roots, 1e-2).map(|curve| curve.len()));
+                let _ = black_box(response.at($x).unwrap());
+                follow(&system.modal_response::<6, _>(&roots, load, $entry).unwrap());
+            }
+            let _ = black_box((system.overall_matrix($x), system.overall_determinant($x)));
+        };
+        assert_eq!(allocations(work), 0);
+    }};
+}
+
+#[test]
+fn motions_of_frames_allocate_nothing() {
+    let system = Portal { length: 1.0, c: 0.1 }.build().unwrap();
+    let roots = system.first_eigenvalues::<4>().unwrap();
+    let (loads, entry) = ([Portal::conn_a.force_x(), Portal::conn_foot.motion_x()], Portal::conn_b.displacement_x());
+    let x = Complex::new(-0.1, 3.0);
+    assert_motions_of_frames_allocate_nothing!(&system, roots, x, loads, entry, Portal::planar_beam_2);
+    let system = Square { length: 1.0 }.build().unwrap();
+    let roots = system.first_frequencies::<6>().unwrap();
+    let (loads, entry) = ([Square::conn_a.force_x()], Square::conn_c.rotation_z());
+    assert_motions_of_frames_allocate_nothing!(&system, roots, 3.0, loads, entry, Square::planar_beam_2);
 }
 
 /// The shapes of a double root come from a ring of frequencies around it.

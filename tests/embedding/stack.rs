@@ -139,11 +139,15 @@ fn motions_of_frames() {
         }
         let response = square.frequency_response(Square::conn_a.force_x(), Square::conn_b.displacement_y()).unwrap();
         assert!(response.at(1.3).is_ok());
+        assert!(response.curve::<64, f64>(0.1..=1.0, &square.first_frequencies::<4>().unwrap(), 1e-2).is_ok());
     });
     on_a_stack_of(FRAMES, || {
         let portal = Portal { l: 1.0, c: 0.5 }.build().unwrap();
         let roots = portal.first_eigenvalues::<2>().unwrap();
         assert!(portal.mode_shape(&roots[0]).is_ok() && portal.sensitivity(&roots[0]).is_ok());
+        let (load, entry) = (Portal::conn_a.force_x(), Portal::conn_a.displacement_x());
+        assert!(portal.modal_response::<4, _>(&roots, load, entry).is_ok());
+        assert!(portal.overall_determinant(roots[0].lambda).mantissa().norm() >= 0.0);
     });
 }
 

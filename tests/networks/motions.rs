@@ -1,5 +1,6 @@
 //! Shapes, responses and sensitivities of plane structures.
 
+mod at_rest;
 mod balance;
 mod by_minors;
 mod damped;

@@ -23,6 +23,9 @@ const STEP: f64 = 1e-13;
 /// Relative size of λ² - λ₁², with λ₁ the root, beyond which a frequency is none.
 const NO_ROOT: f64 = 1e-7;
 
+/// Relative size of λ² - λ₁² beyond which there is no root at rest: it is one beside λ₁ = 0.
+const BESIDE_NO_ROOT: f64 = 8.0;
+
 /// The difference of shapes under two loads, of unit modal mass, and the sum of forces at a node beside the largest, beyond which a shape
 /// is computed again in extended precision.
 const FITTING: f64 = 1e-12;
@@ -151,12 +154,21 @@ where
         if !(mass.size() > 0.0 && mass.size().is_finite()) {
             return Err(self.not_finite());
         }
-        // the work of the load over the mass is λ² less that of the root; at rest λ² has no size to compare with: a count has found it
-        let mismatch = (motion.work / mass / self.x.lambda_squared()).size();
-        if !self.x.is_zero() && (mismatch > NO_ROOT || mismatch.is_nan()) {
-            return Err(MotionError::NotARoot { frequency: self.x.modulus(), mismatch });
-        }
+        self.check(&motion, mass)?;
         Ok(motion.times(S::one() / mass.sqrt()))
+    }
+
+    /// Checks that the frequency is a root, given a motion there and its modal mass: the work of the load over the mass is λ² less that of
+    /// the root.
+    fn check(&self, motion: &NetworkMotion<Y, S>, mass: S) -> Result<(), MotionError> {
+        let at = if self.x.is_zero() { self.nearer.map_or(self.x, S::nearest) } else { self.x };
+        let mismatch = (motion.work / mass / at.lambda_squared()).size();
+        // beside rest it is all of λ²; at rest itself it has no size to compare with, and a count has found the root
+        let limit = if self.x.is_zero() { BESIDE_NO_ROOT } else { NO_ROOT };
+        if at.is_zero() || mismatch <= limit {
+            return Ok(());
+        }
+        Err(MotionError::NotARoot { frequency: self.x.modulus(), mismatch })
     }
 
     /// The root with twice the digits, after a step of the secant method with Δ.
@@ -203,6 +215,8 @@ where
         for number in 0..multiplicity {
             let next = motion_everywhere(self.system, x, number as u32, self.dislocates());
             let mut next = next.times(S::Precise::from_f64(1.0 / next.size()));
+            let rounded = next.rounded(S::nearest);
+            self.check(&rounded, mass_product(self.system, self.x, &rounded, &rounded))?;
             for _ in 0..PASSES {
                 for other in motions[..number].iter().flatten() {
                     let rounded = [&next, other].map(|motion| motion.rounded(S::nearest));
