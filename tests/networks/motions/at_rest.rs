@@ -69,11 +69,12 @@ fn a_support_that_settles_bends_a_clamped_beam() {
 #[test]
 fn two_bars_carry_a_load_along_themselves() {
     let mut structure = Structure::default();
-    let foot = structure.node(Node::at([0.0, 0.0]).held(Freedoms::PIN));
-    let other_foot = structure.node(Node::at([2.0, 0.0]).held(Freedoms::PIN));
+    let foot = structure.clamp([0.0, 0.0]);
+    let other_foot = structure.clamp([2.0, 0.0]);
     let top = structure.node(Node::at([1.0, 2.0]));
     structure.spring(foot, top, 700.0);
     structure.spring(other_foot, top, 700.0);
+    // nothing else knows of the rotation of the top
     structure.torsion_spring(top, foot, 1.0);
     let length = 5.0_f64.sqrt();
     // each carries half of the load over the sine of its angle
