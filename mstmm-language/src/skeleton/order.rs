@@ -9,7 +9,7 @@ impl Skeleton<'_> {
     /// # Errors
     /// The name of a node that no member joins to the others.
     pub(crate) fn in_order<R>(&self, ask: impl FnOnce(NetworkOrder<'_>) -> R) -> Result<R, String> {
-        let pairs: Vec<[usize; 2]> = self.members.iter().map(|member| member.ends.map(|end| end.node)).collect();
+        let pairs: Vec<[usize; 2]> = self.members.iter().map(|member| self.nodes_of(member)).collect();
         if let Some(node) = apart(&pairs, &mut vec![0; self.nodes.len()]) {
             return Err(self.nodes[node].name.clone());
         }
@@ -42,7 +42,7 @@ impl Skeleton<'_> {
         let mut parts = crate::network::Classes::new(self.nodes.len());
         let mut closing = Vec::new();
         for member in &self.members {
-            let [from, to] = member.ends.map(|end| end.node);
+            let [from, to] = self.nodes_of(member);
             if parts.of(from) == parts.of(to) {
                 closing.push(member.name.as_str());
             }

@@ -1,16 +1,19 @@
 //! Networks: plane structures of members between nodes, with closed loops, evaluated by fronts.
 
+mod drawn;
 mod error;
 mod evaluate;
 mod frequency;
 mod member;
 mod motion;
 mod node;
+mod numbers;
 mod products;
 mod skeleton;
 mod sketch;
 mod structure;
 
+pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
 pub use evaluate::{Placed, PlacedCharts, in_way_back, network_pass};
 pub use frequency::{MovingNetwork, PlaneFrequency};
@@ -19,5 +22,8 @@ pub(crate) use motion::{NetworkMotion, delta, motion_everywhere, motion_under, r
 pub use node::{Motions, Node};
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member, estimate_member};
-pub use sketch::{Axis, Located, NetworkSketch, SketchedBody, SketchedEnd, SketchedMember, SketchedNode};
+pub use sketch::{
+    Axis, Located, NetworkSketch, Seat, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint,
+    SketchedSupport,
+};
 pub use structure::{InNetwork, Network, NetworkRoom};

@@ -1,7 +1,7 @@
 //! The nodes of a network: points with what holds them and rigid bodies about them.
 
 use crate::model::FrequencyEstimates;
-use crate::number::{Frequency, Parameter, Real};
+use crate::number::{Frequency, Parameter, Real, Truth};
 use mstmm_plan::Freedoms;
 
 /// A point of a plane network, with the displacements x, y and the rotation about z.
@@ -138,6 +138,11 @@ impl<T: Parameter> Motions<T> {
 }
 
 impl<T: Parameter> Node<T> {
+    /// Whether a body moves with the node.
+    pub(crate) fn has_body(&self) -> bool {
+        !(self.mass.vanishes() & self.inertia.vanishes()).all()
+    }
+
     /// The mass matrix of the body over x, y and the rotation of the node.
     pub(crate) fn mass_matrix<S: Frequency<T>>(&self) -> [[S; 3]; 3] {
         let number = S::from_parameter;
