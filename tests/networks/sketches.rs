@@ -14,7 +14,7 @@ use mstmm::prelude::*;
 use mstmm::search::{NaturalFrequencies, Spectrum, Undamped};
 
 /// The first frequencies.
-fn first<Y: NaturalFrequencies<Parameter = f64> + Undamped>(system: &Y) -> Vec<Found> {
+pub(crate) fn first<Y: NaturalFrequencies<Parameter = f64> + Undamped>(system: &Y) -> Vec<Found> {
     let found = system.first_frequencies::<10>().unwrap();
     let entry = |root: &NaturalFrequency<f64>| Found {
         omega: root.omega,
