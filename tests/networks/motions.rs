@@ -7,3 +7,4 @@ mod exact;
 mod large;
 mod responses;
 mod sensitivities;
+mod trusses;
