@@ -41,6 +41,7 @@
 //! | the overall transfer matrix of the paper and its determinant | [`overall_matrix`], [`overall_determinant`] |
 //! | a frame of the plane with closed loops, sketched by the places of its points | [`system!`](crate::system#models-with-locations) |
 //! | a tree whose size is known when the program runs; such a frame | [`list`]; [`network`] |
+//! | what stands where in such a frame, for drawings | [`sketch`] |
 //! | an element of one's own | [`element`] |
 //!
 //! [`natural_frequencies`]: search::NaturalFrequencies::natural_frequencies
@@ -56,6 +57,7 @@
 //! [`sensitivity`]: motion::ModalAnalysis::sensitivity
 //! [`characteristics`]: search::ManyFrequencies::characteristics
 //! [`counts_below`]: search::ManyFrequencies::counts_below
+//! [`sketch`]: motion::FrameAnalysis::sketch
 //! [`overall_matrix`]: search::Evaluate::overall_matrix
 //! [`overall_determinant`]: search::Evaluate::overall_determinant
 #![no_std]

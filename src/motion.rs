@@ -4,10 +4,10 @@
 //! `Footbridge::conn_2`.
 
 pub use mstmm_core::{
-    Coordinate, EndMotion, EnergyShares, Entry, ExtendedTree, ForceHistory, FrameAnalysis, Label, Load, MemberEnd,
-    MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlaneLoad,
-    PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates,
-    Tree,
+    Coordinate, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, EndMotion, EnergyShares, Entry,
+    ExtendedTree, ForceHistory, FrameAnalysis, Label, Load, MemberEnd, MemberLabel, MemberState, ModalAnalysis,
+    MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlaneLoad, PlanePoint, PlaneResponse, PlaneShapes,
+    PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates, Tree,
 };
 
 /// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.
@@ -142,3 +142,39 @@ pub use mstmm_core::ModalResponse;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub use mstmm_core::PlaneShape;
+
+/// What a plane frame looks like: points, members, bodies and supports, with their names and coordinates.
+///
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Portal { height: f64, span: f64, ea: f64, ei: f64, m: f64 }
+///     fixed at (0.0, 0.0)
+///         -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+///         -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+///         <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (span, 0.0);
+/// }
+///
+/// let portal = Portal { height: 2.0, span: 3.0, ea: 4e8, ei: 1e6, m: 20.0 }.build()?;
+/// let sketch = portal.sketch();
+/// let names: Vec<_> = sketch.points().map(|point| point.name.to_string()).collect();
+/// assert_eq!(names, ["fixed at planar_beam 1", "conn b", "conn c", "fixed at planar_beam 3"]);
+///
+/// // its first mode, in which the corners move by half a metre
+/// let shape = portal.mode_shape(&portal.first_frequencies::<1>()?[0])?;
+/// let scale = 0.5 / shape.value(Portal::conn_b.displacement_x())?;
+/// let mut moved = Vec::new();
+/// for point in sketch.points() {
+///     let [x, y] = point.position;
+///     let [u, v] = [shape.value(point.label.displacement_x())?, shape.value(point.label.displacement_y())?];
+///     moved.push([x + scale * u, y + scale * v]);
+/// }
+/// assert!(moved[0] == [0.0, 0.0] && (moved[1][0] - 0.5).abs() < 1e-15 && (moved[2][0] - 3.5).abs() < 1e-13);
+/// for member in sketch.members() {
+///     let [from, to] = member.ends.map(|end| end.point.map(|point| moved[point]));
+///     println!("{} {} from {from:?} to {to:?}", member.kind, member.name);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::Sketch;

@@ -33,6 +33,7 @@ pub use answer::network::questions::FrameAnalysis;
 pub use answer::network::response::PlaneResponse;
 pub use answer::network::sensitivity::PlaneChain;
 pub use answer::network::shape::{PlaneShape, PlaneShapes};
+pub use answer::network::sketch::Sketch;
 pub use answer::network::states::PlaneStates;
 pub use answer::questions::ModalAnalysis;
 pub use answer::response_curve::Sample;
@@ -87,10 +88,11 @@ pub use pass::characteristic::{Characteristic, System};
 pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
 pub use pass::network::{
-    Axis, End, InNetwork, Located, Member, Motions, MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch,
-    Node, OverallNetwork, Placed, PlacedCharts, PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Skeleton,
-    SketchedBody, SketchedEnd, SketchedMember, SketchedNode, build_member, estimate_member, in_way_back, network_pass,
-    overall_determinant, overall_matrix,
+    Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member, Motions,
+    MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch, Node, OverallNetwork, Placed, PlacedCharts,
+    PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton, SketchedBody, SketchedEnd,
+    SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, build_member, estimate_member, in_way_back,
+    network_pass, overall_determinant, overall_matrix,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

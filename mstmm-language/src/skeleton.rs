@@ -24,18 +24,32 @@ pub(crate) struct Skeleton<'a> {
     pub(crate) bodies: Vec<Body<'a>>,
     pub(crate) nodes: Vec<Node>,
     pub(crate) members: Vec<Member<'a>>,
-    /// The connections that are points with a place.
+    /// The points with a place, as the network has them.
     pub(crate) points: Vec<Point<'a>>,
+    pub(crate) supports: Vec<Support>,
 }
 
-/// A connection that is a point with a place.
+/// A point with a place.
 pub(crate) struct Point<'a> {
-    pub(crate) connection: &'a Connection,
+    pub(crate) name: String,
+    /// The connections that it has the labels of.
+    pub(crate) connections: &'a [&'a Connection],
     /// Indices of its node and of its place.
     pub(crate) node: usize,
     pub(crate) place: usize,
     /// The freedoms that elements bring there.
     pub(crate) freedoms: Freedoms,
+}
+
+/// The support of a point.
+pub(crate) struct Support {
+    pub(crate) name: String,
+    /// Index of its point.
+    pub(crate) point: usize,
+    /// What it holds besides the displacement across a direction.
+    pub(crate) held: Freedoms,
+    /// Index of the direction along which the point moves.
+    pub(crate) along: Option<usize>,
 }
 
 /// A place or a direction, with the name of what has it.
@@ -70,6 +84,8 @@ pub(crate) struct Node {
 pub(crate) struct Member<'a> {
     pub(crate) what: What<'a>,
     pub(crate) name: String,
+    /// Its keyword, or what else it is to the user; none of a second support of a body.
+    pub(crate) kind: Option<String>,
     pub(crate) freedoms: Freedoms,
     pub(crate) ends: [End; 2],
 }
@@ -88,10 +104,17 @@ pub(crate) enum What<'a> {
 /// The end of a member.
 #[derive(Clone, Copy)]
 pub(crate) struct End {
-    pub(crate) node: usize,
-    /// Index of its place; none on a path.
-    pub(crate) place: Option<usize>,
+    pub(crate) seat: Seat,
     pub(crate) axis: Axis,
+}
+
+/// What the end of a member is joined to.
+#[derive(Clone, Copy)]
+pub(crate) enum Seat {
+    /// The point of an index.
+    Point(usize),
+    /// The node of an index, which is no point: a motion of a path, or the ground.
+    Node(usize),
 }
 
 /// The x axis of the end of a member.
@@ -114,6 +137,16 @@ impl<'a> What<'a> {
             What::Element(element) | What::Hinge(element) => Some(element),
             What::Rigid => None,
         }
+    }
+}
+
+impl Skeleton<'_> {
+    /// The nodes at both ends of a member.
+    fn nodes_of(&self, member: &Member<'_>) -> [usize; 2] {
+        member.ends.map(|end| match end.seat {
+            Seat::Point(point) => self.points[point].node,
+            Seat::Node(node) => node,
+        })
     }
 }
 

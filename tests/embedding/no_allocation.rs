@@ -245,6 +245,32 @@ fn motions_of_frames_allocate_nothing() {
     assert_motions_of_frames_allocate_nothing!(&system, roots, 3.0, loads, entry, Square::planar_beam_2);
 }
 
+system! {
+    /// A cantilever of the plane with a body at its tip and a spring.
+    #[derive(Debug)]
+    pub struct Lamp { height: f64, mass: f64 }
+    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e6, bending_stiffness: 500.0, mass_per_length: 2.0 } -> conn top at (0.0, height)
+        -> rigid_body 2 { mass, inertia: 0.1, centre: (0.2, height) };
+    conn top -> spring 3 { stiffness: 1e3 } -> pinned at (1.0, 0.0);
+}
+
+/// A sketch and the first shape on it.
+#[test]
+fn a_sketch_allocates_nothing() {
+    let lamp = Lamp { height: 3.0, mass: 5.0 }.build().unwrap();
+    let root = lamp.first_frequencies::<1>().unwrap()[0];
+    let work = || {
+        let (sketch, shape) = (lamp.sketch(), lamp.mode_shape(&root).unwrap());
+        let moved = |point: mstmm::motion::DrawnPoint<Lamp, f64>| {
+            point.position[0] + shape.value(point.label.displacement_x()).unwrap()
+        };
+        let _ = black_box(sketch.points().map(moved).fold(0.0, f64::max));
+        let parts = [sketch.members().count(), sketch.bodies().count(), sketch.supports().count()];
+        assert_eq!(parts, [2, 1, 2]);
+    };
+    assert_eq!(allocations(work), 0);
+}
+
 /// The shapes of a double root come from a ring of frequencies around it.
 #[test]
 fn shapes_of_a_double_root_allocate_nothing() {

@@ -6,6 +6,7 @@ mod checks;
 mod damped;
 mod directed;
 mod equivalents;
+pub mod examples;
 mod families;
 mod finite_elements;
 mod joints;

@@ -11,3 +11,4 @@ mod large;
 mod responses;
 mod sensitivities;
 mod supports;
+mod trusses;

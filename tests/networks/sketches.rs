@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a structure that cannot be built fails the test")]
 
 mod bad_numbers;
+mod drawn;
 mod frames;
 mod line;
 mod lists;
@@ -14,7 +15,7 @@ use mstmm::prelude::*;
 use mstmm::search::{NaturalFrequencies, Spectrum, Undamped};
 
 /// The first frequencies.
-fn first<Y: NaturalFrequencies<Parameter = f64> + Undamped>(system: &Y) -> Vec<Found> {
+pub(crate) fn first<Y: NaturalFrequencies<Parameter = f64> + Undamped>(system: &Y) -> Vec<Found> {
     let found = system.first_frequencies::<10>().unwrap();
     let entry = |root: &NaturalFrequency<f64>| Found {
         omega: root.omega,

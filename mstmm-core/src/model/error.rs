@@ -144,12 +144,14 @@ impl fmt::Display for ParameterError {
 
 impl core::error::Error for ParameterError {}
 
-/// A point of a network.
+/// What a point or a member of a network is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spot {
     /// The node of an index, of a network that is a list.
     Node(usize),
-    /// The point of a name.
+    /// The member of an index, of a network that is a list.
+    Member(usize),
+    /// What has a name.
     Named(&'static str),
 }
 
@@ -157,6 +159,7 @@ impl fmt::Display for Spot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Spot::Node(node) => write!(f, "node {node}"),
+            Spot::Member(member) => write!(f, "member {member}"),
             Spot::Named(name) => write!(f, "{name}"),
         }
     }

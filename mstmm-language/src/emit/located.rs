@@ -1,5 +1,6 @@
 //! Emits the code of a model with locations: its numbers, the built system, and what an evaluation by fronts asks of it.
 
+mod drawn;
 mod numbers;
 mod overall;
 mod points;
@@ -36,6 +37,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
     let build = system::build(model, skeleton, keeps_fields, &names);
     let sensitivity = sensitivity::sensitivity(model, skeleton, derivatives, &names);
     let placed = system::placed(model, skeleton, width, &names);
+    let drawn = drawn::drawn(model, &names);
     let charts = system::charts(skeleton, width, &names);
     let motions = system::motions(skeleton, &names);
     let overall = overall::overall(skeleton, &names);
@@ -51,6 +53,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
             #build
             #system
             #placed
+            #drawn
             #charts
             #motions
             #overall

@@ -9,7 +9,7 @@ impl Skeleton<'_> {
     /// # Errors
     /// The name of a node that no member joins to the others.
     pub(crate) fn in_order<R>(&self, ask: impl FnOnce(NetworkOrder<'_>) -> R) -> Result<R, String> {
-        let pairs: Vec<[usize; 2]> = self.members.iter().map(|member| member.ends.map(|end| end.node)).collect();
+        let pairs: Vec<[usize; 2]> = self.members.iter().map(|member| self.nodes_of(member)).collect();
         if let Some(node) = apart(&pairs, &mut vec![0; self.nodes.len()]) {
             return Err(self.nodes[node].name.clone());
         }

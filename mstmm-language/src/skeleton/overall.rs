@@ -18,9 +18,10 @@ impl Skeleton<'_> {
     pub(crate) fn overall(&self) -> Overall<'_> {
         let node = |node: &super::Node| PathNode::new(node.freedoms, node.held, node.along.is_some());
         let mut nodes: Vec<PathNode> = self.nodes.iter().map(node).collect();
-        let member = |member: &super::Member<'_>| {
-            let ([from, to], freedoms) = (&member.ends, member.freedoms);
-            PathMember { nodes: [from.node, to.node], freedoms, released: 0 }
+        let member = |member: &super::Member<'_>| PathMember {
+            nodes: self.nodes_of(member),
+            freedoms: member.freedoms,
+            released: 0,
         };
         let members: Vec<PathMember> = self.members.iter().map(member).collect();
         lead_paths(&mut nodes, &members);

@@ -1,7 +1,7 @@
 //! Paths of one motion in a skeleton.
 
 use super::assemble::Assembly;
-use super::{Axis, Body, End, Member, Node, What};
+use super::{Axis, Body, End, Member, Node, Seat, What};
 use crate::network::{Classes, Direction, PathContact, PathElement, TransferPath};
 use mstmm_plan::Freedoms;
 
@@ -60,11 +60,12 @@ impl<'a> Assembly<'a> {
         self.skeleton.nodes.push(Node { name, place: None, freedoms: freedom(path), held, along: None });
         let body = |mass: &&'a PathElement<'a>| Body { element: mass.element, node, centre: &[] };
         self.skeleton.bodies.extend(motion.masses.iter().map(body));
-        let end = End { node, place: None, axis: Axis::X };
+        let end = End { seat: Seat::Node(node), axis: Axis::X };
         for contact in &motion.contacts {
             let ends = [end, self.contact(path, contact)];
             let name = self.skeleton.nodes[node].name.clone();
-            self.skeleton.members.push(Member { what: What::Rigid, name, freedoms: freedom(path), ends });
+            let kind = Some("tie".to_owned());
+            self.skeleton.members.push(Member { what: What::Rigid, name, kind, freedoms: freedom(path), ends });
         }
         end
     }
@@ -82,7 +83,7 @@ impl<'a> Assembly<'a> {
                 Axis::Along(self.direction(name, &along.parts))
             }
         };
-        self.end(contact.point, axis)
+        End { seat: Seat::Point(contact.point), axis }
     }
 }
 

@@ -28,7 +28,7 @@ pub struct Mast {
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct MastSystem<T: mstmm::__private::Parameter = f64> {
-    skeleton: mstmm::__private::Skeleton<T, 3usize, 2usize, 3usize>,
+    skeleton: mstmm::__private::Skeleton<T, 3usize, 2usize>,
     /// `planar_beam 1`
     member_0: <mstmm::__private::elements::PlanarBeam<
         T,
@@ -131,19 +131,13 @@ const _: () = {
     #[allow(dead_code, non_upper_case_globals)]
     impl Mast {
         /// `conn top`
-        pub const conn_top: mstmm::__private::PlanePoint<Mast> = mstmm::__private::PlanePoint::tied(
-            1usize,
-            1usize,
-            mstmm::__private::Freedoms::ALL,
-        );
+        pub const conn_top: mstmm::__private::PlanePoint<Mast> = SKETCH
+            .points[1usize]
+            .label();
         /// `conn anchor`
-        pub const conn_anchor: mstmm::__private::PlanePoint<Mast> = mstmm::__private::PlanePoint::tied(
-            2usize,
-            2usize,
-            mstmm::__private::Freedoms::NONE
-                .union(mstmm::__private::Freedoms::X)
-                .union(mstmm::__private::Freedoms::Y),
-        );
+        pub const conn_anchor: mstmm::__private::PlanePoint<Mast> = SKETCH
+            .points[2usize]
+            .label();
         /// `planar_beam 1`
         pub const planar_beam_1: mstmm::__private::MemberLabel<
             Mast,
@@ -162,6 +156,44 @@ const _: () = {
             mstmm::__private::SketchedBody {
                 name: "point_mass 3",
                 node: 1usize,
+            },
+        ],
+        points: &[
+            mstmm::__private::SketchedPoint {
+                name: "fixed at planar_beam 1",
+                node: 0usize,
+                place: 0usize,
+                freedoms: mstmm::__private::Freedoms::ALL,
+            },
+            mstmm::__private::SketchedPoint {
+                name: "conn top",
+                node: 1usize,
+                place: 1usize,
+                freedoms: mstmm::__private::Freedoms::ALL,
+            },
+            mstmm::__private::SketchedPoint {
+                name: "conn anchor",
+                node: 2usize,
+                place: 2usize,
+                freedoms: mstmm::__private::Freedoms::NONE
+                    .union(mstmm::__private::Freedoms::X)
+                    .union(mstmm::__private::Freedoms::Y),
+            },
+        ],
+        supports: &[
+            mstmm::__private::SketchedSupport {
+                name: "fixed at planar_beam 1",
+                point: 0usize,
+                held: mstmm::__private::Freedoms::ALL,
+                along: ::core::option::Option::None,
+            },
+            mstmm::__private::SketchedSupport {
+                name: "fixed at conn anchor",
+                point: 2usize,
+                held: mstmm::__private::Freedoms::NONE
+                    .union(mstmm::__private::Freedoms::X)
+                    .union(mstmm::__private::Freedoms::Y),
+                along: ::core::option::Option::None,
             },
         ],
         nodes: [
@@ -189,33 +221,31 @@ const _: () = {
         members: [
             mstmm::__private::SketchedMember {
                 name: "planar_beam 1",
+                kind: ::core::option::Option::Some("planar_beam"),
                 freedoms: mstmm::__private::Freedoms::ALL,
                 ends: [
                     mstmm::__private::SketchedEnd {
-                        node: 0usize,
-                        place: ::core::option::Option::Some(0usize),
+                        seat: mstmm::__private::Seat::Point(0usize),
                         axis: mstmm::__private::Axis::Member,
                     },
                     mstmm::__private::SketchedEnd {
-                        node: 1usize,
-                        place: ::core::option::Option::Some(1usize),
+                        seat: mstmm::__private::Seat::Point(1usize),
                         axis: mstmm::__private::Axis::Member,
                     },
                 ],
             },
             mstmm::__private::SketchedMember {
                 name: "spring guy",
+                kind: ::core::option::Option::Some("spring"),
                 freedoms: mstmm::__private::Freedoms::NONE
                     .union(mstmm::__private::Freedoms::X),
                 ends: [
                     mstmm::__private::SketchedEnd {
-                        node: 1usize,
-                        place: ::core::option::Option::Some(1usize),
+                        seat: mstmm::__private::Seat::Point(1usize),
                         axis: mstmm::__private::Axis::Member,
                     },
                     mstmm::__private::SketchedEnd {
-                        node: 2usize,
-                        place: ::core::option::Option::Some(2usize),
+                        seat: mstmm::__private::Seat::Point(2usize),
                         axis: mstmm::__private::Axis::Member,
                     },
                 ],
@@ -320,7 +350,7 @@ const _: () = {
             [3usize, 2usize]
         }
         fn place(&self, place: ::core::primitive::usize) -> [T; 2] {
-            self.skeleton.place(place)
+            SKETCH.place(&self.geometry, place)
         }
         fn node(
             &self,
@@ -339,6 +369,29 @@ const _: () = {
         }
         fn order(&self) -> mstmm::__private::NetworkOrder<'_> {
             ORDER.order(3usize, 2usize)
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::Drawn for MastSystem<T> {
+        fn points(
+            &self,
+        ) -> impl ::core::iter::Iterator<Item = mstmm::__private::DrawnPoint<Mast, T>> {
+            SKETCH.drawn_points(&self.geometry)
+        }
+        fn members(
+            &self,
+        ) -> impl ::core::iter::Iterator<Item = mstmm::__private::DrawnMember<Mast, T>> {
+            SKETCH.drawn_members(self)
+        }
+        fn bodies(
+            &self,
+        ) -> impl ::core::iter::Iterator<Item = mstmm::__private::DrawnBody<T>> {
+            SKETCH.drawn_bodies(&self.geometry)
+        }
+        fn supports(
+            &self,
+        ) -> impl ::core::iter::Iterator<Item = mstmm::__private::DrawnSupport<T>> {
+            SKETCH.drawn_supports(&self.geometry)
         }
     }
     #[automatically_derived]

@@ -81,19 +81,20 @@ fn add_member<Y, S, const NODES: usize, const MEMBERS: usize>(
     S: Frequency<Y::Parameter>,
 {
     let placement = states.system.placement(member);
-    let [from, to] = [0, 1].map(|end| sketched.ends[end].place);
+    let [from, to] = sketched.ends.each_ref().map(|end| sketch.place_of(end));
     if !length.is_zero() {
         let [c, s] = placement.axis::<S>(0);
         geometry.move_vector(from, to, [c * length, s * length]);
     }
     for (end, motion) in states.motion.members.as_ref()[member].iter().enumerate() {
         let sketched = &sketched.ends[end];
-        let node = sketch.nodes[sketched.node].place;
-        let rotation = states.motion.nodes.as_ref()[sketched.node][2];
+        let node = sketch.node_of(sketched);
+        let rotation = states.motion.nodes.as_ref()[node][2];
         // a spring knows nothing of what its node does across it
         let ([along, across, _], [fx, fy, _]) = (states.tied(member, end), motion.forces);
         let force = states.in_global_axes(member, end, motion.forces);
-        geometry.move_apart(sketched.place, node, [rotation * force[1], -(rotation * force[0])]);
+        let [place, of_node] = [sketch.place_of(sketched), sketch.nodes[node].place];
+        geometry.move_apart(place, of_node, [rotation * force[1], -(rotation * force[0])]);
         // a turn of the axes by dφ changes displacements along and across by their cross product with it
         let turn = fx * across - fy * along;
         let by_direction = |[x, y]: [S; 2]| {

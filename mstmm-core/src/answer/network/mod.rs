@@ -8,4 +8,5 @@ pub(crate) mod questions;
 pub(crate) mod response;
 pub(crate) mod sensitivity;
 pub(crate) mod shape;
+pub(crate) mod sketch;
 pub(crate) mod states;

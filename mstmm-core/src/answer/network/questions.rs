@@ -5,15 +5,24 @@ use crate::answer::network::of_frame::OfFrame;
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::sensitivity::{PlaneChain, sensitivities};
 use crate::answer::network::shape::{PlaneShape, PlaneShapes, all, simple};
+use crate::answer::network::sketch::Sketch;
 use crate::answer::questions::MeaningOf;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::Sensitivities;
 use crate::model::{MotionError, PlaneEntry, PlaneLoad};
 use crate::pass::characteristic::System;
-use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
+use crate::pass::network::{Drawn, MovingNetwork, Placed, PlaneFrequency};
 
 /// Shapes, internal forces and responses of a plane structure, by the names that [`ModalAnalysis`](crate::ModalAnalysis) has for trees.
 pub trait FrameAnalysis: Placed + Sized {
+    /// What stands where: points, members, bodies and supports, with their names and coordinates.
+    fn sketch(&self) -> Sketch<'_, Self>
+    where
+        Self: Drawn,
+    {
+        Sketch { system: self }
+    }
+
     /// The shape of a simple root: displacements of all points, displacements and forces of all ends of members.
     ///
     /// # Errors

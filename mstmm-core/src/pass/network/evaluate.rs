@@ -2,7 +2,7 @@
 
 use crate::element::VisitMember;
 use crate::model::Spot;
-use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size, Truth};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size};
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
@@ -195,14 +195,13 @@ pub(super) fn front_node<T: Parameter, S: Frequency<T>>(
     lambda_squared: S,
 ) -> FrontNode<S> {
     let square = lambda_squared.size().first();
-    let has_body = !(node.mass.vanishes() & node.inertia.vanishes()).all();
     FrontNode {
         index: index as u32,
         objects,
         motions: motions.count,
         has_rotation: motions.has_rotation,
         inertias: [node.mass, node.inertia].map(|inertia| square * inertia.to_f64()),
-        body: has_body.then(|| {
+        body: node.has_body().then(|| {
             // of all three displacements by all motions, and then of all motions by these
             let rows = node.mass_matrix::<S>().map(|row| motions.parts_of(row));
             let columns = [0, 1, 2].map(|l| motions.parts_of(rows.map(|row| row[l])));

@@ -255,6 +255,21 @@ impl<T: Real> Placement<T> {
         self.ends[end].index
     }
 
+    /// The place of an end; of a motion of a path any.
+    pub(crate) fn place_of(&self, end: usize) -> [T; 2] {
+        self.ends[end].place
+    }
+
+    /// The vector that gives an end an x axis of its own, not that from one end to the other.
+    pub(crate) fn along(&self, end: usize) -> Option<[T; 2]> {
+        self.ends[end].along
+    }
+
+    /// Whether the node of an end has no motions.
+    pub(crate) fn rests(&self, end: usize) -> bool {
+        self.ends[end].rests
+    }
+
     /// The freedoms that an end does not share with its node.
     pub(crate) fn released(&self, end: usize) -> Freedoms {
         self.ends[end].released

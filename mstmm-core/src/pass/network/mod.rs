@@ -1,5 +1,6 @@
 //! Networks: plane structures of members between nodes, with closed loops, evaluated by fronts.
 
+mod drawn;
 mod error;
 mod evaluate;
 mod frame;
@@ -7,6 +8,7 @@ mod frequency;
 mod member;
 mod motion;
 mod node;
+mod numbers;
 mod overall;
 mod overall_network;
 mod products;
@@ -14,6 +16,7 @@ mod skeleton;
 mod sketch;
 mod structure;
 
+pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
 pub use evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
 pub(crate) use frame::{moved, turned};
@@ -25,5 +28,8 @@ pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member, estimate_member};
-pub use sketch::{Axis, Located, NetworkSketch, SketchedBody, SketchedEnd, SketchedMember, SketchedNode};
+pub use sketch::{
+    Axis, Located, NetworkSketch, Seat, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint,
+    SketchedSupport,
+};
 pub use structure::{InNetwork, Network, NetworkRoom};

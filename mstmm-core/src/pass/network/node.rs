@@ -158,6 +158,11 @@ impl<T: Parameter> Node<T> {
         self.along.map(|along| unit(along.map(S::from_parameter)))
     }
 
+    /// Whether a body moves with the node.
+    pub(crate) fn has_body(&self) -> bool {
+        !(self.mass.vanishes() & self.inertia.vanishes()).all()
+    }
+
     /// The mass matrix of the body over x, y and the rotation of the node.
     pub(crate) fn mass_matrix<S: Frequency<T>>(&self) -> [[S; 3]; 3] {
         let number = S::from_parameter;

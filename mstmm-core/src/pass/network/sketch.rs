@@ -1,6 +1,6 @@
 //! What `system!` says of a network: its nodes and members by indices, its numbers by their place in a list.
 
-use crate::model::Spot;
+use crate::model::{PlanePoint, Spot};
 use mstmm_plan::{Freedoms, PathMember, PathNode, in_motion, lead_paths};
 
 /// A network without its numbers.
@@ -15,6 +15,10 @@ pub struct NetworkSketch<const NODES: usize, const MEMBERS: usize> {
     pub directions: &'static [&'static str],
     /// The masses; several at one node are one body.
     pub bodies: &'static [SketchedBody],
+    /// The points with a place; several at one node are tied rigidly.
+    pub points: &'static [SketchedPoint],
+    /// The supports of points.
+    pub supports: &'static [SketchedSupport],
     /// The nodes.
     pub nodes: [SketchedNode; NODES],
     /// The members.
@@ -28,6 +32,32 @@ pub struct SketchedBody {
     pub name: &'static str,
     /// Index of the node that it moves with.
     pub node: usize,
+}
+
+/// A point with a place.
+#[derive(Clone, Copy, Debug)]
+pub struct SketchedPoint {
+    /// Its name.
+    pub name: &'static str,
+    /// Index of the node that it moves with.
+    pub node: usize,
+    /// Index of its place.
+    pub place: usize,
+    /// The freedoms that elements bring there.
+    pub freedoms: Freedoms,
+}
+
+/// The support of a point.
+#[derive(Clone, Copy, Debug)]
+pub struct SketchedSupport {
+    /// Its name.
+    pub name: &'static str,
+    /// Index of its point.
+    pub point: usize,
+    /// The freedoms that it holds, besides the displacement across a direction.
+    pub held: Freedoms,
+    /// Index of the direction along which the point moves.
+    pub along: Option<usize>,
 }
 
 /// A node.
@@ -48,6 +78,8 @@ pub struct SketchedNode {
 pub struct SketchedMember {
     /// Its name.
     pub name: &'static str,
+    /// Its keyword, or `tie` where a path acts on a point; none of a second support of a body.
+    pub kind: Option<&'static str>,
     /// The freedoms of its ends.
     pub freedoms: Freedoms,
     /// Its input and its output.
@@ -57,12 +89,19 @@ pub struct SketchedMember {
 /// The end of a member.
 #[derive(Clone, Copy, Debug)]
 pub struct SketchedEnd {
-    /// Index of its node.
-    pub node: usize,
-    /// Index of its place; none at a motion of a path.
-    pub place: Option<usize>,
+    /// What it is joined to.
+    pub seat: Seat,
     /// Its x axis.
     pub axis: Axis,
+}
+
+/// What the end of a member is joined to.
+#[derive(Clone, Copy, Debug)]
+pub enum Seat {
+    /// The point of an index.
+    Point(usize),
+    /// The node of an index, where that is no point: the motion of a path, or the ground.
+    Node(usize),
 }
 
 /// The x axis of the end of a member.
@@ -87,8 +126,8 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         let mut member = 0;
         while member < MEMBERS {
             let [from, to] = &self.members[member].ends;
-            let rest = [self.nodes[from.node].rests(), self.nodes[to.node].rests()];
-            pairs[member] = in_motion([from.node, to.node], rest);
+            let nodes = [self.node_of(from), self.node_of(to)];
+            pairs[member] = in_motion(nodes, [self.nodes[nodes[0]].rests(), self.nodes[nodes[1]].rests()]);
             member += 1;
         }
         pairs
@@ -107,16 +146,40 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         let mut member = 0;
         while member < MEMBERS {
             let SketchedMember { freedoms, ends: [from, to], .. } = &self.members[member];
-            members[member] = PathMember { nodes: [from.node, to.node], freedoms: *freedoms, released: 0 };
+            let nodes = [self.node_of(from), self.node_of(to)];
+            members[member] = PathMember { nodes, freedoms: *freedoms, released: 0 };
             member += 1;
         }
         lead_paths(&mut nodes, &members);
         nodes
     }
 
+    /// The node of the end of a member.
+    pub(crate) const fn node_of(&self, end: &SketchedEnd) -> usize {
+        match end.seat {
+            Seat::Point(point) => self.points[point].node,
+            Seat::Node(node) => node,
+        }
+    }
+
+    /// The place of the end of a member; none at a motion of a path.
+    pub(crate) fn place_of(&self, end: &SketchedEnd) -> Option<usize> {
+        match end.seat {
+            Seat::Point(point) => Some(self.points[point].place),
+            Seat::Node(node) => self.nodes[node].place,
+        }
+    }
+
     /// What errors call a node: the name of its place, or its index where it is a motion of a path.
     pub fn spot(&self, node: usize) -> Spot {
         self.nodes[node].place.map_or(Spot::Node(node), |place| Spot::Named(self.places[place]))
+    }
+}
+
+impl SketchedPoint {
+    /// Its label in a model.
+    pub const fn label<M>(&self) -> PlanePoint<M> {
+        PlanePoint::tied(self.node, self.place, self.freedoms)
     }
 }
 

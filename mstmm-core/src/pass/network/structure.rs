@@ -21,6 +21,7 @@ pub enum InNetwork {}
 #[derive(Clone, Debug)]
 pub struct NetworkRoom<E: MemberElement, const NODES: usize, const MEMBERS: usize> {
     members: [Option<E::Built>; MEMBERS],
+    kinds: [&'static str; MEMBERS],
     placements: [Placement<E::Parameter>; MEMBERS],
     motions: [Motions<E::Parameter>; NODES],
     order: OrderRoom<NODES, MEMBERS>,
@@ -32,6 +33,7 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
     pub fn new() -> Self {
         NetworkRoom {
             members: [const { None }; MEMBERS],
+            kinds: [""; MEMBERS],
             placements: [Placement::nowhere(); MEMBERS],
             motions: [Motions::none(); NODES],
             order: OrderRoom::EMPTY,
@@ -67,9 +69,11 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Network<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> {
-    nodes: &'a [Node<E::Parameter>],
+    pub(super) nodes: &'a [Node<E::Parameter>],
     motions: &'a [Motions<E::Parameter>],
     members: &'a [Option<E::Built>],
+    /// What each member is.
+    pub(super) kinds: &'a [&'static str],
     placements: &'a [Placement<E::Parameter>],
     order: NetworkOrder<'a>,
 }
@@ -100,17 +104,19 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
         for (index, member) in members.iter().enumerate() {
             let (built, placement) = built(index, member, nodes, &room.motions)?;
             (room.members[index], room.placements[index]) = (Some(built), placement);
+            room.kinds[index] = member.element.name();
         }
         let pairs = members.iter().map(|member| [member.ends[0].node, member.ends[1].node]);
         let motions = &room.motions;
         if let Some(node) = room.order.fill(sizes.0, |node| motions[node].count == 0, pairs) {
             return Err(NetworkError::Apart { node });
         }
-        let NetworkRoom { members: built, placements, motions, order } = room;
+        let NetworkRoom { members: built, kinds, placements, motions, order } = room;
         let network = Network {
             nodes,
             motions: &motions[..sizes.0],
             members: &built[..sizes.1],
+            kinds: &kinds[..sizes.1],
             placements: &placements[..sizes.1],
             order: order.order(sizes.0, sizes.1),
         };

@@ -96,7 +96,10 @@ impl<S: Scalar> Front<'_, S> {
         for (place, variable) in self.variables[..self.boundary].iter().enumerate().skip(self.riders) {
             let kind = usize::from(variable.is_force);
             let size = self.entries[row(place) + place].size().first();
-            largest[kind] = largest[kind].max(size);
+            // an entry that is rounding alone, as across a bar between two pins at rest, has no size: it would become the unit
+            if size > S::EPSILON * self.errors[place] {
+                largest[kind] = largest[kind].max(size);
+            }
             (least, greatest) = (variable.unit.min(least), variable.unit.max(greatest));
         }
         let exponent = |size: f64| (size > 0.0 && size < f64::INFINITY).then(|| binary_exponent(size));

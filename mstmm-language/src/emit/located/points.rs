@@ -2,16 +2,25 @@
 
 use super::super::Names;
 use super::super::tree::constant;
-use super::sketch::freedoms;
-use crate::ast::Model;
-use crate::skeleton::{Member, Point, Skeleton};
+use crate::ast::{Connection, Model};
+use crate::skeleton::{Member, Skeleton};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote_spanned};
+use std::collections::BTreeSet;
 
 /// `Model::conn_b`, `Model::planar_beam_1`: a value per label.
 pub(super) fn points(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let name = &model.parameters.ident;
-    let points = skeleton.points.iter().map(|point| of_point(model, point, names));
+    let mut named = BTreeSet::new();
+    let connections = skeleton
+        .points
+        .iter()
+        .enumerate()
+        .flat_map(|(index, point)| point.connections.iter().map(move |connection| (index, *connection)));
+    // each once, however often it is written
+    let points = connections
+        .filter(|(_, connection)| named.insert(connection.label.to_string()))
+        .map(|(index, connection)| of_point(model, index, connection, names));
     let members =
         skeleton.members.iter().enumerate().filter_map(|(index, member)| of_member(model, index, member, names));
     quote_spanned! {names.here=>
@@ -24,15 +33,13 @@ pub(super) fn points(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> T
     }
 }
 
-fn of_point(model: &Model, point: &Point<'_>, names: &Names) -> TokenStream {
+fn of_point(model: &Model, point: usize, connection: &Connection, names: &Names) -> TokenStream {
     let private = &names.private;
     let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
-    let Point { connection, node, place, .. } = point;
     let (constant, doc) = (constant("conn", &connection.label, names), format!(" `{connection}`"));
-    let freedoms = freedoms(point.freedoms, names);
     quote_spanned! {names.here=>
         #[doc = #doc]
-        #visibility const #constant: #private::PlanePoint<#name> = #private::PlanePoint::tied(#node, #place, #freedoms);
+        #visibility const #constant: #private::PlanePoint<#name> = SKETCH.points[#point].label();
     }
 }
 

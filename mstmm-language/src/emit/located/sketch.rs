@@ -1,10 +1,10 @@
 //! Emits the skeleton as a constant, and the order of its nodes.
 
 use super::super::Names;
-use crate::skeleton::{Axis, End, Member, Node, Skeleton};
+use crate::skeleton::{Axis, End, Member, Node, Point, Seat, Skeleton, Support};
 use mstmm_plan::Freedoms;
 use proc_macro2::TokenStream;
-use quote::quote_spanned;
+use quote::{ToTokens, quote_spanned};
 
 /// `SKETCH` and `ORDER`.
 pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
@@ -15,6 +15,8 @@ pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
         let (name, node) = (body.element.to_string(), body.node);
         quote_spanned!(names.here=> #private::SketchedBody { name: #name, node: #node })
     });
+    let points = skeleton.points.iter().map(|point| sketched_point(point, names));
+    let supports = skeleton.supports.iter().map(|support| sketched_support(support, names));
     let nodes = skeleton.nodes.iter().map(|node| sketched_node(node, names));
     let members = skeleton.members.iter().map(|member| sketched_member(member, names));
     let (node_count, member_count) = (skeleton.nodes.len(), skeleton.members.len());
@@ -23,11 +25,31 @@ pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
             places: &[#(#places),*],
             directions: &[#(#directions),*],
             bodies: &[#(#bodies),*],
+            points: &[#(#points),*],
+            supports: &[#(#supports),*],
             nodes: [#(#nodes),*],
             members: [#(#members),*],
         };
         #[allow(long_running_const_eval)]
         const ORDER: &#private::OrderRoom<#node_count, #member_count> = &#private::OrderRoom::of(SKETCH.pairs());
+    }
+}
+
+fn sketched_point(point: &Point<'_>, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let Point { name, node, place, .. } = point;
+    let freedoms = freedoms(point.freedoms, names);
+    quote_spanned! {names.here=>
+        #private::SketchedPoint { name: #name, node: #node, place: #place, freedoms: #freedoms }
+    }
+}
+
+fn sketched_support(support: &Support, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let Support { name, point, .. } = support;
+    let (held, along) = (freedoms(support.held, names), option(support.along, names));
+    quote_spanned! {names.here=>
+        #private::SketchedSupport { name: #name, point: #point, held: #held, along: #along }
     }
 }
 
@@ -42,16 +64,20 @@ fn sketched_node(node: &Node, names: &Names) -> TokenStream {
 
 fn sketched_member(member: &Member<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
-    let (name, freedoms) = (&member.name, freedoms(member.freedoms, names));
+    let (name, kind) = (&member.name, option(member.kind.as_ref(), names));
+    let freedoms = freedoms(member.freedoms, names);
     let ends = member.ends.iter().map(|end| sketched_end(end, names));
     quote_spanned! {names.here=>
-        #private::SketchedMember { name: #name, freedoms: #freedoms, ends: [#(#ends),*] }
+        #private::SketchedMember { name: #name, kind: #kind, freedoms: #freedoms, ends: [#(#ends),*] }
     }
 }
 
 fn sketched_end(end: &End, names: &Names) -> TokenStream {
     let private = &names.private;
-    let (node, place) = (end.node, option(end.place, names));
+    let seat = match end.seat {
+        Seat::Point(point) => quote_spanned!(names.here=> Point(#point)),
+        Seat::Node(node) => quote_spanned!(names.here=> Node(#node)),
+    };
     let axis = match end.axis {
         Axis::Member => quote_spanned!(names.here=> Member),
         Axis::X => quote_spanned!(names.here=> X),
@@ -59,12 +85,12 @@ fn sketched_end(end: &End, names: &Names) -> TokenStream {
         Axis::Along(direction) => quote_spanned!(names.here=> Along(#direction)),
         Axis::FromTo([from, to]) => quote_spanned!(names.here=> FromTo(#from, #to)),
     };
-    quote_spanned!(names.here=> #private::SketchedEnd { node: #node, place: #place, axis: #private::Axis::#axis })
+    quote_spanned!(names.here=> #private::SketchedEnd { seat: #private::Seat::#seat, axis: #private::Axis::#axis })
 }
 
-fn option(index: Option<usize>, names: &Names) -> TokenStream {
-    match index {
-        Some(index) => quote_spanned!(names.here=> ::core::option::Option::Some(#index)),
+fn option(value: Option<impl ToTokens>, names: &Names) -> TokenStream {
+    match value {
+        Some(value) => quote_spanned!(names.here=> ::core::option::Option::Some(#value)),
         None => quote_spanned!(names.here=> ::core::option::Option::None),
     }
 }

@@ -14,14 +14,8 @@ pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: b
     let Names { private, system, parameter, .. } = names;
     let kept = kept_fields(model, keeps_fields, names);
     let count = geometry(skeleton).count();
-    let geometry = keeps_fields.then(|| {
-        quote_spanned! {names.here=>
-            /// The numbers of places, directions and masses
-            geometry: [::core::primitive::f64; #count],
-        }
-    });
     let (visibility, model) = (&model.parameters.vis, &model.parameters.ident);
-    let (nodes, members, places) = (skeleton.nodes.len(), skeleton.members.len(), skeleton.places.len());
+    let (nodes, members) = (skeleton.nodes.len(), skeleton.members.len());
     let fields = skeleton.members.iter().enumerate().map(|(index, member)| {
         let (span, kind) = (member.span(names), member.kind(names));
         let (field, element) = (field(index, span), names.trait_at("Element", span));
@@ -36,10 +30,11 @@ pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: b
         #(#[doc = #doc])*
         #[derive(::core::clone::Clone, ::core::fmt::Debug)]
         #visibility struct #system<#parameter: #private::Parameter = f64> {
-            skeleton: #private::Skeleton<#parameter, #nodes, #members, #places>,
+            skeleton: #private::Skeleton<#parameter, #nodes, #members>,
             #(#fields,)*
             #(#kept,)*
-            #geometry
+            /// The numbers of places, directions and masses
+            geometry: [::core::primitive::f64; #count],
             estimates: #private::FrequencyEstimates,
         }
     }
@@ -56,9 +51,6 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         quote_spanned!(span=> #estimate::<#kind>(&system.#field, &mut system.estimates);)
     });
     let kept = values_of_fields(model, keeps_fields, names);
-    let geometry = keeps_fields.then(
-        || quote_spanned!(names.here=> geometry: ::core::array::from_fn(|k: ::core::primitive::usize| numbers[k]),),
-    );
     let body = quote_spanned! {names.here=>
         let numbers = #private::Located::numbers(self);
         let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
@@ -66,7 +58,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         let mut system = #system {
             #(#members,)*
             #(#kept,)*
-            #geometry
+            geometry: ::core::array::from_fn(|k: ::core::primitive::usize| numbers[k]),
             skeleton,
             estimates: ::core::default::Default::default(),
         };
@@ -163,7 +155,7 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names
             }
 
             fn place(&self, place: ::core::primitive::usize) -> [#parameter; 2] {
-                self.skeleton.place(place)
+                SKETCH.place(&self.geometry, place)
             }
 
             fn node(

@@ -1,0 +1,214 @@
+//! What is drawn of a network: points, members, bodies and supports, each with its name and its coordinates.
+
+use crate::element::MemberElement;
+use crate::model::{MemberEnd, MemberLabel, PlanePoint, Spot, plain};
+use crate::number::{Parameter, Real};
+use crate::pass::network::evaluate::Placed;
+use crate::pass::network::member::Placement;
+use crate::pass::network::node::Node;
+use crate::pass::network::sketch::{NetworkSketch, Seat, SketchedEnd};
+use crate::pass::network::structure::{InNetwork, Network};
+use mstmm_plan::Freedoms;
+
+/// A network of which a [`Sketch`](crate::Sketch) tells what is where.
+pub trait Drawn: Placed {
+    /// The points.
+    fn points(&self) -> impl Iterator<Item = DrawnPoint<Self::Model, Self::Parameter>>;
+
+    /// The members.
+    fn members(&self) -> impl Iterator<Item = DrawnMember<Self::Model, Self::Parameter>>;
+
+    /// The bodies.
+    fn bodies(&self) -> impl Iterator<Item = DrawnBody<Self::Parameter>>;
+
+    /// The supports.
+    fn supports(&self) -> impl Iterator<Item = DrawnSupport<Self::Parameter>>;
+}
+
+/// A point with a place in a model `M`; of a list each node.
+pub struct DrawnPoint<M, T> {
+    /// What errors call it.
+    pub name: Spot,
+    /// Its coordinates \[m\]; in a model with one coordinate y is zero.
+    pub position: [T; 2],
+    /// Index of the node that it moves with; a rigid body and all points that it ties are one.
+    pub node: usize,
+    /// The freedoms that elements bring there.
+    pub freedoms: Freedoms,
+    /// The point as motions are asked about it.
+    pub label: PlanePoint<M>,
+}
+
+/// A member of a model `M`: an element with extent, a joint, an element of a path, or where a path acts on a point.
+pub struct DrawnMember<M, T> {
+    /// What errors call it.
+    pub name: Spot,
+    /// Its keyword, such as `planar_beam` or `pin`, and `tie` where the motion of a path is that of a point in a direction; of a list
+    /// what errors call its element.
+    pub kind: &'static str,
+    /// Its input end and its output end.
+    pub ends: [DrawnEnd<M, T>; 2],
+}
+
+/// An end of a member of a model `M`.
+pub struct DrawnEnd<M, T> {
+    /// Index of its point in the order of the points; none at a motion of a path, which has no place.
+    pub point: Option<usize>,
+    /// Its coordinates \[m\]; in a list they may be others than those of its point, which ties it rigidly.
+    pub position: Option<[T; 2]>,
+    /// The direction in which a spring, a damper or a joint has its x axis here, of any length; none where that is the one from
+    /// the input end to the output end, and about an axis of rotation.
+    pub along: Option<[T; 2]>,
+    /// The freedoms that it does not share with its point, in the axes of the member.
+    pub released: Freedoms,
+    /// Index of its node.
+    pub node: usize,
+    /// Whether its node is at rest.
+    pub rests: bool,
+    /// The end as motions are asked about it.
+    pub label: MemberEnd<M>,
+}
+
+/// A rigid body, or a mass at a point or of a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnBody<T> {
+    /// What errors call it.
+    pub name: Spot,
+    /// Mass \[kg\].
+    pub mass: T,
+    /// Moment of inertia about the mass centre [kg m²].
+    pub inertia: T,
+    /// The mass centre \[m\]; none of a mass of a path.
+    pub centre: Option<[T; 2]>,
+    /// Index of the node that it moves with.
+    pub node: usize,
+}
+
+/// A support of a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnSupport<T> {
+    /// What errors call it.
+    pub name: Spot,
+    /// Index of its point in the order of the points.
+    pub point: usize,
+    /// The coordinates of its point \[m\].
+    pub position: [T; 2],
+    /// The freedoms that it holds.
+    pub held: Freedoms,
+    /// The direction along which the point moves, of any length; it is held across that besides.
+    pub along: Option<[T; 2]>,
+}
+
+plain!(DrawnPoint<M, T: Parameter>, name, position, node, freedoms, label);
+plain!(DrawnMember<M, T: Parameter>, name, kind, ends);
+plain!(DrawnEnd<M, T: Parameter>, point, position, along, released, node, rests, label);
+
+impl<M, T: Real> DrawnEnd<M, T> {
+    /// The end of a member, given the index of its point, if it has one.
+    fn of(placement: &Placement<T>, member: usize, end: usize, point: Option<usize>) -> Self {
+        let label = MemberLabel::<M, ()>::member(member);
+        let has_direction = point.is_some() && !placement.freedoms.is(Freedoms::RZ);
+        DrawnEnd {
+            point,
+            position: point.map(|_| placement.place_of(end)),
+            along: placement.along(end).filter(|_| has_direction),
+            released: placement.released(end),
+            node: placement.node_of(end),
+            rests: placement.rests(end),
+            label: if end == 0 { label.input() } else { label.output() },
+        }
+    }
+}
+
+impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
+    /// The points, with the list of numbers.
+    pub fn drawn_points<M, T: Parameter>(&self, list: &[f64]) -> impl Iterator<Item = DrawnPoint<M, T>> {
+        let numbers = self.numbers(list);
+        self.points.iter().map(move |point| DrawnPoint {
+            name: Spot::Named(point.name),
+            position: numbers.place(point.place),
+            node: point.node,
+            freedoms: point.freedoms,
+            label: point.label(),
+        })
+    }
+
+    /// The members where they are placed, but for second supports of bodies.
+    pub fn drawn_members<Y: Placed>(&self, system: &Y) -> impl Iterator<Item = DrawnMember<Y::Model, Y::Parameter>> {
+        let point = |end: &SketchedEnd| match end.seat {
+            Seat::Point(point) => Some(point),
+            Seat::Node(_) => None,
+        };
+        self.members.iter().enumerate().filter_map(move |(index, member)| {
+            let placement = system.placement(index);
+            let ends = [0, 1].map(|end| DrawnEnd::of(placement, index, end, point(&member.ends[end])));
+            Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, ends })
+        })
+    }
+
+    /// The bodies, with the list of numbers.
+    pub fn drawn_bodies<T: Parameter>(&self, list: &[f64]) -> impl Iterator<Item = DrawnBody<T>> {
+        let numbers = self.numbers(list);
+        self.bodies.iter().enumerate().map(move |(index, body)| {
+            let [mass, inertia, x, y] = numbers.body(index);
+            let centre = self.nodes[body.node].place.map(|_| [x, y]);
+            DrawnBody { name: Spot::Named(body.name), mass, inertia, centre, node: body.node }
+        })
+    }
+
+    /// The supports, with the list of numbers.
+    pub fn drawn_supports<T: Parameter>(&self, list: &[f64]) -> impl Iterator<Item = DrawnSupport<T>> {
+        let numbers = self.numbers(list);
+        self.supports.iter().map(move |support| DrawnSupport {
+            name: Spot::Named(support.name),
+            point: support.point,
+            position: numbers.place(self.points[support.point].place),
+            held: support.held,
+            along: support.along.map(|direction| numbers.direction(direction)),
+        })
+    }
+}
+
+impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Drawn
+    for Network<'_, E, WIDTH, NODES, MEMBERS>
+{
+    fn points(&self) -> impl Iterator<Item = DrawnPoint<InNetwork, E::Parameter>> {
+        self.nodes.iter().enumerate().map(|(index, node)| DrawnPoint {
+            name: Spot::Node(index),
+            position: node.position,
+            node: index,
+            freedoms: Freedoms::ALL,
+            label: PlanePoint::node(index),
+        })
+    }
+
+    fn members(&self) -> impl Iterator<Item = DrawnMember<InNetwork, E::Parameter>> {
+        self.kinds.iter().enumerate().map(|(index, kind)| {
+            let placement = self.placement(index);
+            let ends = [0, 1].map(|end| DrawnEnd::of(placement, index, end, Some(placement.node_of(end))));
+            DrawnMember { name: Spot::Member(index), kind, ends }
+        })
+    }
+
+    fn bodies(&self) -> impl Iterator<Item = DrawnBody<E::Parameter>> {
+        let with_body = self.nodes.iter().enumerate().filter(|(_, node)| node.has_body());
+        with_body.map(|(index, node)| DrawnBody {
+            name: Spot::Node(index),
+            mass: node.mass,
+            inertia: node.inertia,
+            centre: Some(node.centre),
+            node: index,
+        })
+    }
+
+    fn supports(&self) -> impl Iterator<Item = DrawnSupport<E::Parameter>> {
+        let held = |node: &Node<_>| !node.held.is_empty() || node.along.is_some();
+        self.nodes.iter().enumerate().filter(move |(_, node)| held(node)).map(|(index, node)| DrawnSupport {
+            name: Spot::Node(index),
+            point: index,
+            position: node.position,
+            held: node.held,
+            along: node.along,
+        })
+    }
+}
