@@ -63,7 +63,7 @@ pub use model::error::{InvalidParameter, ParameterError, Requirement, SearchErro
 pub use model::estimates::FrequencyEstimates;
 pub use model::label::{Entry, Label, Load, Point};
 pub use model::motion_error::MotionError;
-pub use model::plane_label::{MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint};
+pub use model::plane_label::{Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use mstmm_plan::{
     Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support,

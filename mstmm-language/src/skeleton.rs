@@ -46,6 +46,8 @@ pub(crate) struct Support {
     pub(crate) name: String,
     /// Index of its point.
     pub(crate) point: usize,
+    /// Index of the node that it holds.
+    pub(crate) node: usize,
     /// What it holds besides the displacement across a direction.
     pub(crate) held: Freedoms,
     /// Index of the direction along which the point moves.

@@ -10,5 +10,6 @@ mod inside;
 mod large;
 mod responses;
 mod sensitivities;
+mod sketched;
 mod supports;
 mod trusses;

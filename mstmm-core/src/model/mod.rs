@@ -18,6 +18,6 @@ pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchErro
 pub(crate) use estimates::FrequencyEstimates;
 pub(crate) use label::{Entry, Label, Load, Point, plain};
 pub(crate) use motion_error::MotionError;
-pub(crate) use plane_label::{MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site};
+pub(crate) use plane_label::{Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, Tied};
 pub(crate) use scaled_state::ScaledState;
 pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};

@@ -1,5 +1,6 @@
 //! Errors of questions about motions.
 
+use crate::model::error::Spot;
 use core::fmt;
 use mstmm_plan::{Coordinate, Freedoms};
 
@@ -44,6 +45,11 @@ pub enum MotionError {
     Resonance {
         /// Size of the frequency, |ω| or |λ|.
         frequency: f64,
+    },
+    /// Something without mass is held by nothing, or something is held twice: no response is determined at any frequency.
+    Mechanism {
+        /// Where in the structure that shows.
+        at: Spot,
     },
     /// The limit of a response at rest, without its poles, is uncertain: other roots are too close to zero.
     Unsettled {
@@ -151,6 +157,9 @@ impl fmt::Display for MotionError {
                     f,
                     "the system resonates at the frequency {frequency}: its response is infinite or not determined"
                 )
+            }
+            MotionError::Mechanism { at } => {
+                write!(f, "a part without mass is held by nothing, or something is held twice, as shows at {at}")
             }
             MotionError::Unsettled { change } => {
                 write!(

@@ -44,10 +44,32 @@ pub struct PlaneEntry<M> {
 pub(crate) enum Site {
     /// At a node.
     Node(usize),
-    /// At a place that a node ties rigidly, with the freedoms that elements bring there.
-    Tied { node: usize, place: usize, freedoms: Freedoms },
+    /// At a place that a node ties rigidly.
+    Tied(Tied),
     /// Where a member ends.
     End { member: usize, end: usize },
+}
+
+/// A place that a node ties rigidly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tied {
+    /// Index of the node.
+    pub node: usize,
+    /// Index of the place.
+    pub place: usize,
+    /// The freedoms that elements bring there.
+    pub freedoms: Freedoms,
+    /// The support there.
+    pub hold: Option<Hold>,
+}
+
+/// What a support holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hold {
+    /// Index of the node.
+    pub node: usize,
+    /// The freedoms in which it may hold that; along a direction it does not.
+    pub freedoms: Freedoms,
 }
 
 /// A quantity of a motion.
@@ -55,10 +77,21 @@ pub(crate) enum Site {
 pub(crate) enum Quantity {
     /// The displacement of a point along x or y, or its rotation.
     Displacement(Site, usize),
-    /// A force of a support on its node along x or y, or its moment.
-    Reaction(usize, usize),
+    /// A force of a support along x or y, or its moment; none where nothing holds the point.
+    Reaction(Option<Hold>, usize),
     /// An internal force at the end of a member: axial, shear, moment.
     Internal { member: usize, end: usize, force: usize },
+}
+
+impl Site {
+    /// The support that may hold the point.
+    pub(crate) const fn hold(self) -> Option<Hold> {
+        match self {
+            Site::Node(node) => Some(Hold { node, freedoms: Freedoms::ALL }),
+            Site::Tied(tied) => tied.hold,
+            Site::End { .. } => None,
+        }
+    }
 }
 
 impl<M> PlanePoint<M> {
@@ -71,10 +104,10 @@ impl<M> PlanePoint<M> {
         PlanePoint::of(Site::Node(node))
     }
 
-    /// For emitted code: a place that a node ties rigidly, with the freedoms that elements bring there.
+    /// For emitted code: a place that a node ties rigidly.
     #[doc(hidden)]
-    pub const fn tied(node: usize, place: usize, freedoms: Freedoms) -> Self {
-        PlanePoint::of(Site::Tied { node, place, freedoms })
+    pub const fn tied(tied: Tied) -> Self {
+        PlanePoint::of(Site::Tied(tied))
     }
 }
 
@@ -144,12 +177,7 @@ in_global_axes!(MemberEnd, self => self.point().site);
 
 impl<M> PlanePoint<M> {
     const fn reaction(self, axis: usize) -> PlaneEntry<M> {
-        let node = match self.site {
-            Site::Node(node) | Site::Tied { node, .. } => node,
-            // no point of this type is the end of a member
-            Site::End { member, .. } => member,
-        };
-        PlaneEntry { quantity: Quantity::Reaction(node, axis), of: PhantomData }
+        PlaneEntry { quantity: Quantity::Reaction(self.site.hold(), axis), of: PhantomData }
     }
 
     const fn motion(self, axis: usize) -> PlaneLoad<M> {

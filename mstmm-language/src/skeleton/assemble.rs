@@ -77,8 +77,11 @@ impl<'a> Assembly<'a> {
             Holds::Freedoms(freedoms) => (freedoms, None),
             Holds::Across(direction, freedoms) => (freedoms, Some(self.direction(name.clone(), &direction.parts))),
         };
-        self.skeleton.supports.push(Support { name: name.clone(), point: support.point, held, along: direction });
-        if !self.is_supported[node] {
+        let is_second = self.is_supported[node];
+        let holds = if is_second { self.skeleton.nodes.len() } else { node };
+        let point = support.point;
+        self.skeleton.supports.push(Support { name: name.clone(), point, node: holds, held, along: direction });
+        if !is_second {
             self.is_supported[node] = true;
             let node = &mut self.skeleton.nodes[node];
             let lacks = node.held;
@@ -88,7 +91,6 @@ impl<'a> Assembly<'a> {
             }
             return;
         }
-        let ground = self.skeleton.nodes.len();
         self.skeleton.nodes.push(Node {
             name: name.clone(),
             place: Some(place),
@@ -98,7 +100,7 @@ impl<'a> Assembly<'a> {
         });
         let axis = direction.map_or(Axis::X, Axis::Along);
         let freedoms = if direction.is_some() { held.union(Freedoms::Y) } else { held };
-        let ends = [Seat::Node(ground), Seat::Point(support.point)].map(|seat| End { seat, axis });
+        let ends = [Seat::Node(holds), Seat::Point(point)].map(|seat| End { seat, axis });
         self.skeleton.members.push(Member { what: What::Rigid, name, kind: None, freedoms, ends });
     }
 

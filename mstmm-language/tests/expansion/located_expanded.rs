@@ -131,13 +131,9 @@ const _: () = {
     #[allow(dead_code, non_upper_case_globals)]
     impl Mast {
         /// `conn top`
-        pub const conn_top: mstmm::__private::PlanePoint<Mast> = SKETCH
-            .points[1usize]
-            .label();
+        pub const conn_top: mstmm::__private::PlanePoint<Mast> = SKETCH.label(1usize);
         /// `conn anchor`
-        pub const conn_anchor: mstmm::__private::PlanePoint<Mast> = SKETCH
-            .points[2usize]
-            .label();
+        pub const conn_anchor: mstmm::__private::PlanePoint<Mast> = SKETCH.label(2usize);
         /// `planar_beam 1`
         pub const planar_beam_1: mstmm::__private::MemberLabel<
             Mast,
@@ -184,12 +180,14 @@ const _: () = {
             mstmm::__private::SketchedSupport {
                 name: "fixed at planar_beam 1",
                 point: 0usize,
+                node: 0usize,
                 held: mstmm::__private::Freedoms::ALL,
                 along: ::core::option::Option::None,
             },
             mstmm::__private::SketchedSupport {
                 name: "fixed at conn anchor",
                 point: 2usize,
+                node: 2usize,
                 held: mstmm::__private::Freedoms::NONE
                     .union(mstmm::__private::Freedoms::X)
                     .union(mstmm::__private::Freedoms::Y),

@@ -117,3 +117,40 @@ fn a_multiple_root_of_another_structure_is_none() {
     });
     assert_eq!(own, Ok(Ok(multiple[0].multiplicity as usize)));
 }
+
+/// A load on what is held goes into the support at once.
+#[test]
+fn a_support_takes_the_load_on_its_point() {
+    let structure = beam(2.0, [0.6, 0.8], [Freedoms::ALL, Freedoms::NONE]);
+    let foot = PlanePoint::node(0);
+    assert_near(at_rest(&structure, foot.force_x(), foot.reaction_x()), -1.0);
+    assert_near(at_rest(&structure, foot.torque_z(), foot.reaction_z()), -1.0);
+    let tip = PlanePoint::node(2);
+    assert_near(at_rest(&structure, tip.force_y(), foot.reaction_y()), -1.0);
+    assert_near(at_rest(&structure, tip.force_y(), foot.reaction_z()), -1.2);
+}
+
+/// A point that springs hold along one line alone may go across it, at any frequency.
+#[test]
+fn a_mechanism_is_named_and_no_resonance() {
+    let mut structure = Structure::default();
+    let clamp = structure.clamp([0.0, 0.0]);
+    let tip = structure.node(Node::at([1.0, 0.0]));
+    let free = structure.node(Node::at([2.0, 0.0]).held(Freedoms::RZ));
+    let wall = structure.clamp([3.0, 0.0]);
+    structure.beam(clamp, tip, SECTION);
+    structure.spring(tip, free, 5.0);
+    structure.spring(free, wall, 5.0);
+    let told = asked_to_move(&structure, |network| {
+        let point = PlanePoint::node(tip);
+        let response = network.frequency_response(point.force_x(), point.displacement_x()).unwrap();
+        Ok([0.0, 1.0, 100.0]
+            .map(|omega| response.at(omega))
+            .into_iter()
+            .chain([response.at(1e300), response.at(f64::NAN)])
+            .collect::<Vec<_>>())
+    });
+    let told = told.unwrap();
+    assert!(told[..3].iter().all(|told| matches!(told, Err(MotionError::Mechanism { .. }))), "{told:?}");
+    assert!(told[3..].iter().all(|told| matches!(told, Err(MotionError::NotFinite { .. }))), "{told:?}");
+}

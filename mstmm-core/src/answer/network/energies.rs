@@ -45,16 +45,22 @@ where
 
     /// Forms of a part beside those of the whole, all of the motion and its conjugate, which are real.
     fn shares(&self, part: Forms<S>) -> EnergyShares<<Y as System>::Parameter> {
-        let [nodes, members] = self.system.sizes();
-        let of_members = (0..members).map(|member| self.forms(member, S::conjugate));
-        let mut whole = of_members.fold(Forms::none(), Forms::plus);
-        whole.mass = (0..nodes).fold(whole.mass, |sum, node| sum + self.mass_form(node));
+        let whole = self.whole();
         let share = |part: S, whole: S| if whole.is_zero() { whole } else { part / whole }.to_complex().re;
         EnergyShares {
             strain: share(part.stiffness, whole.stiffness),
             kinetic: share(part.mass, whole.mass),
             dissipated: share(part.damping, whole.damping),
         }
+    }
+
+    /// The forms of the whole motion and its conjugate.
+    pub(super) fn whole(&self) -> Forms<S> {
+        let [nodes, members] = self.system.sizes();
+        let of_members = (0..members).map(|member| self.forms(member, S::conjugate));
+        let mut whole = of_members.fold(Forms::none(), Forms::plus);
+        whole.mass = (0..nodes).fold(whole.mass, |sum, node| sum + self.mass_form(node));
+        whole
     }
 
     /// The forms of the motion of a member and a function of it.

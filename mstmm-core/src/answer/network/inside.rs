@@ -7,6 +7,12 @@ use crate::model::{EndMotion, MemberLabel, MotionError};
 use crate::number::{Oscillation, Real, Scalar};
 use crate::pass::network::{Placed, PlacedMotions};
 
+/// Rounding of a length that follows from places, as a part of it.
+const LENGTH: f64 = 64.0 * f64::EPSILON;
+
+/// Part of the largest displacement of a member below which its deflection is rounding and crosses nothing.
+const LEVEL: f64 = 1e-10;
+
 /// The state of a cross section of a member: its displacements in global axes, and the forces inside of the member.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemberState<S> {
@@ -37,10 +43,11 @@ where
     pub fn along<E>(&self, label: MemberLabel<Y::Model, E>, distance: f64) -> Result<MemberState<S>, MotionError> {
         let member = label.index();
         let Inside { length, .. } = self.inside(member)?;
-        if !(0.0..=length).contains(&distance) {
+        // lengths follow from places, with their rounding
+        if !(0.0..=length * (1.0 + LENGTH)).contains(&distance) {
             return Err(MotionError::Outside { distance, length });
         }
-        let motion = self.motion_at(member, distance);
+        let motion = self.motion_at(member, distance.min(length));
         let [displacement_x, displacement_y, rotation_z] = self.in_global_axes(member, 0, motion.displacements);
         let [axial_force, shear, moment] = motion.internal(1);
         Ok(MemberState { displacement_x, displacement_y, rotation_z, axial_force, shear, moment })
@@ -117,7 +124,10 @@ where
         let inside = self.inside(member)?;
         let samples = inside.samples();
         let width = inside.length / f64::from(samples);
-        let deflection = |sample: u32| self.motion_at(member, width * f64::from(sample)).displacements[1];
+        let at = |sample: u32| self.motion_at(member, width * f64::from(sample)).displacements;
+        let sizes = (0..=samples).flat_map(|sample| at(sample).into_iter().take(2)).map(Scalar::size);
+        let level = LEVEL * sizes.fold(0.0, f64::max);
+        let deflection = |sample: u32| Some(at(sample)[1]).filter(|across| across.size() > level).unwrap_or(T::zero());
         Ok(sign_changes(samples, deflection))
     }
 }

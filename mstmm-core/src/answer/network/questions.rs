@@ -79,7 +79,8 @@ pub trait FrameAnalysis: Placed + Sized {
     /// evaluated yet.
     ///
     /// # Errors
-    /// [`MotionError::NoSuchPoint`] for a load on a point that this system has not got.
+    /// [`MotionError::NoSuchPoint`] for a point that this system has not got; [`MotionError::NoSuchFreedom`] and [`MotionError::NotHeld`]
+    /// for a load or an entry that the point has not.
     fn frequency_response(
         &self,
         load: PlaneLoad<Self::Model>,

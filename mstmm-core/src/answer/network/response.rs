@@ -1,23 +1,25 @@
 //! Responses of plane structures to harmonic loads.
 
 use crate::answer::at_rest::{AtRest, Part};
-use crate::answer::network::states::{PlaneStates, check_freedom, offset};
+use crate::answer::network::states::{PlaneStates, check, check_freedom, held_at, offset};
 use crate::answer::response_curve::{Sample, refined};
 use crate::answer::root::Root;
-use crate::model::{MotionError, PlaneEntry, PlaneLoad, Quantity, Site};
+use crate::model::{MotionError, PlaneEntry, PlaneLoad, Quantity, Site, Tied};
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
 use crate::pass::network::{
     LoadAt, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, motion_under, rounding_under,
 };
 use core::ops::RangeInclusive;
-use mstmm_plan::Freedoms;
 
 /// The difference of motions with other pivots, beside the largest displacement, beyond which they are computed in extended precision.
 const AGREEING: f64 = 1e-13;
 
 /// The part of the row of a pivot that rounding may be, beyond which other pivots may round alike.
 const ROUNDED: f64 = 1e-9;
+
+/// Where a resonance is not looked for again, as a part of its frequency.
+const ELSEWHERE: f64 = 0.617;
 
 /// A transfer function of a plane structure: a displacement, an internal force or a reaction per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
@@ -40,6 +42,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         entry: PlaneEntry<Y::Model>,
     ) -> Result<Self, MotionError> {
         acting_at::<Y, Y::Parameter>(system, load)?;
+        check(system, entry)?;
         Ok(PlaneResponse { system, load, entry })
     }
 
@@ -50,8 +53,8 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     /// frequencies, to 12 digits of the largest of these.
     ///
     /// # Errors
-    /// [`MotionError::Resonance`] where it is infinite, [`MotionError::Unsettled`] for an uncertain limit at rest,
-    /// [`MotionError::NotFinite`] where numbers overflow, [`MotionError::NoSuchPoint`] for an entry of another list.
+    /// [`MotionError::Resonance`] where it is infinite, [`MotionError::Mechanism`] where nothing holds a part without mass,
+    /// [`MotionError::Unsettled`] for an uncertain limit at rest, [`MotionError::NotFinite`] where numbers overflow, [`MotionError::NoSuchPoint`] for an entry of another list.
     pub fn at<S>(&self, x: S) -> Result<S, MotionError>
     where
         Y: MovingNetwork<S>,
@@ -131,16 +134,37 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         let load = acting_at::<Y, S>(self.system, self.load)?;
         let mut motion = motion_under(self.system, x, load);
         let is_sure = |motion: &NetworkMotion<Y, S>| {
-            !motion.vanishes && motion.rounding <= ROUNDED && rounding_under(self.system, x, load, motion) <= AGREEING
+            motion.vanished_at.is_none()
+                && motion.rounding <= ROUNDED
+                && rounding_under(self.system, x, load, motion) <= AGREEING
         };
         if S::HAS_PRECISE && !is_sure(&motion) {
             let load = acting_at::<Y, S::Precise>(self.system, self.load)?;
             motion = motion_under(self.system, x.precise(), load).rounded(S::nearest);
         }
-        if motion.vanishes {
-            return Err(MotionError::Resonance { frequency: x.modulus() });
+        let frequency = x.modulus();
+        if !(x.lambda_squared().size().is_finite() && (motion.vanished_at.is_some() || motion.is_finite())) {
+            return Err(MotionError::NotFinite { frequency });
         }
-        Ok(PlaneStates { system: self.system, x, motion })
+        match motion.vanished_at {
+            None => Ok(PlaneStates { system: self.system, x, motion, load: Some(load) }),
+            Some(node) if self.vanishes_elsewhere(x, load) => {
+                Err(MotionError::Mechanism { at: self.system.spot(node as usize) })
+            }
+            Some(_) => Err(MotionError::Resonance { frequency }),
+        }
+    }
+
+    /// Whether something vanishes at another frequency, too, far from one: then it does at all.
+    #[cold]
+    fn vanishes_elsewhere<S>(&self, x: S, load: LoadAt<S>) -> bool
+    where
+        Y: MovingNetwork<S>,
+        S: PlaneFrequency<<Y as System>::Parameter>,
+    {
+        let low = S::nearest(S::steady(self.lowest_exponent()));
+        let other = if x.is_zero() { low } else { x * S::from_f64(ELSEWHERE) };
+        motion_under(self.system, other, load).vanished_at.is_some()
     }
 
     /// Writes the responses at the frequencies of `grid` to `values`.
@@ -170,9 +194,13 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
 ) -> Result<LoadAt<S>, MotionError> {
     let mut forces = [S::zero(); 3];
     check_freedom(load.site, load.axis)?;
+    if load.is_motion {
+        let (node, moved) = held_at(system, load.site.hold(), load.axis)?;
+        return Ok(LoadAt { node, forces, moved: Some(moved) });
+    }
     let (node, [x, y]) = match load.site {
         Site::Node(node) => (node, [S::zero(); 2]),
-        Site::Tied { node, place, .. } => (node, offset(system, node, place)),
+        Site::Tied(Tied { node, place, .. }) => (node, offset(system, node, place)),
         Site::End { member, end } => {
             if member >= system.sizes()[1] {
                 return Err(MotionError::NoSuchPoint { index: member });
@@ -187,11 +215,6 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
     };
     if node >= system.sizes()[0] {
         return Err(MotionError::NoSuchPoint { index: node });
-    }
-    if load.is_motion {
-        let not_held = MotionError::NotHeld { freedom: Freedoms::SINGLE[load.axis] };
-        let moved = system.node(node).0.moved(load.axis).ok_or(not_held)?;
-        return Ok(LoadAt { node, forces, moved: Some(moved) });
     }
     forces[load.axis] = S::one();
     forces[2] += x * forces[1] - y * forces[0];

@@ -1,6 +1,7 @@
 //! Mode shapes of plane structures.
 
 use crate::answer::network::states::PlaneStates;
+use crate::element::Forms;
 use crate::model::MotionError;
 use crate::number::Scalar;
 use crate::pass::characteristic::System;
@@ -25,6 +26,9 @@ const NO_ROOT: f64 = 1e-7;
 
 /// Relative size of λ² - λ₁² beyond which there is no root at rest: it is one beside λ₁ = 0.
 const BESIDE_NO_ROOT: f64 = 8.0;
+
+/// The modal mass of a shape beside that of its size, below which two roots share it.
+const DEFECTIVE: f64 = 1e-5;
 
 /// The difference of shapes under two loads, of unit modal mass, and the sum of forces at a node beside the largest, beyond which a shape
 /// is computed again in extended precision.
@@ -155,7 +159,21 @@ where
             return Err(self.not_finite());
         }
         self.check(&motion, mass)?;
+        if self.is_defective(&motion, mass) {
+            return Err(MotionError::Unresolved { root: self.x.modulus(), misfit: 1.0 });
+        }
         Ok(motion.times(S::one() / mass.sqrt()))
+    }
+
+    /// Whether the modal mass of a motion is small beside that of its size: another root has the shape, too.
+    fn is_defective(&self, motion: &NetworkMotion<Y, S>, mass: S) -> bool {
+        let lambda = self.x.lambda();
+        // without dampers modal masses are those of the size
+        if lambda.is_zero() {
+            return false;
+        }
+        let Forms { mass: kinetic, damping, .. } = self.shape(*motion).whole();
+        mass.size() < DEFECTIVE * (kinetic.size() + damping.size() / lambda.size())
     }
 
     /// Checks that the frequency is a root, given a motion there and its modal mass: the work of the load over the mass is λ² less that of
@@ -194,7 +212,7 @@ where
     }
 
     fn shape(&self, motion: NetworkMotion<Y, S>) -> PlaneShape<'a, Y, S> {
-        PlaneShape { states: PlaneStates { system: self.system, x: self.x, motion } }
+        PlaneShape { states: PlaneStates { system: self.system, x: self.x, motion, load: None } }
     }
 
     /// The shape of a simple root, and how far that under another load is from it.
@@ -227,6 +245,10 @@ where
                 let mass = mass_product(self.system, self.x, &rounded, &rounded);
                 if !(mass.size() > 0.0 && mass.size().is_finite()) {
                     return Err(self.not_finite());
+                }
+                if self.is_defective(&rounded, mass) {
+                    let (root, multiplicity, shapes) = (self.x.modulus(), multiplicity as u64, number.max(1) as u64);
+                    return Err(MotionError::Defective { root, multiplicity, shapes });
                 }
                 next = next.times((S::one() / mass.sqrt()).precise());
             }

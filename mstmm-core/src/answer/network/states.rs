@@ -1,8 +1,8 @@
 //! What a plane structure does in one motion.
 
-use crate::model::{EndMotion, MotionError, PlaneEntry, PlanePoint, Quantity, Site};
+use crate::model::{EndMotion, Hold, MotionError, PlaneEntry, PlanePoint, Quantity, Site, Tied};
 use crate::number::{Frequency, Parameter, Size};
-use crate::pass::network::{NetworkMotion, Placed, moved, turned};
+use crate::pass::network::{LoadAt, NetworkMotion, Placed, moved, turned};
 use mstmm_plan::Freedoms;
 
 /// The displacements and forces of a plane structure in one motion.
@@ -11,6 +11,8 @@ pub struct PlaneStates<'a, Y: Placed, S: Frequency<Y::Parameter>> {
     pub(crate) system: &'a Y,
     pub(crate) x: S,
     pub(crate) motion: NetworkMotion<Y, S>,
+    /// The load of a response.
+    pub(crate) load: Option<LoadAt<S>>,
 }
 
 impl<Y: Placed, S: Frequency<Y::Parameter>> Clone for PlaneStates<'_, Y, S> {
@@ -26,23 +28,11 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     /// [`MotionError::NoSuchPoint`] for a node or a member that this system has not got; [`MotionError::NoSuchFreedom`] for a motion or a force
     /// that no element brings to this point, such as the moment of a spring.
     pub fn value(&self, entry: PlaneEntry<Y::Model>) -> Result<S, MotionError> {
+        check(self.system, entry)?;
         match entry.quantity {
-            Quantity::Displacement(site, axis) => {
-                check_freedom(site, axis)?;
-                Ok(self.displacements(site)?[axis])
-            }
-            Quantity::Reaction(node, axis) => {
-                let reaction = self.reaction(node)?[axis];
-                let not_held = MotionError::NotHeld { freedom: Freedoms::SINGLE[axis] };
-                self.system.node(node).0.moved::<S>(axis).ok_or(not_held).map(|_| reaction)
-            }
-            Quantity::Internal { member, end, force } => {
-                let (ends, freedom) = (self.member(member)?, Freedoms::SINGLE[force]);
-                if !self.system.placement(member).freedoms.contains(freedom) {
-                    return Err(MotionError::NoSuchFreedom { freedom });
-                }
-                Ok(ends[end].internal(end)[force])
-            }
+            Quantity::Displacement(site, axis) => Ok(self.displacements(site)?[axis]),
+            Quantity::Reaction(hold, axis) => Ok(self.reaction(held_at::<Y, S>(self.system, hold, axis)?.0)?[axis]),
+            Quantity::Internal { member, end, force } => Ok(self.member(member)?[end].internal(end)[force]),
         }
     }
 
@@ -65,8 +55,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         nodes.get(node).copied().ok_or(MotionError::NoSuchPoint { index: node })
     }
 
-    /// The forces x \[N\], y \[N\] and the moment [N m] of its support on a node; zero to rounding in the motions that no support holds, but
-    /// for a load there.
+    /// The forces x \[N\], y \[N\] and the moment [N m] of its support on a node; zero to rounding in the motions that no support holds.
     ///
     /// # Errors
     /// [`MotionError::NoSuchPoint`] for a node that this system has not got.
@@ -78,7 +67,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     /// The node with which a point moves.
     pub(super) fn node_of(&self, point: PlanePoint<Y::Model>) -> Result<usize, MotionError> {
         let node = match point.site {
-            Site::Node(node) | Site::Tied { node, .. } => node,
+            Site::Node(node) | Site::Tied(Tied { node, .. }) => node,
             Site::End { member, end } => {
                 self.member(member)?;
                 self.system.placement(member).node_of(end)
@@ -98,7 +87,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     fn displacements(&self, site: Site) -> Result<[S; 3], MotionError> {
         match site {
             Site::Node(node) => self.node(node),
-            Site::Tied { node, place, .. } => Ok(moved(self.node(node)?, offset(self.system, node, place))),
+            Site::Tied(Tied { node, place, .. }) => Ok(moved(self.node(node)?, offset(self.system, node, place))),
             Site::End { member, end } => {
                 let own = self.member(member)?[end].displacements;
                 let placement = self.system.placement(member);
@@ -176,7 +165,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         self.system.node(node).0.mass_matrix::<S>().map(|row| row.map(|entry| lambda_squared * entry))
     }
 
-    /// What supports do to their nodes, but for loads there: the inertia of bodies less the forces of members.
+    /// What supports do to their nodes: the inertia of bodies less the forces of members and the load.
     pub(super) fn reactions(&self) -> Y::PerNode<[S; 3]> {
         let [nodes, members] = self.system.sizes();
         let mut reactions = Y::per_node([S::zero(); 3]);
@@ -199,7 +188,36 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
                 sum[2] += moment + x * force_y - y * force_x;
             }
         }
+        if let Some(LoadAt { node, forces, .. }) = self.load {
+            for (entry, force) in reactions.as_mut()[node].iter_mut().zip(forces) {
+                *entry -= force;
+            }
+        }
         reactions
+    }
+}
+
+/// Whether a structure has what an entry asks for.
+pub(super) fn check<Y: Placed>(system: &Y, entry: PlaneEntry<Y::Model>) -> Result<(), MotionError> {
+    let [nodes, members] = system.sizes();
+    let is_there = |index: usize, count: usize| {
+        if index < count { Ok(()) } else { Err(MotionError::NoSuchPoint { index }) }
+    };
+    match entry.quantity {
+        Quantity::Displacement(site, axis) => {
+            check_freedom(site, axis)?;
+            match site {
+                Site::Node(node) | Site::Tied(Tied { node, .. }) => is_there(node, nodes),
+                Site::End { member, .. } => is_there(member, members),
+            }
+        }
+        Quantity::Reaction(hold, axis) => held_at::<Y, Y::Parameter>(system, hold, axis).map(|_| ()),
+        Quantity::Internal { member, force, .. } => {
+            is_there(member, members)?;
+            let freedom = Freedoms::SINGLE[force];
+            let is_carried = system.placement(member).freedoms.contains(freedom);
+            if is_carried { Ok(()) } else { Err(MotionError::NoSuchFreedom { freedom }) }
+        }
     }
 }
 
@@ -207,9 +225,27 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
 pub(super) fn check_freedom(site: Site, axis: usize) -> Result<(), MotionError> {
     let freedom = Freedoms::SINGLE[axis];
     match site {
-        Site::Tied { freedoms, .. } if !freedoms.contains(freedom) => Err(MotionError::NoSuchFreedom { freedom }),
+        Site::Tied(Tied { freedoms, .. }) if !freedoms.contains(freedom) => Err(MotionError::NoSuchFreedom { freedom }),
         _ => Ok(()),
     }
+}
+
+/// The node that a support holds along an axis, and what a displacement of 1 of the support moves it by.
+///
+/// # Errors
+/// [`MotionError::NotHeld`] where nothing holds the point so; [`MotionError::NoSuchPoint`] for a node that this system has not got.
+pub(super) fn held_at<Y: Placed, S: Frequency<Y::Parameter>>(
+    system: &Y,
+    hold: Option<Hold>,
+    axis: usize,
+) -> Result<(usize, [S; 3]), MotionError> {
+    let freedom = Freedoms::SINGLE[axis];
+    let not_held = MotionError::NotHeld { freedom };
+    let Hold { node, .. } = hold.filter(|hold| hold.freedoms.contains(freedom)).ok_or(not_held)?;
+    if node >= system.sizes()[0] {
+        return Err(MotionError::NoSuchPoint { index: node });
+    }
+    Ok((node, system.node(node).0.moved(axis).ok_or(not_held)?))
 }
 
 /// Where a place is from the node that ties it.

@@ -124,12 +124,12 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
     /// The points, with the list of numbers.
     pub fn drawn_points<M, T: Parameter>(&self, list: &[f64]) -> impl Iterator<Item = DrawnPoint<M, T>> {
         let numbers = self.numbers(list);
-        self.points.iter().map(move |point| DrawnPoint {
+        self.points.iter().enumerate().map(move |(index, point)| DrawnPoint {
             name: Spot::Named(point.name),
             position: numbers.place(point.place),
             node: point.node,
             freedoms: point.freedoms,
-            label: point.label(),
+            label: self.label(index),
         })
     }
 

@@ -15,8 +15,8 @@ pub(crate) struct NetworkMotion<Y: Placed, S: Scalar> {
     pub(crate) members: Y::PerMember<[EndMotion<S>; 2]>,
     /// The work of the load on the motion: the sum of forces times displacements.
     pub(crate) work: S,
-    /// Whether a pivot was rounding alone, as at a resonance.
-    pub(crate) vanishes: bool,
+    /// The first node where a pivot was rounding alone, as at a resonance.
+    pub(crate) vanished_at: Option<u32>,
     /// The largest part of the row of a pivot that rounding may be, where errors are carried along.
     pub(crate) rounding: f64,
 }
@@ -146,7 +146,7 @@ where
     if let Loading::At(LoadAt { node, moved: Some(moved), .. }) = loading {
         nodes.as_mut()[*node] = *moved;
     }
-    let (work, vanishes, rounding) = Y::in_way_back(|mut way| {
+    let (work, vanished_at, rounding) = Y::in_way_back(|mut way| {
         way.fronts.choose(choice, carries_errors);
         for &node in order.nodes {
             let moved = |fronts: &mut Fronts<'_, S>, member: usize, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2]| {
@@ -183,9 +183,9 @@ where
         }
         let total = way.fronts.total();
         let [row, error] = total.smallest_row;
-        (-way.back.kept.form, total.vanished_at.is_some(), S::EPSILON * error / row)
+        (-way.back.kept.form, total.vanished_at, S::EPSILON * error / row)
     });
-    NetworkMotion { nodes, members, work, vanishes, rounding }
+    NetworkMotion { nodes, members, work, vanished_at, rounding }
 }
 
 impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
@@ -207,7 +207,7 @@ impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
                 forces: three(one[end].forces, other[end].forces),
             });
         }
-        NetworkMotion { nodes, members, work, vanishes: self.vanishes, rounding: self.rounding }
+        NetworkMotion { nodes, members, work, vanished_at: self.vanished_at, rounding: self.rounding }
     }
 
     /// The motion under so many times the load.
@@ -223,6 +223,13 @@ impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
     /// The motion in numbers of another precision.
     pub(crate) fn rounded<R: Scalar>(&self, round: impl Fn(S) -> R) -> NetworkMotion<Y, R> {
         self.with(self, |one, _| round(one), round(self.work))
+    }
+
+    /// Whether all displacements and forces are finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        let of_ends = self.members.as_ref().iter().flatten();
+        let numbers = of_ends.flat_map(|end| end.displacements.iter().chain(&end.forces));
+        numbers.chain(self.nodes.as_ref().iter().flatten()).all(|number| number.size().first().is_finite())
     }
 
     /// The size of the largest displacement or rotation; 1 if there is none.

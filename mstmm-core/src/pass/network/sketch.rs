@@ -1,6 +1,6 @@
 //! What `system!` says of a network: its nodes and members by indices, its numbers by their place in a list.
 
-use crate::model::{PlanePoint, Spot};
+use crate::model::{Hold, PlanePoint, Spot, Tied};
 use mstmm_plan::{Freedoms, PathMember, PathNode, in_motion, lead_paths};
 
 /// A network without its numbers.
@@ -54,6 +54,8 @@ pub struct SketchedSupport {
     pub name: &'static str,
     /// Index of its point.
     pub point: usize,
+    /// Index of the node that it holds: that of the point, or of a second support of a body one of its own.
+    pub node: usize,
     /// The freedoms that it holds, besides the displacement across a direction.
     pub held: Freedoms,
     /// Index of the direction along which the point moves.
@@ -170,16 +172,25 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         }
     }
 
+    /// The label of a point in a model.
+    pub const fn label<M>(&self, point: usize) -> PlanePoint<M> {
+        let SketchedPoint { node, place, freedoms, .. } = self.points[point];
+        let mut hold = None;
+        let mut support = 0;
+        while support < self.supports.len() {
+            let SketchedSupport { point: of, node, held, along, .. } = self.supports[support];
+            if of == point {
+                let across = if along.is_some() { Freedoms::X.union(Freedoms::Y) } else { Freedoms::NONE };
+                hold = Some(Hold { node, freedoms: held.union(across) });
+            }
+            support += 1;
+        }
+        PlanePoint::tied(Tied { node, place, freedoms, hold })
+    }
+
     /// What errors call a node: the name of its place, or its index where it is a motion of a path.
     pub fn spot(&self, node: usize) -> Spot {
         self.nodes[node].place.map_or(Spot::Node(node), |place| Spot::Named(self.places[place]))
-    }
-}
-
-impl SketchedPoint {
-    /// Its label in a model.
-    pub const fn label<M>(&self) -> PlanePoint<M> {
-        PlanePoint::tied(self.node, self.place, self.freedoms)
     }
 }
 

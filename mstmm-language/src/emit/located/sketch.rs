@@ -46,10 +46,10 @@ fn sketched_point(point: &Point<'_>, names: &Names) -> TokenStream {
 
 fn sketched_support(support: &Support, names: &Names) -> TokenStream {
     let private = &names.private;
-    let Support { name, point, .. } = support;
+    let Support { name, point, node, .. } = support;
     let (held, along) = (freedoms(support.held, names), option(support.along, names));
     quote_spanned! {names.here=>
-        #private::SketchedSupport { name: #name, point: #point, held: #held, along: #along }
+        #private::SketchedSupport { name: #name, point: #point, node: #node, held: #held, along: #along }
     }
 }
 
