@@ -8,6 +8,7 @@ mod exact;
 mod in_time;
 mod inside;
 mod large;
+mod repeated;
 mod responses;
 mod sensitivities;
 mod sketched;

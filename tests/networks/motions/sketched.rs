@@ -1,5 +1,4 @@
 //! What sketches say of motions that lists do not: supports of bodies, masses on paths, roots that share a shape.
-#![expect(clippy::unwrap_used, reason = "the models are right")]
 
 use mstmm::Complex;
 use mstmm::motion::MotionError;

@@ -12,8 +12,9 @@ use crate::pass::network::{
 };
 use core::ops::RangeInclusive;
 
-/// The difference of motions with other pivots, beside the largest displacement, beyond which they are computed in extended precision.
-const AGREEING: f64 = 1e-13;
+/// The difference of motions with other pivots, beside the largest displacement and beside the largest force, beyond which they are computed
+/// in extended precision.
+const AGREEING: [f64; 2] = [1e-13, 1e-12];
 
 /// The part of the row of a pivot that rounding may be, beyond which other pivots may round alike.
 const ROUNDED: f64 = 1e-9;
@@ -136,7 +137,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         let is_sure = |motion: &NetworkMotion<Y, S>| {
             motion.vanished_at.is_none()
                 && motion.rounding <= ROUNDED
-                && rounding_under(self.system, x, load, motion) <= AGREEING
+                && agree(rounding_under(self.system, x, load, motion))
         };
         if S::HAS_PRECISE && !is_sure(&motion) {
             let load = acting_at::<Y, S::Precise>(self.system, self.load)?;
@@ -185,6 +186,11 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         }
         Ok(())
     }
+}
+
+/// Whether displacements and forces of two motions differ by rounding alone.
+fn agree([displacements, forces]: [f64; 2]) -> bool {
+    displacements <= AGREEING[0] && forces <= AGREEING[1]
 }
 
 /// A load where it acts: on a node.

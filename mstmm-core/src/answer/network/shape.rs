@@ -27,6 +27,13 @@ const NO_ROOT: f64 = 1e-7;
 /// Relative size of λ² - λ₁² beyond which there is no root at rest: it is one beside λ₁ = 0.
 const BESIDE_NO_ROOT: f64 = 8.0;
 
+/// What must be left of a motion without its parts in other shapes of a root, or other loads are tried, and how many.
+const LEFT: f64 = 1e-3;
+const RETRIES: usize = 4;
+
+/// The part of other roots in motions of rigid bodies that is too large: modes far below all estimates take part in them.
+const RESOLVED_AT_REST: f64 = 1e-4;
+
 /// The modal mass of a shape beside that of its size, below which two roots share it.
 const DEFECTIVE: f64 = 1e-5;
 
@@ -225,37 +232,72 @@ where
 
     /// As many shapes as a root has, orthogonal with respect to the mass.
     ///
-    /// A light part moves much farther than a heavy one. So motions stay in extended precision until all others are taken from them.
+    /// A light part moves much farther than a heavy one. So motions stay in extended precision until all others are taken from them. What is
+    /// left of one more motion, elsewhere beside the root and under another load, tells how far other roots take part.
     fn all<const CAP: usize>(&self, multiplicity: usize) -> Result<PlaneShapes<'a, Y, S, CAP>, MotionError> {
         let mut found = PlaneShapes { shapes: [const { None }; CAP] };
         let mut motions = [const { None::<NetworkMotion<Y, S::Precise>> }; CAP];
-        let x = self.nearer.unwrap_or(self.x.precise());
-        for number in 0..multiplicity {
-            let next = motion_everywhere(self.system, x, number as u32, self.dislocates());
-            let mut next = next.times(S::Precise::from_f64(1.0 / next.size()));
-            let rounded = next.rounded(S::nearest);
-            self.check(&rounded, mass_product(self.system, self.x, &rounded, &rounded))?;
-            for _ in 0..PASSES {
-                for other in motions[..number].iter().flatten() {
-                    let rounded = [&next, other].map(|motion| motion.rounded(S::nearest));
-                    let part = mass_product(self.system, self.x, &rounded[0], &rounded[1]);
-                    next = next.plus(other, (-part).precise());
+        let mut number = 0;
+        for shape in 0..multiplicity {
+            let mut best = self.orthogonal(&motions[..shape], number)?;
+            number += 1;
+            for _ in 0..RETRIES {
+                if best.1 > LEFT {
+                    break;
                 }
-                let rounded = next.rounded(S::nearest);
-                let mass = mass_product(self.system, self.x, &rounded, &rounded);
-                if !(mass.size() > 0.0 && mass.size().is_finite()) {
-                    return Err(self.not_finite());
-                }
-                if self.is_defective(&rounded, mass) {
-                    let (root, multiplicity, shapes) = (self.x.modulus(), multiplicity as u64, number.max(1) as u64);
-                    return Err(MotionError::Defective { root, multiplicity, shapes });
-                }
-                next = next.times((S::one() / mass.sqrt()).precise());
+                let other = self.orthogonal(&motions[..shape], number)?;
+                number += 1;
+                best = if other.1 > best.1 { other } else { best };
             }
-            found.shapes[number] = Some(self.shape(next.rounded(S::nearest)));
-            motions[number] = Some(next);
+            let (motion, rounded) = (best.0, best.0.rounded(S::nearest));
+            if self.is_defective(&rounded, S::one()) {
+                let (root, multiplicity, shapes) = (self.x.modulus(), multiplicity as u64, shape.max(1) as u64);
+                return Err(MotionError::Defective { root, multiplicity, shapes });
+            }
+            (found.shapes[shape], motions[shape]) = (Some(self.shape(rounded)), Some(motion));
+        }
+        if let Some(nearer) = self.nearer {
+            let farther = if self.x.is_zero() { nearer + nearer } else { nearer + nearer - self.x.precise() };
+            let elsewhere = AtRoot { nearer: Some(farther), ..*self };
+            let (_, misfit) = elsewhere.orthogonal(&motions[..multiplicity], number)?;
+            let limit = if self.x.is_zero() { RESOLVED_AT_REST } else { RESOLVED };
+            if misfit.is_nan() || misfit > limit {
+                return Err(MotionError::Unresolved { root: self.x.modulus(), misfit });
+            }
         }
         Ok(found)
+    }
+
+    /// The motion under the load of a number without its parts in others, of unit modal mass, and what is left of it as a part of the whole.
+    fn orthogonal(
+        &self,
+        others: &[Option<NetworkMotion<Y, S::Precise>>],
+        number: u32,
+    ) -> Result<(NetworkMotion<Y, S::Precise>, f64), MotionError> {
+        let x = self.nearer.unwrap_or(self.x.precise());
+        let motion = motion_everywhere(self.system, x, number, self.dislocates());
+        let mut motion = motion.times(S::Precise::from_f64(1.0 / motion.size()));
+        let rounded = motion.rounded(S::nearest);
+        let whole = mass_product(self.system, self.x, &rounded, &rounded);
+        self.check(&rounded, whole)?;
+        let mut left = 1.0;
+        for pass in 0..PASSES {
+            for other in others.iter().flatten() {
+                let rounded = [&motion, other].map(|motion| motion.rounded(S::nearest));
+                let part = mass_product(self.system, self.x, &rounded[0], &rounded[1]);
+                motion = motion.plus(other, (-part).precise());
+            }
+            let rounded = motion.rounded(S::nearest);
+            let mass = mass_product(self.system, self.x, &rounded, &rounded);
+            if !(mass.size() > 0.0 && mass.size().is_finite()) {
+                return Err(self.not_finite());
+            }
+            if pass == 0 {
+                left = Scalar::sqrt(mass.size() / whole.size());
+            }
+            motion = motion.times((S::one() / mass.sqrt()).precise());
+        }
+        Ok((motion, left))
     }
 }
 

@@ -1,8 +1,8 @@
 //! What a plane structure does in one motion.
 
 use crate::model::{EndMotion, Hold, MotionError, PlaneEntry, PlanePoint, Quantity, Site, Tied};
-use crate::number::{Frequency, Parameter, Size};
-use crate::pass::network::{LoadAt, NetworkMotion, Placed, moved, turned};
+use crate::number::{Frequency, Size};
+use crate::pass::network::{LoadAt, NetworkMotion, Placed, longest, moved, size_of_forces, turned};
 use mstmm_plan::Freedoms;
 
 /// The displacements and forces of a plane structure in one motion.
@@ -111,15 +111,10 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     /// The largest sum of forces on the motions of a node, beside the largest force of a member or of inertia; a moment counts by the
     /// longest member.
     pub(super) fn imbalance(&self) -> f64 {
-        let [nodes, members] = self.system.sizes();
-        let lengths = (0..members).map(|member| self.system.placement(member).own_length().to_f64());
-        let length = Some(lengths.fold(0.0, f64::max)).filter(|length| *length > 0.0).unwrap_or(1.0);
-        let size = |forces: &[S; 3]| {
-            let [x, y, moment] = forces.map(|force| force.size().first());
-            x.max(y).max(moment / length)
-        };
-        let ends = self.motion.members.as_ref()[..members].iter().flatten();
-        let mut largest = ends.map(|end| size(&end.forces)).fold(0.0, f64::max);
+        let nodes = self.system.sizes()[0];
+        let length = longest(self.system);
+        let size = |forces: &[S; 3]| size_of_forces(forces, length);
+        let mut largest = self.motion.largest_force(length);
         let mut worst = 0.0_f64;
         let reactions = self.reactions();
         let of_nodes = self.motion.nodes.as_ref().iter().zip(reactions.as_ref());

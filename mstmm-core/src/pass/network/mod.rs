@@ -22,7 +22,9 @@ pub use evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pas
 pub(crate) use frame::{moved, turned};
 pub use frequency::{MovingNetwork, PlaneFrequency};
 pub use member::{End, Member, Placement};
-pub(crate) use motion::{LoadAt, NetworkMotion, delta, motion_everywhere, motion_under, rounding_under};
+pub(crate) use motion::{
+    LoadAt, NetworkMotion, delta, longest, motion_everywhere, motion_under, rounding_under, size_of_forces,
+};
 pub use node::{Motions, Node};
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;

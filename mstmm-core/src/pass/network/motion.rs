@@ -107,15 +107,32 @@ where
     motion(network, &FrequencyPowers::new(x, true), (Choice::Largest, true), &Loading::At(load))
 }
 
-/// How far the motion under a load is from that with other pivots, beside the largest displacement: what differs is rounding.
-pub(crate) fn rounding_under<Y, S>(network: &Y, x: S, load: LoadAt<S>, found: &NetworkMotion<Y, S>) -> f64
+/// How far the motion under a load is from that with other pivots, its displacements beside the largest and its forces beside the largest:
+/// what differs is rounding. Of a motion that is nearly rigid forces are small differences.
+pub(crate) fn rounding_under<Y, S>(network: &Y, x: S, load: LoadAt<S>, found: &NetworkMotion<Y, S>) -> [f64; 2]
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
 {
     let at = FrequencyPowers::new(x, true);
     let other = motion(network, &at, (Choice::InOrder, false), &Loading::At(load));
-    other.with(found, |one, other| one - other, S::zero()).largest() / found.size()
+    let difference = other.with(found, |one, other| one - other, S::zero());
+    let length = longest(network);
+    let forces = found.largest_force(length);
+    let of_forces = if forces > 0.0 { difference.largest_force(length) / forces } else { 0.0 };
+    [difference.largest() / found.size(), of_forces]
+}
+
+/// The length of the longest member, by which moments are compared with forces; 1 if none has a length.
+pub(crate) fn longest<Y: Placed>(network: &Y) -> f64 {
+    let lengths = (0..network.sizes()[1]).map(|member| network.placement(member).own_length().size());
+    Some(lengths.fold(0.0, f64::max)).filter(|length| *length > 0.0).unwrap_or(1.0)
+}
+
+/// The size of two forces and a moment, which counts by a length.
+pub(crate) fn size_of_forces<S: Scalar>(forces: &[S; 3], length: f64) -> f64 {
+    let [x, y, moment] = forces.map(|force| force.size().first());
+    x.max(y).max(moment / length)
 }
 
 /// The motion under the load of a number, forces and perhaps dislocations everywhere, with other pivots for each second number.
@@ -223,6 +240,13 @@ impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
     /// The motion in numbers of another precision.
     pub(crate) fn rounded<R: Scalar>(&self, round: impl Fn(S) -> R) -> NetworkMotion<Y, R> {
         self.with(self, |one, _| round(one), round(self.work))
+    }
+
+    /// The largest force of a member; a moment counts by a length.
+    pub(crate) fn largest_force(&self, length: f64) -> f64 {
+        let of_ends = self.members.as_ref().iter().flatten();
+        let sizes = of_ends.map(|end| size_of_forces(&end.forces, length));
+        sizes.fold(0.0, f64::max)
     }
 
     /// Whether all displacements and forces are finite.

@@ -172,10 +172,7 @@ impl<S: Scalar> Front<'_, S> {
                     if self.variables[place].is_force && !dislocates {
                         continue;
                     }
-                    // no two in a fixed ratio, so that no motion is at rest under all of them
-                    let angle = f64::from(node.index) + 3.0 * place as f64 + 7.0 * f64::from(*number);
-                    let part = angle * core::f64::consts::FRAC_1_SQRT_2 % 1.0;
-                    self.add(place, rider, S::from_f64(if part < 0.5 { part + 0.5 } else { -part }));
+                    self.add(place, rider, S::from_f64(scattered([node.index, place as u32, *number])));
                 }
             }
         }
@@ -278,4 +275,19 @@ impl<S: Scalar> Back<'_, S> {
         }
         motions
     }
+}
+
+/// A number of the size of 1 that follows from three others without any order, so that loads of several numbers are independent on whatever
+/// variables, and no motion is at rest under all of them.
+fn scattered(from: [u32; 3]) -> f64 {
+    let mut bits = 0_u64;
+    for part in from {
+        // the mixing steps of SplitMix64
+        bits = bits.wrapping_add(u64::from(part)).wrapping_add(0x9E37_79B9_7F4A_7C15);
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        bits ^= bits >> 31;
+    }
+    let part = (bits >> 33) as f64 / f64::from(1_u32 << 31);
+    if part < 0.5 { part + 0.5 } else { -part }
 }
