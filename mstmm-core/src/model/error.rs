@@ -31,7 +31,7 @@ pub enum Requirement {
         /// Name of the other.
         to: &'static str,
     },
-    /// The larger part of a direction: finite and not zero.
+    /// The larger part of a direction, of whatever length between 1e-70 and 1e70.
     Direction,
 }
 
@@ -45,9 +45,14 @@ impl fmt::Display for Requirement {
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
             Requirement::Apart { from, to } => write!(f, "positive and finite: {from} and {to} are at one place"),
-            Requirement::Direction => write!(f, "a direction, finite and not zero"),
+            Requirement::Direction => write!(f, "a direction, whose larger part is between 1e-70 and 1e70"),
         }
     }
+}
+
+/// Whether a vector with such a larger part is a direction: its squares, and products of these, have to be in the range of numbers.
+pub(crate) fn is_size_of_direction(size: f64) -> bool {
+    (1e-70..=1e70).contains(&size.abs())
 }
 
 /// The largest error of `operations` roundings in a number of size `scale`.
@@ -107,9 +112,8 @@ impl Requirement {
         let number = value.to_f64();
         let valid = match self {
             Requirement::Finite => true,
-            Requirement::Positive | Requirement::Rescale | Requirement::Apart { .. } | Requirement::Direction => {
-                number > 0.0
-            }
+            Requirement::Positive | Requirement::Rescale | Requirement::Apart { .. } => number > 0.0,
+            Requirement::Direction => is_size_of_direction(number),
             Requirement::Invertible => number > 0.0 && reciprocal().is_finite(),
             Requirement::NonNegative => number >= 0.0,
             // see `AtLeast`: three roundings of each of two numbers of the size of the bound

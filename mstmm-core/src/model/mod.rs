@@ -14,7 +14,7 @@ pub(crate) mod state;
 pub(crate) use chain_rule::{Chain, Fields, NamedFields};
 pub(crate) use end_motion::EndMotion;
 pub(crate) use ends::Ends;
-pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot};
+pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot, is_size_of_direction};
 pub(crate) use estimates::FrequencyEstimates;
 pub(crate) use label::{Entry, Label, Load, Point, plain};
 pub(crate) use motion_error::MotionError;

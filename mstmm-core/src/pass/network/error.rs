@@ -46,7 +46,8 @@ pub enum NetworkError {
         /// Indices of its nodes.
         nodes: [usize; 2],
     },
-    /// A member has a direction that is zero or not finite, or that it does not take: beams act between their ends, torsion springs about z.
+    /// A member has a direction that is zero, not finite or beyond 1e±70, or that it does not take: beams act between their ends, torsion
+    /// springs about z.
     Direction {
         /// Index of the member.
         member: usize,

@@ -1,8 +1,8 @@
 //! A network with its order of elimination.
 
 use crate::element::{MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
-use crate::model::FrequencyEstimates;
-use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Truth};
+use crate::model::{FrequencyEstimates, is_size_of_direction};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
 use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
@@ -139,7 +139,7 @@ fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkE
         return fail("mass and inertia must be zero or positive, and finite like the mass centre");
     }
     match node.along {
-        Some(direction) if !is_direction(direction) => fail("its direction is zero or not finite"),
+        Some(direction) if !is_direction(direction) => fail("its direction is zero, not finite or beyond 1e±70"),
         Some(_) if node.held.contains(Freedoms::X) || node.held.contains(Freedoms::Y) => {
             fail("it moves along a direction, and x or y is held as well: hold rz at most")
         }
@@ -149,7 +149,8 @@ fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkE
 
 /// Whether a vector has a direction.
 fn is_direction<T: Parameter>(vector: [T; 2]) -> bool {
-    is_finite(vector) && vector.iter().any(|part| !part.vanishes().all())
+    let size = vector.iter().map(|part| part.to_f64().abs()).fold(0.0, f64::max);
+    is_finite(vector) && is_size_of_direction(size)
 }
 
 /// Builds a member.
