@@ -182,7 +182,7 @@ fn what_nothing_holds_neither_moves_nor_reacts() {
         let free = mstmm::network::Freedoms::RZ;
         assert_eq!(ask(foot.motion_z()), Err(MotionError::NotHeld { freedom: free }));
         assert!(ask(tip.motion_x()).is_ok());
-        let reaction = network.frequency_response(tip.force_x(), foot.reaction_z()).unwrap().at(0.3);
+        let reaction = network.frequency_response(tip.force_x(), foot.reaction_z()).map(|_| ());
         assert_eq!(reaction, Err(MotionError::NotHeld { freedom: free }));
         Ok(())
     });
