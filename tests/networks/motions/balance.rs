@@ -176,10 +176,7 @@ fn look(
             for other in &shapes[..k] {
                 let product = one.product(other).abs();
                 tally.products += 1;
-                // a mode far below all estimates is in a motion at rest by more than rounding
-                let is_at_rest = one.frequency() == 0.0 || other.frequency() == 0.0;
-                let limit = if is_at_rest { 1e-5 } else { 1e-9 };
-                tally.note(2, product, limit, || format!("{name}: product {product:e}"));
+                tally.note(2, product, 1e-10, || format!("{name}: product {product:e}"));
             }
         }
         Ok(tally)

@@ -42,9 +42,6 @@ pub trait FrameAnalysis: Placed + Sized {
 
     /// All shapes of a root, orthogonal with respect to the mass.
     ///
-    /// Motions of rigid bodies at rest are computed beside ω = 0, where a mode that is far slower than its members would suggest takes part in
-    /// them, up to 1e-5 in the worst of 600 random structures.
-    ///
     /// # Errors
     /// As [`mode_shape`](FrameAnalysis::mode_shape); [`MotionError::Capacity`] for more than `CAP` shapes.
     fn mode_shapes<const CAP: usize, S>(

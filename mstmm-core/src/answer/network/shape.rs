@@ -31,9 +31,6 @@ const BESIDE_NO_ROOT: f64 = 8.0;
 const LEFT: f64 = 1e-3;
 const RETRIES: usize = 4;
 
-/// The part of other roots in motions of rigid bodies that is too large: modes far below all estimates take part in them.
-const RESOLVED_AT_REST: f64 = 1e-4;
-
 /// The modal mass of a shape beside that of its size, below which two roots share it.
 const DEFECTIVE: f64 = 1e-5;
 
@@ -260,8 +257,7 @@ where
             let farther = if self.x.is_zero() { nearer + nearer } else { nearer + nearer - self.x.precise() };
             let elsewhere = AtRoot { nearer: Some(farther), ..*self };
             let (_, misfit) = elsewhere.orthogonal(&motions[..multiplicity], number)?;
-            let limit = if self.x.is_zero() { RESOLVED_AT_REST } else { RESOLVED };
-            if misfit.is_nan() || misfit > limit {
+            if misfit.is_nan() || misfit > RESOLVED {
                 return Err(MotionError::Unresolved { root: self.x.modulus(), misfit });
             }
         }
