@@ -1,6 +1,13 @@
 //! Sensitivities beside central differences in double-double arithmetic.
 #![expect(clippy::unwrap_used, reason = "the model is right")]
 
+mod damped_models;
+mod implicit;
+mod line_models;
+mod plane_models;
+mod random;
+mod sampled;
+
 use mstmm::number::{DoubleDouble, Parameter};
 use mstmm::prelude::*;
 
@@ -17,13 +24,13 @@ system! {
         -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (machine_x, height)
         -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
         -> pin 4 {}
-        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (span, 0.1 * height)
+        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (span, 0.125 * height)
         <- roller along (1.0, slope);
-    conn girder -> rigid_body 6 { mass: machine, inertia, centre: (machine_x + 0.2, height + offset) };
+    conn girder -> rigid_body 6 { mass: machine, inertia, centre: (machine_x + 0.25, height + offset) };
     conn b -> spring 7 { stiffness: brace } -> conn foot;
     conn c <- along (1.0, 2.0 * slope) <- spring 8 { stiffness: k_absorber } <- mass 9 { mass: absorber } <- free;
     conn b -> planar_hinge 10 { stiffness_x: k, stiffness_y: k, stiffness_theta: hinge }
-        -> planar_beam 11 { axial_stiffness: ea, bending_stiffness: half, mass_per_length: m } -> conn tip at (-1.0, 1.3 * height);
+        -> planar_beam 11 { axial_stiffness: ea, bending_stiffness: half, mass_per_length: m } -> conn tip at (-1.0, 1.25 * height);
     conn tip <- torsion_spring 12 { stiffness: k_turn } <- fixed;
 }
 

@@ -14,7 +14,7 @@ use core::ops::RangeInclusive;
 
 /// The difference of motions with other pivots, beside the largest displacement and beside the largest force, beyond which they are computed
 /// in extended precision.
-const AGREEING: [f64; 2] = [1e-13, 1e-12];
+const AGREEING: [f64; 2] = [1e-13, 1e-11];
 
 /// The part of the row of a pivot that rounding may be, beyond which other pivots may round alike.
 const ROUNDED: f64 = 1e-9;

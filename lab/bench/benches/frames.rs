@@ -1,0 +1,88 @@
+//! What each question to a plane frame costs, in evaluations of Δ, in one run: a portal of three beams, and the portal of the example with
+//! a hinge, a machine and a brace. Prints a Markdown table.
+//!
+//! `cargo bench --bench frames`
+
+use mstmm::motion::{PlaneEntry, PlaneLoad};
+use mstmm::prelude::*;
+use std::hint::black_box;
+use std::time::Instant;
+
+type Failure = Box<dyn core::error::Error>;
+
+/// Rounds of each measurement.
+const ROUNDS: usize = 41;
+
+system! {
+    /// A portal of steel, clamped.
+    struct Plain { ea: f64, ei: f64, m: f64 }
+    fixed at (0.0, 0.0)
+        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
+        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
+        <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (6.0, 0.0);
+}
+
+system! {
+    /// A portal with a hinge in a corner, a braced foot and a machine on its girder.
+    struct Workshop { ea: f64, ei: f64, m: f64, brace: f64, machine: f64 }
+    fixed at (0.0, 0.0)
+        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 3.0)
+        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (2.0, 3.0)
+        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (4.0, 3.0)
+        -> pin 4 {}
+        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (4.0, 0.0)
+        <- pinned;
+    conn girder -> rigid_body 6 { mass: machine, inertia: 40.0, centre: (2.0, 3.4) };
+    conn b -> spring 7 { stiffness: brace } -> conn foot;
+}
+
+/// Time of one call in ns, of so many calls.
+fn nanoseconds<R>(calls: u32, mut call: impl FnMut(f64) -> R) -> f64 {
+    let start = Instant::now();
+    for k in 0..calls {
+        black_box(call(f64::from(k)));
+    }
+    start.elapsed().as_secs_f64() * 1e9 / f64::from(calls)
+}
+
+/// The median over rounds of the time of a call over that of an evaluation of Δ in the same round: other work and the clock of the machine
+/// change both.
+fn ratio<D, R>(calls: u32, mut delta: impl FnMut(f64) -> D, mut call: impl FnMut(f64) -> R) -> f64 {
+    let round = |_| nanoseconds(calls, &mut call) / nanoseconds(8 * calls, &mut delta);
+    let mut ratios: Vec<f64> = (0..ROUNDS).map(round).collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios[ROUNDS / 2]
+}
+
+/// The rows of a system, a macro since what it is asked for has bounds of many traits.
+macro_rules! rows {
+    ($name:literal, $model:ident, $system:expr, $load:expr, $entry:expr) => {{
+        let (system, load, entry): (_, PlaneLoad<$model>, PlaneEntry<$model>) = ($system, $load, $entry);
+        let roots = system.first_frequencies::<8>()?;
+        let omega = |k: f64| 0.3 * roots[0].omega + 0.03 * k * roots[1].omega;
+        let response = system.frequency_response(load, entry)?;
+        let delta = |k: f64| Characteristic::<f64>::characteristic(&system, omega(k));
+        let of_response = ratio(50, delta, |k| response.at(omega(k)));
+        let matrix = ratio(50, delta, |k| -> mstmm::number::Scaled<f64> { system.overall_determinant(omega(k)) });
+        let eight = ratio(2, delta, |_| system.first_frequencies::<8>());
+        for mode in [0, 3, 7] {
+            let shape = ratio(20, delta, |_| system.mode_shape(&roots[mode]));
+            let sensitivities = ratio(20, delta, |_| system.sensitivity(&roots[mode]));
+            println!(
+                "| {} | {} | {of_response:.1} | {shape:.1} | {sensitivities:.1} | {matrix:.1} | {eight:.0} |",
+                $name,
+                mode + 1
+            );
+        }
+    }};
+}
+
+fn main() -> Result<(), Failure> {
+    println!("| frame | mode | response | shape | all sensitivities | det U_all | first eight roots |");
+    println!("|---|---|---|---|---|---|---|");
+    let plain = Plain { ea: 1.26e9, ei: 5.25e6, m: 47.1 }.build()?;
+    rows!("plain", Plain, plain, Plain::conn_b.force_x(), Plain::planar_beam_1.input().moment());
+    let workshop = Workshop { ea: 4e8, ei: 1e6, m: 20.0, brace: 2e6, machine: 500.0 }.build()?;
+    rows!("workshop", Workshop, workshop, Workshop::conn_b.force_x(), Workshop::planar_beam_1.input().moment());
+    Ok(())
+}
