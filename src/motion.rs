@@ -133,6 +133,11 @@ pub use mstmm_core::ModalResponse;
 /// let girder = Portal::planar_beam_2;
 /// assert!((shape.value(girder.input().moment())? + shape.value(girder.output().moment())?).abs() < 1e-8);
 ///
+/// // inside of the girder the moment falls along a line, but for its inertia; most of the strain energy is in the columns
+/// let quarter = shape.along(girder, 0.5)?.moment / shape.value(girder.input().moment())?;
+/// assert!((quarter - 0.5).abs() < 0.1);
+/// assert!(2.0 * shape.energy_shares(Portal::planar_beam_1)?.strain > 0.5);
+///
 /// // its frequency follows the height of the columns, their feet being where they are
 /// let sensitivity = portal.sensitivity(&first)?;
 /// assert!(sensitivity.get("height").unwrap_or(0.0) < -100.0);
