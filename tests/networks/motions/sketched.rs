@@ -28,6 +28,9 @@ fn each_support_of_a_body_has_reactions_and_motions_of_its_own() {
         (top.torque_z(), b.reaction_y(), -0.5),
         (b.force_y(), b.reaction_y(), -1.0),
         (b.force_y(), a.reaction_y(), 0.0),
+        (a.force_y(), a.reaction_y(), -1.0),
+        (a.force_y(), b.reaction_y(), 0.0),
+        (foot.force_y(), b.reaction_y(), -0.5),
         (b.motion_y(), b.displacement_y(), 1.0),
         (b.motion_y(), a.displacement_y(), 0.0),
         (b.motion_y(), top.displacement_x(), -1.5),
@@ -101,4 +104,58 @@ fn rounding_has_no_nodes_and_lengths_no_last_bit() {
         let end = shape.along(Bar::planar_beam_2, 0.1).unwrap().displacement_x;
         assert!((end - shape.value(Bar::planar_beam_2.output().displacement_x()).unwrap()).abs() < 1e-13);
     }
+}
+
+system! {
+    /// A bent cantilever on a hinge, with a mass and a damper at its tip.
+    struct Arm { c: f64 }
+    fixed at (0.0, 0.0) -> planar_hinge 1 { stiffness_x: 3e3, stiffness_y: 2e3, stiffness_theta: 7.0 }
+        -> planar_beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn tip at (0.6, 0.8)
+        -> damper 3 { damping: c } -> conn wall at (2.0, 0.0) <- fixed;
+    conn tip -> point_mass 4 { mass: 0.75 };
+}
+
+/// Shares of kinetic energy by Simpson's rule along the beam; dampers make its motion complex, and its waves grow.
+#[test]
+fn a_damped_beam_has_the_kinetic_energy_of_its_motion() {
+    let arm = Arm { c: 2.0 }.build().unwrap();
+    for root in &arm.first_eigenvalues::<6>().unwrap() {
+        let shape = arm.mode_shape(root).unwrap();
+        let square = |state: mstmm::motion::MemberState<Complex<f64>>| {
+            state.displacement_x.norm_sqr() + state.displacement_y.norm_sqr()
+        };
+        let pieces = 4000_u32;
+        let sum: f64 = (0..=pieces)
+            .map(|k| {
+                let weight = if k == 0 || k == pieces { 1.0 } else { 2.0 + 2.0 * f64::from(k % 2) };
+                let distance = f64::from(k) / f64::from(pieces);
+                weight * square(shape.along(Arm::planar_beam_2, distance).unwrap())
+            })
+            .sum();
+        let of_beam = 1.5 * sum / f64::from(pieces) / 3.0;
+        let of_mass = 0.75 * square(shape.along(Arm::planar_beam_2, 1.0).unwrap());
+        let found = shape.energy_shares(Arm::planar_beam_2).unwrap().kinetic;
+        let expected = of_beam / (of_beam + of_mass);
+        assert!((found - expected).abs() < 1e-9, "{root:?}: {found} {expected}");
+        assert!((shape.energy_shares(Arm::damper_3).unwrap().dissipated - 1.0).abs() < 1e-12);
+    }
+}
+
+/// Strain energies of beam and hinge make the modal stiffness.
+#[test]
+fn a_hinge_has_its_share_of_the_strain_energy() {
+    let arm = Hinged { k: 7.0 }.build().unwrap();
+    for root in &arm.first_frequencies::<6>().unwrap() {
+        let shape = arm.mode_shape(root).unwrap();
+        let part = shape.modal_stiffness() / root.omega.powi(2);
+        assert!((part - 1.0).abs() < 1e-11, "{root:?}: {part}");
+        assert!(shape.energy_shares(Hinged::planar_hinge_1).unwrap().strain > 1e-6);
+    }
+}
+
+system! {
+    /// A beam on an elastic hinge.
+    struct Hinged { k: f64 }
+    fixed at (0.0, 0.0) -> planar_hinge 1 { stiffness_x: 3e3, stiffness_y: 2e3, stiffness_theta: k }
+        -> planar_beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> free at (0.6, 0.8);
 }

@@ -239,17 +239,6 @@ impl<T: Real> Placement<T> {
         turned(moved(node, self.offset(end)), self.axis(end))
     }
 
-    /// The displacements of a node that an end shares, in the axes of the member.
-    pub(crate) fn shared<S: Frequency<T>>(&self, end: usize, node: [S; 3]) -> [S; 3] {
-        let mut shared = self.tied(end, node);
-        for (displacement, freedom) in shared.iter_mut().zip(Freedoms::SINGLE) {
-            if !self.freedoms.without(self.released(end)).contains(freedom) {
-                *displacement = S::zero();
-            }
-        }
-        shared
-    }
-
     /// The node of an end.
     pub(crate) fn node_of(&self, end: usize) -> usize {
         self.ends[end].index

@@ -86,14 +86,15 @@ impl<S: Scalar> Loading<S> {
         }
     }
 
-    /// By what supports move the ends of a member, along it, across it and of the rotation.
+    /// By what supports move the ends of a member, along it, across it and of the rotation; what an end does not share with its node is a
+    /// variable of its own, to which a constant more or less is nothing.
     fn of_ends<T: Real>(&self, placement: &Placement<T>) -> [[S; 3]; 2]
     where
         S: Frequency<T>,
     {
         [0, 1].map(|end| {
             let moved = self.moved(placement.node_of(end));
-            moved.map_or([S::zero(); 3], |moved| placement.shared(end, moved))
+            moved.map_or([S::zero(); 3], |moved| placement.tied(end, moved))
         })
     }
 }

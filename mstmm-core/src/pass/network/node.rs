@@ -139,16 +139,13 @@ impl<T: Parameter> Motions<T> {
 }
 
 impl<T: Parameter> Node<T> {
-    /// What a displacement of 1 of its support along x, along y or about z moves the node by; `None` where it does not hold the node so. A
-    /// support that lets the node move along a direction takes it with it across that.
+    /// What a displacement of 1 of its support along x, along y or about z moves the node by; `None` where it does not hold the node so.
+    /// Where the node may move along a direction, its own motion takes back what is along that.
     pub(crate) fn moved<S: Frequency<T>>(&self, axis: usize) -> Option<[S; 3]> {
         let mut moved = [S::zero(); 3];
         moved[axis] = S::one();
         if let Some(along) = self.along.filter(|_| axis < 2) {
-            let [x, y] = unit(along.map(S::from_parameter));
-            let part = [x, y][axis];
-            let is_held = !along[1 - axis].vanishes().all();
-            return is_held.then(|| [moved[0] - part * x, moved[1] - part * y, S::zero()]);
+            return (!along[1 - axis].vanishes().all()).then_some(moved);
         }
         self.held.contains(Freedoms::SINGLE[axis]).then_some(moved)
     }
