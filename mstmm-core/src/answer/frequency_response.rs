@@ -120,12 +120,21 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        if values.len() < grid.len() {
-            return Err(MotionError::Capacity { capacity: values.len() });
-        }
-        for (value, &x) in values.iter_mut().zip(grid) {
-            *value = self.at(x)?;
-        }
-        Ok(())
+        on_grid(|x| self.at(x), grid, values)
     }
+}
+
+/// Writes a response at the frequencies of a grid to `values`, which has to be as long.
+pub(crate) fn on_grid<S: Copy>(
+    at: impl Fn(S) -> Result<S, MotionError>,
+    grid: &[S],
+    values: &mut [S],
+) -> Result<(), MotionError> {
+    if values.len() < grid.len() {
+        return Err(MotionError::Capacity { capacity: values.len() });
+    }
+    for (value, &x) in values.iter_mut().zip(grid) {
+        *value = at(x)?;
+    }
+    Ok(())
 }

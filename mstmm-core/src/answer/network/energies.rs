@@ -77,13 +77,7 @@ where
     /// The mass form of the bodies of a node, of its motion and its conjugate.
     fn mass_form(&self, node: usize) -> S {
         let displacements = self.motion.nodes.as_ref()[node];
-        let mut sum = S::zero();
-        for (row, one) in self.system.node(node).0.mass_matrix::<S>().iter().zip(displacements) {
-            for (mass, other) in row.iter().zip(displacements) {
-                sum += one * *mass * other.conjugate();
-            }
-        }
-        sum
+        self.system.node(node).0.mass_form(displacements, displacements.map(S::conjugate))
     }
 }
 

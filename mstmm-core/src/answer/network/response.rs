@@ -1,6 +1,7 @@
 //! Responses of plane structures to harmonic loads.
 
 use crate::answer::at_rest::{AtRest, Part};
+use crate::answer::frequency_response::on_grid;
 use crate::answer::network::states::{PlaneStates, check, check_freedom, held_at, offset};
 use crate::answer::response_curve::{Sample, refined};
 use crate::answer::root::Root;
@@ -55,7 +56,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     ///
     /// # Errors
     /// [`MotionError::Resonance`] where it is infinite, [`MotionError::Mechanism`] where nothing holds a part without mass,
-    /// [`MotionError::Unsettled`] for an uncertain limit at rest, [`MotionError::NotFinite`] where numbers overflow, [`MotionError::NoSuchPoint`] for an entry of another list.
+    /// [`MotionError::Unsettled`] for an uncertain limit at rest, [`MotionError::NotFinite`] where numbers overflow.
     pub fn at<S>(&self, x: S) -> Result<S, MotionError>
     where
         Y: MovingNetwork<S>,
@@ -91,7 +92,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         let value = states.value(self.entry)?;
         let size = match self.entry.quantity {
             Quantity::Displacement(..) => states.motion.size(),
-            Quantity::Reaction(..) | Quantity::Internal { .. } => states.largest_force(),
+            Quantity::Reaction(..) | Quantity::Internal { .. } => states.motion.largest_force(1.0),
         };
         Ok(Part { value, size: value.size().max(size) })
     }
@@ -178,13 +179,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        if values.len() < grid.len() {
-            return Err(MotionError::Capacity { capacity: values.len() });
-        }
-        for (value, &x) in values.iter_mut().zip(grid) {
-            *value = self.at(x)?;
-        }
-        Ok(())
+        on_grid(|x| self.at(x), grid, values)
     }
 }
 

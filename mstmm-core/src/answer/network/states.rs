@@ -128,12 +128,6 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         if worst > 0.0 { worst / largest } else { 0.0 }
     }
 
-    /// The largest force or moment of a member.
-    pub(super) fn largest_force(&self) -> f64 {
-        let ends = self.motion.members.as_ref()[..self.system.sizes()[1]].iter().flatten();
-        ends.flat_map(|end| &end.forces).map(|force| force.size().first()).fold(0.0, f64::max)
-    }
-
     /// The largest difference of the displacements of the end of a member from those of its node, beside the largest displacement.
     pub(super) fn gap(&self) -> f64 {
         let (mut worst, mut largest) = (0.0_f64, 0.0_f64);

@@ -68,8 +68,7 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
     }
 
     fn inside(built: &BuiltBeam<T>, x: S) -> Option<Inside> {
-        let length = built.parameters.length.to_f64();
-        Some(Inside { length, wave_number: S::size(built.motion().z(x)) / length })
+        Some(built.motion().inside(x))
     }
 
     fn state_at(built: &BuiltBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {

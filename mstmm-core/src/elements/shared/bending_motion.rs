@@ -1,5 +1,6 @@
 //! Motions of a beam that bends: states between its ends, and the forms of mass and stiffness of two motions.
 
+use crate::element::{Forms, Inside, MemberEnds};
 use crate::elements::beam::Beam;
 use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::krylov::krylov;
@@ -24,6 +25,18 @@ pub(crate) struct BendingMotion<T> {
 }
 
 impl<T: Real> BendingMotion<T> {
+    /// The forms of bending of a member.
+    pub(crate) fn member_forms<S: Oscillation<T>>(&self, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
+        let [mass, stiffness] = self.forms(&first.bending(), &second.bending());
+        Forms { mass, stiffness, ..Forms::none() }
+    }
+
+    /// The length of a beam and its wave number.
+    pub(crate) fn inside<S: Oscillation<T>>(&self, x: S) -> Inside {
+        let length = self.parameters.length.to_f64();
+        Inside { length, wave_number: self.z(x).size() / length }
+    }
+
     /// The wave number times the length, `z = βl`.
     pub(crate) fn z<S: Oscillation<T>>(&self, x: S) -> S {
         FrequencyPowers::new(x, true).powers[0] * self.wave

@@ -70,9 +70,9 @@ impl<S: Scalar> Loading<S> {
         };
         let (body, motions) = network.node(node);
         let mut forces = load.forces;
-        for (row, force) in body.mass_matrix::<S>().iter().zip(&mut forces) {
-            for (mass, moved) in row.iter().zip(load.moved.iter().flatten()) {
-                *force -= at.lambda_squared * *mass * *moved;
+        if let Some(moved) = load.moved {
+            for (force, momentum) in forces.iter_mut().zip(body.momentum(moved)) {
+                *force -= at.lambda_squared * momentum;
             }
         }
         NodeLoad::Motions(motions.parts_of(forces))

@@ -160,6 +160,20 @@ impl<T: Parameter> Node<T> {
         !(self.mass.vanishes() & self.inertia.vanishes()).all()
     }
 
+    /// The mass matrix of the body times displacements x, y and the rotation of the node.
+    pub(crate) fn momentum<S: Frequency<T>>(&self, displacements: [S; 3]) -> [S; 3] {
+        self.mass_matrix::<S>().map(|row| {
+            let terms = row.into_iter().zip(displacements).map(|(mass, displacement)| mass * displacement);
+            terms.fold(S::zero(), |sum, term| sum + term)
+        })
+    }
+
+    /// The mass form `uᵀ M v` of the body in two motions of the node.
+    pub(crate) fn mass_form<S: Frequency<T>>(&self, first: [S; 3], second: [S; 3]) -> S {
+        let terms = first.into_iter().zip(self.momentum(second)).map(|(one, other)| one * other);
+        terms.fold(S::zero(), |sum, term| sum + term)
+    }
+
     /// The mass matrix of the body over x, y and the rotation of the node.
     pub(crate) fn mass_matrix<S: Frequency<T>>(&self) -> [[S; 3]; 3] {
         let number = S::from_parameter;

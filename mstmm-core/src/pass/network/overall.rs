@@ -180,11 +180,9 @@ where
             }
         }
         self.nodes.as_mut()[node].displacements = state.displacements;
-        let body = self.network.node(node).0.mass_matrix::<S>();
-        for (force, row) in state.forces.iter_mut().zip(body) {
-            for (mass, displacement) in row.into_iter().zip(state.displacements) {
-                *force -= self.lambda_squared * mass * displacement;
-            }
+        let momentum = self.network.node(node).0.momentum(state.displacements);
+        for (force, momentum) in state.forces.iter_mut().zip(momentum) {
+            *force -= self.lambda_squared * momentum;
         }
         let Some(end) = path.leaving() else { return self.root(path, state, tip) };
         for k in numbers(path.freedoms) {

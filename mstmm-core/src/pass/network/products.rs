@@ -62,17 +62,10 @@ where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
-    let mut sum = S::zero();
     let nodes = first.nodes.as_ref().iter().zip(second.nodes.as_ref());
-    for (node, (first, second)) in nodes.enumerate().take(network.sizes()[0]) {
-        let matrix = network.node(node).0.mass_matrix::<S>();
-        for (row, one) in matrix.iter().zip(first) {
-            for (entry, other) in row.iter().zip(second) {
-                sum += *one * *entry * *other;
-            }
-        }
-    }
-    sum
+    let of_node =
+        |(node, (first, second)): (usize, (&[S; 3], &[S; 3]))| network.node(node).0.mass_form(*first, *second);
+    nodes.enumerate().take(network.sizes()[0]).map(of_node).fold(S::zero(), |sum, form| sum + form)
 }
 
 /// The motions of all members with the halves of their mass forms.

@@ -131,6 +131,7 @@ impl<S: Scalar> Objects<'_, S> {
     /// A displacement v of its chart becomes `v + c`, so that Π grows by the entries `M c`; a force f does work on the motion, `f c`.
     pub(super) fn move_ends(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], moved: &[[S; MOST_FREEDOMS]; 2]) {
         let Start { variable, entry } = self.starts[self.count - 1];
+        debug_assert!(self.variables[variable].is_load());
         let moved = chart.moved(moved);
         let (mut place, mut next) = (0, self.loads);
         for end in ends {
@@ -143,7 +144,6 @@ impl<S: Scalar> Objects<'_, S> {
                     let terms = displaced.map(|other| chart.entry(place, other) * moved[other]);
                     let own = if chart.is_force(place) { moved[place] } else { S::zero() };
                     self.entries[entry + row(next)] += terms.fold(own, |sum, term| sum + term);
-                    debug_assert!(self.variables[variable].is_load());
                     next += 1;
                 }
                 place += 1;

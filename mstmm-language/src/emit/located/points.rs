@@ -4,9 +4,10 @@ use super::super::Names;
 use super::super::tree::constant;
 use crate::ast::{Connection, Model};
 use crate::skeleton::{Body, Member, Skeleton};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote_spanned};
 use std::collections::BTreeSet;
+use std::fmt::Display;
 
 /// `Model::conn_b`, `Model::planar_beam_1`: a value per label.
 pub(super) fn points(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
@@ -36,40 +37,55 @@ pub(super) fn points(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> T
 }
 
 fn of_point(model: &Model, point: usize, connection: &Connection, names: &Names) -> TokenStream {
-    let private = &names.private;
-    let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
-    let (constant, doc) = (constant("conn", &connection.label, names), format!(" `{connection}`"));
-    quote_spanned! {names.here=>
-        #[doc = #doc]
-        #visibility const #constant: #private::PlanePoint<#name> = SKETCH.label(#point);
-    }
+    let constant = constant("conn", &connection.label, names);
+    label(
+        model,
+        &constant,
+        connection,
+        [plane_point(model, names), quote_spanned!(names.here=> SKETCH.label(#point))],
+        names,
+    )
 }
 
 /// A member that is an element of the sketch.
 fn of_member(model: &Model, index: usize, member: &Member<'_>, names: &Names) -> Option<TokenStream> {
-    let private = &names.private;
-    let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
+    let (private, name) = (&names.private, &model.parameters.ident);
     let element = member.what.element()?;
     let constant = constant(&element.kind.name().to_string(), &element.label, names);
-    let (kind, doc) = (names.element_over(element, &format_ident!("f64")), format!(" `{element}`"));
-    Some(quote_spanned! {names.here=>
-        #[doc = #doc]
-        #visibility const #constant: #private::MemberLabel<#name, #kind> = #private::MemberLabel::member(#index);
-    })
+    let kind = names.element_over(element, &format_ident!("f64"));
+    let kind = quote_spanned!(names.here=> #private::MemberLabel<#name, #kind>);
+    let value = quote_spanned!(names.here=> #private::MemberLabel::member(#index));
+    Some(label(model, &constant, element, [kind, value], names))
 }
 
 /// A mass on a path, whose motion along the path is its x.
 fn of_mass(model: &Model, skeleton: &Skeleton<'_>, body: &Body<'_>, names: &Names) -> Option<TokenStream> {
     let private = &names.private;
-    let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
     let Body { element, node, .. } = body;
     if skeleton.nodes[*node].place.is_some() {
         return None;
     }
     let constant = constant(&element.kind.name().to_string(), &element.label, names);
-    let doc = format!(" `{element}`");
-    Some(quote_spanned! {names.here=>
+    let value = quote_spanned!(names.here=> #private::PlanePoint::node(#node));
+    Some(label(model, &constant, element, [plane_point(model, names), value], names))
+}
+
+fn plane_point(model: &Model, names: &Names) -> TokenStream {
+    let (private, name) = (&names.private, &model.parameters.ident);
+    quote_spanned!(names.here=> #private::PlanePoint<#name>)
+}
+
+/// The constant of a label, with its type and its value; the documentation is what the user calls it.
+fn label(
+    model: &Model,
+    constant: &Ident,
+    of: &impl Display,
+    [kind, value]: [TokenStream; 2],
+    names: &Names,
+) -> TokenStream {
+    let (visibility, doc) = (&model.parameters.vis, format!(" `{of}`"));
+    quote_spanned! {names.here=>
         #[doc = #doc]
-        #visibility const #constant: #private::PlanePoint<#name> = #private::PlanePoint::node(#node);
-    })
+        #visibility const #constant: #kind = #value;
+    }
 }
