@@ -10,6 +10,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
 use std::fmt;
+use syn::ext::IdentExt;
 use syn::{Attribute, Expr, ExprPath, Ident, ItemStruct, Lit, Local, Path};
 
 /// A whole model.
@@ -176,6 +177,12 @@ impl Element {
 
     pub(crate) fn parameters(&self) -> impl Iterator<Item = &Parameter> {
         self.parameters.iter().flatten()
+    }
+
+    /// The parameters that were left out, which are zero.
+    pub(crate) fn omitted(&self) -> impl Iterator<Item = &'static str> {
+        let optional = self.kind.known().map_or(&[][..], |known| known.optional);
+        optional.iter().copied().filter(|name| self.parameters().all(|parameter| parameter.name.unraw() != name))
     }
 }
 

@@ -14,6 +14,8 @@ pub(crate) struct Keyword {
     /// Space of the states at both ends.
     pub(crate) space: Space,
     pub(crate) parameters: &'static [&'static str],
+    /// Those of the parameters that may be left out, which then are zero.
+    pub(crate) optional: &'static [&'static str],
 }
 
 const fn element(
@@ -22,7 +24,7 @@ const fn element(
     space: Space,
     parameters: &'static [&'static str],
 ) -> Keyword {
-    Keyword { name, type_name, space, parameters }
+    Keyword { name, type_name, space, parameters, optional: &[] }
 }
 
 #[rustfmt::skip]
@@ -39,6 +41,17 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     element("elastic_hinge", "ElasticHinge", Space::Bending, &["stiffness_y", "stiffness_theta"]),
     element("body", "Body", Space::Bending, &["mass", "inertia", "output_x", "centre_x"]),
     element("beam", "Beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length"]),
+    element("rayleigh_beam", "RayleighBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "rotary_inertia"]),
+    element("timoshenko_beam", "TimoshenkoBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"]),
+    element("beam_column", "BeamColumn", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "axial_force"]),
+    Keyword {
+        optional: &["foundation_shear_stiffness"],
+        ..element("foundation_beam", "FoundationBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"])
+    },
+    Keyword {
+        optional: &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"],
+        ..element("general_beam", "GeneralBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"])
+    },
     element("planar_body", "PlanarBody", Space::Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
     element("planar_beam", "PlanarBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"]),
     element("planar_hinge", "PlanarHinge", Space::Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"]),

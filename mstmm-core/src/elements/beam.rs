@@ -197,13 +197,7 @@ impl<T: Parameter> BuiltBeam<T> {
             let Beam { length, bending_stiffness, .. } = self.parameters;
             return Units::new(S::from_parameter(bending_stiffness), S::one() / S::from_parameter(length));
         }
-        let Units { factors, inverses } = self.length_units;
-        let ([a, b, c, d], [e, f, g, h]) = (factors, inverses);
-        let number = S::from_parameter;
-        Units {
-            factors: [number(a), number(b), number(c), number(d)],
-            inverses: [number(e), number(f), number(g), number(h)],
-        }
+        self.length_units.map(S::from_parameter)
     }
 
     /// [`short`](Self::short), called where size counts.

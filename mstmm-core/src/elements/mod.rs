@@ -8,6 +8,7 @@ pub(crate) mod any_member;
 mod beam;
 mod body;
 mod elastic_hinge;
+mod general_beam;
 pub(crate) mod joint;
 #[cfg(test)]
 mod laws;
@@ -22,6 +23,7 @@ pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
 pub use body::Body;
 pub use elastic_hinge::ElasticHinge;
+pub use general_beam::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
 pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 pub use planar_beam::PlanarBeam;
 pub use planar_body::PlanarBody;
@@ -105,6 +107,14 @@ elements! {
         ElasticHinge { stiffness_y, stiffness_theta }
         Body { mass, inertia, output_x, centre_x }
         Beam { length, bending_stiffness, mass_per_length }
+        RayleighBeam { length, bending_stiffness, mass_per_length, rotary_inertia }
+        TimoshenkoBeam { length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia }
+        BeamColumn { length, bending_stiffness, mass_per_length, axial_force }
+        FoundationBeam { length, bending_stiffness, mass_per_length, foundation_stiffness, foundation_shear_stiffness }
+        GeneralBeam {
+            length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force, foundation_stiffness,
+            foundation_shear_stiffness
+        }
     }
     damped {
         Damper { damping }

@@ -24,6 +24,13 @@ pub enum Requirement {
         /// Where the bound comes from, in terms of the other parameters.
         formula: &'static str,
     },
+    /// Finite and greater than `bound`, which comes from `formula`.
+    Above {
+        /// Largest value that is not valid.
+        bound: f64,
+        /// Where the bound comes from, in terms of the other parameters.
+        formula: &'static str,
+    },
     /// Positive, as the distance of two points: they are not at one place.
     Apart {
         /// Name of the one point.
@@ -44,6 +51,7 @@ impl fmt::Display for Requirement {
             Requirement::Rescale => write!(f, "positive, and not too extreme beside the other parameters"),
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
+            Requirement::Above { bound, formula } => write!(f, "finite and greater than {formula} = {bound}"),
             Requirement::Apart { from, to } => write!(f, "positive and finite: {from} and {to} are at one place"),
             Requirement::Direction => write!(f, "a direction, whose larger part is between 1e-70 and 1e70"),
         }
@@ -93,6 +101,11 @@ impl Requirement {
         Requirement::AtLeast { bound: bound.to_f64(), formula }
     }
 
+    /// Greater than `bound`, which comes from `formula`.
+    pub fn above<T: Parameter>(bound: T, formula: &'static str) -> Self {
+        Requirement::Above { bound: bound.to_f64(), formula }
+    }
+
     /// Checks `value` and names it `parameter` if it fails.
     ///
     /// # Errors
@@ -117,6 +130,7 @@ impl Requirement {
             Requirement::Invertible => number > 0.0 && reciprocal().is_finite(),
             Requirement::NonNegative => number >= 0.0,
             // see `AtLeast`: three roundings of each of two numbers of the size of the bound
+            Requirement::Above { bound, .. } => number > bound,
             Requirement::AtLeast { bound, .. } => number >= bound - rounding(3, 2.0 * bound.abs()),
         };
         if valid && number.abs() < f64::INFINITY {

@@ -7,13 +7,9 @@ use crate::keywords::nearest;
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
-/// Checks the parameters of one element against those that it must have, and one that it may have. For a type of the user it
+/// Checks the parameters of one element against those that it must have, and those of them that may be left out. For a type of the user it
 /// only checks that each is given once, since rustc knows which.
-pub(super) fn parameters(
-    element: &Element,
-    known: Option<(&'static [&'static str], Option<&'static str>)>,
-    errors: &mut Errors,
-) {
+pub(super) fn parameters(element: &Element, known: Option<[&'static [&'static str]; 2]>, errors: &mut Errors) {
     let mut given = BTreeSet::new();
     for parameter in element.parameters() {
         if !given.insert(parameter.name.unraw().to_string()) {
@@ -23,8 +19,8 @@ pub(super) fn parameters(
             );
         }
     }
-    let Some((known, optional)) = known else { return };
-    let is_missing = |name: &&str| !given.contains(*name) && optional != Some(*name);
+    let Some([known, optional]) = known else { return };
+    let is_missing = |name: &&str| !given.contains(*name) && !optional.contains(name);
     let mut missing: Vec<&str> = known.iter().copied().filter(is_missing).collect();
     let is_unknown = |name: &str| !known.contains(&name);
     let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;

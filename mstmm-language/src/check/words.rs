@@ -103,7 +103,7 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
     } else if element.parameters.is_none() {
         errors.push(element.place(), without_parameters(element, model));
     } else {
-        let known = element.kind.known().map(|known| (known.parameters, None));
+        let known = element.kind.known().map(|known| [known.parameters, known.optional]);
         parameters::parameters(element, known, errors);
     }
 }

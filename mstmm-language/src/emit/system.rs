@@ -190,10 +190,19 @@ fn built(element: &Element, place: &mut usize, names: &Names) -> TokenStream {
         *place += 1;
         quote_spanned!(names.at(name.span())=> #name: number(#of_place))
     });
-    let kind = names.element_type(element);
+    let (kind, omitted) = (names.element_type(element), omitted(element, names));
     // all at the keyword, where rustc then shows what is missing
-    let literal = quote_spanned!(element.kind.place().last=> #kind { #(#parameters),* });
+    let literal = quote_spanned!(element.kind.place().last=> #kind { #(#parameters,)* #(#omitted,)* });
     quote_spanned!(span=> #field: #build::<#of_system>(#literal, #name)?)
+}
+
+/// The parameters that were left out, as zeros.
+pub(super) fn omitted(element: &Element, names: &Names) -> impl Iterator<Item = TokenStream> {
+    let (span, private) = (names.at_element(element), names.private.clone());
+    element.omitted().map(move |name| {
+        let name = Ident::new(name, span);
+        quote_spanned!(span=> #name: #private::Scalar::from_f64(0.0))
+    })
 }
 
 /// A parameter as a number; a type that is not `f64` is shown at the expression.

@@ -68,8 +68,8 @@ pub(crate) struct LocatedKeyword {
     pub(crate) name: &'static str,
     pub(crate) role: Role,
     pub(crate) parameters: &'static [&'static str],
-    /// A parameter that may be left out.
-    pub(crate) optional: Option<&'static str>,
+    /// The parameters that may be left out.
+    pub(crate) optional: &'static [&'static str],
     /// The parameter that has as many parts as points have coordinates.
     pub(crate) vector: Option<&'static str>,
     /// The freedoms that it brings to a point.
@@ -93,12 +93,23 @@ const fn keyword(
     brings: Freedoms,
     parameters: &'static [&'static str],
 ) -> LocatedKeyword {
-    LocatedKeyword { name, role, parameters, optional: None, vector: None, brings, instead: [None, None] }
+    LocatedKeyword { name, role, parameters, optional: &[], vector: None, brings, instead: [None, None] }
 }
 
 const fn refused(name: &'static str) -> LocatedKeyword {
     let instead = [Some("rigid_body"), Some("rigid_body")];
     LocatedKeyword { instead, ..keyword(name, Role::Unknown, Freedoms::NONE, &[]) }
+}
+
+/// A beam along a line, and the keyword to take instead of it in the plane.
+const fn beam(
+    name: &'static str,
+    in_plane: &'static str,
+    parameters: &'static [&'static str],
+    optional: &'static [&'static str],
+) -> LocatedKeyword {
+    let instead = [None, Some(in_plane)];
+    LocatedKeyword { instead, optional, ..keyword(name, Role::Member, Freedoms::ALL, parameters) }
 }
 
 #[rustfmt::skip]
@@ -112,7 +123,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("mass", Role::Path, XY, &["mass"]),
     keyword("inertia", Role::Path, Freedoms::RZ, &["inertia"]),
     LocatedKeyword {
-        optional: Some("inertia"),
+        optional: &["inertia"],
         ..keyword("point_mass", Role::PointMass, XY, &["mass", "inertia"])
     },
     LocatedKeyword {
@@ -120,10 +131,12 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
         ..keyword("elastic_hinge", Role::Joint, Freedoms::ALL, &["stiffness_y", "stiffness_theta"])
     },
     refused("body"),
-    LocatedKeyword {
-        instead: [None, Some("planar_beam")],
-        ..keyword("beam", Role::Member, Freedoms::ALL, &["bending_stiffness", "mass_per_length"])
-    },
+    beam("beam", "planar_beam", &["bending_stiffness", "mass_per_length"], &[]),
+    beam("rayleigh_beam", "planar_rayleigh_beam", &["bending_stiffness", "mass_per_length", "rotary_inertia"], &[]),
+    beam("timoshenko_beam", "planar_timoshenko_beam", &["bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[]),
+    beam("beam_column", "planar_beam_column", &["bending_stiffness", "mass_per_length", "axial_force"], &[]),
+    beam("foundation_beam", "planar_foundation_beam", &["bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
+    beam("general_beam", "planar_general_beam", &["bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
     refused("planar_body"),
     LocatedKeyword {
         instead: [Some("beam"), None],

@@ -103,6 +103,7 @@ fn charts_are_transfer_matrices_of_all_charted_elements() {
     charts_are_transfer_matrices::<TorsionSpringDamper<f64>>();
     charts_are_transfer_matrices::<Beam<f64>>();
     charts_are_transfer_matrices::<PlanarBeam<f64>>();
+    charts_are_transfer_matrices::<GeneralBeam<f64>>();
 }
 
 #[test]

@@ -51,11 +51,13 @@ where
         return kappa;
     }
     let states = random_states(space::<E>(), &[0.7, 0.4, 0.9, 0.2, 0.1, 0.8, 0.3, 0.6], 0.0);
-    let (behind, _) = transferred(&rows(element, C::ZERO), &states);
+    let (behind, bounds) = transferred(&rows(element, C::ZERO), &states);
     let output = plain(step(element, C::ZERO, subspace(space::<E>(), &coordinates(space::<E>(), &states))));
-    let expected = coordinates(space::<E>(), &behind);
-    let last = expected.len() - 1;
-    output[last] / expected[last]
+    let (expected, scales) = (coordinates(space::<E>(), &behind), scales(&bounds));
+    // the coordinate whose terms cancel least
+    let share = |k: &usize| if scales[*k] > 0.0 { expected[*k].norm() / scales[*k] } else { 0.0 };
+    let best = (0..expected.len()).max_by(|a, b| share(a).total_cmp(&share(b))).unwrap();
+    output[best] / expected[best]
 }
 
 /// The step of a line or plane is the line or plane of the transferred states, times the same factor for all.
@@ -70,8 +72,10 @@ where
         let kappa = factor(&element, lambda);
         let (behind, bounds) = transferred(&rows(&element, lambda), &states);
         let expected = coordinates(space::<E>(), &behind);
+        // where matrix and step do not share their waves, each has the rounding of its own
+        let roundings = ROUNDINGS.max(8.0 * element.phase(lambda.norm().sqrt()));
         for ((actual, expected), scale) in output.iter().zip(expected).zip(scales(&bounds)) {
-            assert_close((actual - kappa * expected).norm(), 0.0, kappa.norm() * scale, ROUNDINGS);
+            assert_close((actual - kappa * expected).norm(), 0.0, kappa.norm() * scale, roundings);
         }
     });
 }

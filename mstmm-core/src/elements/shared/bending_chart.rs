@@ -121,13 +121,39 @@ pub(crate) fn beam_units<T: Parameter, S: Scalar>(
     let [l, ei, m] = [length, bending_stiffness, mass_per_length].map(T::to_f64);
     let z = waves.z.size().first();
     let wave = if z > 1.0 { z } else { 1.0 } / l;
-    let inertia = m * lambda_squared.size().first() * l;
+    let impedances = Impedances {
+        wave,
+        translation: (ei * wave * wave * wave).min(axial),
+        rotation: ei * wave,
+        mass: m * l,
+        inertia: m * l * l * l,
+    };
+    units_of_waves(&impedances, lambda_squared)
+}
+
+/// What the units of a beam are found from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Impedances {
+    /// The wave number, at least that of the length.
+    pub(crate) wave: f64,
+    /// The softest stiffnesses of a wave against displacement and against rotation.
+    pub(crate) translation: f64,
+    pub(crate) rotation: f64,
+    /// The inertias of the whole beam.
+    pub(crate) mass: f64,
+    pub(crate) inertia: f64,
+}
+
+/// The units of displacements and rotations, and the wave number: logarithms to base 2.
+pub(crate) fn units_of_waves<S: Scalar>(impedances: &Impedances, lambda_squared: S) -> (Units, i32) {
+    let Impedances { wave, translation, rotation, mass, inertia } = *impedances;
+    let square = lambda_squared.size().first();
     let between = |impedance: f64, inertia: f64| {
         let own = binary_exponent(impedance);
         if inertia > 0.0 { (own + own.min(binary_exponent(inertia))).div_euclid(2) } else { own }
     };
-    let translation = between((ei * wave * wave * wave).min(axial), inertia);
-    let rotation = between(ei * wave, inertia * l * l);
+    let translation = between(translation, mass * square);
+    let rotation = between(rotation, inertia * square);
     let lever = binary_exponent(wave);
     let translation = translation.min(rotation + 2 * lever);
     let rotation = rotation.min(translation - 2 * lever);

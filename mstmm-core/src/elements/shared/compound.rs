@@ -21,6 +21,13 @@ impl<T: Scalar> Units<T> {
         let (one, [a, b, c, d]) = (T::one(), factors);
         Units { factors, inverses: [one / a, one / b, one / c, one / d] }
     }
+
+    /// The units as numbers of another type.
+    #[inline(always)]
+    pub(crate) fn map<S>(self, to: impl Fn(T) -> S) -> Units<S> {
+        let Units { factors: [a, b, c, d], inverses: [e, f, g, h] } = self;
+        Units { factors: [to(a), to(b), to(c), to(d)], inverses: [to(e), to(f), to(g), to(h)] }
+    }
 }
 
 impl<T: Scalar> Units<T> {

@@ -130,7 +130,7 @@ fn check_parameters(element: &Element, row: &LocatedKeyword, dimension: Dimensio
                 format!("`{element}` takes no `length`, which follows from the places of its ends: remove it");
             errors.push(length.name.span(), message);
         }
-        None => parameters::parameters(element, Some((row.parameters, row.optional)), errors),
+        None => parameters::parameters(element, Some([row.parameters, row.optional]), errors),
     }
     let vectors =
         element.parameters().filter(|parameter| row.vector.is_some_and(|name| parameter.name.unraw() == name));

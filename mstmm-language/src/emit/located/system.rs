@@ -1,6 +1,6 @@
 //! Emits the built system of a model with locations, `build()`, and its traits.
 
-use super::super::system::{build_functions, kept_fields, values_of_fields};
+use super::super::system::{build_functions, kept_fields, omitted, values_of_fields};
 use super::super::{Names, implement};
 use super::numbers::geometry;
 use super::{answers_of_members, bounds, field};
@@ -104,8 +104,8 @@ fn literal(index: usize, element: &Element, place: &mut usize, names: &Names) ->
         let length = Ident::new("length", span);
         quote_spanned!(span=> #length: skeleton.length(#index),)
     });
-    let literal = names.element_type(element);
-    quote_spanned!(element.kind.place().last=> #literal { #length #(#parameters),* })
+    let (literal, omitted) = (names.element_type(element), omitted(element, names));
+    quote_spanned!(element.kind.place().last=> #literal { #length #(#parameters,)* #(#omitted,)* })
 }
 
 /// `impl System`.

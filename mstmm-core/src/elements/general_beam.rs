@@ -1,0 +1,241 @@
+//! The general uniform beam: shear, rotary inertia, axial force, elastic foundation.
+
+use crate::element::{Element, PlaneStep, TransferMatrix};
+use crate::elements::shared::compound::Units;
+use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Truth, binary_exponent};
+use crate::subspace::{RootCounter, Subspace};
+use compound::GeneralCompound;
+use constants::{Constants, SectionAt};
+use mstmm_plan::Support;
+use nalgebra::Matrix4;
+use transfer::Transfer;
+
+mod chart;
+mod compound;
+mod constants;
+mod held;
+mod inside;
+mod kinds;
+mod motion;
+mod transfer;
+mod wave_pair;
+
+pub use kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam};
+
+/// Uniform beam with shear, rotary inertia, axial force and an elastic foundation, exact at every frequency.
+///
+/// Θ is the rotation of the cross section. With `T = N + G`, `σ = 1/(1 + T f)`, `τ = f σ`, `g = σ T + r λ²` and `h = -m λ² - k` the state
+/// obeys
+///
+/// ```text
+/// Y' = σ Θ - τ Q     Θ' = M/EI     M' = g Θ + σ Q     Q' = h Y
+/// ```
+///
+/// Q does work on Y: `-Q = (Y' - Θ)/f + T Y'` contains the slope times the axial force, so that joints, springs and supports need no other
+/// formulas, and at a free end `Q = 0` is the condition of a load that keeps its direction. The transfer matrix is `exp(A l)` of these four
+/// equations, in functions of two squared wave numbers that are entire in both.
+///
+/// The axial force is that of the element alone: whether the forces of elements at a point are in equilibrium is not checked.
+///
+/// # Source
+/// Timoshenko's beam with axial force after Engesser, on a foundation of Winkler and Pasternak: `V = ½ ∫ EI Θ'² + (Y' - Θ)²/f + T Y'² + k Y²`,
+/// with the kinetic energy `½ ∫ m Ẏ² + r Θ̇²`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GeneralBeam<T> {
+    /// Length l \[m\], positive.
+    pub length: T,
+    /// Bending stiffness EI [N m²], positive.
+    pub bending_stiffness: T,
+    /// Mass per length m [kg/m], positive.
+    pub mass_per_length: T,
+    /// Shear flexibility `f = 1/(k G A)` [1/N], zero or positive; zero is a beam without shear.
+    pub shear_flexibility: T,
+    /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
+    pub rotary_inertia: T,
+    /// Axial force N \[N\], positive in tension; greater than `-1/f - G` where f is not zero.
+    pub axial_force: T,
+    /// Stiffness k of the foundation per length [N/m²], zero or positive.
+    pub foundation_stiffness: T,
+    /// Stiffness G of the shear layer of the foundation \[N\], zero or positive.
+    pub foundation_shear_stiffness: T,
+}
+
+/// A beam with its quantities that do not depend on the frequency.
+#[derive(Clone, Copy, Debug)]
+pub struct BuiltGeneralBeam<T> {
+    parameters: GeneralBeam<T>,
+    constants: Constants<T>,
+    units: Units<T>,
+}
+
+impl<T: Parameter> Element for GeneralBeam<T> {
+    type State = Bending;
+    type Built = BuiltGeneralBeam<T>;
+
+    fn build(self) -> Result<BuiltGeneralBeam<T>, InvalidParameter> {
+        self.check()?;
+        let built = BuiltGeneralBeam {
+            parameters: self,
+            constants: Constants::of(self),
+            units: Units::new(self.bending_stiffness, T::one() / self.length),
+        };
+        if let Some((parameter, value)) = built.constants.out_of_range(&self) {
+            return Err(InvalidParameter { parameter, value, requirement: Requirement::Rescale });
+        }
+        if !built.units.are_in_range() {
+            return Err(self.most_extreme());
+        }
+        Ok(built)
+    }
+
+    fn estimate(built: &BuiltGeneralBeam<T>, estimates: &mut FrequencyEstimates) {
+        let GeneralBeam { length, bending_stiffness, mass_per_length, rotary_inertia, .. } = built.parameters;
+        let [l, ei, m, r] = [length, bending_stiffness, mass_per_length, rotary_inertia].map(T::to_f64);
+        let foundation = built.parameters.foundation_stiffness.to_f64();
+        // where bending has z = 1
+        estimates.waves((T::one() / built.constants.mass).sqrt().to_f64());
+        estimates.translational_stiffness(ei / (l * l * l));
+        estimates.translational_stiffness(foundation * l);
+        estimates.translational_stiffness(built.parameters.tension().to_f64().abs() / l);
+        estimates.torsional_stiffness(ei / l);
+        estimates.length(l);
+        estimates.mass(m * l);
+        estimates.moment_of_inertia(m * l * l * l);
+        estimates.moment_of_inertia(r * l);
+    }
+}
+
+impl<T: Parameter> GeneralBeam<T> {
+    /// What holds against the slope, `N + G`.
+    pub(crate) fn tension(&self) -> T {
+        self.axial_force + self.foundation_shear_stiffness
+    }
+
+    /// Checks each parameter against its range.
+    fn check(&self) -> Result<(), InvalidParameter> {
+        Requirement::Positive.check("length", self.length)?;
+        Requirement::Positive.check("bending_stiffness", self.bending_stiffness)?;
+        Requirement::Positive.check("mass_per_length", self.mass_per_length)?;
+        Requirement::NonNegative.check("shear_flexibility", self.shear_flexibility)?;
+        Requirement::NonNegative.check("rotary_inertia", self.rotary_inertia)?;
+        Requirement::NonNegative.check("foundation_stiffness", self.foundation_stiffness)?;
+        Requirement::NonNegative.check("foundation_shear_stiffness", self.foundation_shear_stiffness)?;
+        if self.shear_flexibility.vanishes().all() {
+            return Requirement::Finite.check("axial_force", self.axial_force);
+        }
+        let bound = T::zero() - T::one() / self.shear_flexibility - self.foundation_shear_stiffness;
+        let formula = "-1/shear_flexibility - foundation_shear_stiffness";
+        Requirement::above(bound, formula).check("axial_force", self.axial_force)
+    }
+
+    /// Of length and bending stiffness the one farther from 1, where powers of both leave the range of the type.
+    fn most_extreme(&self) -> InvalidParameter {
+        let [length, stiffness] = [self.length, self.bending_stiffness].map(T::to_f64);
+        let is_length = binary_exponent(length).abs() > binary_exponent(stiffness).abs();
+        let (parameter, value) = if is_length { ("length", length) } else { ("bending_stiffness", stiffness) };
+        InvalidParameter { parameter, value, requirement: Requirement::Rescale }
+    }
+
+    /// The parameters as numbers of another type.
+    #[inline]
+    pub(crate) fn map<S>(self, to: impl Fn(T) -> S) -> GeneralBeam<S> {
+        GeneralBeam {
+            length: to(self.length),
+            bending_stiffness: to(self.bending_stiffness),
+            mass_per_length: to(self.mass_per_length),
+            shear_flexibility: to(self.shear_flexibility),
+            rotary_inertia: to(self.rotary_inertia),
+            axial_force: to(self.axial_force),
+            foundation_stiffness: to(self.foundation_stiffness),
+            foundation_shear_stiffness: to(self.foundation_shear_stiffness),
+        }
+    }
+}
+
+impl<T: Parameter> BuiltGeneralBeam<T> {
+    /// The constants of the equations at a frequency. In extended precision they are computed anew, since `build` has rounded.
+    #[inline]
+    fn at<S: Frequency<T>>(&self, lambda_squared: S) -> SectionAt<S> {
+        if S::IS_EXTENDED {
+            return Constants::of(self.parameters.map(S::from_parameter)).at(lambda_squared);
+        }
+        self.constants.map(S::from_parameter).at(lambda_squared)
+    }
+
+    /// The units of minors.
+    #[inline]
+    fn units<S: Frequency<T>>(&self) -> Units<S> {
+        let GeneralBeam { length, bending_stiffness, .. } = self.parameters;
+        if S::IS_EXTENDED {
+            return Units::new(S::from_parameter(bending_stiffness), S::one() / S::from_parameter(length));
+        }
+        self.units.map(S::from_parameter)
+    }
+}
+
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for GeneralBeam<T> {
+    fn transfer_matrix(built: &BuiltGeneralBeam<T>, x: S) -> Matrix4<S> {
+        Transfer::new(&built.at(x.lambda_squared())).matrix(&built.parameters.map(S::from_parameter))
+    }
+}
+
+impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for GeneralBeam<T> {
+    type Coefficients = GeneralCompound<S>;
+
+    fn coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> GeneralCompound<S> {
+        GeneralCompound::new(built.at(at.lambda_squared), built.units())
+    }
+
+    fn step<C: RootCounter<S>>(compound: &GeneralCompound<S>, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
+        compound.step(input, counter)
+    }
+
+    fn root<C: RootCounter<S>>(
+        compound: &GeneralCompound<S>,
+        input: Subspace<S>,
+        support: Support,
+        counter: &mut C,
+    ) -> Scaled<S> {
+        compound.root(input, support, counter)
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for GeneralBeam<f64> {
+    /// A beam whose clamped frequencies are above 2, in compression as often as in tension.
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        GeneralBeam {
+            length: next(),
+            bending_stiffness: next(),
+            mass_per_length: next(),
+            shear_flexibility: next() * 0.005,
+            rotary_inertia: next() * 0.005,
+            axial_force: next() - 1.25,
+            foundation_stiffness: next(),
+            foundation_shear_stiffness: next() * 0.5,
+        }
+    }
+
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn halves(self) -> Option<Self> {
+        Some(GeneralBeam { length: self.length / 2.0, ..self })
+    }
+
+    fn phase(&self, s: f64) -> f64 {
+        let constants = Constants::of(*self);
+        let h = constants.mass * s.powi(4) + constants.foundation;
+        let g = constants.rotary * s.powi(4) + constants.tension.abs();
+        h.sqrt().max(g).max(constants.tau * h).sqrt()
+    }
+
+    fn untied(self) -> Self {
+        GeneralBeam { foundation_stiffness: 0.0, foundation_shear_stiffness: 0.0, axial_force: 0.0, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,246 @@
+//! Beams with some of the parameters of the general beam.
+
+use crate::element::{BackTransfer, Element, Energies, Inside, MatrixOf, PlaneStep, TransferMatrix};
+use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
+use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement, State};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single};
+use crate::subspace::{Covector, RootCounter, Subspace};
+use mstmm_plan::Support;
+
+/// Declares beams by their parameters, the general beam that each is, and its derivatives as those of the general beam.
+macro_rules! kinds {
+    ($(
+        $(#[$doc:meta])*
+        $kind:ident { $($(#[$field_doc:meta])* $field:ident,)* }
+        checked by { $($checked:ident: $range:ident),* }
+        is |$beam:ident| { $($parameter:ident: $value:expr),* }
+        derived by |$gradient:ident, $built:ident| { $($derived:ident: $derivative:expr),* }
+        sampled by { $($sampled:expr),* } tied by { $($tie:ident),* }
+    )*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $kind<T> {
+            /// Length l \[m\], positive.
+            pub length: T,
+            /// Bending stiffness EI [N m²], positive.
+            pub bending_stiffness: T,
+            /// Mass per length m [kg/m], positive.
+            pub mass_per_length: T,
+            $($(#[$field_doc])* pub $field: T,)*
+        }
+
+        impl<T: Parameter> $kind<T> {
+            /// The general beam that it is.
+            fn general(self) -> GeneralBeam<T> {
+                let $kind { length, bending_stiffness, mass_per_length, .. } = self;
+                let $beam = self;
+                let plain = GeneralBeam {
+                    length,
+                    bending_stiffness,
+                    mass_per_length,
+                    shear_flexibility: T::zero(),
+                    rotary_inertia: T::zero(),
+                    axial_force: T::zero(),
+                    foundation_stiffness: T::zero(),
+                    foundation_shear_stiffness: T::zero(),
+                };
+                GeneralBeam { $($parameter: $value,)* ..plain }
+            }
+        }
+
+        impl<T: Parameter> Element for $kind<T> {
+            type State = Bending;
+            type Built = BuiltGeneralBeam<T>;
+
+            fn build(self) -> Result<BuiltGeneralBeam<T>, InvalidParameter> {
+                $(Requirement::$range.check(stringify!($checked), self.$checked)?;)*
+                self.general().build()
+            }
+
+            fn estimate(built: &BuiltGeneralBeam<T>, estimates: &mut FrequencyEstimates) {
+                GeneralBeam::estimate(built, estimates);
+            }
+        }
+
+        impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for $kind<T> {
+            fn transfer_matrix(built: &BuiltGeneralBeam<T>, x: S) -> MatrixOf<Self, S> {
+                GeneralBeam::transfer_matrix(built, x)
+            }
+        }
+
+        impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for $kind<T> {
+            type Coefficients = <GeneralBeam<T> as PlaneStep<S>>::Coefficients;
+
+            fn coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> Self::Coefficients {
+                GeneralBeam::coefficients(built, at)
+            }
+
+            fn step<C: RootCounter<S>>(
+                coefficients: &Self::Coefficients,
+                input: Subspace<S>,
+                counter: &mut C,
+            ) -> Subspace<S> {
+                GeneralBeam::<T>::step(coefficients, input, counter)
+            }
+
+            fn root<C: RootCounter<S>>(
+                coefficients: &Self::Coefficients,
+                input: Subspace<S>,
+                support: Support,
+                counter: &mut C,
+            ) -> Scaled<S> {
+                GeneralBeam::<T>::root(coefficients, input, support, counter)
+            }
+        }
+
+        impl<T: Real, S: Oscillation<T>> BackTransfer<S> for $kind<T> {
+            type BackCoefficients = <GeneralBeam<T> as BackTransfer<S>>::BackCoefficients;
+            const SYMMETRIC: bool = true;
+
+            fn reversed(built: &BuiltGeneralBeam<T>) -> BuiltGeneralBeam<T> {
+                *built
+            }
+
+            fn back_coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> Self::BackCoefficients {
+                GeneralBeam::back_coefficients(built, at)
+            }
+
+            fn back_transfer(
+                coefficients: &Self::BackCoefficients,
+                input: &Subspace<S>,
+                covector: Covector<S>,
+            ) -> Covector<S> {
+                GeneralBeam::<T>::back_transfer(coefficients, input, covector)
+            }
+        }
+
+        impl<T: Real, S: Oscillation<T>> Energies<S> for $kind<T> {
+            type Gradient = $kind<S>;
+
+            fn units(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
+                <GeneralBeam<T> as Energies<S>>::units(built, at)
+            }
+
+            fn mass_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
+                GeneralBeam::mass_form(built, first, second)
+            }
+
+            fn stiffness_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
+                GeneralBeam::stiffness_form(built, first, second)
+            }
+
+            fn inside(built: &BuiltGeneralBeam<T>, x: S) -> Option<Inside> {
+                GeneralBeam::inside(built, x)
+            }
+
+            fn state_at(built: &BuiltGeneralBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
+                GeneralBeam::state_at(built, ends, distance)
+            }
+
+            fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> $kind<S> {
+                let $gradient = GeneralBeam::gradient(built, ends);
+                let $built = &built.parameters;
+                $kind {
+                    length: $gradient.length,
+                    bending_stiffness: $gradient.bending_stiffness,
+                    mass_per_length: $gradient.mass_per_length,
+                    $($derived: $derivative,)*
+                }
+            }
+        }
+
+        #[cfg(test)]
+        impl crate::elements::laws::Sample for $kind<f64> {
+            fn sample(mut next: impl FnMut() -> f64) -> Self {
+                let [length, bending_stiffness, mass_per_length] = [next(), next(), next()];
+                $kind { length, bending_stiffness, mass_per_length, $($derived: $sampled(next())),* }
+            }
+
+            fn length(&self) -> f64 {
+                self.length
+            }
+
+            fn halves(self) -> Option<Self> {
+                Some($kind { length: self.length / 2.0, ..self })
+            }
+
+            fn phase(&self, s: f64) -> f64 {
+                self.general().phase(s)
+            }
+
+            fn untied(self) -> Self {
+                $kind { $($tie: 0.0,)* ..self }
+            }
+        }
+    )*};
+}
+
+kinds! {
+    /// Uniform beam with rotary inertia and without shear, exact at every frequency.
+    ///
+    /// # Source
+    /// Rayleigh's beam, a [`GeneralBeam`] with `f = 0`.
+    RayleighBeam {
+        /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
+        rotary_inertia,
+    }
+    checked by {}
+    is |beam| { rotary_inertia: beam.rotary_inertia }
+    derived by |general, _beam| { rotary_inertia: general.rotary_inertia }
+    sampled by { |x| x * 0.005 } tied by {}
+
+    /// Uniform beam with shear and rotary inertia, exact at every frequency; Θ is the rotation of the cross section.
+    ///
+    /// # Source
+    /// Timoshenko's beam, a [`GeneralBeam`] with `f = 1/(k G A)`.
+    TimoshenkoBeam {
+        /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal.
+        shear_stiffness,
+        /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
+        rotary_inertia,
+    }
+    checked by { shear_stiffness: Invertible }
+    is |beam| { shear_flexibility: T::one() / beam.shear_stiffness, rotary_inertia: beam.rotary_inertia }
+    derived by |general, beam| {
+        shear_stiffness: -(general.shear_flexibility * (beam.shear_flexibility * beam.shear_flexibility)),
+        rotary_inertia: general.rotary_inertia
+    }
+    sampled by { |x| 100.0 / x, |x| x * 0.005 } tied by {}
+
+    /// Uniform Euler-Bernoulli beam under an axial force, exact at every frequency: a strut, a bar in tension, a string that bends.
+    ///
+    /// Q contains the slope times the axial force, which keeps its direction; whether the forces of elements at a point are in equilibrium
+    /// is not checked. Beyond the load at which it buckles a system has modes that grow.
+    ///
+    /// # Source
+    /// A [`GeneralBeam`] with `T = N`.
+    BeamColumn {
+        /// Axial force N \[N\], positive in tension.
+        axial_force,
+    }
+    checked by {}
+    is |beam| { axial_force: beam.axial_force }
+    derived by |general, _beam| { axial_force: general.axial_force }
+    sampled by { |x| x - 1.25 } tied by { axial_force }
+
+    /// Uniform Euler-Bernoulli beam on an elastic foundation, exact at every frequency.
+    ///
+    /// # Source
+    /// The foundation of Winkler, with the shear layer of Pasternak: a [`GeneralBeam`] with `T = G`.
+    FoundationBeam {
+        /// Stiffness k of the foundation per length [N/m²], zero or positive.
+        foundation_stiffness,
+        /// Stiffness G of the shear layer \[N\], zero or positive.
+        foundation_shear_stiffness,
+    }
+    checked by {}
+    is |beam| {
+        foundation_stiffness: beam.foundation_stiffness,
+        foundation_shear_stiffness: beam.foundation_shear_stiffness
+    }
+    derived by |general, _beam| {
+        foundation_stiffness: general.foundation_stiffness,
+        foundation_shear_stiffness: general.foundation_shear_stiffness
+    }
+    sampled by { |x| x, |x| x * 0.5 } tied by { foundation_stiffness, foundation_shear_stiffness }
+}
