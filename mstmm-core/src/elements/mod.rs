@@ -8,9 +8,11 @@ pub(crate) mod any_member;
 mod beam;
 mod body;
 mod elastic_hinge;
+mod hinge;
 pub(crate) mod joint;
 #[cfg(test)]
 mod laws;
+mod lever;
 mod line;
 mod planar_beam;
 mod planar_body;
@@ -22,6 +24,8 @@ pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
 pub use body::Body;
 pub use elastic_hinge::ElasticHinge;
+pub use hinge::{RotationalHinge, ShearHinge};
+pub use lever::Lever;
 pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 pub use planar_beam::PlanarBeam;
 pub use planar_body::PlanarBody;
@@ -105,6 +109,9 @@ elements! {
         ElasticHinge { stiffness_y, stiffness_theta }
         Body { mass, inertia, output_x, centre_x }
         Beam { length, bending_stiffness, mass_per_length }
+        RotationalHinge { stiffness }
+        ShearHinge { stiffness }
+        Lever { output_x }
     }
     damped {
         Damper { damping }

@@ -96,10 +96,14 @@ const fn keyword(
     LocatedKeyword { name, role, parameters, optional: None, vector: None, brings, instead: [None, None] }
 }
 
-const fn refused(name: &'static str) -> LocatedKeyword {
-    let instead = [Some("rigid_body"), Some("rigid_body")];
-    LocatedKeyword { instead, ..keyword(name, Role::Unknown, Freedoms::NONE, &[]) }
+/// A keyword of models without locations alone, with those to take instead.
+const fn refused(name: &'static str, instead: [&'static str; 2]) -> LocatedKeyword {
+    let [line, plane] = instead;
+    LocatedKeyword { instead: [Some(line), Some(plane)], ..keyword(name, Role::Unknown, Freedoms::NONE, &[]) }
 }
+
+/// What ties points that have places in place of offsets.
+pub(crate) const RIGID_BODY: &str = "rigid_body";
 
 #[rustfmt::skip]
 pub(crate) const LOCATED: &[LocatedKeyword] = &[
@@ -119,12 +123,12 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
         instead: [None, Some("planar_hinge")],
         ..keyword("elastic_hinge", Role::Joint, Freedoms::ALL, &["stiffness_y", "stiffness_theta"])
     },
-    refused("body"),
+    refused("body", [RIGID_BODY; 2]),
     LocatedKeyword {
         instead: [None, Some("planar_beam")],
         ..keyword("beam", Role::Member, Freedoms::ALL, &["bending_stiffness", "mass_per_length"])
     },
-    refused("planar_body"),
+    refused("planar_body", [RIGID_BODY; 2]),
     LocatedKeyword {
         instead: [Some("beam"), None],
         ..keyword("planar_beam", Role::Member, Freedoms::ALL, &["axial_stiffness", "bending_stiffness", "mass_per_length"])
@@ -135,7 +139,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     },
     LocatedKeyword {
         vector: Some("centre"),
-        ..keyword("rigid_body", Role::RigidBody, Freedoms::ALL, &["mass", "inertia", "centre"])
+        ..keyword(RIGID_BODY, Role::RigidBody, Freedoms::ALL, &["mass", "inertia", "centre"])
     },
     keyword("pin", Role::Joint, XY, &[]),
     LocatedKeyword {
@@ -143,6 +147,9 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
         instead: [Some("elastic_hinge"), None],
         ..keyword("slider", Role::Joint, Freedoms::ALL, &["along"])
     },
+    refused("rotational_hinge", ["elastic_hinge", "planar_hinge"]),
+    refused("shear_hinge", ["elastic_hinge", "planar_hinge"]),
+    refused("lever", [RIGID_BODY; 2]),
 ];
 
 /// The support that names what it holds.
