@@ -2,7 +2,9 @@
 
 mod located;
 
-pub(crate) use located::{ALONG, AT, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, Role, freedom_of, located_of};
+pub(crate) use located::{
+    ALONG, AT, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, Role, freedom_of, located_of,
+};
 use mstmm_plan::{Space, Support};
 
 /// What the language knows of an element of the core: a test compares it with the core.
@@ -55,6 +57,9 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     element("planar_body", "PlanarBody", Space::Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
     element("planar_beam", "PlanarBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"]),
     element("planar_hinge", "PlanarHinge", Space::Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"]),
+    element("rotational_hinge", "RotationalHinge", Space::Bending, &["stiffness"]),
+    element("shear_hinge", "ShearHinge", Space::Bending, &["stiffness"]),
+    element("lever", "Lever", Space::Bending, &["output_x"]),
 ];
 
 /// The supports and their keywords.

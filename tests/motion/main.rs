@@ -4,6 +4,7 @@ pub mod curves_end;
 mod energy_shares;
 pub mod examples;
 pub mod frequency_response;
+mod joints;
 mod lists;
 mod lumped_chains;
 pub mod modal_response;

@@ -5,7 +5,7 @@ mod at_rest;
 
 use crate::state_equations::{StateEquations, Wide};
 use crate::support::list_of_tree::{self, MOST, point};
-use crate::support::random_tree::varied_tree;
+use crate::support::random_tree::{jointed, varied_tree};
 use crate::support::tree::{Part, Tree};
 use mstmm::Complex;
 use mstmm::element::{Coordinate, Space};
@@ -127,6 +127,18 @@ fn responses_are_solutions_of_the_equations_of_all_states() {
     let single: usize =
         cases(40..60).filter(usable).map(|(seed, tree, lambda)| check::<f32>(seed, &tree, lambda)).sum();
     assert!(single > 1000, "{single}");
+}
+
+/// Through hinges of one freedom, with stiffness and without, and through levers.
+#[test]
+fn responses_of_jointed_trees_are_solutions_of_the_equations() {
+    let jointed = |(seed, tree, lambda): (u64, Tree, Complex<f64>)| (seed, jointed(&tree, seed), lambda);
+    let usable = |(_, tree, lambda): &(u64, Tree, Complex<f64>)| tree.len() <= MOST && waves(tree, *lambda) < LONGEST;
+    let mut compared = 0;
+    for (seed, tree, lambda) in cases(0..30).map(jointed).filter(usable) {
+        compared += check::<f64>(seed, &tree, lambda);
+    }
+    assert!(compared > 10_000, "{compared}");
 }
 
 /// A real ω and the complex λ = iω are the same frequency.

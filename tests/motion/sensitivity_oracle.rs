@@ -4,7 +4,7 @@
 
 use crate::state_equations::{StateEquations, Wide};
 use crate::support::list_of_tree::{MOST, any};
-use crate::support::random_tree::varied_tree;
+use crate::support::random_tree::{jointed, varied_tree};
 use crate::support::tree::Tree;
 use core::ops::Range;
 use mstmm::Complex;
@@ -31,12 +31,12 @@ fn wide(z: Complex<f64>) -> Wide {
     Wide::new(z.re.into(), z.im.into())
 }
 
-/// A tree with one parameter changed, and its value.
+/// A tree with one parameter changed, one that is zero by the step itself, and its value.
 fn changed(tree: &Tree, step: usize, index: usize, factor: f64) -> (Tree, f64) {
     let (mut tree, mut value) = (tree.clone(), 0.0);
     if let ListStep::Element(part) = &mut tree[step] {
         let parameter = &mut part.parameters()[index];
-        **parameter *= factor;
+        **parameter = if **parameter == 0.0 { factor - 1.0 } else { **parameter * factor };
         value = **parameter;
     }
     (tree, value)
@@ -75,7 +75,8 @@ fn check(seed: u64, tree: &Tree) -> usize {
                 let difference = equations.determinant(&above, x) - equations.determinant(&below, x);
                 let expected = -narrow(difference / slope) / (a - b);
                 let actual = sensitivities.of(system.parameter(step, name).unwrap());
-                let scale = expected.norm().max(1e-3 * root.lambda.norm() / a.abs());
+                let size = part.named()[index].1.abs();
+                let scale = expected.norm().max(1e-3 * root.lambda.norm() / if size == 0.0 { 1.0 } else { size });
                 assert!(
                     (actual - expected).norm() <= LIMIT * scale,
                     "seed {seed}, {}, step {step}, {name}: {actual}, {expected}\nvec!{tree:?}",
@@ -97,6 +98,14 @@ fn compared(seeds: Range<u64>) -> usize {
 #[test]
 fn some_sensitivities_are_those_of_the_determinant() {
     let compared = compared(0..10);
+    assert!(compared > 100, "{compared}");
+}
+
+/// To the stiffness of hinges of one freedom, where it is zero, too, and to the lengths of levers.
+#[test]
+fn some_sensitivities_of_jointed_trees_are_those_of_the_determinant() {
+    let trees = (0..20).map(|seed| (seed, jointed(&varied_tree(seed), seed))).filter(|(_, tree)| tree.len() <= MOST);
+    let compared: usize = trees.map(|(seed, tree)| check(seed, &tree)).sum();
     assert!(compared > 100, "{compared}");
 }
 

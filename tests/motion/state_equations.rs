@@ -7,7 +7,7 @@
 
 pub(crate) use crate::support::tree::Wide;
 
-use crate::support::tree::Tree;
+use crate::support::tree::{Part, Tree};
 use mstmm::element::{Coordinate, Space, Support};
 use mstmm::list::ListStep;
 use mstmm::number::Scalar;
@@ -66,6 +66,26 @@ pub(crate) fn steps_of(tree: &Tree) -> Vec<Step<'static>> {
         steps.push(step);
     }
     steps
+}
+
+/// What multiplies each entry of the state behind an element, and those before it: rows of its transfer matrix, of a hinge times its
+/// stiffness, which may be zero.
+fn relations(part: Part, lambda: Wide) -> Vec<(Wide, Vec<Wide>)> {
+    let (freedom, force, stiffness) = match part {
+        Part::ShearHinge(hinge) => (0, 3, -hinge.stiffness),
+        Part::RotationalHinge(hinge) => (1, 2, hinge.stiffness),
+        _ => return part.transfer_matrix(lambda).into_iter().map(|line| (number(1.0), line)).collect(),
+    };
+    let relation = |row: usize| {
+        let factor = if row == freedom { stiffness } else { 1.0 };
+        let entry = |column: usize| match column {
+            _ if column == row => factor,
+            _ if row == freedom && column == force => 1.0,
+            _ => 0.0,
+        };
+        (number(factor), (0..4).map(|column| number(entry(column))).collect())
+    };
+    (0..4).map(relation).collect()
 }
 
 impl StateEquations {
@@ -167,8 +187,8 @@ impl StateEquations {
                 Step::Element(input, space) => {
                     let ListStep::Element(part) = tree[index] else { continue };
                     let coordinates = space.coordinates();
-                    for (line, &coordinate) in part.transfer_matrix(lambda).into_iter().zip(coordinates) {
-                        let mut row = (vec![(self.column(index, coordinate), -one)], number(0.0));
+                    for ((factor, line), &coordinate) in relations(part, lambda).into_iter().zip(coordinates) {
+                        let mut row = (vec![(self.column(index, coordinate), -factor)], number(0.0));
                         for (&input_coordinate, factor) in coordinates.iter().zip(line) {
                             add(&mut row, input, input_coordinate, factor);
                         }

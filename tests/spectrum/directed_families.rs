@@ -7,6 +7,7 @@
 #![expect(clippy::unwrap_used, reason = "the trees here are valid")]
 
 mod arms;
+mod joints;
 mod levers;
 mod lumped;
 mod offsets;
@@ -128,6 +129,21 @@ fn some_levers_there_and_back() {
 #[ignore = "long: .ci/long"]
 fn all_levers_there_and_back() {
     levers_there_and_back(40);
+}
+
+fn jointed_paths(models: u64) {
+    all_right(vec![("hinges of one freedom, 1e±12, and levers".into(), joints::run(0..models))]);
+}
+
+#[test]
+fn some_jointed_paths() {
+    jointed_paths(60);
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn all_jointed_paths() {
+    jointed_paths(2000);
 }
 
 fn lumped_systems(cars: u64, stride: usize, chains: u64) {

@@ -5,7 +5,7 @@
 use crate::oracles::dynamic_stiffness::{Stiffness, Verdict};
 use crate::oracles::finite_elements::Model;
 use crate::oracles::legendre_beam::LegendreBeam;
-use crate::support::random_tree::{Random, random_tree};
+use crate::support::random_tree::{Random, jointed, random_tree};
 use crate::support::tree::{Part, Tree};
 use core::ops::Range;
 use mstmm::Complex;
@@ -106,10 +106,10 @@ static ELEMENT: std::sync::LazyLock<LegendreBeam> = std::sync::LazyLock::new(|| 
 const CONVERGED: f64 = 1e-11;
 
 /// Finite elements count as many in random trees, where they are sure of it.
-fn compared_counts(seeds: Range<u64>) -> usize {
+fn compared_counts(seeds: Range<u64>, tree: impl Fn(u64) -> Tree) -> usize {
     let (mut compared, mut unsure) = (0, 0);
     for seed in seeds {
-        let tree = random_tree(seed, 6, false);
+        let tree = tree(seed);
         let model = Stiffness::of(&tree);
         let Some(other) = Model::of(&tree, &ELEMENT) else {
             assert!(model.is_held_twice, "seed {seed}");
@@ -140,14 +140,21 @@ fn compared_counts(seeds: Range<u64>) -> usize {
 
 #[test]
 fn counts_of_some_random_trees_are_those_of_finite_elements() {
-    let compared = compared_counts(0..30);
+    let compared = compared_counts(0..30, |seed| random_tree(seed, 6, false));
+    assert!(compared > 150, "{compared}");
+}
+
+/// With hinges of one freedom and levers.
+#[test]
+fn counts_of_some_jointed_trees_are_those_of_finite_elements() {
+    let compared = compared_counts(0..60, |seed| jointed(&random_tree(seed, 4, false), seed));
     assert!(compared > 150, "{compared}");
 }
 
 #[test]
 #[ignore = "long: .ci/long"]
 fn counts_of_random_trees_are_those_of_finite_elements() {
-    let compared = compared_counts(0..400);
+    let compared = compared_counts(0..400, |seed| random_tree(seed, 6, false));
     assert!(compared > 2000, "{compared}");
 }
 

@@ -7,6 +7,8 @@ mod damped_models;
 mod defects;
 mod directed_families;
 mod dynamic_stiffness;
+mod joints;
+mod levers;
 mod macro_equals_list;
 mod oracles;
 mod planar_chain;

@@ -8,7 +8,7 @@
 use crate::oracles::finite_elements::Model;
 use crate::oracles::legendre_beam::LegendreBeam;
 use crate::support::list_of_tree::{any_steps, undamped_steps};
-use crate::support::random_tree::{Random, random_tree};
+use crate::support::random_tree::{Random, jointed, random_tree};
 use crate::support::roots::bisect;
 use crate::support::tree::{Part, Tree};
 use core::f64::consts::PI;
@@ -113,6 +113,21 @@ fn check_trees(seed: u64, count: usize) {
 #[test]
 fn frequencies_and_counts_of_some_trees() {
     check_trees(0, 40);
+}
+
+/// With hinges of one freedom and levers.
+#[test]
+fn frequencies_and_counts_of_some_jointed_trees() {
+    let mut compared = 0;
+    for seed in 0..60 {
+        let tree = jointed(&random_tree(seed, 5, false), seed);
+        let Some(model) = Model::of(&tree, &ELEMENT).filter(|model| model.check().is_ok()) else { continue };
+        if let Err(problem) = check(seed, &tree, &model) {
+            panic!("seed {seed}: {problem}\nvec!{tree:?}");
+        }
+        compared += 1;
+    }
+    assert!(compared > 30, "{compared}");
 }
 
 #[test]

@@ -6,8 +6,8 @@ use crate::support::random_tree::{Random, random_tree};
 use crate::support::tree::{Part, Tree};
 use mstmm::element::{Support, WittrickWilliams};
 use mstmm::elements::{
-    Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
-    TorsionSpringDamper,
+    Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, RotationalHinge, ShearHinge, Spring, SpringDamper,
+    TorsionDamper, TorsionSpring, TorsionSpringDamper,
 };
 use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::number::Scaled;
@@ -35,6 +35,9 @@ fn in_unit(part: Part, unit: f64) -> Part {
             stiffness_y: unit * h.stiffness_y,
             stiffness_theta: unit * h.stiffness_theta,
         }),
+        Part::RotationalHinge(h) => Part::RotationalHinge(RotationalHinge { stiffness: unit * h.stiffness }),
+        Part::ShearHinge(h) => Part::ShearHinge(ShearHinge { stiffness: unit * h.stiffness }),
+        Part::Lever(_) => part,
         Part::PointMass(p) => Part::PointMass(PointMass { mass: unit * p.mass, inertia: unit * p.inertia }),
         Part::Spring(s) => Part::Spring(Spring { stiffness: unit * s.stiffness }),
         Part::TorsionSpring(s) => Part::TorsionSpring(TorsionSpring { stiffness: unit * s.stiffness }),

@@ -3,8 +3,8 @@
 use super::tree::{Part, Tree};
 use mstmm::element::{Space, Support};
 use mstmm::elements::{
-    Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
-    TorsionSpringDamper,
+    Beam, Body, Damper, ElasticHinge, Inertia, Lever, Mass, PointMass, RotationalHinge, ShearHinge, Spring,
+    SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper,
 };
 use mstmm::list::ListStep;
 
@@ -96,6 +96,29 @@ pub(crate) fn varied_tree(seed: u64) -> Tree {
         }
     }
     tree
+}
+
+/// A tree with hinges of one freedom and levers in its bending paths; some of the hinges have no stiffness.
+pub(crate) fn jointed(tree: &Tree, seed: u64) -> Tree {
+    let random = &mut Random(seed ^ 0x4a4f);
+    let mut all = Tree::new();
+    for &step in tree {
+        all.push(step);
+        if matches!(step, ListStep::Element(part) if part.space().is(Space::Bending)) && random.chance(0.6) {
+            all.push(ListStep::Element(joint(random)));
+        }
+    }
+    all
+}
+
+fn joint(random: &mut Random) -> Part {
+    let (value, is_perfect) = (f64::from(random.value() as f32), random.chance(0.3));
+    let stiffness = if is_perfect { 0.0 } else { value };
+    match random.below(3) {
+        0 => Part::RotationalHinge(RotationalHinge { stiffness }),
+        1 => Part::ShearHinge(ShearHinge { stiffness }),
+        _ => Part::Lever(Lever { output_x: random.pick([-0.5, 0.5]) * value }),
+    }
 }
 
 fn beam(random: &mut Random) -> Beam<f64> {

@@ -3,8 +3,8 @@
 use mstmm::Complex;
 use mstmm::element::{SMatrix, Space, Support, TransferMatrix};
 use mstmm::elements::{
-    Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
-    TorsionSpringDamper,
+    Beam, Body, Damper, ElasticHinge, Inertia, Lever, Mass, PointMass, RotationalHinge, ShearHinge, Spring,
+    SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper,
 };
 use mstmm::list::{AnyElement, AnyUndamped, ListStep};
 use mstmm::number::{DoubleDouble, Real};
@@ -95,6 +95,9 @@ parts! {
         TorsionSpring { stiffness }
         Mass { mass }
         Inertia { inertia }
+        RotationalHinge { stiffness }
+        ShearHinge { stiffness }
+        Lever { output_x }
     }
     damped {
         Damper { damping }
@@ -114,6 +117,7 @@ impl Part {
     pub(crate) fn space(&self) -> Space {
         match self {
             Part::Beam(_) | Part::Body(_) | Part::ElasticHinge(_) | Part::PointMass(_) => Space::Bending,
+            Part::RotationalHinge(_) | Part::ShearHinge(_) | Part::Lever(_) => Space::Bending,
             Part::Spring(_) | Part::Mass(_) | Part::Damper(_) | Part::SpringDamper(_) => Space::Translation,
             _ => Space::Rotation,
         }

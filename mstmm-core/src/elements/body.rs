@@ -1,15 +1,16 @@
 //! Rigid body in a bending path.
 
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::elements::shared::arm::Arm;
 use crate::elements::shared::line_forms::half;
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single};
 use crate::subspace::{Connecting, Covector, Plane, RootCounter, Subspace};
-use lever::{Beside, Lever, Levers};
+use levers::{Beside, Levers};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
-mod lever;
+mod levers;
 
 /// Rigid body with one input and one output end in a bending path; small motions, no longitudinal displacement.
 ///
@@ -47,7 +48,7 @@ pub struct BuiltBody<T> {
     /// b1 and c1.
     levers: Levers<T>,
     /// `b1 - c1`.
-    centre_to_output: Lever<T>,
+    centre_to_output: Arm<T>,
 }
 
 impl<T: Parameter> Body<T> {
@@ -71,8 +72,8 @@ impl<T: Parameter> Element for Body<T> {
         Ok(BuiltBody {
             mass: self.mass,
             central_inertia: self.central_inertia(),
-            levers: Levers::new(Lever::new(self.output_x), Lever::new(self.centre_x)),
-            centre_to_output: Lever::between(self.centre_x, self.output_x),
+            levers: Levers::new(Arm::new(self.output_x), Arm::new(self.centre_x)),
+            centre_to_output: Arm::between(self.centre_x, self.output_x),
         })
     }
 

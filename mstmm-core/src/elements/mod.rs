@@ -9,9 +9,11 @@ mod beam;
 mod body;
 mod elastic_hinge;
 mod general_beam;
+mod hinge;
 pub(crate) mod joint;
 #[cfg(test)]
 mod laws;
+mod lever;
 mod line;
 mod planar_beam;
 mod planar_body;
@@ -24,6 +26,8 @@ pub use beam::Beam;
 pub use body::Body;
 pub use elastic_hinge::ElasticHinge;
 pub use general_beam::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
+pub use hinge::{RotationalHinge, ShearHinge};
+pub use lever::Lever;
 pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 pub use planar_beam::PlanarBeam;
 pub use planar_body::PlanarBody;
@@ -115,6 +119,9 @@ elements! {
             length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force, foundation_stiffness,
             foundation_shear_stiffness
         }
+        RotationalHinge { stiffness }
+        ShearHinge { stiffness }
+        Lever { output_x }
     }
     damped {
         Damper { damping }

@@ -96,9 +96,10 @@ const fn keyword(
     LocatedKeyword { name, role, parameters, optional: &[], vector: None, brings, instead: [None, None] }
 }
 
-const fn refused(name: &'static str) -> LocatedKeyword {
-    let instead = [Some("rigid_body"), Some("rigid_body")];
-    LocatedKeyword { instead, ..keyword(name, Role::Unknown, Freedoms::NONE, &[]) }
+/// A keyword of models without locations alone, with those to take instead.
+const fn refused(name: &'static str, instead: [&'static str; 2]) -> LocatedKeyword {
+    let [line, plane] = instead;
+    LocatedKeyword { instead: [Some(line), Some(plane)], ..keyword(name, Role::Unknown, Freedoms::NONE, &[]) }
 }
 
 /// A beam along a line, and the keyword to take instead of it in the plane.
@@ -111,6 +112,9 @@ const fn beam(
     let instead = [None, Some(in_plane)];
     LocatedKeyword { instead, optional, ..keyword(name, Role::Member, Freedoms::ALL, parameters) }
 }
+
+/// What ties points that have places in place of offsets.
+pub(crate) const RIGID_BODY: &str = "rigid_body";
 
 #[rustfmt::skip]
 pub(crate) const LOCATED: &[LocatedKeyword] = &[
@@ -130,14 +134,14 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
         instead: [None, Some("planar_hinge")],
         ..keyword("elastic_hinge", Role::Joint, Freedoms::ALL, &["stiffness_y", "stiffness_theta"])
     },
-    refused("body"),
+    refused("body", [RIGID_BODY; 2]),
     beam("beam", "planar_beam", &["bending_stiffness", "mass_per_length"], &[]),
     beam("rayleigh_beam", "planar_rayleigh_beam", &["bending_stiffness", "mass_per_length", "rotary_inertia"], &[]),
     beam("timoshenko_beam", "planar_timoshenko_beam", &["bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[]),
     beam("beam_column", "planar_beam_column", &["bending_stiffness", "mass_per_length", "axial_force"], &[]),
     beam("foundation_beam", "planar_foundation_beam", &["bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
     beam("general_beam", "planar_general_beam", &["bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
-    refused("planar_body"),
+    refused("planar_body", [RIGID_BODY; 2]),
     LocatedKeyword {
         instead: [Some("beam"), None],
         ..keyword("planar_beam", Role::Member, Freedoms::ALL, &["axial_stiffness", "bending_stiffness", "mass_per_length"])
@@ -148,7 +152,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     },
     LocatedKeyword {
         vector: Some("centre"),
-        ..keyword("rigid_body", Role::RigidBody, Freedoms::ALL, &["mass", "inertia", "centre"])
+        ..keyword(RIGID_BODY, Role::RigidBody, Freedoms::ALL, &["mass", "inertia", "centre"])
     },
     keyword("pin", Role::Joint, XY, &[]),
     LocatedKeyword {
@@ -156,6 +160,9 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
         instead: [Some("elastic_hinge"), None],
         ..keyword("slider", Role::Joint, Freedoms::ALL, &["along"])
     },
+    refused("rotational_hinge", ["elastic_hinge", "planar_hinge"]),
+    refused("shear_hinge", ["elastic_hinge", "planar_hinge"]),
+    refused("lever", [RIGID_BODY; 2]),
 ];
 
 /// The support that names what it holds.

@@ -134,4 +134,7 @@ scenes! {
     PlanarHinge = fixed -> planar_hinge {
         stiffness_x: Invertible, stiffness_y: Invertible, stiffness_theta: Invertible,
     } -> free undamped;
+    RotationalHinge = fixed -> rotational_hinge { stiffness: NonNegative } -> free undamped;
+    ShearHinge = fixed -> shear_hinge { stiffness: NonNegative } -> free undamped;
+    Lever = fixed -> lever { output_x: Position } -> free undamped;
 }

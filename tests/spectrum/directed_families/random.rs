@@ -6,8 +6,8 @@ use crate::oracles::dynamic_stiffness::Stiffness;
 use crate::support::random_tree::{Random, random_tree};
 use crate::support::tree::{Part, Tree};
 use mstmm::elements::{
-    Beam, Body, Damper, ElasticHinge, Inertia, Mass, PointMass, Spring, SpringDamper, TorsionDamper, TorsionSpring,
-    TorsionSpringDamper,
+    Beam, Body, Damper, ElasticHinge, Inertia, Lever, Mass, PointMass, RotationalHinge, ShearHinge, Spring,
+    SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper,
 };
 use mstmm::list::ListStep;
 
@@ -33,6 +33,9 @@ fn stretched(part: Part, random: &mut Random, decades: f64) -> Part {
         Part::ElasticHinge(h) => {
             Part::ElasticHinge(ElasticHinge { stiffness_y: by(h.stiffness_y), stiffness_theta: by(h.stiffness_theta) })
         }
+        Part::RotationalHinge(h) => Part::RotationalHinge(RotationalHinge { stiffness: by(h.stiffness) }),
+        Part::ShearHinge(h) => Part::ShearHinge(ShearHinge { stiffness: by(h.stiffness) }),
+        Part::Lever(l) => Part::Lever(Lever { output_x: by(l.output_x) }),
         Part::PointMass(p) => Part::PointMass(PointMass { mass: by(p.mass), inertia: by(p.inertia) }),
         Part::Spring(s) => Part::Spring(Spring { stiffness: by(s.stiffness) }),
         Part::TorsionSpring(s) => Part::TorsionSpring(TorsionSpring { stiffness: by(s.stiffness) }),

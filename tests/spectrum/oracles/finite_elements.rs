@@ -127,6 +127,18 @@ impl Energies {
                 self.stiffness.push((h.stiffness_y, vec![(y, 1.0), (y_out, -1.0)]));
                 self.stiffness.push((h.stiffness_theta, vec![(theta, 1.0), (theta_out, -1.0)]));
             }
+            Part::RotationalHinge(h) => {
+                self.constraints.push(vec![(y_out, -1.0), (y, 1.0)]);
+                self.stiffness.push((h.stiffness, vec![(theta, 1.0), (theta_out, -1.0)]));
+            }
+            Part::ShearHinge(h) => {
+                self.constraints.push(vec![(theta_out, -1.0), (theta, 1.0)]);
+                self.stiffness.push((h.stiffness, vec![(y, 1.0), (y_out, -1.0)]));
+            }
+            Part::Lever(l) => {
+                self.constraints.push(vec![(y_out, -1.0), (y, 1.0), (theta, l.output_x)]);
+                self.constraints.push(vec![(theta_out, -1.0), (theta, 1.0)]);
+            }
             _ => {}
         }
         End::Point { y: Some(y_out), theta: Some(theta_out) }

@@ -53,7 +53,7 @@ impl Stiffness {
     }
 
     /// Stiffness of the input end of an element whose output end is held: with `U = [[A, B], [C, D]]` for displacements
-    /// and forces, `force = -B⁻¹ A displacement`. `None` where no force moves the ends apart.
+    /// and forces, `force = -B⁻¹ A displacement`. `None` where no force, or a force in one direction alone, moves the ends apart.
     fn of_input_end(space: mstmm_plan::Space, u: &Rows) -> Option<Stiffness> {
         let entry = |i: usize, j: usize| u[i][j].re;
         if u.len() == 2 {
@@ -70,6 +70,18 @@ impl Stiffness {
         let force = |j: usize| -(entry(0, 2) * entry(1, j) - entry(1, 2) * entry(0, j)) / determinant;
         // the path has moment = K Θ and force = -K Y, the element the opposite
         Some(Stiffness::Plane([force(0), force(1), -moment(1)]))
+    }
+
+    /// The sum of stiffnesses in the direction in which alone the ends of an element move apart, against springs; none if there is
+    /// no such direction.
+    fn in_the_only_soft_direction(self, u: &Rows) -> Option<Stiffness> {
+        let Stiffness::Plane([a, _, d]) = self else { return None };
+        let (by_moment, by_force) = (u[1][2].re, u[0][3].re);
+        if by_moment == 0.0 && by_force == 0.0 {
+            return None;
+        }
+        assert!((by_moment == 0.0) != (by_force == 0.0) && u[0][2].re == 0.0 && u[1][3].re == 0.0, "{u:?}");
+        Some(Stiffness::Line(if by_force == 0.0 { d + 1.0 / by_moment } else { a - 1.0 / by_force }))
     }
 }
 
@@ -89,8 +101,10 @@ where
         let mut count = WittrickWilliams::<f64>::default();
         let coefficients = E::coefficients(&built(element), &FrequencyPowers::new(omega, E::WAVES));
         E::step(&coefficients, subspace(space, &input), &mut count);
-        let own = Stiffness::of_input_end(space, &rows(&element, C::new(0.0, omega)));
-        let expected = own.map_or((0, 1.0), |own| Stiffness::of_path(&input).plus(own).inertia());
+        let (path, u) = (Stiffness::of_path(&input), rows(&element, C::new(0.0, omega)));
+        let own = Stiffness::of_input_end(space, &u);
+        let alone = || path.in_the_only_soft_direction(&u).map_or((0, 1.0), Stiffness::inertia);
+        let expected = own.map_or_else(alone, |own| path.plus(own).inertia());
         // an eigenvalue so near zero may fall on either side by the rounding of the oracle
         if expected.1 > 1e-9 {
             assert_eq!(count.below(), expected.0, "{element:?} at {omega} behind {input:?}");
@@ -138,7 +152,8 @@ where
             E::step(&whole, subspace(space, &input), &mut once).at_root(support, &mut once);
             let middle = E::step(&half, subspace(space, &input), &mut twice);
             E::step(&half, middle, &mut twice).at_root(support, &mut twice);
-            assert_eq!(once, twice, "{element:?} at {lambda} behind {input:?}, then {support:?}");
+            // a lever may cancel in one step where it does not in two
+            assert_eq!(once.below(), twice.below(), "{element:?} at {lambda} behind {input:?}, then {support:?}");
         }
     });
 }

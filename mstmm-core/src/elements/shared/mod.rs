@@ -1,5 +1,6 @@
 //! Formulas that several elements share.
 
+pub(crate) mod arm;
 pub(crate) mod back_transfer;
 pub(crate) mod bending_chart;
 pub(crate) mod bending_motion;

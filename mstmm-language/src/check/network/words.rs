@@ -5,7 +5,7 @@ use super::super::{listed, parameters};
 use super::dimension;
 use crate::ast::{Coordinates, Element, Kind, Model, Node, Parameter, Support, place_of, tuple_parts};
 use crate::diagnostics::Errors;
-use crate::keywords::{ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, Role, freedom_of};
+use crate::keywords::{ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, Role, freedom_of};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
@@ -115,7 +115,10 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
 /// Why a keyword has no place in a model.
 fn reason(row: &LocatedKeyword, dimension: Dimension) -> &'static str {
     match (row.role, dimension) {
-        (Role::Unknown, _) => "has its points by offsets, which places replace",
+        (Role::Unknown, _) if row.instead(dimension) == Some(RIGID_BODY) => {
+            "has its points by offsets, which places replace"
+        }
+        (Role::Unknown, _) => "stands in models without places",
         (Role::Member, Dimension::Plane) => "does not say what happens along it, which counts in the plane",
         (_, Dimension::Plane) => "does not say what happens along x, which counts in the plane",
         (_, Dimension::Line) => "moves in the plane, but points have one coordinate here",

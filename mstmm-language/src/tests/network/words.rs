@@ -143,3 +143,20 @@ fn places_have_derivatives() {
         ",
     );
 }
+
+/// Hinges of one freedom and levers stand in trees of paths.
+#[test]
+fn joints_of_paths_have_others_instead() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at (0.0, 0.0) -> rotational_hinge 1 { stiffness: l } -> conn a at (l, 0.0)
+                               ^^^^^^^^^^^^^^^^ `rotational_hinge` stands in models without places: take
+                               | `planar_hinge`
+            -> shear_hinge 2 { stiffness: l } -> lever 3 { output_x: l } -> fixed;
+               ^^^^^^^^^^^ `shear_hinge` stands in models without places: take `planar_hinge`
+                                                 ^^^^^ `lever` has its points by offsets, which places
+                                                 | replace: take `rigid_body`
+        ",
+    );
+}

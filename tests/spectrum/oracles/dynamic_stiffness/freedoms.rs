@@ -149,6 +149,9 @@ impl Parts {
                 (sum(&y, b.output_x, &theta), theta)
             }
             Part::ElasticHinge(h) => (self.link(h.stiffness_y, 0.0, &y), self.link(h.stiffness_theta, 0.0, &theta)),
+            Part::RotationalHinge(h) => (y, self.link(h.stiffness, 0.0, &theta)),
+            Part::ShearHinge(h) => (self.link(h.stiffness, 0.0, &y), theta),
+            Part::Lever(l) => (sum(&y, l.output_x, &theta), theta),
             _ => (y, theta),
         };
         End::Point { y: Some(y), theta: Some(theta) }
