@@ -81,7 +81,10 @@ impl<'a, M: Lanewise<System<f64>: Undamped<Parameter = f64>>> InStep<'a, M> {
         }
         let mut lists = [None; MODELS];
         for lane in lanes_of(!self.lost) {
-            lists[lane] = Some(FrequencyList { frequencies: found[lane], evaluations: self.evaluations, extended: 0 });
+            // those of its stability
+            let (before, extended) = self.alone[lane].as_ref().map_or((0, 0), |one| (one.evaluations, one.extended));
+            let evaluations = before + self.evaluations;
+            lists[lane] = Some(FrequencyList { frequencies: found[lane], evaluations, extended });
         }
         lists
     }

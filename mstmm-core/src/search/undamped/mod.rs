@@ -9,5 +9,6 @@ pub(crate) mod isolation;
 pub(crate) mod natural;
 pub(crate) mod polish;
 pub(crate) mod sampling;
+pub(crate) mod stability;
 pub(crate) mod sweep;
 pub(crate) mod together;
