@@ -129,8 +129,7 @@ fn rows_of_masses_grow_as_often_as_their_stiffness_is_negative() {
     for _ in 0..2000 {
         let k: [f64; 6] = core::array::from_fn(|_| 4.0 * random.unit() - 1.6);
         let m: [f64; 3] = core::array::from_fn(|_| 10f64.powf(2.0 * random.unit() - 1.0));
-        let matrix =
-            [[k[0] + k[1] + k[4], -k[1], 0.0], [-k[1], k[1] + k[2] + k[5], -k[2]], [0.0, -k[2], k[2] + k[3]]];
+        let matrix = [[k[0] + k[1] + k[4], -k[1], 0.0], [-k[1], k[1] + k[2] + k[5], -k[2]], [0.0, -k[2], k[2] + k[3]]];
         let Some(modes) = negative_eigenvalues(matrix) else { continue };
         seen[modes as usize] += 1;
         let ([k_0, k_1, k_2, k_3, k_4, k_5], [m_0, m_1, m_2]) = (k, m);

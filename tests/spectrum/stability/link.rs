@@ -1,8 +1,8 @@
 //! An element of one's own whose stiffness may be negative.
 
 use mstmm::element::{
-    Element, FrequencyEstimates, FrequencyPowers, InvalidParameter, Line,
-    PlaneStep, Requirement, RootCounter, Subspace, Translation,
+    Element, FrequencyEstimates, FrequencyPowers, InvalidParameter, Line, PlaneStep, Requirement, RootCounter,
+    Subspace, Translation,
 };
 use mstmm::number::{Frequency, Parameter, Size, Truth};
 
