@@ -1,46 +1,16 @@
 //! Natural frequencies of undamped systems: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Frequency, Growth, InLanes, List, Parameter, Real, Scalar, Scaled, refuses_doubt};
+use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar, Scaled, refuses_doubt};
 use crate::pass::characteristic::{Characteristic, System, count_and_value};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;
+use crate::search::undamped::searched::Undamped;
 use crate::search::undamped::stability::check_stability;
 use crate::search::undamped::together::Together;
 use crate::subspace::WittrickWilliams;
 use core::ops::RangeInclusive;
 use num_traits::Zero;
-
-/// A system that can be searched for natural frequencies: it has Δ and its derivative in the precision of the parameters and in
-/// extended precision.
-///
-/// Every undamped system without planar elements is one; systems with a damper are not: they have `eigenvalues`.
-pub trait Undamped:
-    System<Parameter: InLanes + Real>
-    + Characteristic<<Self as System>::Parameter>
-    + Characteristic<<<Self as System>::Parameter as InLanes>::OnAvx512>
-    + Characteristic<<<Self as System>::Parameter as InLanes>::OnAvx2>
-    + Characteristic<Dual<<Self as System>::Parameter>>
-    + Characteristic<<<Self as System>::Parameter as Real>::Extended>
-    + Characteristic<Dual<<<Self as System>::Parameter as Real>::Extended>>
-    + Characteristic<Growth<<Self as System>::Parameter>>
-    + Characteristic<Growth<<<Self as System>::Parameter as Real>::Extended>>
-{
-}
-
-impl<Y> Undamped for Y where
-    Y: System<Parameter: InLanes + Real>
-        + Characteristic<<Y as System>::Parameter>
-        + Characteristic<<<Y as System>::Parameter as InLanes>::OnAvx512>
-        + Characteristic<<<Y as System>::Parameter as InLanes>::OnAvx2>
-        + Characteristic<Dual<<Y as System>::Parameter>>
-        + Characteristic<<<Y as System>::Parameter as Real>::Extended>
-        + Characteristic<Dual<<<Y as System>::Parameter as Real>::Extended>>
-        + Characteristic<Growth<<Y as System>::Parameter>>
-        + Characteristic<Growth<<<Y as System>::Parameter as Real>::Extended>>
-        + ?Sized
-{
-}
 
 /// The certified searches of undamped systems.
 ///
