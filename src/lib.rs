@@ -31,6 +31,7 @@
 //! | question | method |
 //! |---|---|
 //! | all natural frequencies of a range, the first n; how many are below ω | [`natural_frequencies`], [`first_frequencies`], [`count_below`] |
+//! | whether it is statically stable: how many of its motions grow | [`unstable_modes`] |
 //! | all eigenvalues of a region, the first n; how many are in it | [`eigenvalues`], [`first_eigenvalues`], [`count_in`] |
 //! | the shape of a mode: states anywhere, nodes, energies | [`mode_shape`], [`mode_shapes`] |
 //! | the response to a harmonic load, at rest too, on grids and curves | [`frequency_response`] |
@@ -47,6 +48,7 @@
 //! [`natural_frequencies`]: search::NaturalFrequencies::natural_frequencies
 //! [`first_frequencies`]: search::NaturalFrequencies::first_frequencies
 //! [`count_below`]: search::NaturalFrequencies::count_below
+//! [`unstable_modes`]: search::NaturalFrequencies::unstable_modes
 //! [`eigenvalues`]: search::Eigenvalues::eigenvalues
 //! [`first_eigenvalues`]: search::Eigenvalues::first_eigenvalues
 //! [`count_in`]: search::Eigenvalues::count_in

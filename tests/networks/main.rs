@@ -26,6 +26,7 @@ pub mod portal;
 mod reference_cases;
 mod rigid_trees;
 mod sketches;
+mod stability;
 #[path = "../support/stiffness_matrix/mod.rs"]
 mod stiffness_matrix;
 mod structure;

@@ -14,6 +14,7 @@ mod oracles;
 mod planar_chain;
 mod random_trees;
 mod scaled_trees;
+mod stability;
 #[path = "../support/stiffness_matrix/mod.rs"]
 mod stiffness_matrix;
 mod strips;

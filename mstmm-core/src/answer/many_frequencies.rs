@@ -4,7 +4,9 @@ use crate::model::SearchError;
 use crate::number::{Frequency, InLanes, Scaled};
 use crate::pass::at_once::{Block, InBlocks, MOST, characteristics, lanes};
 use crate::pass::characteristic::System;
-use crate::search::undamped::natural::{NaturalFrequencies, Undamped, count_margin};
+use crate::search::undamped::natural::{NaturalFrequencies, count_margin};
+use crate::search::undamped::searched::Undamped;
+use crate::search::undamped::stability::check_stability;
 use crate::subspace::Purpose;
 use num_traits::Zero;
 
@@ -63,6 +65,12 @@ pub trait ManyFrequencies: System {
         Self: Undamped,
     {
         check_room(omegas, counts)?;
+        if let Err(error) = check_stability(self) {
+            for (count, &omega) in counts.iter_mut().zip(omegas) {
+                *count = if omega <= Self::Parameter::zero() { Ok(0) } else { Err(error) };
+            }
+            return Ok(());
+        }
         let mut block = Block::new();
         let margin = count_margin::<Self::Parameter>();
         for (omegas, counts) in omegas.chunks(MOST / 2).zip(counts.chunks_mut(MOST / 2)) {

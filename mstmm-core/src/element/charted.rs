@@ -30,6 +30,14 @@ pub trait MemberElement: Copy + Debug {
     /// The element with its quantities that do not depend on the frequency.
     type Built: Copy + Debug;
 
+    /// Whether some member of this type may have a negative stiffness at rest.
+    const MAY_BUCKLE: bool = false;
+
+    /// Whether this member may.
+    fn may_buckle(_built: &Self::Built) -> bool {
+        Self::MAY_BUCKLE
+    }
+
     /// The element between two points that are so far apart.
     ///
     /// # Errors

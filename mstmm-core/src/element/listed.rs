@@ -13,6 +13,14 @@ pub trait ListElement {
     /// Scalar of the parameters.
     type Parameter: Real;
 
+    /// Whether some element of this type may have a negative stiffness at rest.
+    const MAY_BUCKLE: bool = false;
+
+    /// Whether this element may.
+    fn may_buckle(&self) -> bool {
+        Self::MAY_BUCKLE
+    }
+
     /// Space of the states at both ends.
     fn space(&self) -> Space;
 

@@ -28,6 +28,12 @@ pub trait Element: Sized {
     /// Derive `Clone` and `Debug` for it: the built system holds it, and can be cloned and printed.
     type Built: Clone + fmt::Debug;
 
+    /// Whether the element may have a negative stiffness at rest, as a beam under axial compression has.
+    ///
+    /// A system with such an element may be statically unstable, and searches look at that first: they evaluate all its elements at a
+    /// real λ just above zero, where `λ² > 0`.
+    const MAY_BUCKLE: bool = false;
+
     /// Checks every parameter against its range and computes what does not depend on the frequency.
     ///
     /// # Errors

@@ -30,6 +30,13 @@ macro_rules! any_element {
 
         impl<T: Real> ListElement for $name<T> {
             type Parameter = T;
+            const MAY_BUCKLE: bool = false $(|| <$element<T> as Element>::MAY_BUCKLE)*;
+
+            fn may_buckle(&self) -> bool {
+                match self {
+                    $($name::$element(_) => <$element<T> as Element>::MAY_BUCKLE,)*
+                }
+            }
 
             fn space(&self) -> Space {
                 match self {

@@ -83,6 +83,17 @@ macro_rules! any_member {
         impl<T: Real> MemberElement for $name<T> {
             type Parameter = T;
             type Built = $built<T>;
+            const MAY_BUCKLE: bool = <PlanarBeam<T> as Element>::MAY_BUCKLE
+                || <Joint<T> as Element>::MAY_BUCKLE
+                $(|| <$connector<T> as Element>::MAY_BUCKLE)*;
+
+            fn may_buckle(built: &$built<T>) -> bool {
+                match built {
+                    $built::Beam(_) => <PlanarBeam<T> as Element>::MAY_BUCKLE,
+                    $built::Joint(_) => <Joint<T> as Element>::MAY_BUCKLE,
+                    $($built::$connector(_) => <$connector<T> as Element>::MAY_BUCKLE,)*
+                }
+            }
 
             fn build(self, length: T) -> Result<$built<T>, InvalidParameter> {
                 Ok(match self {

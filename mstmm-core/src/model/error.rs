@@ -249,6 +249,11 @@ pub enum SearchError {
         /// Frequency near which this happened.
         near: f64,
     },
+    /// The system is statically unstable: motions grow, and have no frequency. Their rates are real eigenvalues.
+    Unstable {
+        /// How many motions grow.
+        modes: u64,
+    },
     /// There are more results than the caller's capacity; none is returned rather than a part of them.
     Capacity {
         /// The capacity.
@@ -291,6 +296,10 @@ impl fmt::Display for SearchError {
             }
             SearchError::Unresolved { near } => {
                 write!(f, "what is near {near} cannot be certified: too few digits are left there after rounding")
+            }
+            SearchError::Unstable { modes } => {
+                write!(f, "the system is statically unstable, and {modes} of its motions grow instead of vibrating; ")?;
+                write!(f, "their rates are real eigenvalues, which `eigenvalues` finds")
             }
             SearchError::Capacity { capacity } => {
                 write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")

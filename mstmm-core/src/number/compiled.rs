@@ -24,6 +24,9 @@ macro_rules! for_compiled_numbers {
                     value: $crate::Complex::new($crate::DoubleDouble::ZERO, $crate::DoubleDouble::ZERO),
                     derivative: $crate::Complex::new($crate::DoubleDouble::ZERO, $crate::DoubleDouble::ZERO),
                 };
+            $crate::Growth<f32>, $crate::Growth(0.0);
+            $crate::Growth<f64>, $crate::Growth(0.0);
+            $crate::Growth<$crate::DoubleDouble>, $crate::Growth($crate::DoubleDouble::ZERO);
         }
     };
 }

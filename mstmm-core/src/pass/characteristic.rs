@@ -17,6 +17,17 @@ pub trait System {
     #[doc(hidden)]
     const HAS_PHASES: bool = true;
 
+    /// Whether some element may have a negative stiffness at rest: then searches ask first whether the system is stable.
+    #[doc(hidden)]
+    const MAY_BUCKLE: bool = false;
+
+    /// Whether such an element is there, where the program decides which are.
+    #[doc(hidden)]
+    #[inline]
+    fn may_buckle(&self) -> bool {
+        Self::MAY_BUCKLE
+    }
+
     /// Estimates from which the searches take their first steps.
     #[doc(hidden)]
     fn estimates(&self) -> FrequencyEstimates;

@@ -143,6 +143,11 @@ impl<E: ListElement, const STEPS: usize> PlannedList<'_, E, STEPS> {
 
 impl<E: ListElement, const STEPS: usize> System for PlannedList<'_, E, STEPS> {
     type Parameter = E::Parameter;
+    const MAY_BUCKLE: bool = E::MAY_BUCKLE;
+
+    fn may_buckle(&self) -> bool {
+        self.list.may_buckle()
+    }
 
     fn estimates(&self) -> FrequencyEstimates {
         self.list.estimates()

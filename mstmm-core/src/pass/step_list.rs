@@ -172,6 +172,12 @@ fn next_space<E: ListElement>(steps: &[ListStep<E>], step: usize) -> Option<Spac
 
 impl<E: ListElement> System for StepList<'_, E> {
     type Parameter = E::Parameter;
+    const MAY_BUCKLE: bool = E::MAY_BUCKLE;
+
+    fn may_buckle(&self) -> bool {
+        let may = |step: &ListStep<E>| matches!(step, ListStep::Element(element) if element.may_buckle());
+        E::MAY_BUCKLE && self.steps.iter().any(may)
+    }
 
     fn estimates(&self) -> FrequencyEstimates {
         let mut estimates = FrequencyEstimates::default();

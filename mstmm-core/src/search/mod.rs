@@ -11,5 +11,6 @@ pub use minima::fmin1d::{Minimum1d, fmin1d};
 pub use minima::fmin2d::{MAX_MOVES, MAX_ROW, Minimum2d, fmin2d};
 pub use minima::grid::{MAX_POINTS, Minima};
 pub use undamped::found::{FrequencyList, NaturalFrequency};
-pub use undamped::natural::{NaturalFrequencies, Undamped};
+pub use undamped::natural::NaturalFrequencies;
+pub use undamped::searched::Undamped;
 pub use undamped::sweep::{FirstFrequencies, Sweep, SweepError};

@@ -41,7 +41,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
     let charts = system::charts(skeleton, width, &names);
     let motions = system::motions(skeleton, &names);
     let overall = overall::overall(skeleton, &names);
-    let system = system::system(&names);
+    let system = system::system(skeleton, &names);
     Ok(quote_spanned! {names.here=>
         #parameters
         #definition

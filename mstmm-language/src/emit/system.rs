@@ -1,7 +1,7 @@
 //! Emits the built system and `build()`.
 
 use super::sensitivity::member;
-use super::{Names, element_field};
+use super::{Names, element_field, first_of_each_type};
 use crate::ast::{Element, Field, Model, Parameter};
 use crate::plan::Plan;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -14,6 +14,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
     let of_numbers = of_numbers(model, plan, keeps_fields, names);
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
     let steps = plan.steps.len();
+    let elements = first_of_each_type(plan, names).into_iter().map(|element| names.element_as(element, "Element"));
     quote_spanned! {names.here=>
         #definition
         #build
@@ -23,6 +24,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
             type Parameter = #parameter;
             const STANDS_IN_LINE: bool = #steps <= #private::LONGEST_IN_LANES;
+            const MAY_BUCKLE: bool = #(#elements::MAY_BUCKLE)||*;
 
             fn estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates

@@ -174,6 +174,13 @@ impl mstmm::__private::Model for DampedMass {
 impl<T: mstmm::__private::Real> mstmm::__private::System for DampedMassSystem<T> {
     type Parameter = T;
     const STANDS_IN_LINE: bool = 7usize <= mstmm::__private::LONGEST_IN_LANES;
+    const MAY_BUCKLE: bool = <mstmm::__private::elements::Damper<
+        T,
+    > as mstmm::__private::Element>::MAY_BUCKLE
+        || <mstmm::__private::elements::Mass<T> as mstmm::__private::Element>::MAY_BUCKLE
+        || <mstmm::__private::elements::Spring<
+            T,
+        > as mstmm::__private::Element>::MAY_BUCKLE;
     fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
         self.estimates
     }

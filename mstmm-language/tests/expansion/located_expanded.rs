@@ -320,6 +320,12 @@ const _: () = {
     impl<T: mstmm::__private::Real> mstmm::__private::System for MastSystem<T> {
         type Parameter = T;
         const HAS_PHASES: bool = false;
+        const MAY_BUCKLE: bool = <mstmm::__private::elements::PlanarBeam<
+            T,
+        > as mstmm::__private::Element>::MAY_BUCKLE
+            || <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::Element>::MAY_BUCKLE;
         fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
             self.estimates
         }

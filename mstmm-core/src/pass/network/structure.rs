@@ -202,6 +202,11 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
     type Parameter = E::Parameter;
 
     const HAS_PHASES: bool = false;
+    const MAY_BUCKLE: bool = E::MAY_BUCKLE;
+
+    fn may_buckle(&self) -> bool {
+        E::MAY_BUCKLE && self.members.iter().flatten().any(E::may_buckle)
+    }
 
     fn estimates(&self) -> FrequencyEstimates {
         let mut estimates = FrequencyEstimates::default();

@@ -8,8 +8,8 @@ use crate::pass::side_by_side::{Built, Lanewise, MODELS, SideBySide};
 use crate::search::undamped::approach::{Approaches, GoesOn, PerRoot, Point, Sample};
 use crate::search::undamped::certificate::Sides;
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
-use crate::search::undamped::natural::Undamped;
 use crate::search::undamped::sampling::Isolation;
+use crate::search::undamped::searched::Undamped;
 use crate::search::undamped::together::{BEYOND, TRIES};
 use crate::subspace::Purpose;
 use core::f64::consts::PI;
@@ -81,7 +81,10 @@ impl<'a, M: Lanewise<System<f64>: Undamped<Parameter = f64>>> InStep<'a, M> {
         }
         let mut lists = [None; MODELS];
         for lane in lanes_of(!self.lost) {
-            lists[lane] = Some(FrequencyList { frequencies: found[lane], evaluations: self.evaluations, extended: 0 });
+            // those of its stability
+            let (before, extended) = self.alone[lane].as_ref().map_or((0, 0), |one| (one.evaluations, one.extended));
+            let evaluations = before + self.evaluations;
+            lists[lane] = Some(FrequencyList { frequencies: found[lane], evaluations, extended });
         }
         lists
     }

@@ -9,5 +9,7 @@ pub(crate) mod isolation;
 pub(crate) mod natural;
 pub(crate) mod polish;
 pub(crate) mod sampling;
+pub(crate) mod searched;
+pub(crate) mod stability;
 pub(crate) mod sweep;
 pub(crate) mod together;

@@ -1,43 +1,21 @@
 //! Natural frequencies of undamped systems: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Frequency, InLanes, List, Parameter, Real, Scalar, Scaled, refuses_doubt};
+use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar, Scaled, refuses_doubt};
 use crate::pass::characteristic::{Characteristic, System, count_and_value};
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;
+use crate::search::undamped::searched::Undamped;
+use crate::search::undamped::stability::check_stability;
 use crate::search::undamped::together::Together;
 use crate::subspace::WittrickWilliams;
 use core::ops::RangeInclusive;
 use num_traits::Zero;
 
-/// A system that can be searched for natural frequencies: it has Δ and its derivative in the precision of the parameters and in
-/// extended precision.
-///
-/// Every undamped system without planar elements is one; systems with a damper are not: they have `eigenvalues`.
-pub trait Undamped:
-    System<Parameter: InLanes + Real>
-    + Characteristic<<Self as System>::Parameter>
-    + Characteristic<<<Self as System>::Parameter as InLanes>::OnAvx512>
-    + Characteristic<<<Self as System>::Parameter as InLanes>::OnAvx2>
-    + Characteristic<Dual<<Self as System>::Parameter>>
-    + Characteristic<<<Self as System>::Parameter as Real>::Extended>
-    + Characteristic<Dual<<<Self as System>::Parameter as Real>::Extended>>
-{
-}
-
-impl<Y> Undamped for Y where
-    Y: System<Parameter: InLanes + Real>
-        + Characteristic<<Y as System>::Parameter>
-        + Characteristic<<<Y as System>::Parameter as InLanes>::OnAvx512>
-        + Characteristic<<<Y as System>::Parameter as InLanes>::OnAvx2>
-        + Characteristic<Dual<<Y as System>::Parameter>>
-        + Characteristic<<<Y as System>::Parameter as Real>::Extended>
-        + Characteristic<Dual<<<Y as System>::Parameter as Real>::Extended>>
-        + ?Sized
-{
-}
-
 /// The certified searches of undamped systems.
+///
+/// A system with motions that grow, as of a column that buckles, has no list of frequencies: its searches say
+/// [`Unstable`](SearchError::Unstable). Frequencies at zero are those of rigid bodies and of what is just about to buckle.
 ///
 /// A result that is doubtful (roots coincide or nearly do, slopes do not fit, sums cancel) is confirmed by counts in extended
 /// precision, double-double for `f64`, or the search is made again there. Without the feature `judge` a doubtful result is refused.
@@ -51,7 +29,8 @@ pub trait NaturalFrequencies: System {
     /// the count is taken in extended precision, a relative 9e-16 below and above.
     ///
     /// # Errors
-    /// [`SearchError::Unresolved`] where extended precision fails, too, as at a frequency itself; [`SearchError::Zero`] for a model in
+    /// [`SearchError::Unstable`] for a system with motions that grow; [`SearchError::Unresolved`] where extended precision fails, too, as
+    /// at a frequency itself; [`SearchError::Zero`] for a model in
     /// which something is held twice; [`SearchError::NotANumber`] for a NaN, or an `omega` so large that numbers overflow.
     ///
     /// # Source
@@ -64,11 +43,48 @@ pub trait NaturalFrequencies: System {
         if omega <= Self::Parameter::zero() {
             return Ok(0);
         }
+        check_stability(self)?;
         match count_beside(self, omega)? {
             Some(below) => Ok(below),
             None if Self::Parameter::HAS_EXTENDED => extended_count(self, omega),
             None => Err(SearchError::Unresolved { near: omega.to_f64() }),
         }
+    }
+
+    /// Number of motions that grow: of modes with `ω² < 0`, as those of a column under more than its buckling load. Each has a pair of
+    /// real eigenvalues ±λ, which [`eigenvalues`](crate::search::Eigenvalues::eigenvalues) finds.
+    ///
+    /// It is the count J at `ω² = -ε²`, with ε below all frequencies but those that are zero, so that J just above zero less this number
+    /// is the number of modes at rest. No system is evaluated whose elements all have positive stiffness
+    /// ([`Element::MAY_BUCKLE`](crate::element::Element::MAY_BUCKLE)).
+    ///
+    /// ```
+    /// use mstmm_core::elements::{Mass, Spring};
+    /// use mstmm_core::search::NaturalFrequencies;
+    /// use mstmm_core::{AnyUndamped, ListStep, StepList, Support};
+    ///
+    /// let steps = [
+    ///     ListStep::Tip(Support::Fixed),
+    ///     ListStep::Element(AnyUndamped::try_from(Spring { stiffness: 8.0_f64 })?),
+    ///     ListStep::Element(Mass { mass: 2.0 }.try_into()?),
+    ///     ListStep::Root(Support::Free),
+    /// ];
+    /// assert_eq!(StepList::new(&steps)?.unstable_modes()?, 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SearchError::Unresolved`] where sums cancel in extended precision, too, or there is none and a mode is next to rest;
+    /// [`SearchError::Zero`] for a model in which something is held twice; [`SearchError::NotANumber`] where numbers overflow.
+    ///
+    /// # Source
+    /// Wittrick and Williams, whose count holds for ω² of either sign.
+    #[inline]
+    fn unstable_modes(&self) -> Result<u64, SearchError>
+    where
+        Self: Undamped,
+    {
+        Isolation::<Self, Self::Parameter>::new(self).unstable_modes()
     }
 
     /// Every natural frequency in a range [rad/s], each certified, with multiplicity.
@@ -77,8 +93,8 @@ pub trait NaturalFrequencies: System {
     /// as its multiplicity, belongs to a range that starts at 0.
     ///
     /// # Errors
-    /// [`SearchError`] for a range that is empty, negative or not finite, more than `CAP` entries, or a Δ that is not
-    /// finite somewhere in the range.
+    /// [`SearchError`] for a range that is empty, negative or not finite, more than `CAP` entries, a Δ that is not finite somewhere in the
+    /// range, or a system with motions that grow.
     #[inline]
     fn natural_frequencies<const CAP: usize>(
         &self,
@@ -88,6 +104,7 @@ pub trait NaturalFrequencies: System {
         Self: Undamped,
     {
         let mut plain = Isolation::<Self, Self::Parameter>::new(self);
+        plain.check_stability()?;
         if let Some(found) = Together::new(&mut plain).and_then(|together| together.in_range(&range)) {
             return Ok(found);
         }
@@ -106,6 +123,7 @@ pub trait NaturalFrequencies: System {
         Self: Undamped,
     {
         let mut plain = Isolation::<Self, Self::Parameter>::new(self);
+        plain.check_stability()?;
         if let Some(found) = Together::new(&mut plain).and_then(Together::first) {
             return Ok(found);
         }

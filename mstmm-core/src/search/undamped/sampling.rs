@@ -2,7 +2,7 @@
 
 use crate::model::{FrequencyEstimates, SearchError};
 use crate::number::{
-    Dual, Frequency, NEARLY_ZERO_EXPONENT, Real, Scalar, Scaled, UNPROVEN_WIDTH, is_last, refuses_doubt,
+    Dual, Frequency, NEARLY_ZERO_EXPONENT, Real, Scalar, Scaled, Single, UNPROVEN_WIDTH, is_last, refuses_doubt,
 };
 use crate::pass::characteristic::{Characteristic, System, count_and_value, counted_pass};
 use crate::search::identity::check_identity;
@@ -111,8 +111,18 @@ where
     /// Count and Δ at a frequency.
     #[inline]
     pub(super) fn sample(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
+        let (below, value) = self.count(omega, omega)?;
+        Ok(Sample { omega, below, value })
+    }
+
+    /// Count and Δ at a frequency of any type, of the size of ω.
+    #[inline]
+    pub(super) fn count<S: Single>(&mut self, x: S, omega: T) -> Result<(u64, Scaled<S>), SearchError>
+    where
+        Y: Characteristic<S>,
+    {
         self.evaluations += 1;
-        let (count, value) = counted_pass(self.system, omega, WittrickWilliams::<f64>::new(self.is_at_root));
+        let (count, value) = counted_pass(self.system, x, WittrickWilliams::<f64>::new(self.is_at_root));
         if !value.mantissa().size().is_finite() {
             return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
@@ -120,7 +130,7 @@ where
             self.look_for_zeros(omega)?;
         }
         self.look_at(count.cancelled(), omega)?;
-        Ok(Sample { omega, below: count.below(), value })
+        Ok((count.below(), value))
     }
 
     /// The samples on both sides of a root.

@@ -4,8 +4,9 @@ use crate::model::{ParameterError, SearchError};
 use crate::pass::side_by_side::{Lanewise, MODELS};
 use crate::search::undamped::found::FrequencyList;
 use crate::search::undamped::in_step::InStep;
-use crate::search::undamped::natural::{NaturalFrequencies, Undamped};
+use crate::search::undamped::natural::NaturalFrequencies;
 use crate::search::undamped::sampling::Isolation;
+use crate::search::undamped::searched::Undamped;
 use core::fmt;
 
 /// Why a model of a sweep has no certified frequencies.
@@ -102,7 +103,11 @@ where
     M: Lanewise<System<f64>: Undamped<Parameter = f64>>,
 {
     let systems = models.each_ref().map(|model| model.as_ref().map(M::build));
-    let alone = systems.each_ref().map(|system| system.as_ref()?.as_ref().ok().map(Isolation::new));
+    let alone = systems.each_ref().map(|system| {
+        let mut alone = Isolation::new(system.as_ref()?.as_ref().ok()?);
+        // a model that is refused is asked again, for the error
+        alone.check_stability().ok().map(|()| alone)
+    });
     let in_step = InStep::first(models, &alone);
     let mut found = [const { None }; MODELS];
     for ((found, system), in_step) in found.iter_mut().zip(&systems).zip(in_step) {

@@ -3,7 +3,7 @@
 use super::super::system::{build_functions, kept_fields, omitted, values_of_fields};
 use super::super::{Names, implement};
 use super::numbers::geometry;
-use super::{answers_of_members, bounds, field};
+use super::{answers_of_members, bounds, by_type, field};
 use crate::ast::{Element, Model};
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, TokenStream};
@@ -109,13 +109,19 @@ fn literal(index: usize, element: &Element, place: &mut usize, names: &Names) ->
 }
 
 /// `impl System`.
-pub(super) fn system(names: &Names) -> TokenStream {
+pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
+    let may_buckle = by_type(skeleton, names).into_iter().map(|members| {
+        let (span, kind) = (members[0].1.span(names), members[0].1.kind(names));
+        let element = names.trait_at("Element", span);
+        quote_spanned!(span=> <#kind as #element>::MAY_BUCKLE)
+    });
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
             type Parameter = #parameter;
             const HAS_PHASES: bool = false;
+            const MAY_BUCKLE: bool = #(#may_buckle)||*;
 
             fn estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates
