@@ -109,8 +109,8 @@ pub mod element {
 /// Numbers: what parameters and frequencies are made of.
 pub mod number {
     pub use mstmm_core::{
-        Complex, ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, Frequency, InLanes, Magnitude, MayDecay,
-        Oscillation, Parameter, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, WaveFunctions,
+        Complex, ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, EvenWaves, Frequency, InLanes, Magnitude,
+        MayDecay, Oscillation, Parameter, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, WaveFunctions,
     };
 }
 

@@ -72,6 +72,7 @@ pub use nalgebra::SMatrix;
 pub use num_complex::Complex;
 pub use number::double_double::DoubleDouble;
 pub use number::dual::Dual;
+pub use number::even_waves::EvenWaves;
 pub use number::fixed_list::List;
 pub use number::frequency::{
     ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, MayDecay, Oscillation, Parameter, Real, RealFrequency,

@@ -1,5 +1,6 @@
 //! Complex scalars over any real one.
 
+use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Real};
 use crate::number::scalar::{Scalar, single};
 use crate::number::truth::Size;
@@ -51,6 +52,11 @@ impl<T: Real> Scalar for Complex<T> {
     #[inline]
     fn wave_functions(self) -> WaveFunctions<Self> {
         WaveFunctions::of_parts(&self.re.waves_of_part(), &self.im.waves_of_part())
+    }
+
+    #[inline]
+    fn even_waves(self) -> EvenWaves<Self> {
+        EvenWaves::of_complex(self)
     }
 
     #[inline(always)]

@@ -1,5 +1,6 @@
 //! Dual numbers: a value and its derivative with respect to the frequency.
 
+use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Parameter, Real, RealFrequency};
 use crate::number::scalar::{Scalar, short_wave_products_and_slopes};
 use crate::number::wave_functions::{WaveFunctions, WaveProducts};
@@ -194,6 +195,19 @@ impl<S: Scalar> Scalar for Dual<S> {
     #[inline]
     fn wave_functions(self) -> WaveFunctions<Self> {
         self.of_waves(self.value.wave_functions())
+    }
+
+    /// Through the square and never through its root, whose derivative is infinite at zero.
+    #[inline]
+    fn even_waves(self) -> EvenWaves<Self> {
+        let waves = self.value.even_waves();
+        let [slope_of_cosh, slope_of_sinhc] = waves.slopes(self.value);
+        EvenWaves {
+            cosh: self.chain(waves.cosh, slope_of_cosh),
+            sinhc: self.chain(waves.sinhc, slope_of_sinhc),
+            one: Dual::constant(waves.one),
+            exponent: waves.exponent,
+        }
     }
 
     // called where size counts: programs of two beams have one copy

@@ -1,6 +1,7 @@
 //! The real scalars `f64` and `f32`, and the one switch between `std` and `libm`.
 
 use crate::number::double_double::DoubleDouble;
+use crate::number::even_waves::EvenWaves;
 use crate::number::exponent::power_of_two;
 use crate::number::frequency::{Frequency, Parameter, Real, RealFrequency};
 use crate::number::kernel;
@@ -121,6 +122,11 @@ macro_rules! real {
                 WaveFunctions::of_real(self)
             }
 
+            #[inline(never)]
+            fn even_waves(self) -> EvenWaves<Self> {
+                EvenWaves::of_real(self)
+            }
+
             #[inline(always)]
             fn is_negative(self) -> bool {
                 self < 0.0
@@ -213,6 +219,12 @@ real! {
     fn circular_and_hyperbolic(self) -> [Self; 4] {
         kernel::circular_and_hyperbolic(self)
     }
+
+    #[inline(always)]
+    fn hyperbolic(self) -> [Self; 2] {
+        kernel::hyperbolic(self)
+    }
+
     #[inline]
     fn circular(self) -> [Self; 2] {
         if self.abs() < kernel::LARGEST_ANGLE {

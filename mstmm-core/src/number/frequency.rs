@@ -57,6 +57,13 @@ pub trait Real: Parameter + Single + PartialOrd + NumAssign {
         [sin, cos]
     }
 
+    /// `[sinh, cosh]` of an argument below [`WAVE_LIMIT`](Scalar::WAVE_LIMIT).
+    #[inline]
+    fn hyperbolic(self) -> [Self; 2] {
+        let (sinh, cosh) = self.sinh_cosh();
+        [sinh, cosh]
+    }
+
     /// `[sin, cos, sinh, cosh]` of an argument below [`WAVE_LIMIT`](Scalar::WAVE_LIMIT).
     #[inline]
     fn circular_and_hyperbolic(self) -> [Self; 4] {

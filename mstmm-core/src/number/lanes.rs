@@ -3,6 +3,7 @@
 //! Each lane has the bits of a number alone, or is NaN where that would need a branch: where waves have to be scaled, entries
 //! shifted into the range, or sums cancel. Such a frequency is evaluated alone.
 
+use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{Frequency, Parameter, RealFrequency};
 use crate::number::kernel::{self, Rounding};
 use crate::number::scalar::{Scalar, short_wave_products};
@@ -86,6 +87,9 @@ pub trait Waving: Vector {
     /// Sine, cosine, hyperbolic sine and cosine.
     fn waves(x: &Lanes<Self>, values: &mut [Lanes<Self>; 4]);
 
+    /// See [`Scalar::even_waves`].
+    fn even_waves(square: &Lanes<Self>, values: &mut [Lanes<Self>; 2]);
+
     /// See [`Scalar::short_wave_products`].
     fn short_wave_products(x: &Lanes<Self>, products: &mut [Lanes<Self>; 5]);
 }
@@ -97,6 +101,25 @@ impl<V: Vector> Part for Waves<'_, V> {
     #[inline(always)]
     fn run(self) {
         *self.1 = kernel::circular_and_hyperbolic(*self.0);
+    }
+}
+
+/// The functions of waves of a square.
+struct SquareWaves<'a, V>(&'a Lanes<V>, &'a mut [Lanes<V>; 2]);
+
+impl<V: Waving> Part for SquareWaves<'_, V> {
+    #[inline(always)]
+    fn run(self) {
+        let square = *self.0;
+        let EvenWaves { cosh, sinhc, .. } = EvenWaves::of_short(square);
+        let root = square.size().sqrt();
+        let is_travelling = square.is_negative();
+        let [angles, waves] = [kernel::LARGEST_ANGLE, <f64 as Scalar>::WAVE_LIMIT].map(Lanes::splat);
+        let limit = Lanes::select(is_travelling, angles, waves);
+        let [sin, cos, sh, ch] = kernel::circular_and_hyperbolic(root.valid_if(root.is_less(limit)));
+        let [odd, even] = [Lanes::select(is_travelling, sin, sh), Lanes::select(is_travelling, cos, ch)];
+        let is_long = Lanes::splat(1.0).is_less(square.size());
+        *self.1 = [Lanes::select(is_long, even, cosh), Lanes::select(is_long, odd / root, sinhc)];
     }
 }
 
@@ -116,6 +139,11 @@ macro_rules! waving {
             #[inline(never)]
             fn waves(x: &Lanes<Self>, values: &mut [Lanes<Self>; 4]) {
                 Self::call(Waves(x, values));
+            }
+
+            #[inline(never)]
+            fn even_waves(square: &Lanes<Self>, values: &mut [Lanes<Self>; 2]) {
+                Self::call(SquareWaves(square, values));
             }
 
             #[inline(never)]
@@ -169,6 +197,14 @@ impl<V: Waving> Scalar for Lanes<V> {
         V::waves(&self.valid_if(is_short_of_limit(self)), &mut waves);
         let [sin, cos, sh, ch] = waves;
         WaveFunctions { sin, cos, sh, ch, one: Lanes::one(), exponents: [0; 2] }
+    }
+
+    #[inline(always)]
+    fn even_waves(self) -> EvenWaves<Self> {
+        let mut values = [self; 2];
+        V::even_waves(&self, &mut values);
+        let [cosh, sinhc] = values;
+        EvenWaves::unscaled(cosh, sinhc)
     }
 
     #[inline(always)]

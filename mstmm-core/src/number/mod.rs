@@ -5,6 +5,7 @@ pub(crate) mod complex;
 pub(crate) mod double_double;
 pub(crate) mod doubt;
 pub(crate) mod dual;
+pub(crate) mod even_waves;
 pub(crate) mod exponent;
 pub(crate) mod exponentials;
 pub(crate) mod fixed_list;
@@ -19,6 +20,7 @@ pub(crate) mod packed;
 pub(crate) mod partials;
 pub(crate) mod scalar;
 pub(crate) mod scaled;
+pub(crate) mod square_waves;
 #[cfg(test)]
 pub(crate) mod tolerance;
 pub(crate) mod truth;

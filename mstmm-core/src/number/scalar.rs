@@ -1,5 +1,6 @@
 //! Scalars: the entries of matrices and states.
 
+use crate::number::even_waves::EvenWaves;
 use crate::number::truth::{Size, Truth};
 use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -67,6 +68,10 @@ pub trait Scalar:
 
     /// Sine, cosine and their hyperbolic kin of this number, scaled so that nothing overflows.
     fn wave_functions(self) -> WaveFunctions<Self>;
+
+    /// `cosh √κ` and `sinh √κ / √κ` of this number κ, of either sign, scaled so that nothing overflows. In lanes nothing is scaled, and what would
+    /// overflow is NaN.
+    fn even_waves(self) -> EvenWaves<Self>;
 
     /// The products of circular and hyperbolic functions of this number.
     #[inline(always)]

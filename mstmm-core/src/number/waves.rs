@@ -11,8 +11,7 @@ impl<T: Real> WaveFunctions<T> {
     /// Wave functions of a real argument, as [`Scalar::wave_functions`](super::scalar::Scalar::wave_functions) returns them.
     #[inline(always)]
     pub fn of_real(z: T) -> Self {
-        let size = z.size();
-        if size < T::WAVE_LIMIT { WaveFunctions::of_moderate(z) } else { WaveFunctions::beyond_limit(z, size) }
+        if z.size() < T::WAVE_LIMIT { WaveFunctions::of_moderate(z) } else { WaveFunctions::beyond_limit(z) }
     }
 
     /// Wave functions of a real argument below [`WAVE_LIMIT`](super::scalar::Scalar::WAVE_LIMIT).
@@ -22,17 +21,30 @@ impl<T: Real> WaveFunctions<T> {
         WaveFunctions { sin, cos, sh, ch, one: T::one(), exponents: [0; 2] }
     }
 
-    /// Wave functions where `exp(-2|z|)` does not count beside 1. An error of the scale is one positive factor of sh and ch.
+    /// Wave functions where `exp(-2|z|)` does not count beside 1.
     #[cold]
-    fn beyond_limit(z: T, size: f64) -> Self {
+    fn beyond_limit(z: T) -> Self {
         let [sin, cos] = z.circular();
-        let exponent = (size / core::f64::consts::LN_2) as i32;
-        let k = T::from_f64(f64::from(exponent));
-        let rest = (z.abs() - k * T::from_f64(LN_2[0])) - k * T::from_f64(LN_2[1]);
-        let ch = rest.exp() * T::from_f64(0.5);
-        let sh = if z < T::zero() { -ch } else { ch };
+        let ([sh, ch], exponent) = hyperbolic_beyond_limit(z);
         WaveFunctions { sin, cos, sh, ch, one: T::one().times_power_of_two(-exponent), exponents: [0, exponent] }
     }
+}
+
+/// `[sinh z, cosh z]` of an argument of any size, and the power of two that is taken out of them.
+#[inline]
+pub(crate) fn scaled_hyperbolic<T: Real>(z: T) -> ([T; 2], i32) {
+    if z.size() < T::WAVE_LIMIT { (z.hyperbolic(), 0) } else { hyperbolic_beyond_limit(z) }
+}
+
+/// The same where `exp(-2|z|)` does not count beside 1. An error of the scale is one positive factor of both.
+#[cold]
+fn hyperbolic_beyond_limit<T: Real>(z: T) -> ([T; 2], i32) {
+    let exponent = (z.size() / core::f64::consts::LN_2) as i32;
+    let k = T::from_f64(f64::from(exponent));
+    let rest = (z.abs() - k * T::from_f64(LN_2[0])) - k * T::from_f64(LN_2[1]);
+    let ch = rest.exp() * T::from_f64(0.5);
+    let sh = if z < T::zero() { -ch } else { ch };
+    ([sh, ch], exponent)
 }
 
 impl<T: Real> WaveFunctions<Complex<T>> {

@@ -2,6 +2,7 @@
 
 use crate::number::double_double::DoubleDouble;
 use crate::number::dual::Dual;
+use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Parameter, Real, RealFrequency};
 use crate::number::scalar::{Scalar, single};
 use crate::number::wave_functions::WaveFunctions;
@@ -139,6 +140,11 @@ impl Scalar for DoubleDouble {
     #[inline]
     fn wave_functions(self) -> WaveFunctions<Self> {
         WaveFunctions::of_real(self)
+    }
+
+    #[inline]
+    fn even_waves(self) -> EvenWaves<Self> {
+        EvenWaves::of_real(self)
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use super::Counted;
 use super::tape::{self, Operation, Origin};
-use mstmm::number::{Parameter, Real, Scalar, WaveFunctions};
+use mstmm::number::{EvenWaves, Parameter, Real, Scalar, WaveFunctions};
 
 impl Counted {
     /// A function of one number.
@@ -51,6 +51,10 @@ impl Scalar for Counted {
 
     fn wave_functions(self) -> WaveFunctions<Self> {
         WaveFunctions::of_real(self)
+    }
+
+    fn even_waves(self) -> EvenWaves<Self> {
+        EvenWaves::of_real(self)
     }
 
     fn select(truth: bool, first: Self, second: Self) -> Self {
