@@ -17,6 +17,7 @@ mod planar_body;
 mod planar_hinge;
 mod point_mass;
 pub(crate) mod shared;
+mod wave_line;
 
 pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
@@ -27,6 +28,7 @@ pub use planar_beam::PlanarBeam;
 pub use planar_body::PlanarBody;
 pub use planar_hinge::PlanarHinge;
 pub use point_mass::PointMass;
+pub use wave_line::{Rod, Shaft, TautString};
 
 /// An element type: its name, space and parameters. The language has a row for each, too, and a test compares the two.
 #[doc(hidden)]
@@ -105,6 +107,9 @@ elements! {
         ElasticHinge { stiffness_y, stiffness_theta }
         Body { mass, inertia, output_x, centre_x }
         Beam { length, bending_stiffness, mass_per_length }
+        TautString { length, tension, mass_per_length, foundation_stiffness }
+        Rod { length, axial_stiffness, mass_per_length, foundation_stiffness }
+        Shaft { length, torsional_stiffness, inertia_per_length }
     }
     damped {
         Damper { damping }

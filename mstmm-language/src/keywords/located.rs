@@ -111,6 +111,9 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("torsion_spring_damper", Role::Path, Freedoms::RZ, &["stiffness", "damping"]),
     keyword("mass", Role::Path, XY, &["mass"]),
     keyword("inertia", Role::Path, Freedoms::RZ, &["inertia"]),
+    keyword("string", Role::Path, XY, &["length", "tension", "mass_per_length", "foundation_stiffness"]),
+    keyword("rod", Role::Path, XY, &["length", "axial_stiffness", "mass_per_length", "foundation_stiffness"]),
+    keyword("shaft", Role::Path, Freedoms::RZ, &["length", "torsional_stiffness", "inertia_per_length"]),
     LocatedKeyword {
         optional: Some("inertia"),
         ..keyword("point_mass", Role::PointMass, XY, &["mass", "inertia"])
