@@ -54,6 +54,15 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
         optional: &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"],
         ..element("general_beam", "GeneralBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"])
     },
+    Keyword {
+        optional: &["foundation_stiffness"],
+        ..element("string", "TautString", Space::Translation, &["length", "tension", "mass_per_length", "foundation_stiffness"])
+    },
+    Keyword {
+        optional: &["foundation_stiffness"],
+        ..element("rod", "Rod", Space::Translation, &["length", "axial_stiffness", "mass_per_length", "foundation_stiffness"])
+    },
+    element("shaft", "Shaft", Space::Rotation, &["length", "torsional_stiffness", "inertia_per_length"]),
     element("planar_body", "PlanarBody", Space::Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
     element("planar_beam", "PlanarBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"]),
     element("planar_hinge", "PlanarHinge", Space::Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"]),

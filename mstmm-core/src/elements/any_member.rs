@@ -7,7 +7,9 @@ use crate::element::{
 use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::chart_scalar::ChartScalar;
-use crate::elements::{Damper, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
+use crate::elements::{
+    Damper, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring, TorsionSpringDamper,
+};
 use crate::model::{FrequencyEstimates, InvalidParameter};
 use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real, Single};
 use crate::subspace::Chart;
@@ -56,7 +58,7 @@ macro_rules! any_member {
             Joint(Joint<T>),
             $(
                 #[doc = concat!("A built [`", stringify!($connector), "`].")]
-                $connector($connector<T>),
+                $connector(<$connector<T> as Element>::Built),
             )*
         }
 
@@ -166,10 +168,10 @@ macro_rules! any_member {
 
 any_member!(
     /// Any member without damping.
-    UndampedMember, BuiltUndampedMember, Frequency: Spring TorsionSpring
+    UndampedMember, BuiltUndampedMember, Frequency: Spring TorsionSpring TautString Rod Shaft
 );
 any_member!(
     /// Any member; a network with a damper has complex eigenvalues only.
     AnyMember, BuiltAnyMember, ComplexFrequency:
-    Spring TorsionSpring Damper TorsionDamper SpringDamper TorsionSpringDamper
+    Spring TorsionSpring Damper TorsionDamper SpringDamper TorsionSpringDamper TautString Rod Shaft
 );

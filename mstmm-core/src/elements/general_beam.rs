@@ -72,6 +72,7 @@ pub struct BuiltGeneralBeam<T> {
 impl<T: Parameter> Element for GeneralBeam<T> {
     type State = Bending;
     type Built = BuiltGeneralBeam<T>;
+    const MAY_BUCKLE: bool = true;
 
     fn build(self) -> Result<BuiltGeneralBeam<T>, InvalidParameter> {
         self.check()?;

@@ -20,6 +20,7 @@ mod planar_body;
 mod planar_hinge;
 mod point_mass;
 pub(crate) mod shared;
+mod wave_line;
 
 pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
@@ -33,6 +34,7 @@ pub use planar_beam::PlanarBeam;
 pub use planar_body::PlanarBody;
 pub use planar_hinge::PlanarHinge;
 pub use point_mass::PointMass;
+pub use wave_line::{Rod, Shaft, TautString};
 
 /// An element type: its name, space and parameters. The language has a row for each, too, and a test compares the two.
 #[doc(hidden)]
@@ -122,6 +124,9 @@ elements! {
         RotationalHinge { stiffness }
         ShearHinge { stiffness }
         Lever { output_x }
+        TautString { length, tension, mass_per_length, foundation_stiffness }
+        Rod { length, axial_stiffness, mass_per_length, foundation_stiffness }
+        Shaft { length, torsional_stiffness, inertia_per_length }
     }
     damped {
         Damper { damping }

@@ -42,8 +42,7 @@ pub struct BuiltPlanarBeam<T> {
     /// `z / sqrt(ω) = (m/EI)^(1/4) l` and `z⁴ / ω²`.
     wave: T,
     wave_fourth: T,
-    /// `ζ / ω = (m/EA)^(1/2) l` and its square.
-    axial_wave: T,
+    /// `ζ² / ω² = m l²/EA`.
     axial_wave_squared: T,
     /// `EI/l³` and `EA/l`.
     bending: T,
@@ -67,7 +66,6 @@ impl<T: Parameter> Element for PlanarBeam<T> {
             parameters: self,
             wave: square.sqrt() * length,
             wave_fourth: half_fourth * half_fourth,
-            axial_wave,
             axial_wave_squared: axial_wave * axial_wave,
             bending: bending_stiffness / (length * length * length),
             longitudinal: axial_stiffness / length,

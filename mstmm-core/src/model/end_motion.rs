@@ -51,8 +51,14 @@ impl<S: Scalar> EndMotion<S> {
 
     /// The motion of an output end with a displacement along the member and an axial force.
     #[must_use]
-    pub(crate) fn stretched(mut self, [displacement, force]: [S; 2]) -> Self {
-        (self.displacements[0], self.forces[0]) = (displacement, force);
+    pub(crate) fn stretched(self, displacement_and_force: [S; 2]) -> Self {
+        self.in_freedom(0, displacement_and_force)
+    }
+
+    /// The motion of an output end with a displacement and an internal force in a freedom, along the member or about z.
+    #[must_use]
+    pub(crate) fn in_freedom(mut self, freedom: usize, [displacement, force]: [S; 2]) -> Self {
+        (self.displacements[freedom], self.forces[freedom]) = (displacement, force);
         self
     }
 }

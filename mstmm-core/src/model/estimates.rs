@@ -14,6 +14,8 @@ pub struct FrequencyEstimates {
     wave_count: u32,
     /// Sum of `z/sqrt(ω)` of all continuous elements.
     wave_sum: f64,
+    /// Of strings, rods and shafts, the phase of whose waves grows with ω and not with its root.
+    linear_waves: Range,
     /// Sum of all lengths: no lever is longer.
     reach: f64,
     /// Levers of rigid bodies.
@@ -52,6 +54,7 @@ impl Default for FrequencyEstimates {
             waves: Range::EMPTY,
             wave_count: 0,
             wave_sum: 0.0,
+            linear_waves: Range::EMPTY,
             reach: 0.0,
             levers: Range::EMPTY,
             exponents: [0; 3],
@@ -97,6 +100,12 @@ impl FrequencyEstimates {
         self.wave_sum += elementary!(f64::sqrt, libm::sqrt, omega.recip());
     }
 
+    /// A string, a rod or a shaft with frequencies of its own from this order [rad/s] on; it has infinitely many, evenly spaced.
+    pub fn linear_waves(&mut self, omega: f64) {
+        self.linear_waves.include(omega);
+        self.wave_count = self.wave_count.saturating_add(1);
+    }
+
     /// A length along a path \[m\]: masses may turn about the far end of a lever that long.
     pub fn length(&mut self, value: f64) {
         self.reach += value.abs();
@@ -125,7 +134,7 @@ impl FrequencyEstimates {
 
     /// Whether some element has infinitely many frequencies.
     pub(crate) fn is_continuous(&self) -> bool {
-        self.waves.greatest > 0.0
+        self.waves.greatest > 0.0 || self.linear_waves.greatest > 0.0
     }
 
     /// Squares of a low and a high estimate of the system's frequencies.
@@ -153,9 +162,11 @@ impl FrequencyEstimates {
         if lever > 0.0 && self.stiffness[1].greatest > 0.0 {
             squares.include(self.stiffness[1].least / lever);
         }
-        if self.is_continuous() {
-            squares.include(self.waves.least * self.waves.least);
-            squares.include(self.waves.greatest * self.waves.greatest);
+        for waves in [&self.waves, &self.linear_waves] {
+            if waves.greatest > 0.0 {
+                squares.include(waves.least * waves.least);
+                squares.include(waves.greatest * waves.greatest);
+            }
         }
         if squares.greatest == 0.0 { Range { least: 1.0, greatest: 1.0 } } else { squares }
     }

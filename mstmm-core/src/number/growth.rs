@@ -1,5 +1,6 @@
 //! Rates at which motions grow: real eigenvalues of undamped systems, for which ω² is below zero.
 
+use crate::number::even_waves::EvenWaves;
 use crate::number::double_double::DoubleDouble;
 use crate::number::frequency::{Frequency, Real, RealFrequency};
 use crate::number::scalar::{Scalar, single};
@@ -124,6 +125,12 @@ impl<T: Real> Scalar for Growth<T> {
         let WaveFunctions { sin, cos, sh, ch, one, exponents } = self.0.wave_functions();
         let [sin, cos, sh, ch, one] = [sin, cos, sh, ch, one].map(Growth);
         WaveFunctions { sin, cos, sh, ch, one, exponents }
+    }
+
+    #[inline]
+    fn even_waves(self) -> EvenWaves<Self> {
+        let EvenWaves { cosh, sinhc, one, exponent } = self.0.even_waves();
+        EvenWaves { cosh: Growth(cosh), sinhc: Growth(sinhc), one: Growth(one), exponent }
     }
 
     #[inline]

@@ -127,6 +127,15 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("mass", Role::Path, XY, &["mass"]),
     keyword("inertia", Role::Path, Freedoms::RZ, &["inertia"]),
     LocatedKeyword {
+        optional: &["foundation_stiffness"],
+        ..keyword("string", Role::Path, XY, &["length", "tension", "mass_per_length", "foundation_stiffness"])
+    },
+    LocatedKeyword {
+        optional: &["foundation_stiffness"],
+        ..keyword("rod", Role::Path, XY, &["length", "axial_stiffness", "mass_per_length", "foundation_stiffness"])
+    },
+    keyword("shaft", Role::Path, Freedoms::RZ, &["length", "torsional_stiffness", "inertia_per_length"]),
+    LocatedKeyword {
         optional: &["inertia"],
         ..keyword("point_mass", Role::PointMass, XY, &["mass", "inertia"])
     },

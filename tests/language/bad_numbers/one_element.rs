@@ -16,6 +16,8 @@ pub(crate) enum Range {
     Positive,
     /// Greater than zero, and not extreme.
     Moderate,
+    /// Zero, or greater and not extreme.
+    ModerateOrZero,
     /// Greater than zero, with a finite reciprocal.
     Invertible,
     /// Zero or greater.
@@ -124,6 +126,15 @@ scenes! {
     Mass = free -> mass { mass: NonNegative } -> free undamped;
     Inertia = free -> inertia { inertia: NonNegative } -> free undamped;
     PointMass = free -> point_mass { mass: NonNegative, inertia: NonNegative } -> free undamped;
+    TautString = fixed -> string {
+        length: Moderate, tension: Moderate, mass_per_length: Moderate, foundation_stiffness: ModerateOrZero,
+    } -> free undamped;
+    Rod = fixed -> rod {
+        length: Moderate, axial_stiffness: Moderate, mass_per_length: Moderate, foundation_stiffness: ModerateOrZero,
+    } -> free undamped;
+    Shaft = fixed -> shaft {
+        length: Moderate, torsional_stiffness: Moderate, inertia_per_length: Moderate,
+    } -> free undamped;
     PlanarBeam = fixed -> planar_beam {
         length: Positive, axial_stiffness: Positive, bending_stiffness: Positive, mass_per_length: Positive,
     } -> free undamped;

@@ -15,6 +15,7 @@ macro_rules! kinds {
         checked by { $($checked:ident: $range:ident),* }
         is |$beam:ident| { $($parameter:ident: $value:expr),* }
         derived by |$gradient:ident, $built:ident| { $($derived:ident: $derivative:expr),* }
+        may buckle: $may_buckle:literal
         sampled by { $($sampled:expr),* } tied by { $($tie:ident),* }
     )*) => {$(
         $(#[$doc])*
@@ -51,6 +52,7 @@ macro_rules! kinds {
         impl<T: Parameter> Element for $kind<T> {
             type State = Bending;
             type Built = BuiltGeneralBeam<T>;
+            const MAY_BUCKLE: bool = $may_buckle;
 
             fn build(self) -> Result<BuiltGeneralBeam<T>, InvalidParameter> {
                 $(Requirement::$range.check(stringify!($checked), self.$checked)?;)*
@@ -187,6 +189,7 @@ kinds! {
     checked by {}
     is |beam| { rotary_inertia: beam.rotary_inertia }
     derived by |general, _beam| { rotary_inertia: general.rotary_inertia }
+    may buckle: false
     sampled by { |x| x * 0.005 } tied by {}
 
     /// Uniform beam with shear and rotary inertia, exact at every frequency; Θ is the rotation of the cross section.
@@ -205,6 +208,7 @@ kinds! {
         shear_stiffness: -(general.shear_flexibility * (beam.shear_flexibility * beam.shear_flexibility)),
         rotary_inertia: general.rotary_inertia
     }
+    may buckle: false
     sampled by { |x| 100.0 / x, |x| x * 0.005 } tied by {}
 
     /// Uniform Euler-Bernoulli beam under an axial force, exact at every frequency: a strut, a bar in tension, a string that bends.
@@ -221,6 +225,7 @@ kinds! {
     checked by {}
     is |beam| { axial_force: beam.axial_force }
     derived by |general, _beam| { axial_force: general.axial_force }
+    may buckle: true
     sampled by { |x| x - 1.25 } tied by { axial_force }
 
     /// Uniform Euler-Bernoulli beam on an elastic foundation, exact at every frequency.
@@ -242,5 +247,6 @@ kinds! {
         foundation_stiffness: general.foundation_stiffness,
         foundation_shear_stiffness: general.foundation_shear_stiffness
     }
+    may buckle: false
     sampled by { |x| x, |x| x * 0.5 } tied by { foundation_stiffness, foundation_shear_stiffness }
 }

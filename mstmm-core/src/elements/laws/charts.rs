@@ -101,6 +101,9 @@ fn charts_are_transfer_matrices_of_all_charted_elements() {
     charts_are_transfer_matrices::<TorsionDamper<f64>>();
     charts_are_transfer_matrices::<SpringDamper<f64>>();
     charts_are_transfer_matrices::<TorsionSpringDamper<f64>>();
+    charts_are_transfer_matrices::<TautString<f64>>();
+    charts_are_transfer_matrices::<Rod<f64>>();
+    charts_are_transfer_matrices::<Shaft<f64>>();
     charts_are_transfer_matrices::<Beam<f64>>();
     charts_are_transfer_matrices::<PlanarBeam<f64>>();
     charts_are_transfer_matrices::<GeneralBeam<f64>>();

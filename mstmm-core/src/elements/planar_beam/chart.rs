@@ -5,7 +5,7 @@ use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::bending_chart::{BendingWaves, beam_units};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
-use crate::number::{Frequency, FrequencyPowers, Parameter, Size};
+use crate::number::{Frequency, FrequencyPowers, Parameter};
 use crate::subspace::{Chart, Measure};
 use mstmm_plan::Freedoms;
 
@@ -25,20 +25,15 @@ impl<T: Parameter> BuiltPlanarBeam<T> {
                 length,
             };
             let longitudinal = LongitudinalWaves {
-                zeta_squared: -at.lambda_squared * self.axial_wave_squared,
-                zeta: at.powers[1] * self.axial_wave,
+                square: at.lambda_squared * self.axial_wave_squared,
                 stiffness: S::from_parameter(self.longitudinal),
             };
             return (bending, longitudinal);
         }
         let bending = BendingWaves::exact(at, [bending_stiffness, mass_per_length], length);
         let [ea, m] = [axial_stiffness, mass_per_length].map(S::from_parameter);
-        let square = m / ea * length * length;
-        let longitudinal = LongitudinalWaves {
-            zeta_squared: -at.lambda_squared * square,
-            zeta: at.powers[1] * square.sqrt(),
-            stiffness: ea / length,
-        };
+        let square = at.lambda_squared * (m / ea * length * length);
+        let longitudinal = LongitudinalWaves { square, stiffness: ea / length };
         (bending, longitudinal)
     }
 }
@@ -46,11 +41,9 @@ impl<T: Parameter> BuiltPlanarBeam<T> {
 impl<T: Parameter, S: Frequency<T> + ChartScalar> Charted<S> for PlanarBeam<T> {
     fn chart(built: &BuiltPlanarBeam<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
         let (bending, longitudinal) = built.waves(at, length);
-        let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = built.parameters;
-        let zeta = longitudinal.zeta.size().first();
-        let axial = axial_stiffness.to_f64() * if zeta > 1.0 { zeta } else { 1.0 } / length.to_f64();
+        let PlanarBeam { length, bending_stiffness, mass_per_length, .. } = built.parameters;
         let measures = [length, bending_stiffness, mass_per_length];
-        let (units, wave) = beam_units(&bending, measures, axial, at.lambda_squared);
+        let (units, wave) = beam_units(&bending, measures, longitudinal.unit(), at.lambda_squared);
         let mut chart = Chart::empty(Freedoms::ALL, units, Measure::Member(wave));
         S::enter_bending(&bending, &mut chart, BENDING);
         S::enter_longitudinal(&longitudinal, &mut chart, LONGITUDINAL);

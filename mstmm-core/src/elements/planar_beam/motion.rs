@@ -17,7 +17,7 @@ impl<T: Real> BuiltPlanarBeam<T> {
 
     fn rod(&self) -> RodMotion<T> {
         let PlanarBeam { length, axial_stiffness, mass_per_length, .. } = self.parameters;
-        RodMotion { length, axial_stiffness, mass_per_length }
+        RodMotion { length, axial_stiffness, mass_per_length, foundation_stiffness: T::zero() }
     }
 }
 

@@ -1,5 +1,6 @@
-//! The steps of massless and inertial elements on lines. With `q = -μ` they hold in rotation paths, too.
+//! The steps of massless and inertial elements, and of those with waves, on lines. With `q = -μ` they hold in rotation paths, too.
 
+use crate::elements::shared::uniform_line::LineWaves;
 use crate::number::{Scalar, Size, Truth};
 use crate::subspace::{Covector, Line, RootCounter, Subspace};
 use mstmm_plan::Support;
@@ -41,6 +42,31 @@ pub(crate) fn through_inertia<S: Scalar>(inertia: S, input: Subspace<S>) -> Subs
             Subspace::Grounded(inertia, space)
         }
     }
+}
+
+/// Takes a line through an element with waves: `(C y - (l/H) S q, C q - (H/l) κ S y)`.
+#[inline(always)]
+pub(crate) fn through_waves<S: Scalar, C: RootCounter<S>>(
+    waves: &LineWaves<S>,
+    input: Subspace<S>,
+    counter: &mut C,
+) -> Subspace<S> {
+    let LineWaves { square, cosh, sinhc, stiffness, compliance, exponent } = *waves;
+    let space = input.space();
+    let (along, force) = (sinhc * compliance, square * sinhc * stiffness);
+    let after = match input {
+        Subspace::Tip(support, _) if support.holds().contains(space) => Line::new(-along, cosh, exponent),
+        Subspace::Tip(..) => Line::new(cosh, -force, exponent),
+        Subspace::Grounded(k, _) => Line::new(cosh + along * k, -(force + cosh * k), exponent),
+        _ => {
+            let Line { y, q, exponent: before } = input.line();
+            Line::new(cosh * y - along * q, cosh * q - force * y, before.saturating_add(exponent))
+        }
+    };
+    if C::COUNTS {
+        counter.line(&input.line(), &after, waves.held(), sinhc.is_negative());
+    }
+    Subspace::Line(after, space)
 }
 
 /// Takes a covector back through a massless element, whose step multiplies a line by `κ U`, on a fixed tip by `-κ U`.

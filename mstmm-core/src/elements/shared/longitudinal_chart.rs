@@ -1,53 +1,55 @@
-//! The chart of longitudinal vibration.
+//! The chart of longitudinal vibration, and of that of strings and shafts.
 
 use crate::elements::shared::chart_form::{Factors, Form};
-use crate::number::{Scalar, Scaled, Size, Truth, series};
+use crate::number::{Scalar, Scaled, Size, Truth};
 use crate::subspace::Chart;
 use core::f64::consts::FRAC_1_PI;
 
-/// What longitudinal vibration is made of: the wave number times the length, and the stiffness.
+/// What longitudinal vibration is made of: the square of the wave number times the length, and the stiffness.
 #[derive(Clone, Copy, Debug)]
 pub struct LongitudinalWaves<S> {
-    /// `ζ² = -mλ²l²/EA` and ζ.
-    pub(crate) zeta_squared: S,
-    pub(crate) zeta: S,
+    /// `κ = (mλ² + k)l²/EA`, negative where waves travel.
+    pub(crate) square: S,
     /// `EA/l`.
     pub(crate) stiffness: S,
 }
 
 impl<S: Scalar> LongitudinalWaves<S> {
+    /// The usual size of a force per displacement: the stiffness, or that times the wave number.
+    pub(crate) fn unit(&self) -> f64 {
+        let zeta = self.square.sqrt().size().first();
+        self.stiffness.size().first() * if zeta > 1.0 { zeta } else { 1.0 }
+    }
+
     /// Enters the displacements of both ends into a chart, at their places.
     pub(super) fn enter(&self, chart: &mut Chart<S>, places: [usize; 2]) {
         self.form().enter(chart, places, [false; 2], &Factors::new(self.stiffness, S::one()));
     }
 
-    /// The form of longitudinal vibration: over the displacement of the input end and the force at the other, divided by cos ζ, or over
-    /// both displacements, divided by sin ζ.
+    /// The form of longitudinal vibration: over the displacement of the input end and the force at the other, divided by cosh √κ, or over
+    /// both displacements, divided by sinh √κ / √κ.
     fn form(&self) -> Form<S, 2, 3> {
-        let x = self.zeta_squared;
-        let is_short = !S::Size::of(1.0).is_below(x.size()).any();
-        let (cos, sinc, one, exponent) = if is_short {
-            (series(-x, 0, 2), series(-x, 1, 2), S::one(), 0)
-        } else {
-            let waves = self.zeta.wave_functions();
-            let exponent = waves.exponents[0];
-            (waves.cos, waves.sin / self.zeta, S::one().times_power_of_two(-exponent), exponent)
-        };
-        let is_mixed = is_short || !cos.size().is_below((sinc * self.zeta).size()).any();
+        let square = self.square;
+        let waves = square.even_waves();
+        let (cosh, sinhc) = (waves.cosh, waves.sinhc);
+        let is_short = !S::Size::of(1.0).is_below(square.size()).any();
+        let is_mixed = is_short || !(cosh * cosh).size().is_below((square * sinhc * sinhc).size()).any();
         let half_waves = |shift: f64| {
-            let number = self.zeta.size() * S::Size::of(FRAC_1_PI) + S::Size::of(shift);
+            let travelling = S::select(square.is_negative(), -square, S::zero());
+            let number = travelling.sqrt().size() * S::Size::of(FRAC_1_PI) + S::Size::of(shift);
             number.whole().0
         };
-        let divisor = if is_mixed { cos } else { sinc };
-        let (inverse, exponent) = (S::one() / divisor, i64::from(exponent));
-        let (sinc, one) = (sinc * inverse, -(one * inverse));
+        let divisor = if is_mixed { cosh } else { sinhc };
+        let (inverse, exponent) = (S::one() / divisor, i64::from(waves.exponent));
+        let one = -(waves.one * inverse);
         if is_mixed {
             let below = half_waves(0.5) + S::Size::of(-1.0);
-            let entries = [-(x * sinc), one, -sinc];
+            let sinhc = sinhc * inverse;
+            let entries = [square * sinhc, one, -sinhc];
             return Form { entries, forces: [false, true], product: Scaled::new(divisor, exponent), below };
         }
-        let cot = cos * inverse;
+        let coth = cosh * inverse;
         let product = Scaled::new(divisor / self.stiffness, exponent);
-        Form { entries: [cot, one, cot], forces: [false; 2], product, below: half_waves(0.0) }
+        Form { entries: [coth, one, coth], forces: [false; 2], product, below: half_waves(0.0) }
     }
 }

@@ -16,3 +16,4 @@ pub(crate) mod longitudinal_chart;
 pub(crate) mod massless;
 pub(crate) mod rod_motion;
 pub(crate) mod section_gradient;
+pub(crate) mod uniform_line;

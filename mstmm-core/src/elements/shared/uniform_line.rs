@@ -1,0 +1,207 @@
+//! Uniform lines with mass: strings, rods and shafts, which vibrate along one coordinate.
+
+use crate::element::MemberWork;
+use crate::elements::shared::chart_scalar::ChartScalar;
+use crate::elements::shared::line_forms::half;
+use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
+use crate::elements::shared::rod_motion::RodMotion;
+use crate::model::{FrequencyEstimates, InvalidParameter, Requirement};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Single, Size, Truth, binary_exponent};
+use crate::subspace::{Chart, Measure, Units, unit_of};
+use mstmm_plan::Freedoms;
+use nalgebra::Matrix2;
+
+/// What a line is made of: `H y'' = (m λ² + k) y`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LineSection<T> {
+    /// Length l.
+    pub(crate) length: T,
+    /// Stiffness H: tension, axial stiffness or torsional stiffness.
+    pub(crate) stiffness: T,
+    /// Inertia per length m.
+    pub(crate) inertia: T,
+    /// Stiffness k of the foundation per length.
+    pub(crate) foundation: T,
+}
+
+/// A line with its quantities that do not depend on the frequency.
+#[derive(Clone, Copy, Debug)]
+pub struct UniformLine<T> {
+    pub(crate) section: LineSection<T>,
+    /// `κ / λ² = m l²/H` without a foundation.
+    inertia: T,
+    /// `κ = k l²/H` at rest.
+    foundation: T,
+    /// `H/l` and its inverse.
+    stiffness: T,
+    compliance: T,
+}
+
+/// A line at a frequency: its transfer matrix on `(y, q)` is `[[C, -S l/H], [-κ S H/l, C]]`, with `C = cosh √κ` and `S = sinh √κ / √κ` of
+/// `κ = (mλ² + k) l²/H`, both divided by `2^exponent`.
+#[derive(Clone, Copy, Debug)]
+pub struct LineWaves<S> {
+    /// κ: the square of the wave number times the length, negative where waves travel.
+    pub(crate) square: S,
+    pub(crate) cosh: S,
+    pub(crate) sinhc: S,
+    /// `H/l` and its inverse.
+    pub(crate) stiffness: S,
+    pub(crate) compliance: S,
+    pub(crate) exponent: i32,
+}
+
+impl<T: Parameter> LineSection<T> {
+    /// The line, if products of its parameters are in the range of the type; the names are those of its parameters.
+    pub(crate) fn build(self, names: [&'static str; 4]) -> Result<UniformLine<T>, InvalidParameter> {
+        let LineSection { length, stiffness, inertia, foundation } = self;
+        let parameters = [length, stiffness, inertia, foundation];
+        for ((name, parameter), requirement) in names.into_iter().zip(parameters).zip(REQUIREMENTS) {
+            requirement.check(name, parameter)?;
+        }
+        let compliance = length / stiffness;
+        let line = UniformLine {
+            section: self,
+            inertia: inertia * length * compliance,
+            foundation: foundation * length * compliance,
+            stiffness: stiffness / length,
+            compliance,
+        };
+        if line.is_in_range() { Ok(line) } else { Err(most_extreme(names, parameters)) }
+    }
+}
+
+/// Ranges of the parameters.
+const REQUIREMENTS: [Requirement; 4] =
+    [Requirement::Positive, Requirement::Positive, Requirement::Positive, Requirement::NonNegative];
+
+/// The parameter farthest from 1, where products leave the range of the type.
+fn most_extreme<T: Parameter>(names: [&'static str; 4], parameters: [T; 4]) -> InvalidParameter {
+    let mut worst = (names[0], parameters[0].to_f64());
+    for (name, parameter) in names.into_iter().zip(parameters) {
+        let value = parameter.to_f64();
+        if binary_exponent(value).abs() > binary_exponent(worst.1).abs() {
+            worst = (name, value);
+        }
+    }
+    InvalidParameter { parameter: worst.0, value: worst.1, requirement: Requirement::Rescale }
+}
+
+impl<T: Parameter> UniformLine<T> {
+    /// Whether what is computed is finite, and not zero but for a foundation that there is not.
+    fn is_in_range(&self) -> bool {
+        // a product with the inverse is about 1, unless one of both is out of the range
+        let is_one = |product: T| product.size().is_below(T::Size::of(2.0));
+        let inverse = T::one() / self.inertia;
+        let is_finite = self.foundation.size().is_below(T::Size::of(f64::INFINITY));
+        (is_one(self.stiffness * self.compliance) & is_one(self.inertia * inverse) & is_finite).all()
+    }
+
+    /// Adds `[stiffness, inertia]` of the line as one lump, and those of its foundation, to the estimates.
+    pub(crate) fn estimate(
+        &self,
+        estimates: &mut FrequencyEstimates,
+        [stiffness, inertia]: [fn(&mut FrequencyEstimates, f64); 2],
+    ) {
+        let LineSection { length, inertia: per_length, foundation, .. } = self.section;
+        estimates.linear_waves(1.0 / self.inertia.sqrt().to_f64());
+        stiffness(estimates, self.stiffness.to_f64());
+        stiffness(estimates, (foundation * length).to_f64());
+        inertia(estimates, (per_length * length).to_f64());
+    }
+
+    /// κ at λ²; in extended precision from the parameters, since `build` has rounded.
+    #[inline(always)]
+    pub(crate) fn square<S: Frequency<T>>(&self, lambda_squared: S) -> S {
+        if S::IS_EXTENDED {
+            let LineSection { length, stiffness, inertia, foundation } = self.section;
+            let length = S::from_parameter(length);
+            return (lambda_squared * inertia + S::from_parameter(foundation)) * length * length
+                / S::from_parameter(stiffness);
+        }
+        lambda_squared * self.inertia + S::from_parameter(self.foundation)
+    }
+
+    /// `H/l` and its inverse.
+    #[inline(always)]
+    fn stiffness_and_compliance<S: Frequency<T>>(&self) -> [S; 2] {
+        if S::IS_EXTENDED {
+            let LineSection { length, stiffness, .. } = self.section;
+            let [length, stiffness] = [S::from_parameter(length), S::from_parameter(stiffness)];
+            return [stiffness / length, length / stiffness];
+        }
+        [S::from_parameter(self.stiffness), S::from_parameter(self.compliance)]
+    }
+
+    /// The line at a frequency.
+    #[inline(always)]
+    pub(crate) fn waves<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> LineWaves<S> {
+        let square = self.square(at.lambda_squared);
+        let waves = square.even_waves();
+        let [stiffness, compliance] = self.stiffness_and_compliance();
+        LineWaves { square, cosh: waves.cosh, sinhc: waves.sinhc, stiffness, compliance, exponent: waves.exponent }
+    }
+
+    /// The transfer matrix on displacement and force, whose sign is that of `-H y'` in translation, of `H y'` in rotation.
+    pub(crate) fn transfer_matrix<S: Frequency<T> + Single>(&self, x: S, is_rotation: bool) -> Matrix2<S> {
+        let LineWaves { square, cosh, sinhc, stiffness, compliance, exponent } =
+            self.waves(&FrequencyPowers::new(x, false));
+        let sign = if is_rotation { S::one() } else { -S::one() };
+        let entries = [cosh, sign * sinhc * compliance, sign * square * sinhc * stiffness, cosh];
+        let [a, b, c, d] = entries.map(|entry| entry.times_power_of_two(exponent));
+        Matrix2::new(a, b, c, d)
+    }
+
+    /// The waves without their functions.
+    pub(crate) fn longitudinal<S: Frequency<T>>(&self, lambda_squared: S) -> LongitudinalWaves<S> {
+        LongitudinalWaves { square: self.square(lambda_squared), stiffness: self.stiffness_and_compliance()[0] }
+    }
+
+    /// The chart at a frequency, of the displacement in one freedom.
+    pub(crate) fn chart<S: Frequency<T> + ChartScalar>(&self, at: &FrequencyPowers<S>, freedom: Freedoms) -> Chart<S> {
+        let waves = self.longitudinal(at.lambda_squared);
+        let unit = unit_of(binary_exponent(waves.unit()));
+        let mut chart = Chart::empty(freedom, Units { displacement: unit, rotation: unit }, Measure::Connector);
+        S::enter_longitudinal(&waves, &mut chart, [0, 1]);
+        chart
+    }
+
+    /// The derivatives of the dynamic work with respect to length, stiffness, inertia and foundation, given a motion as a member in a
+    /// freedom, with the displacements at both ends held.
+    pub(crate) fn member_gradient<S: Frequency<T>>(&self, work: &MemberWork<S>, freedom: usize) -> [S; 4] {
+        let [_, stiffness, inertia, foundation] =
+            [self.section.length, self.section.stiffness, self.section.inertia, self.section.foundation]
+                .map(S::from_parameter);
+        let square = work.x.lambda_squared();
+        let density = square * inertia + foundation;
+        let half_of_square = (work.kinetic[0] + work.kinetic[1]) / inertia;
+        let (output, half_of_strain) = (&work.ends[1], half(work.of_ends(freedom)) - density * half_of_square);
+        let [force, displacement] = [output.forces[freedom], output.displacements[freedom]];
+        [
+            half(density * displacement * displacement - force * force / stiffness),
+            half_of_strain / stiffness,
+            square * half_of_square,
+            half_of_square,
+        ]
+    }
+
+    /// What its motions need of it.
+    pub(crate) fn motion(&self) -> RodMotion<T> {
+        let LineSection { length, stiffness, inertia, foundation } = self.section;
+        RodMotion { length, axial_stiffness: stiffness, mass_per_length: inertia, foundation_stiffness: foundation }
+    }
+}
+
+impl<S: Scalar> LineWaves<S> {
+    /// The count of the line with both ends held: half waves, `√-κ/π` rounded down to the number whose parity is that of the sign of S. So
+    /// both agree however a phase beside a multiple of π is rounded.
+    #[inline(always)]
+    pub(crate) fn held(&self) -> S::Size {
+        let number = S::Size::of;
+        let travelling = S::select(self.square.is_negative(), -self.square, S::zero());
+        let half_waves = travelling.sqrt().size() * number(core::f64::consts::FRAC_1_PI);
+        let odd = S::Size::one_if(self.sinhc.is_negative());
+        let pairs = ((half_waves + odd * number(-1.0)) * number(0.5) + number(0.25)).whole().0;
+        odd + pairs * number(2.0)
+    }
+}
