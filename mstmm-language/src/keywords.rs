@@ -66,6 +66,17 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     element("planar_body", "PlanarBody", Space::Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
     element("planar_beam", "PlanarBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"]),
     element("planar_hinge", "PlanarHinge", Space::Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"]),
+    element("planar_rayleigh_beam", "PlanarRayleighBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "rotary_inertia"]),
+    element("planar_timoshenko_beam", "PlanarTimoshenkoBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"]),
+    element("planar_beam_column", "PlanarBeamColumn", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "axial_force"]),
+    Keyword {
+        optional: &["foundation_shear_stiffness"],
+        ..element("planar_foundation_beam", "PlanarFoundationBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"])
+    },
+    Keyword {
+        optional: &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"],
+        ..element("planar_general_beam", "PlanarGeneralBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"])
+    },
     element("rotational_hinge", "RotationalHinge", Space::Bending, &["stiffness"]),
     element("shear_hinge", "ShearHinge", Space::Bending, &["stiffness"]),
     element("lever", "Lever", Space::Bending, &["output_x"]),

@@ -17,11 +17,15 @@ mod constants;
 mod held;
 mod inside;
 mod kinds;
+mod members;
 mod motion;
 mod transfer;
 mod wave_pair;
 
 pub use kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam};
+pub use members::{
+    PlanarBeamColumn, PlanarFoundationBeam, PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam,
+};
 
 /// Uniform beam with shear, rotary inertia, axial force and an elastic foundation, exact at every frequency.
 ///
@@ -151,6 +155,13 @@ impl<T: Parameter> GeneralBeam<T> {
             foundation_stiffness: to(self.foundation_stiffness),
             foundation_shear_stiffness: to(self.foundation_shear_stiffness),
         }
+    }
+}
+
+impl<S> GeneralBeam<S> {
+    /// The derivatives themselves; the kinds of the general beam have other parameters.
+    fn of_gradient<T>(gradient: Self, _beam: &GeneralBeam<T>) -> Self {
+        gradient
     }
 }
 

@@ -48,7 +48,7 @@ type Rows = Vec<Vec<C>>;
 /// Runs a law on random samples of an element at random λ; a failure shows the law's own line and the element.
 #[track_caller]
 fn check<E: Sample>(law: impl Fn(E, C)) {
-    let numbers = proptest::collection::vec(0.5..2.0f64, 8);
+    let numbers = proptest::collection::vec(0.5..2.0f64, 9);
     let run = TestRunner::deterministic().run(&(numbers, -3.0..3.0f64, -3.0..3.0f64), |(numbers, re, im)| {
         let mut numbers = numbers.into_iter();
         law(E::sample(|| numbers.next().unwrap()), C::new(re, im));

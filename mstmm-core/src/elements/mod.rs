@@ -26,7 +26,10 @@ pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
 pub use body::Body;
 pub use elastic_hinge::ElasticHinge;
-pub use general_beam::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
+pub use general_beam::{
+    BeamColumn, FoundationBeam, GeneralBeam, PlanarBeamColumn, PlanarFoundationBeam, PlanarGeneralBeam,
+    PlanarRayleighBeam, PlanarTimoshenkoBeam, RayleighBeam, TimoshenkoBeam,
+};
 pub use hinge::{RotationalHinge, ShearHinge};
 pub use lever::Lever;
 pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
@@ -138,6 +141,18 @@ elements! {
         PlanarBody { mass, inertia, output_x, output_y, centre_x, centre_y }
         PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length }
         PlanarHinge { stiffness_x, stiffness_y, stiffness_theta }
+        PlanarRayleighBeam { length, axial_stiffness, bending_stiffness, mass_per_length, rotary_inertia }
+        PlanarTimoshenkoBeam {
+            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia
+        }
+        PlanarBeamColumn { length, axial_stiffness, bending_stiffness, mass_per_length, axial_force }
+        PlanarFoundationBeam {
+            length, axial_stiffness, bending_stiffness, mass_per_length, foundation_stiffness, foundation_shear_stiffness
+        }
+        PlanarGeneralBeam {
+            length, axial_stiffness, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force,
+            foundation_stiffness, foundation_shear_stiffness
+        }
     }
 }
 
@@ -148,8 +163,9 @@ mod tests {
 
     #[test]
     fn each_element_has_its_row() {
-        let lines = include_str!("mod.rs").lines().filter_map(|line| line.strip_prefix("pub use ")?.strip_suffix(';'));
-        let names = lines.flat_map(|line| line.split(['{', '}', ',', ':', ' ']));
+        let (_, exports) = include_str!("mod.rs").split_once("pub use ").unwrap();
+        let (exports, _) = exports.split_once("/// An element type").unwrap();
+        let names = exports.split(['{', '}', ',', ':', ' ', ';', '\n']);
         let is_type = |name: &&str| name.starts_with(char::is_uppercase) && !name.starts_with("Any");
         let mut exported: Vec<&str> = names.filter(is_type).collect();
         let mut rows: Vec<&str> = ELEMENTS.iter().map(|row| row.name).collect();

@@ -2,9 +2,10 @@
 
 use crate::element::{Element, TransferMatrix};
 use crate::elements::shared::krylov::{bending_matrix, cosine_and_sinc};
+use crate::elements::shared::planar_matrix::planar_matrix;
 use crate::model::{FrequencyEstimates, InvalidParameter, Planar, Requirement};
 use crate::number::{Frequency, Parameter, Single};
-use nalgebra::Matrix6;
+use nalgebra::{Matrix2, Matrix6};
 
 mod chart;
 mod gradient;
@@ -93,18 +94,9 @@ impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PlanarBeam<T>
         let zeta_squared = -lambda_squared * (mass_per_length / axial_stiffness * length * length);
         let (cosine, sinc) = cosine_and_sinc(zeta_squared);
         let bending = bending_matrix(length, bending_stiffness, mass_per_length, lambda_squared);
-        let mut u = Matrix6::zeros();
-        u[(0, 0)] = cosine;
-        u[(4, 4)] = cosine;
-        u[(0, 4)] = -(sinc * (length / axial_stiffness));
-        u[(4, 0)] = zeta_squared * sinc * (axial_stiffness / length);
-        const BENDING: [usize; 4] = [1, 2, 3, 5];
-        for (row, &planar_row) in BENDING.iter().enumerate() {
-            for (column, &planar_column) in BENDING.iter().enumerate() {
-                u[(planar_row, planar_column)] = bending[(row, column)];
-            }
-        }
-        u
+        let compliance = -(sinc * (length / axial_stiffness));
+        let inertia = zeta_squared * sinc * (axial_stiffness / length);
+        planar_matrix(&bending, &Matrix2::new(cosine, compliance, inertia, cosine))
     }
 }
 

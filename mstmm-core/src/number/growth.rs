@@ -1,7 +1,7 @@
 //! Rates at which motions grow: real eigenvalues of undamped systems, for which ω² is below zero.
 
-use crate::number::even_waves::EvenWaves;
 use crate::number::double_double::DoubleDouble;
+use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{Frequency, Real, RealFrequency};
 use crate::number::scalar::{Scalar, single};
 use crate::number::wave_functions::WaveFunctions;

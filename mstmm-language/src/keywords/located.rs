@@ -113,6 +113,17 @@ const fn beam(
     LocatedKeyword { instead, optional, ..keyword(name, Role::Member, Freedoms::ALL, parameters) }
 }
 
+/// A beam in the plane, and the keyword to take instead of it along a line.
+const fn planar_beam(
+    name: &'static str,
+    along_line: &'static str,
+    parameters: &'static [&'static str],
+    optional: &'static [&'static str],
+) -> LocatedKeyword {
+    let instead = [Some(along_line), None];
+    LocatedKeyword { instead, optional, ..keyword(name, Role::Member, Freedoms::ALL, parameters) }
+}
+
 /// What ties points that have places in place of offsets.
 pub(crate) const RIGID_BODY: &str = "rigid_body";
 
@@ -151,10 +162,12 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     beam("foundation_beam", "planar_foundation_beam", &["bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
     beam("general_beam", "planar_general_beam", &["bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
     refused("planar_body", [RIGID_BODY; 2]),
-    LocatedKeyword {
-        instead: [Some("beam"), None],
-        ..keyword("planar_beam", Role::Member, Freedoms::ALL, &["axial_stiffness", "bending_stiffness", "mass_per_length"])
-    },
+    planar_beam("planar_beam", "beam", &["axial_stiffness", "bending_stiffness", "mass_per_length"], &[]),
+    planar_beam("planar_rayleigh_beam", "rayleigh_beam", &["axial_stiffness", "bending_stiffness", "mass_per_length", "rotary_inertia"], &[]),
+    planar_beam("planar_timoshenko_beam", "timoshenko_beam", &["axial_stiffness", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[]),
+    planar_beam("planar_beam_column", "beam_column", &["axial_stiffness", "bending_stiffness", "mass_per_length", "axial_force"], &[]),
+    planar_beam("planar_foundation_beam", "foundation_beam", &["axial_stiffness", "bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
+    planar_beam("planar_general_beam", "general_beam", &["axial_stiffness", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
     LocatedKeyword {
         instead: [Some("elastic_hinge"), None],
         ..keyword("planar_hinge", Role::Joint, Freedoms::ALL, &["stiffness_x", "stiffness_y", "stiffness_theta"])

@@ -1,17 +1,14 @@
 //! The chart of a general beam between two points.
 
-use crate::element::Charted;
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::constants::Constants;
 use crate::elements::general_beam::transfer::Transfer;
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
-use crate::elements::shared::bending_chart::{Impedances, units_of_waves};
+use crate::elements::shared::bending_chart::Impedances;
 use crate::elements::shared::chart_form::{Factors, Form};
-use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::compound::Units;
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size};
-use crate::subspace::{Chart, Measure};
-use mstmm_plan::Freedoms;
+use crate::subspace::Chart;
 
 /// Places of the entries of a state: displacements Y and Θ, and their forces Q and M.
 const DISPLACEMENTS: [usize; 2] = [0, 1];
@@ -221,16 +218,5 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
             mass: m * l,
             inertia: m * l * l * l + r * l,
         }
-    }
-}
-
-impl<T: Parameter, S: Frequency<T> + ChartScalar> Charted<S> for GeneralBeam<T> {
-    fn chart(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
-        let impedances = built.impedances(at.lambda_squared, f64::INFINITY);
-        let (units, wave) = units_of_waves(&impedances, at.lambda_squared);
-        let mut chart = Chart::empty(Freedoms::Y.union(Freedoms::RZ), units, Measure::Member(wave));
-        let (relation, factors) = built.relation(at, length);
-        relation.enter(&mut chart, [0, 1, 2, 3], &factors);
-        chart
     }
 }

@@ -3,7 +3,7 @@
 use crate::element::{BackTransfer, Element, Energies, Inside, MatrixOf, PlaneStep, TransferMatrix};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement, State};
-use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::Support;
 
@@ -140,8 +140,16 @@ macro_rules! kinds {
             }
 
             fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> $kind<S> {
-                let $gradient = GeneralBeam::gradient(built, ends);
-                let $built = &built.parameters;
+                $kind::of_gradient(built.gradient(ends), &built.parameters)
+            }
+        }
+
+        impl<S: Scalar> $kind<S> {
+            /// The derivatives with respect to its parameters, given those of the general beam.
+            pub(super) fn of_gradient<T: Real>($gradient: GeneralBeam<S>, $built: &GeneralBeam<T>) -> Self
+            where
+                S: Frequency<T>,
+            {
                 $kind {
                     length: $gradient.length,
                     bending_stiffness: $gradient.bending_stiffness,

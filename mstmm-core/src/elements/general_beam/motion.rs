@@ -46,29 +46,15 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for GeneralBeam<T> {
     }
 
     fn inside(built: &BuiltGeneralBeam<T>, x: S) -> Option<Interior> {
-        let length = built.parameters.length.to_f64();
-        Some(Interior { length, wave_number: built.largest_wave(x) / length })
+        Some(built.interior(x))
     }
 
     fn state_at(built: &BuiltGeneralBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
-        Inside::new(built, ends).state_at(T::from_f64(distance))
+        built.state_at(ends, T::from_f64(distance))
     }
 
-    /// `∂L/∂EI = ½ ∫ Θ'²`, `∂L/∂f = -½ ∫ (kGA)² (Y' - Θ)²`, `∂L/∂T = ½ ∫ Y'²`, `∂L/∂k = ½ ∫ Y²`, `∂L/∂m = ½ λ² ∫ Y²`, `∂L/∂r = ½ λ² ∫ Θ²`.
     fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> GeneralBeam<S> {
-        let Products { deflection, rotation, moment, shear, slope } = built.products(ends, ends).map(half);
-        let square = ends.x.lambda_squared();
-        let flexibility = T::one() / built.parameters.bending_stiffness;
-        GeneralBeam {
-            length: built.flow(ends),
-            bending_stiffness: moment * (flexibility * flexibility),
-            mass_per_length: square * deflection,
-            shear_flexibility: -shear,
-            rotary_inertia: square * rotation,
-            axial_force: slope,
-            foundation_stiffness: deflection,
-            foundation_shear_stiffness: slope,
-        }
+        built.gradient(ends)
     }
 }
 
@@ -100,6 +86,34 @@ impl<T: Real> BuiltGeneralBeam<T> {
     /// The largest wave number times l.
     pub(super) fn largest_wave<S: Oscillation<T>>(&self, x: S) -> f64 {
         section_at(self, x).waves.largest_wave()
+    }
+
+    /// The length and the largest wave number.
+    pub(super) fn interior<S: Oscillation<T>>(&self, x: S) -> Interior {
+        let length = self.parameters.length.to_f64();
+        Interior { length, wave_number: self.largest_wave(x) / length }
+    }
+
+    /// The state at a distance from the input end.
+    pub(super) fn state_at<S: Oscillation<T>>(&self, ends: &Ends<S>, distance: T) -> State<S> {
+        Inside::new(self, ends).state_at(distance)
+    }
+
+    /// `∂L/∂EI = ½ ∫ Θ'²`, `∂L/∂f = -½ ∫ (kGA)² (Y' - Θ)²`, `∂L/∂T = ½ ∫ Y'²`, `∂L/∂k = ½ ∫ Y²`, `∂L/∂m = ½ λ² ∫ Y²`, `∂L/∂r = ½ λ² ∫ Θ²`.
+    pub(super) fn gradient<S: Oscillation<T>>(&self, ends: &Ends<S>) -> GeneralBeam<S> {
+        let Products { deflection, rotation, moment, shear, slope } = self.products(ends, ends).map(half);
+        let square = ends.x.lambda_squared();
+        let flexibility = T::one() / self.parameters.bending_stiffness;
+        GeneralBeam {
+            length: self.flow(ends),
+            bending_stiffness: moment * (flexibility * flexibility),
+            mass_per_length: square * deflection,
+            shear_flexibility: -shear,
+            rotary_inertia: square * rotation,
+            axial_force: slope,
+            foundation_stiffness: deflection,
+            foundation_shear_stiffness: slope,
+        }
     }
 
     /// The slope Y' of a state, and the force that shears its section.

@@ -31,9 +31,7 @@ impl<T: Parameter> BuiltPlanarBeam<T> {
             return (bending, longitudinal);
         }
         let bending = BendingWaves::exact(at, [bending_stiffness, mass_per_length], length);
-        let [ea, m] = [axial_stiffness, mass_per_length].map(S::from_parameter);
-        let square = at.lambda_squared * (m / ea * length * length);
-        let longitudinal = LongitudinalWaves { square, stiffness: ea / length };
+        let longitudinal = LongitudinalWaves::exact(at, [axial_stiffness, mass_per_length], length);
         (bending, longitudinal)
     }
 }

@@ -14,6 +14,7 @@ pub(crate) mod line_forms;
 pub(crate) mod line_step;
 pub(crate) mod longitudinal_chart;
 pub(crate) mod massless;
+pub(crate) mod planar_matrix;
 pub(crate) mod rod_motion;
 pub(crate) mod section_gradient;
 pub(crate) mod uniform_line;
