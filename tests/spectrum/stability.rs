@@ -6,7 +6,7 @@ mod lists;
 
 use crate::support::random_tree::Random;
 use crate::support::roots::assert_same_intervals;
-use mstmm::number::DoubleDouble;
+use mstmm::number::{DoubleDouble, Parameter, Scalar};
 use mstmm::prelude::*;
 use mstmm::search::{SearchError, SweepError, System};
 
@@ -39,9 +39,15 @@ system! {
 system! {
     /// A cantilever with a link at its tip.
     #[derive(Clone, Copy, Debug)]
-    struct Cantilever { stiffness: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn 2 -> free;
+    struct Cantilever { length: f64, bending_stiffness: f64, stiffness: f64 }
+    fixed -> beam 1 { length, bending_stiffness, mass_per_length: 1.0 } -> conn 2 -> free;
     conn 2 <- link::Link 3 { stiffness } <- fixed;
+}
+
+impl Cantilever {
+    fn unit(stiffness: f64) -> Self {
+        Cantilever { length: 1.0, bending_stiffness: 1.0, stiffness }
+    }
 }
 
 system! {
@@ -77,10 +83,11 @@ fn negative_eigenvalues<const N: usize>(mut matrix: [[f64; N]; N]) -> Option<u64
             return None;
         }
         negative += u64::from(pivot < 0.0);
-        for row in k + 1..N {
-            let factor = matrix[row][k] / pivot;
-            for column in k..N {
-                matrix[row][column] -= factor * matrix[k][column];
+        let eliminated = matrix[k];
+        for row in &mut matrix[k + 1..] {
+            let factor = row[k] / pivot;
+            for (entry, other) in row.iter_mut().zip(eliminated) {
+                *entry -= factor * other;
             }
         }
     }
@@ -159,8 +166,7 @@ fn a_stable_system_has_the_frequencies_that_it_has_with_springs() {
 /// Nothing is evaluated where nothing can buckle.
 #[test]
 fn elements_with_positive_stiffness_are_not_asked() {
-    assert_eq!(<PlainSystem as System>::MAY_BUCKLE, false);
-    assert_eq!(<OscillatorSystem as System>::MAY_BUCKLE, true);
+    const { assert!(<OscillatorSystem as System>::MAY_BUCKLE && !<PlainSystem as System>::MAY_BUCKLE) };
     let system = Plain { stiffness: 1e300, mass: 1e-300 }.build().unwrap();
     assert_eq!(system.unstable_modes(), Ok(0));
 }
@@ -188,7 +194,7 @@ fn motions_of_rigid_bodies_stay_what_they_are() {
 #[test]
 fn a_cantilever_buckles_at_its_tip_stiffness() {
     for part in [1e-1, 1e-4, 1e-8, 1e-12] {
-        let [below, above] = [1.0 + part, 1.0 - part].map(|factor| Cantilever { stiffness: -3.0 * factor });
+        let [below, above] = [1.0 + part, 1.0 - part].map(|factor| Cantilever::unit(-3.0 * factor));
         assert_refused(&below.build().unwrap(), 1);
         let system = above.build().unwrap();
         assert_eq!(system.unstable_modes(), Ok(0));
@@ -196,6 +202,27 @@ fn a_cantilever_buckles_at_its_tip_stiffness() {
         let expected = ((above.stiffness + 3.0) * 140.0 / 33.0).sqrt();
         assert!((first / expected - 1.0).abs() < part + 1e-9, "{part}: {first} is not {expected}");
     }
+}
+
+/// The parameters are taken as they are, to the last bit and beyond: `3EI/l³ + k` is what rounding leaves of both.
+#[test]
+fn the_last_bit_decides_whether_a_cantilever_buckles() {
+    let (mut random, mut seen) = (Random(3), [0; 2]);
+    for _ in 0..300 {
+        let [length, bending_stiffness] = [0.5 + random.unit(), 0.5 + random.unit()];
+        let [l, ei] = [length, bending_stiffness].map(DoubleDouble::from_f64);
+        let exact = ei * 3.0 / (l * l * l);
+        let stiffness = -exact.to_f64();
+        let rest = ((exact + DoubleDouble::from_f64(stiffness)) / exact).to_f64();
+        // what is nearer to zero is at rest
+        if rest.abs() > 1e-17 {
+            let modes = u64::from(rest < 0.0);
+            let system = Cantilever { length, bending_stiffness, stiffness }.build().unwrap();
+            assert_eq!(system.unstable_modes(), Ok(modes), "{length} {bending_stiffness} {rest:e}");
+            seen[modes as usize] += 1;
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
 }
 
 /// Oracle: `K = [[left + right, right a], [right a, right a²]]` has a negative eigenvalue per negative link.
@@ -233,7 +260,7 @@ system! {
 /// Models that grow are errors in their places, and leave the others as they are.
 #[test]
 fn sweeps_tell_stable_models_from_others() {
-    let models: Vec<_> = (0..24).map(|k| Cantilever { stiffness: f64::from(5 - (k * 7) % 11) }).collect();
+    let models: Vec<_> = (0..24).map(|k| Cantilever::unit(f64::from(5 - (k * 7) % 11))).collect();
     for (found, model) in models.iter().first_frequencies::<3>().zip(&models) {
         let alone = model.build().unwrap().first_frequencies::<3>().map_err(SweepError::Search);
         match (found, alone) {
