@@ -36,6 +36,23 @@ fn examples_of_the_paper() {
     check(models::two_spans().build().unwrap());
 }
 
+system! {
+    /// Hinges of one freedom, with stiffness and without, and levers that lead away and back.
+    struct Jointed { crack: f64, slide: f64, arm: f64 }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.0 } -> rotational_hinge 2 { stiffness: crack }
+          -> lever 3 { output_x: arm } -> beam 4 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.5 } -> conn 5
+          -> shear_hinge 6 { stiffness: slide } -> lever 7 { output_x: -arm } -> lever 8 { output_x: arm }
+          -> beam 9 { length: 0.75, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
+    conn 5 <- lever 10 { output_x: arm } <- point_mass 11 { mass: 0.5, inertia: 0.1 } <- free;
+}
+
+#[test]
+fn joints() {
+    for (crack, slide, arm) in [(0.0, 3.0, 0.25), (2.0, 0.0, -0.5), (1e9, 1e-6, 30.0), (0.0, 0.0, 0.0)] {
+        check(Jointed { crack, slide, arm }.build().unwrap());
+    }
+}
+
 #[test]
 fn random_trees_as_models() {
     fn check_built<Y: Undamped + InBlocks<f64> + System<Parameter = f64>>(_: u64, system: Result<Y, ParameterError>) {

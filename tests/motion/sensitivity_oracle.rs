@@ -75,8 +75,8 @@ fn check(seed: u64, tree: &Tree) -> usize {
                 let difference = equations.determinant(&above, x) - equations.determinant(&below, x);
                 let expected = -narrow(difference / slope) / (a - b);
                 let actual = sensitivities.of(system.parameter(step, name).unwrap());
-                let size = part.named()[index].1.abs();
-                let scale = expected.norm().max(1e-3 * root.lambda.norm() / if size == 0.0 { 1.0 } else { size });
+                let size = if part.named()[index].1 == 0.0 { 1.0 } else { a.abs() };
+                let scale = expected.norm().max(1e-3 * root.lambda.norm() / size);
                 assert!(
                     (actual - expected).norm() <= LIMIT * scale,
                     "seed {seed}, {}, step {step}, {name}: {actual}, {expected}\nvec!{tree:?}",

@@ -13,7 +13,7 @@ system! {
 /// Closed form: `ω² = k b²/(m b² + J)`, for levers in both directions.
 #[test]
 fn a_mass_on_a_lever_is_a_pendulum() {
-    for (b, k, m, j) in [(0.7, 3.0, 2.0, 0.5), (-0.7, 3.0, 2.0, 0.5), (1e-6, 3.0, 2.0, 0.5), (-1e6, 1e-3, 2.0, 0.5)] {
+    for (b, k, m, j) in [(0.7, 3.0, 2.0, 0.5), (-0.7, 3.0, 2.0, 0.5), (1e-9, 3.0, 2.0, 0.5), (-1e6, 1e-3, 2.0, 0.5)] {
         let found = Pendulum { b, k, m, j }.build().unwrap().first_frequencies::<1>().unwrap();
         let expected = (k * b * b / (m * b * b + j)).sqrt();
         let root = &found[0];
@@ -84,7 +84,7 @@ system! {
 #[test]
 fn levers_there_and_back_are_none() {
     let expected = OneBeam { length: 2.0 }.build().unwrap().first_frequencies::<6>().unwrap();
-    for b in [0.0, 0.3, -0.3, 1e2, -1e4, 1e6, 1e8] {
+    for b in [0.0, 0.3, -0.3, 1e2, -1e4, 1e6, -1e8, 1e10, -1e12] {
         let found = ThereAndBack { b }.build().unwrap().first_frequencies::<6>().unwrap();
         for (one, other) in found.iter().zip(expected.iter()) {
             assert!(one.lower <= other.upper && other.lower <= one.upper, "{b}: {one:?} {other:?}");

@@ -73,6 +73,17 @@ system! {
     fixed -> spring 1 { stiffness } -> mass 2 { mass } -> spring 3 { stiffness: 2.0 } -> mass 4 { mass: 1.0 } -> free;
 }
 
+system! {
+    /// Beams with hinges of one freedom, the last of them without stiffness, and a mass on a lever.
+    #[derive(Clone, Copy, Debug)]
+    struct Hinged { crack: f64, slide: f64, arm: f64 }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.0 } -> rotational_hinge 2 { stiffness: crack }
+          -> beam 3 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.5 } -> conn 4 -> shear_hinge 5 { stiffness: slide }
+          -> beam 6 { length: 0.75, bending_stiffness: 1.0, mass_per_length: 1.0 } -> rotational_hinge 7 { stiffness: 0.0 }
+          -> beam 8 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
+    conn 4 <- lever 9 { output_x: arm } <- point_mass 10 { mass: 0.5, inertia: 0.1 } <- free;
+}
+
 /// Random numbers, even in their logarithms over so many powers of ten to both sides of 1.
 fn numbers() -> impl FnMut(f64) -> f64 {
     let mut random = Random(0);
@@ -148,6 +159,9 @@ fn usual_and_extreme_models_give_what_each_gives_alone() {
         check::<4, _>(&models);
         let levers = (0..101).map(|_| Levers { arm: next(powers), mass: next(powers), length: next(0.5 * powers) });
         check::<4, _>(&levers.collect::<Vec<_>>());
+        let hinged =
+            (0..101).map(|_| Hinged { crack: next(2.0 * powers), slide: next(2.0 * powers), arm: next(powers) });
+        check::<4, _>(&hinged.collect::<Vec<_>>());
     }
 }
 

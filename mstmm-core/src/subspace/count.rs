@@ -30,7 +30,7 @@ pub struct Held<S: Scalar> {
     pub below: S::Size,
     /// Whether the factor by which its step has multiplied the minors is negative.
     pub is_negative: S::Truth,
-    /// Its stiffness against deflection of the input end: a number, and the one that divides it.
+    /// Its stiffness against deflection of the input end: a number, and the one that divides it, zero where it is rigid.
     pub stiffness: [S; 2],
     /// Units of p_YM, w, p_ΘQ and p_MQ beside p_YΘ at its wave number, and their inverses, of an element with waves.
     pub units: Option<[[S; 4]; 2]>,
