@@ -97,6 +97,15 @@ impl Web {
         held + negative_pivots(matrix)
     }
 
+    /// The largest phase or decay along a line, up to which polynomials have to follow.
+    pub(crate) fn longest(&self, omega: f64) -> f64 {
+        let phase = |(_, link): &([usize; 2], Link)| match *link {
+            Link::Spring(_) => 0.0,
+            Link::Line([length, h, m, k]) => length * ((omega * omega * m - k) / h).abs().sqrt(),
+        };
+        self.links.iter().map(phase).fold(0.0, f64::max)
+    }
+
     /// Number of frequencies below ω of elements with polynomials up to a degree on each line: `N₀, N₁ = (1 ∓ x)/2` and
     /// `(P_j - P_{j-2})/√(4j - 2)`, whose derivatives are orthogonal.
     pub(crate) fn count_of_elements(&self, omega: f64, degree: usize) -> u64 {
