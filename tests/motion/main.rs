@@ -18,3 +18,4 @@ mod state_equations;
 pub mod static_limits;
 #[path = "../support/mod.rs"]
 pub mod support;
+mod wave_lines;

@@ -156,6 +156,34 @@ macro_rules! assert_damped {
     }};
 }
 
+system! {
+    /// A string on a foundation, a mass, a rod in soil and a spring.
+    #[derive(Clone, Copy, Debug)]
+    struct Lines { length: f64, tension: f64, m: f64, k: f64, mass: f64, other: f64, ea: f64, soil: f64, spring: f64 }
+    fixed -> string 1 { length, tension, mass_per_length: m, foundation_stiffness: k } -> mass 2 { mass }
+        -> rod 3 { length: other, axial_stiffness: ea, mass_per_length: m, foundation_stiffness: soil }
+        -> spring 4 { stiffness: spring } -> fixed
+}
+
+system! {
+    /// Two shafts with a disk between them, and a beam that turns with their end.
+    #[derive(Clone, Copy, Debug)]
+    struct Shafts { length: f64, gj: f64, j: f64, disk: f64, other: f64, ei: f64, m: f64 }
+    free -> shaft 1 { length, torsional_stiffness: gj, inertia_per_length: j } -> inertia 2 { inertia: disk }
+        -> shaft 3 { length: other, torsional_stiffness: 2.0 * gj, inertia_per_length: j } -> conn 4;
+    fixed -> beam 5 { length: 1.0, bending_stiffness: ei, mass_per_length: m } -> conn 4
+        -> beam 6 { length: 0.5, bending_stiffness: ei, mass_per_length: m } -> pinned
+}
+
+#[test]
+fn of_strings_rods_and_shafts() {
+    let (length, other, tension, ea, m) = (1.3, 0.7, 20.0, 55.0, 0.8);
+    let model = Lines { length, tension, m, k: 300.0, mass: 0.4, other, ea, soil: 7.0, spring: 12.0 };
+    assert_undamped!(model, FINE, [length, tension, m, k, mass, other, ea, soil, spring]);
+    let model = Shafts { length, gj: 4.0, j: 0.05, disk: 0.02, other, ei: 3.0, m };
+    assert_undamped!(model, FINE, [length, gj, j, disk, other, ei, m]);
+}
+
 #[test]
 fn of_the_damped_oscillator() {
     assert_damped!(

@@ -24,3 +24,4 @@ mod sweeps;
 mod tree_corners;
 #[path = "../support/undamped_models.rs"]
 mod undamped_models;
+mod wave_lines;

@@ -79,6 +79,7 @@ macro_rules! parts {
                 match self.any::<DoubleDouble>() {
                     $(AnyElement::$kind(built) => rows(<$kind<DoubleDouble> as TransferMatrix<_>>::transfer_matrix(&built, lambda)),)*
                     $(AnyElement::$damped(built) => rows(<$damped<DoubleDouble> as TransferMatrix<_>>::transfer_matrix(&built, lambda)),)*
+                    other => panic!("{other:?} is no part of these trees"),
                 }
             }
         }

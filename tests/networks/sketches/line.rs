@@ -61,6 +61,62 @@ mod sketches {
     }
 }
 
+mod waves {
+    use mstmm::prelude::*;
+
+    system! {
+        /// A cantilever that hangs on a string, with a mass and a rod in soil behind it, and a shaft with a flywheel.
+        pub(super) struct Tree { pub(super) l: f64, pub(super) h: f64, pub(super) k: f64, pub(super) gj: f64 }
+
+        fixed -> beam 1 { length: l, bending_stiffness: 30.0, mass_per_length: 2.0 } -> conn 2
+            -> beam 3 { length: 2.0 * l, bending_stiffness: 30.0, mass_per_length: 2.0 } -> free;
+        conn 2 <- string 4 { length: 0.8, tension: h, mass_per_length: 0.3, foundation_stiffness: k } <- mass 5 { mass: 0.2 }
+            <- rod 6 { length: 0.5, axial_stiffness: 2.0 * h, mass_per_length: 0.5, foundation_stiffness: 0.0 } <- fixed;
+        conn 2 <- shaft 7 { length: 1.1, torsional_stiffness: gj, inertia_per_length: 0.1 } <- inertia 8 { inertia: 0.04 } <- free;
+    }
+
+    system! {
+        pub(super) struct Line { pub(super) l: f64, pub(super) h: f64, pub(super) k: f64, pub(super) gj: f64 }
+
+        fixed at 0.0 -> beam 1 { bending_stiffness: 30.0, mass_per_length: 2.0 } -> conn 2 at l
+            -> beam 3 { bending_stiffness: 30.0, mass_per_length: 2.0 } -> conn tip at 3.0 * l;
+        conn 2 <- string 4 { length: 0.8, tension: h, mass_per_length: 0.3, foundation_stiffness: k } <- mass 5 { mass: 0.2 }
+            <- rod 6 { length: 0.5, axial_stiffness: 2.0 * h, mass_per_length: 0.5, foundation_stiffness: 0.0 } <- fixed;
+        conn 2 <- shaft 7 { length: 1.1, torsional_stiffness: gj, inertia_per_length: 0.1 } <- inertia 8 { inertia: 0.04 } <- free;
+    }
+}
+
+/// By minors and by fronts, below the cut-on of the string and above.
+#[test]
+fn paths_with_waves_have_the_frequencies_and_shapes_of_their_tree() {
+    for k in [0.0, 4.0, 3e4] {
+        let (l, h, gj) = (1.5, 25.0, 6.0);
+        let tree = waves::Tree { l, h, k, gj }.build().unwrap();
+        let line = waves::Line { l, h, k, gj }.build().unwrap();
+        assert_near(&frequencies(&line), &frequencies(&tree), 1e-13);
+        let roots = [tree.first_frequencies::<20>().unwrap(), line.first_frequencies::<20>().unwrap()];
+        for (root, other) in roots[0].iter().zip(&roots[1]) {
+            let (shape, other) = (tree.mode_shape(root).unwrap(), line.mode_shape(other).unwrap());
+            let tip = shape.state(waves::Tree::beam_3.output());
+            let theirs = other.value(waves::Line::conn_tip.displacement_y()).unwrap();
+            let sign = (tip.y * theirs).signum();
+            let near = |one: f64, other: f64, scale: f64| {
+                assert!((one - sign * other).abs() <= 1e-10 * scale, "{one} by minors, {other} by fronts at {root}");
+            };
+            near(tip.y, theirs, 3.0);
+            for part in [0.2, 0.7] {
+                let inside = shape.along(waves::Tree::string_4, 0.8 * part).unwrap();
+                let theirs = other.along(waves::Line::string_4, 0.8 * part).unwrap();
+                near(inside.y, theirs.displacement_y, 6.0 * (1.0 + root.omega));
+                let inside = shape.along(waves::Tree::shaft_7, 1.1 * part).unwrap();
+                let theirs = other.along(waves::Line::shaft_7, 1.1 * part).unwrap();
+                near(inside.theta, theirs.rotation_z, 6.0 * (1.0 + root.omega));
+                near(inside.m, theirs.moment, 36.0 * (1.0 + root.omega));
+            }
+        }
+    }
+}
+
 #[test]
 fn a_line_has_the_frequencies_of_its_tree() {
     let (l, ei, m, k, mass) = (1.5, 30.0, 2.0, 40.0, 3.0);

@@ -5,3 +5,4 @@ pub(crate) mod finite_elements;
 pub(crate) mod legendre_beam;
 pub(crate) mod quadratic;
 pub(crate) mod sylvester;
+pub(crate) mod wave_lines;

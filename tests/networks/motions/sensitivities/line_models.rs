@@ -60,3 +60,23 @@ undamped!(Girder, {
     pier: Even(0.5, 1.0), joint: Even(1.3, 2.0), quay: Even(2.5, 3.5), end: Even(4.0, 5.0), ei: Decades(1.0, 1e4),
     m: Decades(0.1, 10.0), load: Decades(0.1, 100.0), turn: Decades(1.0, 1e5), k: Decades(1.0, 1e5),
 });
+
+system! {
+    /// A beam that hangs on a string, with a rod in soil to a mass, and shafts to a flywheel and between its points.
+    pub(super) struct Hung {
+        first: f64, second: f64, ei: f64, m: f64, length: f64, tension: f64, line: f64, k: f64, ea: f64, soil: f64, mass: f64, gj: f64,
+        j: f64, disk: f64,
+    }
+    fixed at 0.0 -> beam 1 { bending_stiffness: ei, mass_per_length: m } -> conn a at first
+        -> beam 2 { bending_stiffness: ei, mass_per_length: 2.0 * m } -> conn b at second;
+    conn a <- string 3 { length, tension, mass_per_length: line, foundation_stiffness: k } <- fixed;
+    conn b <- rod 4 { length: 0.5 * length, axial_stiffness: ea, mass_per_length: line, foundation_stiffness: soil } <- mass 5 { mass } <- free;
+    conn b <- shaft 6 { length, torsional_stiffness: gj, inertia_per_length: j } <- inertia 7 { inertia: disk } <- free;
+    conn a -> shaft 8 { length, torsional_stiffness: 0.5 * gj, inertia_per_length: j } -> conn b;
+}
+
+undamped!(Hung, {
+    first: Even(0.5, 1.0), second: Even(1.5, 2.5), ei: Decades(1.0, 1e4), m: Decades(0.1, 10.0), length: Decades(0.3, 3.0),
+    tension: Decades(1.0, 1e4), line: Decades(0.1, 10.0), k: Decades(0.1, 1e4), ea: Decades(1.0, 1e4), soil: Decades(0.1, 1e4),
+    mass: Decades(0.1, 30.0), gj: Decades(1.0, 1e4), j: Decades(0.01, 10.0), disk: Decades(0.01, 10.0),
+});
