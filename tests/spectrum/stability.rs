@@ -6,7 +6,7 @@ mod lists;
 
 use crate::support::random_tree::Random;
 use crate::support::roots::assert_same_intervals;
-use mstmm::number::{DoubleDouble, Parameter, Scalar};
+use mstmm::number::{DoubleDouble as Exact, Parameter, Scalar};
 use mstmm::prelude::*;
 use mstmm::search::{SearchError, SweepError, System};
 
@@ -73,25 +73,25 @@ system! {
     fixed -> spring 1 { stiffness } -> mass 2 { mass } -> free;
 }
 
-/// The negative eigenvalues of a symmetric matrix, by the signs of the pivots of its elimination; none where one nearly vanishes.
-fn negative_eigenvalues<const N: usize>(mut matrix: [[f64; N]; N]) -> Option<u64> {
-    let scale = matrix.iter().flatten().fold(0.0_f64, |sum, entry| sum.max(entry.abs()));
-    let mut negative = 0;
-    for k in 0..N {
-        let pivot = matrix[k][k];
-        if pivot.abs() < 1e-3 * scale {
-            return None;
-        }
-        negative += u64::from(pivot < 0.0);
-        let eliminated = matrix[k];
-        for row in &mut matrix[k + 1..] {
-            let factor = row[k] / pivot;
-            for (entry, other) in row.iter_mut().zip(eliminated) {
-                *entry -= factor * other;
-            }
-        }
-    }
-    Some(negative)
+/// The negative eigenvalues of the stiffness of a row, by the signs of the pivots of its elimination in double-double arithmetic; none
+/// where a stiffness of one part in `1/rest` of the softest link at the masses decides.
+fn negative_eigenvalues(k: [f64; 6], m: [f64; 3], rest: f64) -> Option<u64> {
+    let heaviest = m.into_iter().fold(0.0, f64::max);
+    let softest = k.iter().fold(f64::INFINITY, |least, k| least.min(k.abs()));
+    let [below, above] = [-1.0, 1.0].map(|side| {
+        let [a, b, c] = m.map(|mass| Exact::from_f64(side * rest * softest * (mass / heaviest)));
+        let [k_0, k_1, k_2, k_3, k_4, k_5] = k.map(Exact::from_f64);
+        let first = k_0 + k_1 + k_4 + a;
+        let second = k_1 + k_2 + k_5 + b - k_1 * k_1 / first;
+        let third = k_2 + k_3 + c - k_2 * k_2 / second;
+        [first, second, third].iter().filter(|pivot| pivot.to_f64() < 0.0).count() as u64
+    });
+    (below == above).then_some(below)
+}
+
+fn row(k: [f64; 6], m: [f64; 3]) -> RowSystem {
+    let ([k_0, k_1, k_2, k_3, k_4, k_5], [m_0, m_1, m_2]) = (k, m);
+    Row { k_0, k_1, k_2, k_3, k_4, k_5, m_0, m_1, m_2 }.build().unwrap()
 }
 
 /// All searches refuse a system with so many motions that grow.
@@ -116,7 +116,10 @@ fn a_mass_on_a_negative_spring_grows() {
         assert!((rate.lambda - Complex::new(expected, 0.0)).norm() <= rate.error, "{rate:?}");
     }
     let message = system.first_frequencies::<1>().unwrap_err().to_string();
-    assert!(message.contains("statically unstable, and 1 of its motions") && message.contains("`eigenvalues`"));
+    assert!(
+        message.contains("statically unstable: its motions that grow instead of vibrating are 1 in number")
+            && message.contains("`eigenvalues`")
+    );
 }
 
 #[test]
@@ -124,7 +127,7 @@ fn every_number_counts() {
     for (stiffness, modes) in [(-8.0, 1), (8.0, 0), (-1e-3, 1), (1e-3, 0)] {
         let model = Oscillator { stiffness, mass: 2.0 };
         assert_eq!(model.build_as::<f32>().unwrap().unstable_modes(), Ok(modes));
-        assert_eq!(model.build_as::<DoubleDouble>().unwrap().unstable_modes(), Ok(modes));
+        assert_eq!(model.build_as::<Exact>().unwrap().unstable_modes(), Ok(modes));
     }
 }
 
@@ -136,11 +139,9 @@ fn rows_of_masses_grow_as_often_as_their_stiffness_is_negative() {
     for _ in 0..2000 {
         let k: [f64; 6] = core::array::from_fn(|_| 4.0 * random.unit() - 1.6);
         let m: [f64; 3] = core::array::from_fn(|_| 10f64.powf(2.0 * random.unit() - 1.0));
-        let matrix = [[k[0] + k[1] + k[4], -k[1], 0.0], [-k[1], k[1] + k[2] + k[5], -k[2]], [0.0, -k[2], k[2] + k[3]]];
-        let Some(modes) = negative_eigenvalues(matrix) else { continue };
+        let Some(modes) = negative_eigenvalues(k, m, 1e-9) else { continue };
         seen[modes as usize] += 1;
-        let ([k_0, k_1, k_2, k_3, k_4, k_5], [m_0, m_1, m_2]) = (k, m);
-        let system = Row { k_0, k_1, k_2, k_3, k_4, k_5, m_0, m_1, m_2 }.build().unwrap();
+        let system = row(k, m);
         if modes > 0 {
             assert_refused(&system, modes);
         } else {
@@ -149,6 +150,29 @@ fn rows_of_masses_grow_as_often_as_their_stiffness_is_negative() {
         }
     }
     assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
+}
+
+/// The same next to cancellation, with links that are 1e±8 times as stiff as others.
+#[test]
+fn stiff_links_that_nearly_cancel() {
+    let mut random = Random(11);
+    let mut seen = [0; 4];
+    for _ in 0..4000 {
+        let mut k: [f64; 6] =
+            core::array::from_fn(|_| random.pick([-1.0, 1.0, 1.0]) * 10f64.powf(16.0 * random.unit() - 8.0));
+        let m: [f64; 3] = core::array::from_fn(|_| 10f64.powf(6.0 * random.unit() - 3.0));
+        let near =
+            |sum: f64, random: &mut Random| -sum * (1.0 + (random.unit() - 0.5) * 10f64.powf(-14.0 * random.unit()));
+        match random.below(3) {
+            0 => k[4] = near(k[0] + k[1], &mut random),
+            1 => k[5] = near(k[1] + k[2], &mut random),
+            _ => k[3] = near(k[2], &mut random),
+        }
+        let Some(modes) = negative_eigenvalues(k, m, 1e-12) else { continue };
+        seen[modes as usize] += 1;
+        assert_eq!(row(k, m).unstable_modes(), Ok(modes), "{k:?} {m:?}");
+    }
+    assert!(seen.iter().all(|count| *count > 20), "{seen:?}");
 }
 
 /// A spring of either sign that is positive is a spring.
@@ -210,10 +234,10 @@ fn the_last_bit_decides_whether_a_cantilever_buckles() {
     let (mut random, mut seen) = (Random(3), [0; 2]);
     for _ in 0..300 {
         let [length, bending_stiffness] = [0.5 + random.unit(), 0.5 + random.unit()];
-        let [l, ei] = [length, bending_stiffness].map(DoubleDouble::from_f64);
+        let [l, ei] = [length, bending_stiffness].map(Exact::from_f64);
         let exact = ei * 3.0 / (l * l * l);
         let stiffness = -exact.to_f64();
-        let rest = ((exact + DoubleDouble::from_f64(stiffness)) / exact).to_f64();
+        let rest = ((exact + Exact::from_f64(stiffness)) / exact).to_f64();
         // what is nearer to zero is at rest
         if rest.abs() > 1e-17 {
             let modes = u64::from(rest < 0.0);

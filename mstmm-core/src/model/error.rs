@@ -298,7 +298,10 @@ impl fmt::Display for SearchError {
                 write!(f, "what is near {near} cannot be certified: too few digits are left there after rounding")
             }
             SearchError::Unstable { modes } => {
-                write!(f, "the system is statically unstable, and {modes} of its motions grow instead of vibrating; ")?;
+                write!(
+                    f,
+                    "the system is statically unstable: its motions that grow instead of vibrating are {modes} in number; "
+                )?;
                 write!(f, "their rates are real eigenvalues, which `eigenvalues` finds")
             }
             SearchError::Capacity { capacity } => {

@@ -4,7 +4,7 @@ use crate::number::{Dual, Growth, InLanes, Real};
 use crate::pass::characteristic::{Characteristic, System};
 
 /// A system that can be searched for natural frequencies: it has Δ and its derivative in the precision of the parameters and in
-/// extended precision.
+/// extended precision, and Δ where motions grow.
 ///
 /// Every undamped system without planar elements is one; systems with a damper are not: they have `eigenvalues`.
 pub trait Undamped:

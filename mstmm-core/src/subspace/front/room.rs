@@ -133,7 +133,7 @@ pub trait FrontScalar: Scalar {
 
 /// Compiles fronts of numbers, given the zero of each: a constant, since memory is filled with it in one go.
 macro_rules! compiled {
-    ($($number:ty, $zero:expr;)*) => {$(
+    ($($(#[$mark:meta])* $number:ty, $zero:expr;)*) => {$(
         impl FrontScalar for $number {
             #[inline]
             fn in_memory<const W: usize, R>(work: impl FnOnce(&mut FrontRoom<Self, W>) -> R) -> Option<R> {
@@ -141,10 +141,12 @@ macro_rules! compiled {
                 Some(work(&mut room))
             }
 
+            $(#[$mark])*
             fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]) -> usize {
                 fronts.objects.push_chart(chart, ends, &mut fronts.total)
             }
 
+            $(#[$mark])*
             fn move_ends(
                 fronts: &mut Fronts<'_, Self>,
                 chart: &Chart<Self>,
@@ -154,10 +156,12 @@ macro_rules! compiled {
                 fronts.objects.move_ends(chart, ends, moved);
             }
 
+            $(#[$mark])*
             fn eliminate(fronts: &mut Fronts<'_, Self>, node: &FrontNode<Self>) {
                 fronts.take_up(node);
             }
 
+            $(#[$mark])*
             fn eliminate_and_keep(
                 fronts: &mut Fronts<'_, Self>,
                 node: &FrontNode<Self>,
@@ -167,6 +171,7 @@ macro_rules! compiled {
                 fronts.take_up_and_keep(node, load, kept);
             }
 
+            $(#[$mark])*
             fn recover(back: &mut Back<'_, Self>, node: &FrontNode<Self>) -> [Self; MOST_FREEDOMS] {
                 back.node(node)
             }
