@@ -1,5 +1,4 @@
 //! Shapes, responses and sensitivities through hinges of one freedom and levers, in closed form.
-#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use mstmm::motion::MotionError;
 use mstmm::prelude::*;

@@ -135,10 +135,10 @@ fn responses_of_jointed_trees_are_solutions_of_the_equations() {
     let jointed = |(seed, tree, lambda): (u64, Tree, Complex<f64>)| (seed, jointed(&tree, seed), lambda);
     let usable = |(_, tree, lambda): &(u64, Tree, Complex<f64>)| tree.len() <= MOST && waves(tree, *lambda) < LONGEST;
     let mut compared = 0;
-    for (seed, tree, lambda) in cases(0..30).map(jointed).filter(usable) {
+    for (seed, tree, lambda) in cases(0..20).map(jointed).filter(usable) {
         compared += check::<f64>(seed, &tree, lambda);
     }
-    assert!(compared > 10_000, "{compared}");
+    assert!(compared > 5_000, "{compared}");
 }
 
 /// A real ω and the complex λ = iω are the same frequency.

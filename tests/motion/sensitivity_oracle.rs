@@ -104,7 +104,7 @@ fn some_sensitivities_are_those_of_the_determinant() {
 /// To the stiffness of hinges of one freedom, where it is zero, too, and to the lengths of levers.
 #[test]
 fn some_sensitivities_of_jointed_trees_are_those_of_the_determinant() {
-    let trees = (0..20).map(|seed| (seed, jointed(&varied_tree(seed), seed))).filter(|(_, tree)| tree.len() <= MOST);
+    let trees = (0..12).map(|seed| (seed, jointed(&varied_tree(seed), seed))).filter(|(_, tree)| tree.len() <= MOST);
     let compared: usize = trees.map(|(seed, tree)| check(seed, &tree)).sum();
     assert!(compared > 100, "{compared}");
 }

@@ -1,5 +1,4 @@
 //! Levers: closed forms, bodies without mass, stiff beams.
-#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use mstmm::prelude::*;
 
