@@ -16,10 +16,12 @@ impl Range {
     fn outside(self) -> Vec<f64> {
         let finite: &[f64] = match self {
             Range::Positive => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
-            Range::Moderate => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
+            Range::Moderate | Range::Tame => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
             Range::Invertible => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
-            Range::NonNegative | Range::ModerateOrZero => &[-TINY, -1.0, f64::MIN],
+            Range::NonNegative | Range::ModerateOrZero | Range::TameOrZero => &[-TINY, -1.0, f64::MIN],
             Range::Position => &[],
+            // -1/f - G
+            Range::Tension => &[-2.0, -3.0, f64::MIN],
         };
         [&NOT_FINITE, finite].concat()
     }
@@ -32,6 +34,9 @@ impl Range {
             Range::ModerateOrZero => &[0.0, -0.0, TINY, 1e-60, 1.0, 1e60],
             Range::Invertible => &[f64::MIN_POSITIVE, 1.0, f64::MAX],
             Range::NonNegative => &[0.0, -0.0, TINY, f64::MIN_POSITIVE, 1.0, f64::MAX],
+            Range::Tame => &[1e-20, 1.0, 1e20],
+            Range::TameOrZero => &[0.0, -0.0, TINY, 1e-20, 1.0, 1e20],
+            Range::Tension => &[-1.999, -TINY, 0.0, 1.0, 1e20],
             // a mass centre at ±1 needs just the inertia of 1 that there is
             Range::Position => &[-1.0, -TINY, 0.0, TINY, 1.0],
         }

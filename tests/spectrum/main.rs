@@ -7,6 +7,7 @@ mod damped_models;
 mod defects;
 mod directed_families;
 mod dynamic_stiffness;
+mod general_beams;
 mod joints;
 mod levers;
 mod macro_equals_list;

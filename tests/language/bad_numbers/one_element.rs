@@ -22,8 +22,14 @@ pub(crate) enum Range {
     Invertible,
     /// Zero or greater.
     NonNegative,
+    /// Greater than zero, so that the fourth power is not extreme.
+    Tame,
+    /// Zero, or so.
+    TameOrZero,
     /// Any position.
     Position,
+    /// Greater than the axial force at which a beam of the other values loses its stiffness against shear.
+    Tension,
 }
 
 /// A parameter.
@@ -137,6 +143,43 @@ scenes! {
     } -> free undamped;
     PlanarBeam = fixed -> planar_beam {
         length: Positive, axial_stiffness: Positive, bending_stiffness: Positive, mass_per_length: Positive,
+    } -> free undamped;
+    RayleighBeam = fixed -> rayleigh_beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, rotary_inertia: TameOrZero,
+    } -> free undamped;
+    TimoshenkoBeam = fixed -> timoshenko_beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: Tame, rotary_inertia: TameOrZero,
+    } -> free undamped;
+    BeamColumn = fixed -> beam_column {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, axial_force: Position,
+    } -> free undamped;
+    FoundationBeam = fixed -> foundation_beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame,
+        foundation_stiffness: TameOrZero, foundation_shear_stiffness: TameOrZero,
+    } -> free undamped;
+    GeneralBeam = fixed -> general_beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_flexibility: TameOrZero,
+        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero,
+    } -> free undamped;
+    PlanarRayleighBeam = fixed -> planar_rayleigh_beam {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, rotary_inertia: TameOrZero,
+    } -> free undamped;
+    PlanarTimoshenkoBeam = fixed -> planar_timoshenko_beam {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: Tame,
+        rotary_inertia: TameOrZero,
+    } -> free undamped;
+    PlanarBeamColumn = fixed -> planar_beam_column {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, axial_force: Position,
+    } -> free undamped;
+    PlanarFoundationBeam = fixed -> planar_foundation_beam {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame,
+        foundation_stiffness: TameOrZero, foundation_shear_stiffness: TameOrZero,
+    } -> free undamped;
+    PlanarGeneralBeam = fixed -> planar_general_beam {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame,
+        shear_flexibility: TameOrZero, rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
     PlanarBody = free -> planar_body {
         mass: NonNegative, inertia: NonNegative,

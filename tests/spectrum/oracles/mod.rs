@@ -3,6 +3,7 @@
 pub(crate) mod dynamic_stiffness;
 pub(crate) mod finite_elements;
 pub(crate) mod legendre_beam;
+pub(crate) mod many_digits;
 pub(crate) mod quadratic;
 pub(crate) mod sylvester;
 pub(crate) mod wave_lines;
