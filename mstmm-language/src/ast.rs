@@ -204,6 +204,13 @@ impl Kind {
         }
     }
 
+    /// Whether places give the element its length: its type has one, and its row in models with locations has none.
+    pub(crate) fn has_length_of_places(&self) -> bool {
+        let is_there = |parameters: &[&str]| parameters.contains(&"length");
+        let is_given = self.located().is_some_and(|row| is_there(row.parameters));
+        self.known().is_some_and(|row| is_there(row.parameters)) && !is_given
+    }
+
     /// The row of the element's keyword in models with locations.
     pub(crate) fn located(&self) -> Option<&'static LocatedKeyword> {
         match self {

@@ -91,6 +91,24 @@ fn the_examples_of_the_paper() {
     }
 }
 
+system! {
+    /// A beam that hangs on a string on a foundation, with a shaft and a rod.
+    struct Hung { k: f64, soil: f64 }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 3.0, mass_per_length: 2.0 } -> conn 2
+        -> beam 3 { length: 0.5, bending_stiffness: 3.0, mass_per_length: 2.0 } -> free;
+    fixed -> string 4 { length: 0.8, tension: 5.0, mass_per_length: 0.4, foundation_stiffness: k } -> mass 5 { mass: 0.3 }
+        -> rod 6 { length: 0.7, axial_stiffness: 90.0, mass_per_length: 1.1, foundation_stiffness: soil } -> conn 2;
+    free -> inertia 7 { inertia: 0.02 } -> shaft 8 { length: 1.2, torsional_stiffness: 7.0, inertia_per_length: 0.3 } -> conn 2;
+}
+
+/// Waves that decay, so that lanes beyond the limit of waves are evaluated alone, and waves that travel.
+#[test]
+fn strings_rods_and_shafts() {
+    for k in [0.0, 1e3, 1e9] {
+        check_undamped(&Hung { k, soil: 0.3 * k }.build().unwrap(), 300.0);
+    }
+}
+
 #[test]
 fn other_scalars() {
     let omegas = frequencies(3, 40);

@@ -105,9 +105,10 @@ fn paths_with_waves_have_the_frequencies_and_shapes_of_their_tree() {
             };
             near(tip.y, theirs, 3.0);
             for part in [0.2, 0.7] {
+                // a path has its motion as x
                 let inside = shape.along(waves::Tree::string_4, 0.8 * part).unwrap();
                 let theirs = other.along(waves::Line::string_4, 0.8 * part).unwrap();
-                near(inside.y, theirs.displacement_y, 6.0 * (1.0 + root.omega));
+                near(inside.y, theirs.displacement_x, 6.0 * (1.0 + root.omega));
                 let inside = shape.along(waves::Tree::shaft_7, 1.1 * part).unwrap();
                 let theirs = other.along(waves::Line::shaft_7, 1.1 * part).unwrap();
                 near(inside.theta, theirs.rotation_z, 6.0 * (1.0 + root.omega));

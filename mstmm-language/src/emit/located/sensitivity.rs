@@ -98,8 +98,8 @@ fn summand(index: usize, member: &Member<'_>, derivatives: &Derivatives, names: 
     let parameters = derivatives.of(element);
     let (parameters, values): (Vec<_>, Vec<_>) = parameters.iter().cloned().unzip();
     let order = (0..values.len()).map(Index::from);
-    let has_length = element.kind.known().is_some_and(|known| known.parameters.contains(&"length"));
-    let length = has_length.then(|| quote_spanned!(names.here=> lengths[#index] = gradient.length;));
+    let length =
+        element.kind.has_length_of_places().then(|| quote_spanned!(names.here=> lengths[#index] = gradient.length;));
     quote_spanned! {names.here=>
         let values = (#(#values,)*);
         let gradient = <#kind as #gradient>::member_gradient(&self.#field, &works[#index]);

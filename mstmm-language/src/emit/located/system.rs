@@ -99,8 +99,7 @@ fn literal(index: usize, element: &Element, place: &mut usize, names: &Names) ->
         quote_spanned!(names.at(name.span())=> #name: number(#of_place))
     });
     let parameters: Vec<TokenStream> = parameters.collect();
-    let has_length = element.kind.known().is_some_and(|known| known.parameters.contains(&"length"));
-    let length = has_length.then(|| {
+    let length = element.kind.has_length_of_places().then(|| {
         let length = Ident::new("length", span);
         quote_spanned!(span=> #length: skeleton.length(#index),)
     });
