@@ -88,9 +88,28 @@ pub mod search {
     /// ```
     ///
     pub use mstmm_core::search::Sweep;
+    /// ```
+    /// use mstmm::prelude::*;
+    /// use mstmm::search::critical_loads;
+    ///
+    /// system! {
+    ///     struct Column { length: f64, ei: f64, force: f64 }
+    ///     fixed -> beam_column 1 { length, bending_stiffness: ei, mass_per_length: 1.0, axial_force: -force } -> free;
+    /// }
+    ///
+    /// // Euler's first case: (n - ½)² π² EI/l²
+    /// let loads = critical_loads::<2, _>(0.0..=100.0, |force| Column { length: 2.0, ei: 8.0, force }.build())?;
+    /// for (n, load) in (1..).zip(loads.iter()) {
+    ///     let exact = 2.0 * ((f64::from(n) - 0.5) * std::f64::consts::PI).powi(2);
+    ///     assert!((load.factor / exact - 1.0).abs() < 2e-15 && load.lower < exact && exact < load.upper);
+    /// }
+    /// # Ok::<(), mstmm::search::LoadError>(())
+    /// ```
+    ///
+    pub use mstmm_core::search::critical_loads;
     pub use mstmm_core::search::*;
     pub use mstmm_core::{
-        Characteristic, Evaluate, InBlocks, Lanewise, ManyFrequencies, Model, SearchError, Spot, System,
+        Characteristic, Evaluate, InBlocks, Lanewise, LoadError, ManyFrequencies, Model, SearchError, Spot, System,
     };
 }
 

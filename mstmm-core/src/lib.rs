@@ -62,6 +62,7 @@ pub use model::ends::Ends;
 pub use model::error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot};
 pub use model::estimates::FrequencyEstimates;
 pub use model::label::{Entry, Label, Load, Point};
+pub use model::load_error::LoadError;
 pub use model::motion_error::MotionError;
 pub use model::plane_label::{Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};

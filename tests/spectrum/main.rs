@@ -2,6 +2,7 @@
 
 mod certified;
 mod counts;
+mod critical_loads;
 #[path = "../support/damped_models.rs"]
 mod damped_models;
 mod defects;

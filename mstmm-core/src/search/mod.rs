@@ -1,10 +1,12 @@
 //! Searches for natural frequencies and eigenvalues.
 
+mod critical_loads;
 pub(crate) mod damped;
 mod identity;
 mod minima;
 pub(crate) mod undamped;
 
+pub use critical_loads::{AtRest, CriticalLoad, CriticalLoads, critical_loads};
 pub use damped::eigenvalues::{Eigenvalues, Spectrum};
 pub use damped::found::{Eigenvalue, EigenvalueList, Region};
 pub use minima::fmin1d::{Minimum1d, fmin1d};
