@@ -4,6 +4,7 @@
 mod bad_numbers;
 mod drawn;
 mod frames;
+mod general_beams;
 mod line;
 mod lists;
 mod overall;
