@@ -37,8 +37,8 @@ system! {
     } -> pinned
 }
 
-/// A column in two halves with a hinge that a spring holds between them, of the same length.
 system! {
+    /// A column with a spring at its middle.
     struct Braced { force: f64, stiffness: f64 }
     pinned -> beam_column 1 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> conn 2
         -> beam_column 3 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned;

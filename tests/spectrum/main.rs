@@ -14,6 +14,7 @@ mod levers;
 mod macro_equals_list;
 mod oracles;
 mod planar_chain;
+mod proportional_damping;
 mod random_trees;
 mod scaled_trees;
 mod stability;
