@@ -3,7 +3,7 @@
 use super::Workshop;
 use super::damped_models::{DampedFrame, DampedSpans, Suspension};
 use super::implicit::derivatives;
-use super::line_models::{Girder, PointMasses, Spans};
+use super::line_models::{Girder, Hung, PointMasses, Spans};
 use super::plane_models::{Absorbers, Incline, Joints, Ladder, Raft, ThreePorts, Truss};
 use super::sampled::{Answer, Sampled, fields};
 use crate::portal::Portal;
@@ -91,8 +91,8 @@ fn compare_planes(seeds: u64) {
 }
 
 fn compare_lines(seeds: u64) {
-    let lines = Tally::default().with::<Spans>(seeds).with::<PointMasses>(seeds).with::<Girder>(seeds);
-    lines.close("structures in a line");
+    let lines = Tally::default().with::<Spans>(seeds).with::<PointMasses>(seeds);
+    lines.with::<Girder>(seeds).with::<Hung>(seeds).close("structures in a line");
 }
 
 fn compare_damped(seeds: u64) {
