@@ -75,10 +75,9 @@ impl<S: Scalar> GeneralCompound<S> {
 
     /// Takes a subspace through the beam.
     pub(crate) fn step<C: RootCounter<S>>(&self, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
-        let before = input.plane();
-        let after = self.through(&before).in_range();
+        let after = self.behind(&input).in_range();
         if C::COUNTS {
-            counter.plane(&before, &after, self.held());
+            counter.plane(&input.plane(), &after, self.held());
         }
         Subspace::Plane(after)
     }
@@ -87,7 +86,7 @@ impl<S: Scalar> GeneralCompound<S> {
     pub(crate) fn root<C: RootCounter<S>>(&self, input: Subspace<S>, support: Support, counter: &mut C) -> Scaled<S> {
         if !C::COUNTS {
             // not shifted into the range: only one minor is needed
-            let plane = self.through(&input.plane());
+            let plane = self.behind(&input);
             return Scaled::new(plane.minor_at(support), i64::from(plane.exponent));
         }
         let delta = self.step(input, counter).at_root(support, counter);
@@ -149,6 +148,31 @@ impl<S: Scalar> GeneralCompound<S> {
     fn without_units(&self, p: &Plane<S>) -> [S; 5] {
         let inverses = self.units.inverses;
         [p.y_theta, p.y_m * inverses[0], p.w * inverses[1], p.theta_q * inverses[2], p.m_q * inverses[3]]
+    }
+
+    /// The plane behind the beam, not shifted into the range.
+    #[inline]
+    fn behind(&self, input: &Subspace<S>) -> Plane<S> {
+        match input {
+            Subspace::Tip(support, _) => self.behind_tip(*support),
+            _ => self.through(&input.plane()),
+        }
+    }
+
+    /// The plane behind a beam that starts at a support: a column of K.
+    fn behind_tip(&self, support: Support) -> Plane<S> {
+        let [a, _, c, d] = self.units.inverses;
+        let (column, inverse) = match support {
+            Support::Fixed => (4, d),
+            Support::Pinned => (3, c),
+            Support::Guided => (1, a),
+            _ => (0, S::one()),
+        };
+        let entry = |row: usize| self.row(row)[column] * inverse;
+        let factors = self.units.factors;
+        let minors =
+            [entry(0), entry(1) * factors[0], entry(2) * factors[1], entry(3) * factors[2], entry(4) * factors[3]];
+        Plane::unscaled(minors, self.exponent)
     }
 
     /// Takes a plane through the beam.
