@@ -1,11 +1,20 @@
 //! What the examples compute, against results that share nothing with it.
 
 #[expect(dead_code, reason = "the example's main")]
+#[path = "../../examples/column.rs"]
+pub mod column;
+#[expect(dead_code, reason = "the example's main")]
+#[path = "../../examples/spindle.rs"]
+pub mod spindle;
+#[expect(dead_code, reason = "the example's main")]
 #[path = "../../examples/time_response.rs"]
 pub mod time_response;
 #[expect(dead_code, reason = "the example's main")]
 #[path = "../../examples/tip_body.rs"]
 pub mod tip_body;
+#[expect(dead_code, reason = "the example's main")]
+#[path = "../../examples/track.rs"]
+pub mod track;
 
 use crate::support::example::{assert_close, printed, rows_of};
 use std::f64::consts::PI;
@@ -121,4 +130,55 @@ fn root_of_cantilever(number: u32) -> f64 {
         if value(middle) * value(low) > 0.0 { low = middle } else { high = middle }
     }
     0.5 * (low + high)
+}
+
+/// Oracle: the work of a unit force at the nose, in both bearings, in bending and in shear.
+#[test]
+fn the_spindle_gives_way_as_much_as_its_parts() {
+    let spindle = spindle::heavy();
+    let (a, b) = (spindle.overhang, spindle.span);
+    let area = 0.25 * PI * (spindle.diameter.powi(2) - spindle.bore.powi(2));
+    let ei = 2.1e11 * PI / 64.0 * (spindle.diameter.powi(4) - spindle.bore.powi(4));
+    let ga = 0.6 * 8.1e10 * area;
+    let bearings = (a / b).powi(2) / spindle.rear + (1.0 + a / b).powi(2) / spindle.front;
+    let bending = a * a * (a + b) / (3.0 * ei);
+    let shear = (a + a * a / b) / ga;
+    assert_close(spindle::flexibility(&spindle).unwrap(), bearings + bending + shear, 1e-12);
+    let slender = spindle::Spindle { shear: 0.0, ..spindle };
+    assert_close(spindle::flexibility(&slender).unwrap(), bearings + bending, 1e-12);
+}
+
+/// Oracles: Euler's load; a pinned column's frequency falls with the root of what is left of its load; a brace with 16π² EI/l³ doubles the
+/// half waves.
+#[test]
+#[ignore = "long: .ci/long"]
+fn the_column_buckles_where_it_must() {
+    let (text, model) = (printed("column"), column::steel());
+    let euler = PI * PI * model.ei / (model.height * model.height);
+    let loads = rows_of(&text, "brace [MN/m]");
+    // the brace of the first row is 1 N/mm
+    assert_close(loads[0][1], 1e-6 * euler, 1e-6);
+    assert_close(loads[0][2], 4e-6 * euler, 1e-6);
+    assert!(16.0 * euler / model.height < 1e7);
+    assert_close(loads[3][1], 4e-6 * euler, 1e-6);
+    for row in rows_of(&text, "load / critical") {
+        assert_close(row[2], 1.0 - row[0], 2e-7);
+    }
+    assert!(text.contains("1 motion grows"));
+}
+
+/// Oracle: Winkler's rail without end.
+#[test]
+#[ignore = "long: .ci/long"]
+fn the_track_goes_down_as_winkler_says() {
+    let (text, model) = (printed("track"), track::main_line());
+    let number = |start: &str| -> f64 {
+        let line = text.lines().find(|line| line.starts_with(start)).unwrap();
+        line.split_whitespace().rev().nth(1).unwrap().parse().unwrap()
+    };
+    let exact = 1e8 * track::winkler(&model);
+    assert_close(number("a wheel of 100 kN"), exact, 2e-9);
+    assert_close(number("Winkler's rail"), exact, 2e-9);
+    let waves = rows_of(&text, "waves travel from");
+    assert_eq!(waves.len(), 4);
 }

@@ -1,5 +1,5 @@
 //! Strings, rods and shafts: closed forms, and random trees of them against their dynamic stiffness and finite elements.
-#![expect(clippy::panic, clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
+#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use crate::oracles::wave_lines::{Link, Web};
 use crate::support::random_tree::Random;

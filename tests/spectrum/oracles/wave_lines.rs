@@ -38,7 +38,7 @@ fn negative_pivots(mut matrix: Matrix) -> u64 {
             }
             for column in 0..=row {
                 let product = factor * last[column];
-                matrix[row][column] = matrix[row][column] - product;
+                matrix[row][column] -= product;
             }
         }
     }
