@@ -67,7 +67,10 @@
 
 pub mod motion;
 
-pub use mstmm_core::{Complex, elements};
+pub use mstmm_core::Complex;
+
+#[doc = include_str!("../docs/elements.md")]
+pub use mstmm_core::elements;
 
 /// Roots, counts and determinants: the searches, their results, and the functions that they search.
 pub mod search {
