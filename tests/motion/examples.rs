@@ -164,7 +164,7 @@ fn the_column_buckles_where_it_must() {
     for row in rows_of(&text, "load / critical") {
         assert_close(row[2], 1.0 - row[0], 2e-7);
     }
-    assert!(text.contains("1 motion grows"));
+    assert!(text.contains("beyond it 1 motion grows"));
 }
 
 /// Oracle: Winkler's rail without end.

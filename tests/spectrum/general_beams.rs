@@ -266,8 +266,8 @@ fn a_stocky_cantilever_and_a_strut_on_a_foundation_have_their_exact_frequencies(
         82.499_132_740_020_75,
         371.638_718_182_356_75,
         864.060_424_721_858,
-        1554.579_009_012_326_6,
-        2442.682_569_351_068,
+        1_554.579_009_012_326_6,
+        2_442.682_569_351_068,
     ];
     assert_roots(&strut.first_frequencies::<5>().unwrap(), &exact, 1.0, 5e-15);
 }

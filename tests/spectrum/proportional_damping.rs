@@ -1,5 +1,4 @@
 //! Damping in proportion beside certified eigenvalues of the same system with its dampers written out.
-#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use mstmm::prelude::*;
 use mstmm::search::ProportionalDamping;

@@ -34,6 +34,10 @@ pub trait Element: Sized {
     /// real λ just above zero, where `λ² > 0`.
     const MAY_BUCKLE: bool = false;
 
+    /// Whether its step takes no branch and tells the units of its waves. Searches take systems of such elements at many frequencies at once,
+    /// in lanes, and start from their phases; others are evaluated at one frequency after the other.
+    const IS_STRAIGHT: bool = true;
+
     /// Checks every parameter against its range and computes what does not depend on the frequency.
     ///
     /// # Errors

@@ -77,6 +77,7 @@ impl<T: Parameter> Element for GeneralBeam<T> {
     type State = Bending;
     type Built = BuiltGeneralBeam<T>;
     const MAY_BUCKLE: bool = true;
+    const IS_STRAIGHT: bool = false;
 
     fn build(self) -> Result<BuiltGeneralBeam<T>, InvalidParameter> {
         self.check()?;

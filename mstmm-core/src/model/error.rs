@@ -298,10 +298,8 @@ impl fmt::Display for SearchError {
                 write!(f, "what is near {near} cannot be certified: too few digits are left there after rounding")
             }
             SearchError::Unstable { modes } => {
-                write!(
-                    f,
-                    "the system is statically unstable: its motions that grow instead of vibrating are {modes} in number; "
-                )?;
+                let grow = if modes == 1 { "motion grows" } else { "motions grow" };
+                write!(f, "the system is statically unstable: {modes} {grow} instead of vibrating; ")?;
                 write!(f, "their rates are real eigenvalues, which `eigenvalues` finds")
             }
             SearchError::Capacity { capacity } => {

@@ -15,6 +15,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
     let steps = plan.steps.len();
     let elements = first_of_each_type(plan, names).into_iter().map(|element| names.element_as(element, "Element"));
+    let elements: Vec<TokenStream> = elements.collect();
     quote_spanned! {names.here=>
         #definition
         #build
@@ -23,7 +24,8 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
             type Parameter = #parameter;
-            const STANDS_IN_LINE: bool = #steps <= #private::LONGEST_IN_LANES;
+            const STANDS_IN_LINE: bool = #steps <= #private::LONGEST_IN_LANES && Self::HAS_PHASES;
+            const HAS_PHASES: bool = #(#elements::IS_STRAIGHT)&&*;
             const MAY_BUCKLE: bool = #(#elements::MAY_BUCKLE)||*;
 
             fn estimates(&self) -> #private::FrequencyEstimates {

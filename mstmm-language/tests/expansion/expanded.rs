@@ -173,7 +173,17 @@ impl mstmm::__private::Model for DampedMass {
 #[automatically_derived]
 impl<T: mstmm::__private::Real> mstmm::__private::System for DampedMassSystem<T> {
     type Parameter = T;
-    const STANDS_IN_LINE: bool = 7usize <= mstmm::__private::LONGEST_IN_LANES;
+    const STANDS_IN_LINE: bool = 7usize <= mstmm::__private::LONGEST_IN_LANES
+        && Self::HAS_PHASES;
+    const HAS_PHASES: bool = <mstmm::__private::elements::Damper<
+        T,
+    > as mstmm::__private::Element>::IS_STRAIGHT
+        && <mstmm::__private::elements::Mass<
+            T,
+        > as mstmm::__private::Element>::IS_STRAIGHT
+        && <mstmm::__private::elements::Spring<
+            T,
+        > as mstmm::__private::Element>::IS_STRAIGHT;
     const MAY_BUCKLE: bool = <mstmm::__private::elements::Damper<
         T,
     > as mstmm::__private::Element>::MAY_BUCKLE

@@ -56,10 +56,10 @@ impl<T: Real> Inside<T> {
 
     fn vector_at(&self, part: T) -> Vector<T> {
         if self.section.waves.largest_growth() <= GROWTH {
-            return self.from_input(part);
+            return self.by_input(part);
         }
         match self.section.waves.form() {
-            Form::Short => self.from_input(part),
+            Form::Short => self.by_input(part),
             Form::Apart { squares: [first, second], difference } => {
                 let one = self.of_square(first, second, difference, part);
                 plus(one, self.of_square(second, first, -difference, part))
@@ -69,7 +69,7 @@ impl<T: Real> Inside<T> {
     }
 
     /// By the transfer matrix of the part of the beam before it.
-    fn from_input(&self, part: T) -> Vector<T> {
+    fn by_input(&self, part: T) -> Vector<T> {
         let c = self.section.waves.along(Complex::from(part)).functions().c;
         let mut power = Complex::one();
         let mut derivative = self.input;

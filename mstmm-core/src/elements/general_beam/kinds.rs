@@ -53,6 +53,7 @@ macro_rules! kinds {
             type State = Bending;
             type Built = BuiltGeneralBeam<T>;
             const MAY_BUCKLE: bool = $may_buckle;
+            const IS_STRAIGHT: bool = false;
 
             fn build(self) -> Result<BuiltGeneralBeam<T>, InvalidParameter> {
                 $(Requirement::$range.check(stringify!($checked), self.$checked)?;)*
