@@ -9,6 +9,7 @@ mod defects;
 mod directed_families;
 mod dynamic_stiffness;
 mod general_beams;
+mod general_chains;
 mod joints;
 mod levers;
 mod macro_equals_list;

@@ -5,5 +5,6 @@ pub(crate) mod finite_elements;
 pub(crate) mod legendre_beam;
 pub(crate) mod many_digits;
 pub(crate) mod quadratic;
+pub(crate) mod short_pieces;
 pub(crate) mod sylvester;
 pub(crate) mod wave_lines;

@@ -121,13 +121,31 @@ impl<S: Scalar> GeneralCompound<S> {
         };
         let minors = self.without_units(p);
         let mut terms = S::Size::default();
-        for (entry, minor) in self.row(row).into_iter().zip(minors) {
-            terms = terms + (entry * minor).size();
+        for (size, minor) in self.natural_sizes(row).into_iter().zip(minors) {
+            terms = terms + size * minor.size();
         }
         let factor = if factor == 0 { S::Size::of(1.0) } else { self.units.factors[factor - 1].size() };
         let exponent = i64::from(p.exponent.saturating_add(self.exponent)) - delta.exponent();
         let power = 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
         counter.root_sum(delta.mantissa().size() * S::Size::of(power), terms * factor);
+    }
+
+    /// The sizes by which rounding moves the entries of a row: an entry that vanishes has the size of its neighbours, which differ from it
+    /// by squares of the wave number. Where Δ is a single entry, as of a column beside its buckling load, its terms have cancelled
+    /// within the functions of the waves.
+    fn natural_sizes(&self, row: usize) -> [S::Size; 5] {
+        let sizes @ [a, b, c, d, e] = self.row(row).map(S::size);
+        let square = self.section.waves.largest_square().or_larger(S::Size::of(1.0));
+        let inverse = S::Size::of(1.0) / square;
+        let fourth = inverse * inverse;
+        let neighbours = [
+            (square * c).or_larger(square * square * e),
+            square * d,
+            (inverse * a).or_larger(square * e),
+            inverse * b,
+            (inverse * c).or_larger(fourth * a),
+        ];
+        core::array::from_fn(|k| sizes[k].or_larger(neighbours[k]))
     }
 
     /// A row of K.
