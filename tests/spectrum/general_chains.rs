@@ -50,15 +50,31 @@ fn many_hard_chains_have_the_counts_of_many_digits() {
 /// A load `10^-k` below the critical one, whose first root is a difference of numbers `10^k` times as large.
 #[test]
 fn a_column_beside_its_buckling_load_has_its_root_in_the_interval() {
-    for k in 1..16 {
-        let axial_force = -std::f64::consts::PI.powi(2) * (1.0 - 10_f64.powi(-k));
-        let beam = GeneralBeam { axial_force, ..PLAIN };
-        let chain = Chain { tip: Support::Pinned, links: vec![Link::Beam(beam)], root: Support::Pinned };
-        let steps = chain.steps();
-        let found = StepList::new(&steps).unwrap().first_frequencies::<2>().unwrap();
-        for (index, root) in (0..).zip(&found) {
-            let below = [root.lower, root.upper].map(|end| roots_below(&chain, &(exact(end, 320) * exact(end, 320))));
-            assert_eq!(below, [Some(index), Some(index + 1)], "{k}: {root:?}");
+    use Support::{Fixed, Free, Guided, Pinned};
+    let square = std::f64::consts::PI.powi(2);
+    // the square of the first root of tan z = z
+    let propped = 20.190_728_556_426_63;
+    let cases = [
+        (Pinned, Pinned, square),
+        (Fixed, Fixed, 4.0 * square),
+        (Fixed, Free, 0.25 * square),
+        (Fixed, Pinned, propped),
+        (Pinned, Fixed, propped),
+        (Guided, Pinned, 0.25 * square),
+        (Guided, Fixed, square),
+    ];
+    for (tip, root, critical) in cases {
+        for k in 1..15 {
+            let axial_force = -critical * (1.0 - 10_f64.powi(-k));
+            let beam = GeneralBeam { axial_force, ..PLAIN };
+            let chain = Chain { tip, links: vec![Link::Beam(beam)], root };
+            let steps = chain.steps();
+            let found = StepList::new(&steps).unwrap().first_frequencies::<2>().unwrap();
+            for (index, root) in (0..).zip(&found) {
+                let below =
+                    [root.lower, root.upper].map(|end| roots_below(&chain, &(exact(end, 320) * exact(end, 320))));
+                assert_eq!(below, [Some(index), Some(index + 1)], "{tip:?} {k}: {root:?}");
+            }
         }
     }
 }

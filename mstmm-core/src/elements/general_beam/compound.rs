@@ -34,11 +34,14 @@ pub struct GeneralCompound<S: Scalar> {
     pub(crate) units: Units<S>,
 }
 
+/// Binary exponent of the relative change by which a difference stands for a derivative: half of the digits.
+const CHANGE: i32 = -26;
+
 impl<S: Scalar> GeneralCompound<S> {
     /// The compound of a beam with these constants.
     #[inline]
     pub(crate) fn new(section: SectionAt<S>, units: Units<S>) -> Self {
-        let SectionAt { sigma, tau, g, h, cut, waves } = section;
+        let SectionAt { sigma, tau, g, h, cut, waves, .. } = section;
         let PairProducts { p, w, r, v, e, one, inverse_square, exponent } = waves.products();
         let square = sigma * sigma;
         let twice_x = twice(h * square);
@@ -111,41 +114,34 @@ impl<S: Scalar> GeneralCompound<S> {
         }
     }
 
-    /// Reports the sizes of Δ and of its terms to a counter: for a beam before the root these are many and cancel.
+    /// Reports the sizes of Δ and of its terms to a counter: those of the sum, and what g and h change, whose own terms cancel beside a
+    /// buckling load, at the cut-on and in stiff foundations.
     fn watch_root<C: RootCounter<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, counter: &mut C) {
-        let [row, factor] = match support {
-            Support::Fixed => [0, 0],
-            Support::Pinned => [1, 1],
-            Support::Guided => [3, 3],
-            _ => [4, 4],
+        let (row, factor) = match support {
+            Support::Fixed => (0, S::Size::of(1.0)),
+            Support::Pinned => (1, self.units.factors[0].size()),
+            Support::Guided => (3, self.units.factors[2].size()),
+            _ => (4, self.units.factors[3].size()),
         };
         let minors = self.without_units(p);
-        let mut terms = S::Size::default();
-        for (size, minor) in self.natural_sizes(row).into_iter().zip(minors) {
-            terms = terms + size * minor.size();
+        let products = |compound: &Self| {
+            let power = compound.exponent - self.exponent;
+            compound
+                .row(row)
+                .into_iter()
+                .zip(minors)
+                .map(move |(entry, minor)| (entry * minor).times_power_of_two(power))
+        };
+        let own = products(self).fold(S::zero(), |sum, product| sum + product);
+        let mut terms = products(self).fold(S::Size::default(), |sum, product| sum + product.size());
+        for section in self.section.with_changes(CHANGE) {
+            let changed = products(&GeneralCompound::new(section, self.units));
+            let change = changed.fold(S::zero(), |sum, product| sum + product) - own;
+            terms = terms + change.times_power_of_two(-CHANGE).size();
         }
-        let factor = if factor == 0 { S::Size::of(1.0) } else { self.units.factors[factor - 1].size() };
         let exponent = i64::from(p.exponent.saturating_add(self.exponent)) - delta.exponent();
         let power = 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
         counter.root_sum(delta.mantissa().size() * S::Size::of(power), terms * factor);
-    }
-
-    /// The sizes by which rounding moves the entries of a row: an entry that vanishes has the size of its neighbours, which differ from it
-    /// by squares of the wave number. Where Δ is a single entry, as of a column beside its buckling load, its terms have cancelled
-    /// within the functions of the waves.
-    fn natural_sizes(&self, row: usize) -> [S::Size; 5] {
-        let sizes @ [a, b, c, d, e] = self.row(row).map(S::size);
-        let square = self.section.waves.largest_square().or_larger(S::Size::of(1.0));
-        let inverse = S::Size::of(1.0) / square;
-        let fourth = inverse * inverse;
-        let neighbours = [
-            (square * c).or_larger(square * square * e),
-            square * d,
-            (inverse * a).or_larger(square * e),
-            inverse * b,
-            (inverse * c).or_larger(fourth * a),
-        ];
-        core::array::from_fn(|k| sizes[k].or_larger(neighbours[k]))
     }
 
     /// A row of K.

@@ -66,12 +66,6 @@ impl<S: Scalar> WavePair<S> {
         root(sum.max(root(product)))
     }
 
-    /// About the larger of both squared wave numbers.
-    pub(super) fn largest_square(&self) -> S::Size {
-        let product = S::select(self.product.is_negative(), -self.product, self.product);
-        self.sum.size().or_larger(product.sqrt().size())
-    }
-
     /// The form whose divisors are not small. Lanes have one form, or are not numbers.
     #[inline]
     pub(super) fn form(&self) -> Form<S> {
