@@ -54,7 +54,7 @@ pub(super) fn sum<S: Scalar, const N: usize>(first: [S; N], slope: impl Fn(&Rece
         let mut term = slope(&recent);
         let mut counts = false;
         for number in 0..N {
-            term[number] = term[number] * inverse;
+            term[number] *= inverse;
             sums[number] += term[number];
             let size = term[number].size().first();
             sizes[number] += size;

@@ -16,6 +16,9 @@ const PHASE: f64 = 2.5;
 /// The shortest part, a share of the length: sums of such shares with few digits are exact.
 const SHORTEST: f64 = 1.0 / (1_u64 << 48) as f64;
 
+/// The plane behind a beam, with that before the last part, and that part.
+type Behind<S> = (Plane<S>, Option<(Plane<S>, Part<S>)>);
+
 /// A tapered beam at a frequency.
 #[derive(Clone, Copy, Debug)]
 pub struct Tapered<S> {
@@ -33,11 +36,7 @@ impl<S: Scalar> Tapered<S> {
     }
 
     /// The plane behind the beam, with that before the last part, and that part.
-    pub(super) fn through<C: RootCounter<S>>(
-        &self,
-        input: Plane<S>,
-        counter: &mut C,
-    ) -> (Plane<S>, Option<(Plane<S>, Part<S>)>) {
+    pub(super) fn through<C: RootCounter<S>>(&self, input: Plane<S>, counter: &mut C) -> Behind<S> {
         if S::IN_LANES {
             // lanes would need parts of their own: each is evaluated alone
             return (unknown(), None);
@@ -163,7 +162,7 @@ impl Iterator for Places {
         if width < rest {
             width = with_few_digits(width);
         }
-        if self.left == 0 || !(width >= SHORTEST.min(rest)) {
+        if self.left == 0 || width.is_nan() || width < SHORTEST.min(rest) {
             self.start = self.end;
             return Some(None);
         }
