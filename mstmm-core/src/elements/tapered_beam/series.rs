@@ -63,8 +63,8 @@ pub(super) fn sum<S: Scalar, const N: usize>(first: [S; N], slope: impl Fn(&Rece
         }
         (recent.last, recent.terms[order % MEMORY]) = (order, term);
         quiet = if counts { 0 } else { quiet + 1 };
-        // polynomials may start with zeros, so that first terms may be none
-        if quiet >= 4 && order >= MEMORY {
+        // an axial force may start with two zeros, so that fewer terms may be none
+        if quiet >= 4 {
             return Some(sums);
         }
     }
