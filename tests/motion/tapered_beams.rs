@@ -1,5 +1,4 @@
 //! Motions of tapered and rotating blades: closed forms at rest, differences of roots, orthogonal modes.
-#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use mstmm::prelude::*;
 

@@ -1,5 +1,4 @@
 //! Tapered and rotating beams: Bessel functions, published values, limits in which they are other beams.
-#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use mstmm::element::Support;
 use mstmm::elements::{AnyUndamped, GeneralBeam, Spring, TaperedBeam};

@@ -7,7 +7,7 @@ use crate::elements::tapered_beam::profile::Profile;
 use crate::elements::tapered_beam::walk::Tapered;
 use crate::elements::tapered_beam::{BuiltTaperedBeam, TaperedBeam};
 use crate::model::{Ends, State};
-use crate::number::{FrequencyPowers, Oscillation, Real, Single};
+use crate::number::{FrequencyPowers, Oscillation, Real, Scalar, Single};
 use crate::subspace::{Covector, Subspace};
 
 impl<T: Real, S: Oscillation<T>> BackTransfer<S> for TaperedBeam<T> {
@@ -83,9 +83,9 @@ impl<T: Real> BuiltTaperedBeam<T> {
         let sizes = self.at(x.lambda_squared()).sizes;
         let wave_at = |share: f64| {
             let stiffness = sizes.stiffness_at(share);
-            let bending = (sizes.mass_at(share) * sizes.lambda_squared / stiffness).sqrt();
+            let bending = Scalar::sqrt(sizes.mass_at(share) * sizes.lambda_squared / stiffness);
             let by_force = (sizes.force_at(share).abs() + sizes.rotary_at(share) * sizes.lambda_squared) / stiffness;
-            (bending + by_force).sqrt()
+            Scalar::sqrt(bending + by_force)
         };
         Interior { length: sizes.length, wave_number: wave_at(0.0).max(wave_at(1.0)) }
     }
