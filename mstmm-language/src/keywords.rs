@@ -80,6 +80,10 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     element("rotational_hinge", "RotationalHinge", Space::Bending, &["stiffness"]),
     element("shear_hinge", "ShearHinge", Space::Bending, &["stiffness"]),
     element("lever", "Lever", Space::Bending, &["output_x"]),
+    Keyword {
+        optional: &["width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius"],
+        ..element("tapered_beam", "TaperedBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius"])
+    },
 ];
 
 /// The supports and their keywords.

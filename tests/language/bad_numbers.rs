@@ -22,6 +22,7 @@ impl Range {
             Range::Position => &[],
             // -1/f - G
             Range::Tension => &[-2.0, -3.0, f64::MIN],
+            Range::Taper => &[0.999_999_1, 1.0, 2.0, f64::MAX, -1.000_001e6, f64::MIN],
         };
         [&NOT_FINITE, finite].concat()
     }
@@ -36,6 +37,7 @@ impl Range {
             Range::NonNegative => &[0.0, -0.0, TINY, f64::MIN_POSITIVE, 1.0, f64::MAX],
             Range::Tame => &[1e-20, 1.0, 1e20],
             Range::TameOrZero => &[0.0, -0.0, TINY, 1e-20, 1.0, 1e20],
+            Range::Taper => &[-1e6, -1.0, -TINY, 0.0, 0.5, 0.999_999],
             Range::Tension => &[-1.999, -TINY, 0.0, 1.0, 1e20],
             // a mass centre at ±1 needs just the inertia of 1 that there is
             Range::Position => &[-1.0, -TINY, 0.0, TINY, 1.0],

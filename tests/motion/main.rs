@@ -18,4 +18,5 @@ mod state_equations;
 pub mod static_limits;
 #[path = "../support/mod.rs"]
 pub mod support;
+mod tapered_beams;
 mod wave_lines;

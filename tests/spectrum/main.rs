@@ -25,6 +25,7 @@ mod strips;
 #[path = "../support/mod.rs"]
 pub mod support;
 mod sweeps;
+mod tapered_beams;
 mod tree_corners;
 #[path = "../support/undamped_models.rs"]
 mod undamped_models;

@@ -20,6 +20,7 @@ mod planar_body;
 mod planar_hinge;
 mod point_mass;
 pub(crate) mod shared;
+mod tapered_beam;
 mod wave_line;
 
 pub use any::{AnyElement, AnyUndamped};
@@ -37,6 +38,7 @@ pub use planar_beam::PlanarBeam;
 pub use planar_body::PlanarBody;
 pub use planar_hinge::PlanarHinge;
 pub use point_mass::PointMass;
+pub use tapered_beam::TaperedBeam;
 pub use wave_line::{Rod, Shaft, TautString};
 
 /// An element type: its name, space and parameters. The language has a row for each, too, and a test compares the two.
@@ -130,6 +132,10 @@ elements! {
         TautString { length, tension, mass_per_length, foundation_stiffness }
         Rod { length, axial_stiffness, mass_per_length, foundation_stiffness }
         Shaft { length, torsional_stiffness, inertia_per_length }
+        TaperedBeam {
+            length, bending_stiffness, mass_per_length, width_taper, height_taper, rotary_inertia, axial_force, rotation_speed,
+            hub_radius
+        }
     }
     damped {
         Damper { damping }

@@ -31,6 +31,13 @@ pub enum Requirement {
         /// Where the bound comes from, in terms of the other parameters.
         formula: &'static str,
     },
+    /// From `least` to `most`.
+    Between {
+        /// Smallest valid value.
+        least: f64,
+        /// Largest valid value.
+        most: f64,
+    },
     /// Positive, as the distance of two points: they are not at one place.
     Apart {
         /// Name of the one point.
@@ -52,6 +59,7 @@ impl fmt::Display for Requirement {
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
             Requirement::Above { bound, formula } => write!(f, "finite and greater than {formula} = {bound}"),
+            Requirement::Between { least, most } => write!(f, "from {least} to {most}"),
             Requirement::Apart { from, to } => write!(f, "positive and finite: {from} and {to} are at one place"),
             Requirement::Direction => write!(f, "a direction, whose larger part is between 1e-70 and 1e70"),
         }
@@ -131,6 +139,7 @@ impl Requirement {
             Requirement::NonNegative => number >= 0.0,
             // see `AtLeast`: three roundings of each of two numbers of the size of the bound
             Requirement::Above { bound, .. } => number > bound,
+            Requirement::Between { least, most } => (least..=most).contains(&number),
             Requirement::AtLeast { bound, .. } => number >= bound - rounding(3, 2.0 * bound.abs()),
         };
         if valid && number.abs() < f64::INFINITY {

@@ -185,6 +185,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     refused("rotational_hinge", ["elastic_hinge", "planar_hinge"]),
     refused("shear_hinge", ["elastic_hinge", "planar_hinge"]),
     refused("lever", [RIGID_BODY; 2]),
+    refused("tapered_beam", ["general_beam", "planar_general_beam"]),
 ];
 
 /// The support that names what it holds.

@@ -30,6 +30,8 @@ pub(crate) enum Range {
     Position,
     /// Greater than the axial force at which a beam of the other values loses its stiffness against shear.
     Tension,
+    /// Not so large that a section vanishes or grows beyond a million times.
+    Taper,
 }
 
 /// A parameter.
@@ -52,9 +54,13 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    /// Ordinary valid values: positions at the input end, all else 1.
+    /// Ordinary valid values: positions at the input end, sections that go down to a half, all else 1.
     pub(crate) fn ordinary(&self) -> Vec<f64> {
-        let value = |parameter: &Parameter| if parameter.range == Range::Position { 0.0 } else { 1.0 };
+        let value = |parameter: &Parameter| match parameter.range {
+            Range::Position => 0.0,
+            Range::Taper => 0.5,
+            _ => 1.0,
+        };
         self.parameters.iter().map(value).collect()
     }
 
@@ -191,4 +197,8 @@ scenes! {
     RotationalHinge = fixed -> rotational_hinge { stiffness: NonNegative } -> free undamped;
     ShearHinge = fixed -> shear_hinge { stiffness: NonNegative } -> free undamped;
     Lever = fixed -> lever { output_x: Position } -> free undamped;
+    TaperedBeam = fixed -> tapered_beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, width_taper: Taper, height_taper: Taper,
+        rotary_inertia: TameOrZero, axial_force: Position, rotation_speed: TameOrZero, hub_radius: Position,
+    } -> free undamped;
 }

@@ -1,0 +1,109 @@
+//! The section of a tapered beam along it, at a frequency.
+
+use crate::elements::tapered_beam::TaperedBeam;
+use crate::number::Scalar;
+use num_traits::Zero;
+
+/// A number that varies evenly along the beam.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Even<S> {
+    pub(super) start: S,
+    /// Its change over the whole beam.
+    pub(super) change: S,
+}
+
+impl<S: Scalar> Even<S> {
+    /// The number at a share of the length.
+    pub(super) fn at(&self, share: f64) -> S {
+        self.start + self.change * S::from_f64(share)
+    }
+}
+
+/// A beam along which shares of the length are counted from one of its ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Profile<S> {
+    pub(super) length: S,
+    /// Bending stiffness, mass per length and rotary inertia where width and height are 1.
+    pub(super) stiffness: S,
+    pub(super) mass: S,
+    pub(super) rotary: S,
+    pub(super) width: Even<S>,
+    pub(super) height: Even<S>,
+    /// Position from the axis of rotation.
+    pub(super) radius: Even<S>,
+    pub(super) speed_squared: S,
+    /// Axial force at the beam's output end.
+    pub(super) force: S,
+    pub(super) lambda_squared: S,
+    /// Share of the length at which the beam's output end is: 1, or 0 where shares are counted from there.
+    pub(super) outer: f64,
+}
+
+impl<S: Scalar> Profile<S> {
+    pub(super) fn of(beam: TaperedBeam<S>, lambda_squared: S, is_reversed: bool) -> Self {
+        let even = |start: S, end: S, change: S| {
+            if is_reversed { Even { start: end, change: -change } } else { Even { start, change } }
+        };
+        let one = S::one();
+        Profile {
+            length: beam.length,
+            stiffness: beam.bending_stiffness,
+            mass: beam.mass_per_length,
+            rotary: beam.rotary_inertia,
+            width: even(one, one - beam.width_taper, -beam.width_taper),
+            height: even(one, one - beam.height_taper, -beam.height_taper),
+            radius: even(beam.hub_radius, beam.hub_radius + beam.length, beam.length),
+            speed_squared: beam.rotation_speed * beam.rotation_speed,
+            force: beam.axial_force,
+            lambda_squared,
+            outer: if is_reversed { 0.0 } else { 1.0 },
+        }
+    }
+
+    /// EI at a share of the length.
+    pub(super) fn stiffness_at(&self, share: f64) -> S {
+        self.stiffness * self.shape_at(share)
+    }
+
+    /// The mass per length.
+    pub(super) fn mass_at(&self, share: f64) -> S {
+        self.mass * self.width.at(share) * self.height.at(share)
+    }
+
+    /// The rotary inertia per length.
+    pub(super) fn rotary_at(&self, share: f64) -> S {
+        self.rotary * self.shape_at(share)
+    }
+
+    /// `b h³`
+    pub(super) fn shape_at(&self, share: f64) -> S {
+        let height = self.height.at(share);
+        self.width.at(share) * height * height * height
+    }
+
+    /// The axial force.
+    pub(super) fn force_at(&self, share: f64) -> S {
+        self.force + self.speed_squared * self.up_to_end(share, |at| self.mass_at(at) * self.radius.at(at))
+    }
+
+    /// The integral over x of a polynomial of degree 3, from a share of the length to the output end, by Simpson's rule, which is exact.
+    pub(super) fn up_to_end(&self, share: f64, at: impl Fn(f64) -> S) -> S {
+        let width = if share < self.outer { self.outer - share } else { share - self.outer };
+        if width == 0.0 {
+            return S::zero();
+        }
+        let middle = at(0.5 * (share + self.outer));
+        let sum = at(share) + S::from_f64(4.0) * middle + at(self.outer);
+        self.length * S::from_f64(width) * sum / S::from_f64(6.0)
+    }
+}
+
+impl Profile<f64> {
+    /// The phase of bending waves along the whole beam, `∫ (m λ²/EI)^¼ dx`, given the size of λ².
+    pub(super) fn phase(&self) -> f64 {
+        let [first, last] = [0.0, 1.0].map(|end| Scalar::sqrt(self.height.at(end)));
+        let square = Scalar::sqrt(self.mass * self.lambda_squared / self.stiffness);
+        let phase = self.length * Scalar::sqrt(square) * 2.0 / (first + last);
+        if self.lambda_squared.is_zero() { 0.0 } else { phase }
+    }
+}
