@@ -182,3 +182,18 @@ fn the_track_goes_down_as_winkler_says() {
     let waves = rows_of(&text, "waves travel from");
     assert_eq!(waves.len(), 4);
 }
+
+/// Oracle: a rigid blade on a hinge at the axis flaps once per turn, so that Southwell's coefficient of a first mode is more than 1; published
+/// ones of blades are below 1.6.
+#[test]
+#[ignore = "long: .ci/long"]
+fn the_blade_stiffens_as_it_turns() {
+    let text = printed("rotating_blade");
+    let rows = rows_of(&text, "speed [1/min]");
+    assert_eq!(rows.len(), 5);
+    for pair in rows.windows(2) {
+        assert!(pair[0][1] < pair[1][1] && pair[0][2] < pair[1][2] && pair[0][3] < pair[1][3], "{rows:?}");
+    }
+    let coefficient: f64 = text.lines().last().unwrap().split_whitespace().last().unwrap().parse().unwrap();
+    assert!((1.0..1.6).contains(&coefficient), "{coefficient}");
+}

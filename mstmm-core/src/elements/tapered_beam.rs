@@ -78,6 +78,7 @@ impl<T: Parameter> Element for TaperedBeam<T> {
     type State = Bending;
     type Built = BuiltTaperedBeam<T>;
     const MAY_BUCKLE: bool = true;
+    const IS_STRAIGHT: bool = false;
 
     fn build(self) -> Result<BuiltTaperedBeam<T>, InvalidParameter> {
         Requirement::Positive.check("length", self.length)?;

@@ -13,4 +13,6 @@ fn main() {
 //                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
 //                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
 //                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
+//                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
+//                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
 }
