@@ -107,6 +107,17 @@ fn a_line_of_general_beams_is_their_tree() {
         assert_near(&found, &expected, 1e-14);
         let beyond = 30.0 * expected[9];
         assert_eq!(sketch.count_below(beyond), tree.count_below(beyond));
+        // Δ by fronts is that by minors up to one constant, whatever the charts divide by
+        let ratio = |omega: f64| {
+            let (front, minors) = (Characteristic::<f64>::characteristic(&sketch, omega), tree.characteristic(omega));
+            let power = i32::try_from(front.exponent() - minors.exponent()).unwrap();
+            front.mantissa() / minors.mantissa() * 2_f64.powi(power)
+        };
+        let constant = ratio(0.5 * expected[0]);
+        for k in 1..60 {
+            let omega = 0.37 * expected[0] * 1.11_f64.powi(k);
+            assert!((ratio(omega) / constant - 1.0).abs() <= 1e-9, "{omega}: {} and {constant}", ratio(omega));
+        }
         for index in [0, 4, 9] {
             let roots =
                 (tree.first_frequencies::<10>().unwrap()[index], sketch.first_frequencies::<10>().unwrap()[index]);

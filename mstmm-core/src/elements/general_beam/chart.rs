@@ -162,7 +162,8 @@ impl<S: Scalar> Relation<S> {
                 }
             }
         }
-        let product = self.minor(b, c) * self.units[KINDS[output].1] / self.units[4 - KINDS[input].1];
+        // with the sign of the compound, whatever the order of the variables
+        let product = self.divisor(input, output) * self.units[KINDS[output].1] / self.units[4 - KINDS[input].1];
         let count = forces.iter().filter(|is_force| **is_force).count();
         Form {
             entries,
