@@ -302,3 +302,60 @@ fn pinned_beams_have_the_frequencies_of_sines() {
     exact.sort_by(f64::total_cmp);
     assert_roots(&beam.first_frequencies::<9>().unwrap(), &exact[..9], 1.0, 4e-15);
 }
+
+system! {
+    #[derive(Clone, Copy)]
+    struct Mixed { l: f64, ei: f64, m: f64, ga: f64, r: f64, n: f64, k: f64, g: f64 }
+    fixed -> timoshenko_beam 1 { length: l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r }
+        -> general_beam 2 {
+            length: 1.3 * l, bending_stiffness: ei, mass_per_length: m, shear_flexibility: 1.0 / ga, rotary_inertia: r,
+            axial_force: n, foundation_stiffness: k, foundation_shear_stiffness: g
+        }
+        -> foundation_beam 3 { length: l, bending_stiffness: ei, mass_per_length: m, foundation_stiffness: k, foundation_shear_stiffness: g }
+        -> beam_column 4 { length: 0.7 * l, bending_stiffness: ei, mass_per_length: m, axial_force: -0.1 * n }
+        -> rayleigh_beam 5 { length: l, bending_stiffness: ei, mass_per_length: m, rotary_inertia: r } -> pinned
+}
+
+/// A model and a field of it.
+type Field = (&'static str, fn(&mut Mixed) -> &mut f64);
+
+/// Differences of roots, of an error of some 1e-10.
+#[test]
+fn sensitivities_are_differences_of_roots() {
+    const STEP: f64 = 1e-5;
+    let fields: [Field; 8] = [
+        ("l", |model| &mut model.l),
+        ("ei", |model| &mut model.ei),
+        ("m", |model| &mut model.m),
+        ("ga", |model| &mut model.ga),
+        ("r", |model| &mut model.r),
+        ("n", |model| &mut model.n),
+        ("k", |model| &mut model.k),
+        ("g", |model| &mut model.g),
+    ];
+    for model in [
+        Mixed { l: 1.0, ei: 1.0, m: 1.0, ga: 30.0, r: 0.01, n: 5.0, k: 40.0, g: 2.0 },
+        Mixed { l: 0.6, ei: 2.0, m: 0.5, ga: 400.0, r: 0.001, n: -3.0, k: 2e3, g: 1.0 },
+    ] {
+        let system = model.build().unwrap();
+        let roots = system.first_frequencies::<8>().unwrap();
+        for mode in [0, 3, 7] {
+            let sensitivities = system.sensitivity(&roots[mode]).unwrap();
+            for (name, field) in fields {
+                let at = |factor: f64| {
+                    let mut changed = model;
+                    *field(&mut changed) *= factor;
+                    changed.build().unwrap().first_frequencies::<8>().unwrap()[mode].omega
+                };
+                let mut changed = model;
+                let value = *field(&mut changed);
+                let difference = (at(1.0 + STEP) - at(1.0 - STEP)) / (2.0 * STEP);
+                let found = sensitivities.get(name).unwrap() * value;
+                assert!(
+                    (found - difference).abs() <= 1e-8 * roots[mode].omega,
+                    "{name} in mode {mode}: {found} {difference}"
+                );
+            }
+        }
+    }
+}
