@@ -94,7 +94,7 @@ pub use pass::network::{
     Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member, Motions,
     MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch, Node, OverallNetwork, Placed, PlacedCharts,
     PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton, SketchedBody, SketchedEnd,
-    SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, build_member, estimate_member, in_way_back,
+    SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel, build_member, in_way_back,
     network_pass, overall_determinant, overall_matrix,
 };
 pub use pass::overall::assembly::Assembly;

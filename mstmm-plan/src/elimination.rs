@@ -77,6 +77,7 @@ impl<'a> Incidence<'a> {
     }
 
     /// The ends at a node.
+    #[inline]
     pub const fn ends(&self, node: usize) -> &'a [usize] {
         let from = self.first_end[node];
         let to = if node + 1 < self.first_end.len() { self.first_end[node + 1] } else { 2 * self.members.len() };

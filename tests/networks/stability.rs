@@ -9,7 +9,7 @@ use mstmm::network::{
 };
 use mstmm::number::{Frequency, Size};
 use mstmm::prelude::*;
-use mstmm::search::SearchError;
+use mstmm::search::{SearchError, System};
 
 const SECTION: Section<f64> = Section { axial_stiffness: 400.0, bending_stiffness: 2.0, mass_per_length: 1.5 };
 
@@ -168,12 +168,8 @@ fn a_mass_on_a_link() {
 #[test]
 fn a_frame_without_a_link_is_not_asked() {
     let nodes = [clamped([0.0, 0.0]), Node::at([1.0, 0.0])];
-    let (mut room, mut plain_room) = (Room::<_, 2, 1>::new(), Room::<_, 2, 1>::new());
+    let mut room = Room::<_, 2, 1>::new();
     let members = [beam(0, 1)];
     let pieces = Network::<Piece, 12, _, _>::new(&nodes, &members, &mut room).unwrap();
-    let members = [Member::<UndampedMember<f64>>::new(0, 1, SECTION)];
-    let plain = Network::<_, 12, _, _>::new(&nodes, &members, &mut plain_room).unwrap();
-    assert_eq!(pieces.unstable_modes(), Ok(0));
-    let [found, expected] = [pieces.first_frequencies::<3>().unwrap(), plain.first_frequencies::<3>().unwrap()];
-    assert_eq!(found.evaluations(), expected.evaluations());
+    assert_eq!((pieces.may_buckle(), pieces.unstable_modes()), (false, Ok(0)));
 }

@@ -1,6 +1,7 @@
 //! Charts: what an element is in a front.
 
 use crate::element::member_motion::VisitMember;
+use crate::element::member_numbers::MemberNumbers;
 use crate::element::traits::{Element, space_of};
 use crate::model::{FrequencyEstimates, InvalidParameter};
 use crate::number::{FrequencyPowers, Real, Scalar};
@@ -55,6 +56,11 @@ pub trait MemberElement: Copy + Debug {
 
     /// Adds the element's stiffnesses and masses to the estimates from which searches take their first steps.
     fn estimate(built: &Self::Built, estimates: &mut FrequencyEstimates);
+
+    /// The numbers from which its dynamic stiffness follows.
+    fn member_numbers(_built: &Self::Built) -> MemberNumbers {
+        MemberNumbers::Other
+    }
 }
 
 /// A member at a frequency of type `S`.

@@ -1,5 +1,6 @@
 //! An element, its transfer matrix and its step of the plane method.
 
+use crate::element::member_numbers::MemberNumbers;
 use crate::model::{FrequencyEstimates, InvalidParameter, ParameterError, StateSpace};
 use crate::number::{FrequencyPowers, Scalar, Scaled, Single};
 use crate::subspace::{Connecting, RootCounter, Subspace};
@@ -47,6 +48,13 @@ pub trait Element: Sized {
     /// Adds the element's stiffnesses and masses to the estimates from which searches take their first steps.
     #[inline]
     fn estimate(_built: &Self::Built, _bounds: &mut FrequencyEstimates) {}
+
+    /// The numbers from which its dynamic stiffness as a member follows, for searches that evaluate networks at many frequencies at once.
+    #[doc(hidden)]
+    #[inline]
+    fn member_numbers(_built: &Self::Built) -> MemberNumbers {
+        MemberNumbers::Other
+    }
 }
 
 /// The transfer equation `z_O = U(x) z_I` of an element at a frequency `x` (see [`Frequency`](crate::number::frequency::Frequency)).

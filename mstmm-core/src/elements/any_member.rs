@@ -1,8 +1,8 @@
 //! Members of any type, for networks whose size the program decides.
 
 use crate::element::{
-    Charted, Element, MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember, along_member,
-    member_transfer,
+    Charted, Element, MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberTransfer, MemberVisit,
+    VisitMember, along_member, member_transfer,
 };
 use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
@@ -130,6 +130,14 @@ macro_rules! any_member {
                     $built::Beam(beam) => <PlanarBeam<T> as Element>::estimate(beam, estimates),
                     $built::Joint(joint) => <Joint<T> as Element>::estimate(joint, estimates),
                     $($built::$connector(built) => <$connector<T> as Element>::estimate(built, estimates),)*
+                }
+            }
+
+            fn member_numbers(built: &$built<T>) -> MemberNumbers {
+                match built {
+                    $built::Beam(beam) => <PlanarBeam<T> as Element>::member_numbers(beam),
+                    $built::Joint(joint) => <Joint<T> as Element>::member_numbers(joint),
+                    $($built::$connector(built) => <$connector<T> as Element>::member_numbers(built),)*
                 }
             }
         }

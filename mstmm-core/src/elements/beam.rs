@@ -1,6 +1,6 @@
 //! Euler-Bernoulli beam.
 
-use crate::element::{Element, PlaneStep, TransferMatrix};
+use crate::element::{BendingNumbers, Element, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::bending_matrix;
 use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
@@ -88,6 +88,13 @@ impl<T: Parameter> Element for Beam<T> {
         estimates.length(l);
         estimates.mass(m * l);
         estimates.moment_of_inertia(m * l * l * l);
+    }
+
+    fn member_numbers(built: &BuiltBeam<T>) -> MemberNumbers {
+        let [length, ei, wave, wave_fourth] =
+            [built.parameters.length, built.parameters.bending_stiffness, built.wave, built.wave_fourth].map(T::to_f64);
+        let stiffness = ei / (length * length * length);
+        MemberNumbers::Beam(BendingNumbers { wave, wave_fourth, stiffness, length }, None)
     }
 }
 

@@ -1,6 +1,8 @@
 //! Joint of two points at one place.
 
-use crate::element::{Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberWork, TransferMatrix};
+use crate::element::{
+    Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, TransferMatrix,
+};
 use crate::elements::shared::connector::{Tie, chart_of_ties};
 use crate::elements::shared::line_forms::half;
 use crate::elements::{ElasticHinge, PlanarHinge};
@@ -90,6 +92,10 @@ impl<T: Parameter> Element for Joint<T> {
         let [x, y, rotation] = built.elastic;
         [x, y].into_iter().flatten().for_each(|stiffness| estimates.translational_stiffness(stiffness.to_f64()));
         rotation.into_iter().for_each(|stiffness| estimates.torsional_stiffness(stiffness.to_f64()));
+    }
+
+    fn member_numbers(built: &Self) -> MemberNumbers {
+        MemberNumbers::Joint(built.rigid, built.elastic.map(|stiffness| stiffness.map_or(0.0, T::to_f64)))
     }
 }
 

@@ -3,8 +3,8 @@
 //! They differ in their coordinate, in the names of their stiffness and inertia, and in whether they have a foundation.
 
 use crate::element::{
-    BackTransfer, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork,
-    PlaneStep, TransferMatrix, along_member,
+    BackTransfer, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
+    MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::line_forms::unit_of;
@@ -99,6 +99,10 @@ macro_rules! wave_lines {
 
             fn estimate(built: &UniformLine<T>, estimates: &mut FrequencyEstimates) {
                 built.estimate(estimates, [FrequencyEstimates::$stiffness_estimate, FrequencyEstimates::$inertia_estimate]);
+            }
+
+            fn member_numbers(built: &UniformLine<T>) -> MemberNumbers {
+                MemberNumbers::Line(freedom!($space), built.numbers())
             }
         }
 

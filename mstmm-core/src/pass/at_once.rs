@@ -2,8 +2,9 @@
 
 use crate::number::{InLanes, Packed, Real, Scaled, Size, Task, Truth, run};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
+use crate::pass::network::stiffness::{Memory, StiffnessBlock, StiffnessModel};
 use crate::pass::phase::PhaseCounter;
-use crate::subspace::{NoCount, Purpose};
+use crate::subspace::{NoCount, Purpose, WittrickWilliams};
 use core::marker::PhantomData;
 
 /// Most frequencies of a block.
@@ -11,7 +12,7 @@ pub(crate) const MOST: usize = 16;
 
 /// Whether a system is evaluated in lanes at numbers of a type. Else its pass is compiled once, for one number.
 const fn has_lanes<S: InLanes, Y: System + ?Sized>() -> bool {
-    Y::STANDS_IN_LINE && S::OnAvx512::LANES > 1
+    (Y::STANDS_IN_LINE || Y::IS_NETWORK) && S::OnAvx512::LANES > 1
 }
 
 /// Number of lanes of the instruction set in use, in which a system is evaluated.
@@ -46,6 +47,8 @@ pub(crate) struct Block<T> {
     is_lost: bool,
     /// The power of two of all values; none before the first evaluation.
     exponent: Option<i64>,
+    /// The memory that a network takes.
+    memory: Memory,
 }
 
 impl<T: InLanes + Real> Block<T> {
@@ -60,6 +63,7 @@ impl<T: InLanes + Real> Block<T> {
             unknown: 0,
             is_lost: false,
             exponent: None,
+            memory: Memory::default(),
         }
     }
 
@@ -71,6 +75,9 @@ impl<T: InLanes + Real> Block<T> {
         if purpose == Purpose::Phases {
             // a new window: Δ grows along the frequencies
             self.exponent = None;
+        }
+        if let Some(model) = system.in_numbers() {
+            return self.by_stiffnesses(&model, count, lanes, purpose);
         }
         if lanes > 1 {
             // idle lanes follow the last one
@@ -84,6 +91,38 @@ impl<T: InLanes + Real> Block<T> {
         }
         self.begin();
         Counts { system, block: self, count, purpose }.alone();
+    }
+
+    /// Evaluates Δ and counts of a network by its stiffnesses.
+    fn by_stiffnesses(&mut self, model: &StiffnessModel<'_>, count: usize, lanes: usize, purpose: Purpose) {
+        let ([mut omega, mut value], below) = ([[0.0; MOST]; 2], &mut self.below);
+        for (omega, own) in omega.iter_mut().zip(&self.omega) {
+            *omega = own.to_f64();
+        }
+        let mut block = StiffnessBlock {
+            omega: &omega[..count],
+            watches: purpose != Purpose::Values,
+            value: &mut value[..count],
+            below: &mut below[..count],
+            unknown: 0,
+            doubtful: 0,
+            exponent: self.exponent,
+            memory: self.memory,
+        };
+        block.evaluate(model, lanes > 1);
+        (self.unknown, self.exponent, self.memory) = (block.unknown | block.doubtful, block.exponent, block.memory);
+        for (own, value) in self.value.iter_mut().zip(value) {
+            *own = T::from_f64(value);
+        }
+    }
+
+    /// Evaluates one frequency anew, where doubts of stiffnesses are none.
+    #[inline]
+    pub(crate) fn count_alone<Y: Characteristic<T> + ?Sized>(&mut self, system: &Y, lane: usize) {
+        let (counter, delta) = counted_pass(system, self.omega[lane], WittrickWilliams::<f64>::default());
+        self.below[lane] = counter.count();
+        let is_known = delta.mantissa().size().is_finite() && !delta.mantissa().is_zero() && !counter.cancelled().any();
+        self.unknown = self.unknown & !(1 << lane) | u32::from(!is_known) << lane;
     }
 
     /// Forgets what was known of the lanes.
@@ -261,7 +300,7 @@ trait ManyAtOnce<T: InLanes> {
 /// Does work in the lanes of the instruction set in use.
 #[inline]
 fn evaluate<T: InLanes, W: ManyAtOnce<T>>(work: W) {
-    if const { has_lanes::<T, W::System>() } {
+    if const { has_lanes::<T, W::System>() && !W::System::IS_NETWORK } {
         run(Dispatch(work, PhantomData));
     } else {
         work.alone();

@@ -2,6 +2,7 @@
 
 use crate::model::FrequencyEstimates;
 use crate::number::{Real, Scalar, Scaled};
+use crate::pass::network::stiffness::StiffnessModel;
 use crate::subspace::{NoCount, RootCounter, WittrickWilliams};
 
 /// A built system with parameters of type `Self::Parameter`.
@@ -17,6 +18,10 @@ pub trait System {
     #[doc(hidden)]
     const HAS_PHASES: bool = true;
 
+    /// Whether it is a network, which searches evaluate by its stiffnesses where they can.
+    #[doc(hidden)]
+    const IS_NETWORK: bool = false;
+
     /// Whether some element may have a negative stiffness at rest: then searches ask first whether the system is stable.
     #[doc(hidden)]
     const MAY_BUCKLE: bool = false;
@@ -26,6 +31,19 @@ pub trait System {
     #[inline]
     fn may_buckle(&self) -> bool {
         Self::MAY_BUCKLE
+    }
+
+    /// The system in numbers, if it is a network.
+    #[doc(hidden)]
+    #[inline]
+    fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
+        None
+    }
+
+    /// Whether it is a network all of whose members are known in numbers.
+    #[doc(hidden)]
+    fn is_known_in_numbers(&self) -> bool {
+        self.in_numbers().is_some_and(|model| model.is_known())
     }
 
     /// Estimates from which the searches take their first steps.

@@ -306,12 +306,16 @@ const _: () = {
                 estimates: ::core::default::Default::default(),
             };
             system.skeleton.estimate(&mut system.estimates);
-            mstmm::__private::estimate_member::<
-                mstmm::__private::elements::PlanarBeam<T>,
-            >(&system.member_0, &mut system.estimates);
-            mstmm::__private::estimate_member::<
-                mstmm::__private::elements::Spring<T>,
-            >(&system.member_1, &mut system.estimates);
+            system
+                .skeleton
+                .describe::<
+                    mstmm::__private::elements::PlanarBeam<T>,
+                >(0usize, &system.member_0, &mut system.estimates);
+            system
+                .skeleton
+                .describe::<
+                    mstmm::__private::elements::Spring<T>,
+                >(1usize, &system.member_1, &mut system.estimates);
             system.estimates.finish();
             ::core::result::Result::Ok(system)
         }
@@ -320,12 +324,20 @@ const _: () = {
     impl<T: mstmm::__private::Real> mstmm::__private::System for MastSystem<T> {
         type Parameter = T;
         const HAS_PHASES: bool = false;
+        const IS_NETWORK: bool = true;
         const MAY_BUCKLE: bool = <mstmm::__private::elements::PlanarBeam<
             T,
         > as mstmm::__private::Element>::MAY_BUCKLE
             || <mstmm::__private::elements::Spring<
                 T,
             > as mstmm::__private::Element>::MAY_BUCKLE;
+        fn in_numbers(
+            &self,
+        ) -> ::core::option::Option<mstmm::__private::StiffnessModel<'_>> {
+            ::core::option::Option::Some(
+                self.skeleton.in_numbers(mstmm::__private::Placed::order(self)),
+            )
+        }
         fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
             self.estimates
         }

@@ -1,6 +1,6 @@
 //! Uniform lines with mass: strings, rods and shafts, which vibrate along one coordinate.
 
-use crate::element::MemberWork;
+use crate::element::{LineNumbers, MemberWork};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::line_forms::half;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
@@ -108,6 +108,12 @@ impl<T: Parameter> UniformLine<T> {
         stiffness(estimates, self.stiffness.to_f64());
         stiffness(estimates, (foundation * length).to_f64());
         inertia(estimates, (per_length * length).to_f64());
+    }
+
+    /// The numbers of its dynamic stiffness.
+    pub(crate) fn numbers(&self) -> LineNumbers {
+        let [inertia, foundation, stiffness] = [self.inertia, self.foundation, self.stiffness].map(T::to_f64);
+        LineNumbers { inertia, foundation, stiffness }
     }
 
     /// κ at λ²; in extended precision from the parameters, since `build` has rounded.

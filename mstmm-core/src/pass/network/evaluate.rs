@@ -201,11 +201,8 @@ pub(super) fn front_node<T: Parameter, S: Frequency<T>>(
         motions: motions.count,
         has_rotation: motions.has_rotation,
         inertias: [node.mass, node.inertia].map(|inertia| square * inertia.to_f64()),
-        body: node.has_body().then(|| {
-            // of all three displacements by all motions, and then of all motions by these
-            let rows = node.mass_matrix::<S>().map(|row| motions.parts_of(row));
-            let columns = [0, 1, 2].map(|l| motions.parts_of(rows.map(|row| row[l])));
-            columns.map(|column| column.map(|entry| lambda_squared * entry))
-        }),
+        body: node
+            .has_body()
+            .then(|| motions.masses::<S>(node).map(|column| column.map(|entry| lambda_squared * entry))),
     }
 }

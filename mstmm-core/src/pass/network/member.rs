@@ -239,6 +239,11 @@ impl<T: Real> Placement<T> {
         turned(moved(node, self.offset(end)), self.axis(end))
     }
 
+    /// Of each end, for displacements along and across the member and for the rotation: the parts of the motions of its node.
+    pub(crate) fn rows(&self) -> [[[T; 3]; 3]; 2] {
+        self.span.rows
+    }
+
     /// The node of an end.
     pub(crate) fn node_of(&self, end: usize) -> usize {
         self.ends[end].index

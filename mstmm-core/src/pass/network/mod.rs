@@ -14,6 +14,7 @@ mod overall_network;
 mod products;
 mod skeleton;
 mod sketch;
+pub(crate) mod stiffness;
 mod structure;
 
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
@@ -29,9 +30,10 @@ pub use node::{Motions, Node};
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
-pub use skeleton::{Skeleton, build_member, estimate_member};
+pub use skeleton::{Skeleton, build_member};
 pub use sketch::{
     Axis, Located, NetworkSketch, Seat, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint,
     SketchedSupport,
 };
+pub use stiffness::StiffnessModel;
 pub use structure::{InNetwork, Network, NetworkRoom};

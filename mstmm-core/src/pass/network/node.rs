@@ -115,6 +115,13 @@ impl<T: Parameter> Motions<T> {
         motions
     }
 
+    /// The mass matrix of the body of a node over its motions.
+    pub(crate) fn masses<S: Frequency<T>>(&self, node: &Node<T>) -> [[S; 3]; 3] {
+        // of all three displacements by all motions, and then of all motions by these
+        let rows = node.mass_matrix::<S>().map(|row| self.parts_of(row));
+        [0, 1, 2].map(|l| self.parts_of(rows.map(|row| row[l])))
+    }
+
     /// What the motions are of a sum of x, y and rotation.
     #[inline]
     pub(crate) fn parts_of<S: Frequency<T>>(&self, sum: [S; 3]) -> [S; 3] {

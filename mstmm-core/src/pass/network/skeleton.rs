@@ -7,6 +7,8 @@ use crate::pass::network::member::{End, Placement};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::numbers::Numbers;
 use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedEnd};
+use crate::pass::network::stiffness::{StiffnessMember, StiffnessModel, StiffnessNode};
+use mstmm_plan::NetworkOrder;
 
 /// The nodes of a network and the placements of its members; what the members are made of stands elsewhere.
 #[derive(Clone, Debug)]
@@ -14,6 +16,8 @@ pub struct Skeleton<T, const NODES: usize, const MEMBERS: usize> {
     nodes: [Node<T>; NODES],
     motions: [Motions<T>; NODES],
     placements: [Placement<T>; MEMBERS],
+    /// Nodes and members in numbers, for searches at many frequencies at once.
+    stiffness: ([StiffnessNode; NODES], [StiffnessMember; MEMBERS]),
 }
 
 impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBERS> {
@@ -43,7 +47,17 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
             *placement = Placement::new(member.freedoms, [&ends[0], &ends[1]], at_nodes.0, at_nodes.1);
             numbers.check_distance(sketch, member, placement.own_length().to_f64())?;
         }
-        Ok(Skeleton { nodes, motions, placements })
+        let members = [StiffnessMember::none(); MEMBERS];
+        let in_numbers = core::array::from_fn(|node| StiffnessNode::new(&nodes[node], &motions[node]));
+        Ok(Skeleton { nodes, motions, placements, stiffness: (in_numbers, members) })
+    }
+
+    /// Describes a member: its numbers, and what it adds to the estimates from which searches take their first steps. A call, since a frame
+    /// has hundreds of members and is built once.
+    #[inline(never)]
+    pub fn describe<E: Element>(&mut self, member: usize, built: &E::Built, estimates: &mut FrequencyEstimates) {
+        E::estimate(built, estimates);
+        self.stiffness.1[member] = StiffnessMember::new(E::member_numbers(built), &self.placements[member]);
     }
 
     /// The length of a member.
@@ -66,6 +80,11 @@ impl<T: Copy, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
     /// Where a member stands.
     pub fn placement(&self, member: usize) -> &Placement<T> {
         &self.placements[member]
+    }
+
+    /// The network in numbers, given its order.
+    pub fn in_numbers<'a>(&'a self, order: NetworkOrder<'a>) -> StiffnessModel<'a> {
+        StiffnessModel { nodes: &self.stiffness.0, members: &self.stiffness.1, order }
     }
 }
 
@@ -102,10 +121,4 @@ fn estimate_nodes<T: Real>(nodes: &[Node<T>], estimates: &mut FrequencyEstimates
 #[inline(never)]
 pub fn build_member<E: Element>(element: E, name: &'static str) -> Result<E::Built, ParameterError> {
     build(element, name)
-}
-
-/// Adds a member to the estimates from which searches take their first steps: a call, as `build_member` is.
-#[inline(never)]
-pub fn estimate_member<E: Element>(built: &E::Built, estimates: &mut FrequencyEstimates) {
-    E::estimate(built, estimates);
 }

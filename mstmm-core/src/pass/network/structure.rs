@@ -9,6 +9,7 @@ use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_way
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::overall::PlacedTransfers;
+use crate::pass::network::stiffness::{StiffnessMember, StiffnessModel, StiffnessNode};
 use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
 use core::fmt::Debug;
 use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
@@ -17,13 +18,14 @@ use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
 #[derive(Clone, Copy, Debug)]
 pub enum InNetwork {}
 
-/// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 100 bytes per node, some 300 per member.
+/// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 200 bytes per node, some 600 per member.
 #[derive(Clone, Debug)]
 pub struct NetworkRoom<E: MemberElement, const NODES: usize, const MEMBERS: usize> {
     members: [Option<E::Built>; MEMBERS],
     kinds: [&'static str; MEMBERS],
     placements: [Placement<E::Parameter>; MEMBERS],
     motions: [Motions<E::Parameter>; NODES],
+    stiffness: ([StiffnessNode; NODES], [StiffnessMember; MEMBERS]),
     order: OrderRoom<NODES, MEMBERS>,
 }
 
@@ -36,6 +38,7 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
             kinds: [""; MEMBERS],
             placements: [Placement::nowhere(); MEMBERS],
             motions: [Motions::none(); NODES],
+            stiffness: ([StiffnessNode::none(); NODES], [StiffnessMember::none(); MEMBERS]),
             order: OrderRoom::EMPTY,
         }
     }
@@ -75,6 +78,8 @@ pub struct Network<'a, E: MemberElement, const WIDTH: usize, const NODES: usize,
     /// What each member is.
     pub(super) kinds: &'a [&'static str],
     placements: &'a [Placement<E::Parameter>],
+    /// Nodes and members in numbers, for searches at many frequencies at once.
+    stiffness: (&'a [StiffnessNode], &'a [StiffnessMember]),
     order: NetworkOrder<'a>,
 }
 
@@ -100,9 +105,11 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
         for (index, node) in nodes.iter().enumerate() {
             check_node(index, node)?;
             room.motions[index] = Motions::of(node);
+            room.stiffness.0[index] = StiffnessNode::new(node, &room.motions[index]);
         }
         for (index, member) in members.iter().enumerate() {
             let (built, placement) = built(index, member, nodes, &room.motions)?;
+            room.stiffness.1[index] = StiffnessMember::new(E::member_numbers(&built), &placement);
             (room.members[index], room.placements[index]) = (Some(built), placement);
             room.kinds[index] = member.element.name();
         }
@@ -111,13 +118,14 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
         if let Some(node) = room.order.fill(sizes.0, |node| motions[node].count == 0, pairs) {
             return Err(NetworkError::Apart { node });
         }
-        let NetworkRoom { members: built, kinds, placements, motions, order } = room;
+        let NetworkRoom { members: built, kinds, placements, motions, stiffness, order } = room;
         let network = Network {
             nodes,
             motions: &motions[..sizes.0],
             members: &built[..sizes.1],
             kinds: &kinds[..sizes.1],
             placements: &placements[..sizes.1],
+            stiffness: (&stiffness.0[..sizes.0], &stiffness.1[..sizes.1]),
             order: order.order(sizes.0, sizes.1),
         };
         let freedoms = |end: usize| network.placements[end / 2].freedoms.count();
@@ -202,7 +210,12 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
     type Parameter = E::Parameter;
 
     const HAS_PHASES: bool = false;
+    const IS_NETWORK: bool = true;
     const MAY_BUCKLE: bool = E::MAY_BUCKLE;
+
+    fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
+        Some(StiffnessModel { nodes: self.stiffness.0, members: self.stiffness.1, order: self.order })
+    }
 
     fn may_buckle(&self) -> bool {
         E::MAY_BUCKLE && self.members.iter().flatten().any(E::may_buckle)

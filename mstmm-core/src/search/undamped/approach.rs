@@ -2,7 +2,8 @@
 
 #[cfg(feature = "std")]
 use crate::number::InLanes;
-use crate::number::{Packed, Scalar, Size, Task, run};
+use crate::number::{Scalar, Size, Task, run};
+use crate::search::undamped::interpolation::{Real, Sample, at_zero, without_growth, zero_among};
 
 /// Roots that are approached side by side.
 pub(super) const ROOTS: usize = 8;
@@ -18,49 +19,6 @@ const UNEVEN: f64 = 0.3;
 
 /// Rounding that an estimate may carry beyond its bracket.
 const OUTSIDE: f64 = 1e-14;
-
-/// A point at the square root s of a frequency, in which the frequencies of beams are evenly spaced, and Δ there over a power of two.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Point {
-    pub(super) s: f64,
-    pub(super) value: f64,
-}
-
-/// A sample of a window.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Sample {
-    pub(super) point: Point,
-    /// Number of roots below.
-    pub(super) below: f64,
-    /// That number with a share of the next root: it grows evenly, as the phase of a wave.
-    pub(super) phase: f64,
-}
-
-/// A real number, or several in lanes, with the arithmetic of an approach.
-pub(super) trait Real: Packed<f64> + Scalar<Size = Self, Truth = <Self as Size>::Truth> + Size {}
-
-impl<S: Packed<f64> + Scalar<Size = S, Truth = <S as Size>::Truth> + Size> Real for S {}
-
-/// The value at zero of the polynomial through points, by Lagrange's weights: their quotients do not wait for each other.
-#[inline(always)]
-fn at_zero<S: Real, const N: usize>(x: [S; N], y: [S; N]) -> S {
-    let mut sum = S::zero();
-    let mut k = 0;
-    while k < N {
-        let (mut above, mut below) = (y[k], S::one());
-        let mut j = 0;
-        while j < N {
-            if j != k {
-                above *= x[j];
-                below *= x[j] - x[k];
-            }
-            j += 1;
-        }
-        sum += above / below;
-        k += 1;
-    }
-    sum
-}
 
 /// A number for each root.
 pub(super) type PerRoot = [f64; ROOTS];
@@ -126,6 +84,8 @@ impl<const POINTS: usize> Approaches<POINTS> {
     pub(super) fn start(&mut self, k: usize, near: &[Sample; 4], [begin, end]: [Sample; 2], is_lowest: bool) {
         let (root, from) = (begin.below + 1.0, begin.point.s);
         let step = end.point.s - from;
+        // the other sign than at the end, also where rounding has decided it: Δ is nearly zero at rest if rigid bodies move
+        let first = begin.point.value.abs().copysign(-end.point.value);
         let linear = step * ((root - begin.phase) / (end.phase - begin.phase));
         let cubic = at_zero::<f64, 4>(
             [near[0].phase - root, near[1].phase - root, near[2].phase - root, near[3].phase - root],
@@ -136,9 +96,19 @@ impl<const POINTS: usize> Approaches<POINTS> {
         let is_even = cubic > 0.0 && cubic < step && difference < UNEVEN * step;
         let (start, width) =
             if is_even { (cubic, (difference * 0.25).max(step * 1e-4)) } else { (step * 0.5, step * Self::SPREAD) };
+        // without phases Δ itself is interpolated
+        let (start, width) = match begin
+            .phase
+            .is_nan()
+            .then(|| zero_among(near, first, [begin.point, end.point], self.growth[0]))
+            .flatten()
+        {
+            Some(zero) => (zero, ((zero - step * 0.5).abs() * 0.1).max(step * 0.02)),
+            None => (start, width),
+        };
         // below the first wave Δ is a polynomial in ω², whose first terms count
         let (start, width) = if is_lowest && begin.below == 0.0 {
-            let share = begin.point.value / (begin.point.value - end.point.value);
+            let share = first / (first - end.point.value);
             (step * Scalar::sqrt(Scalar::sqrt(share)), step * 0.03)
         } else {
             (start, width)
@@ -147,9 +117,9 @@ impl<const POINTS: usize> Approaches<POINTS> {
         (self.estimate[k], self.width[k]) = (from + start, width);
         (self.below[k], self.settled[k]) = (begin.below, 0.0);
         (self.last[0][k], self.last[1][k]) = (from, end.point.s);
-        (self.last_values[0][k], self.last_values[1][k]) = (begin.point.value, end.point.value);
+        (self.last_values[0][k], self.last_values[1][k]) = (first, end.point.value);
         (self.ends[0][k], self.ends[1][k]) = (from, end.point.s);
-        self.scale[k] = begin.point.value.abs().max(end.point.value.abs()).recip().copysign(begin.point.value);
+        self.scale[k] = first.abs().max(end.point.value.abs()).recip().copysign(first);
         for (point, s) in self.s.iter_mut().enumerate() {
             s[k] = from + start + width * (point as f64 - (POINTS - 1) as f64 * 0.5);
         }
@@ -274,13 +244,8 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
     /// The distance of a point from the estimate, and Δ there without its growth, as a wave of even height.
     #[inline(always)]
     fn even(&self, s: S, value: S) -> (S, S) {
-        let (x, one) = (s - self.estimate, S::one());
-        // about exp(-growth x): any smooth factor has the same zeros
-        let y = x * self.growth;
-        let eighth = one - y * (one - y * <S as Size>::of(0.5));
-        let quarter = eighth * eighth;
-        let half = quarter * quarter;
-        (x, value * (half * half * self.scale))
+        let x = s - self.estimate;
+        (x, value * (without_growth(x * self.growth) * self.scale))
     }
 
     /// The next round; what has settled stays.

@@ -91,6 +91,16 @@ where
         self.settle(Sample { below: counts.0, ..lower }, Sample { below: counts.1, ..upper })
     }
 
+    /// The single root beside an estimate, above so many others, certified without doubt; none where the estimate is not good enough.
+    #[inline]
+    pub(super) fn certify_near(&mut self, omega: T, below: u64) -> Option<NaturalFrequency<T>> {
+        let before = core::mem::take(&mut self.is_doubtful);
+        let slope = self.slope(omega).ok()?;
+        let root = self.certify(slope.newton(), (below, below + 1), &slope).ok()??;
+        let is_certain = !core::mem::replace(&mut self.is_doubtful, before);
+        is_certain.then_some(root)
+    }
+
     /// The root at an estimate, if the counts on both sides certify it.
     #[inline]
     fn certify(

@@ -6,9 +6,10 @@
 use crate::number::{Dual, InLanes, List, Real};
 use crate::pass::at_once::{Block, InBlocks, MOST, lanes};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::undamped::approach::{Approaches, GoesOn, Point, ROOTS, Sample};
+use crate::search::undamped::approach::{Approaches, GoesOn, ROOTS};
 use crate::search::undamped::certificate::Sides;
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
+use crate::search::undamped::interpolation::{Point, Sample};
 use crate::search::undamped::sampling::Isolation;
 use crate::subspace::Purpose;
 use core::f64::consts::PI;
@@ -19,6 +20,9 @@ const ROOTS_PER_WINDOW: f64 = 6.0;
 
 /// Roots by which a window reaches beyond those that are wanted, since supports and masses move them by about one.
 pub(super) const BEYOND: f64 = 0.75;
+
+/// Samples of a window at most, with those that are taken between others of several roots.
+pub(super) const SAMPLES: usize = 48;
 
 /// Rounds within which roots settle.
 const ROUNDS: usize = 8;
@@ -34,10 +38,10 @@ fn root<T: Real>(omega: T) -> f64 {
 /// A search for all roots of a window at once.
 pub(super) struct Together<'a, 's, Y: System + ?Sized, T: Real> {
     /// The search that goes from root to root, with its tolerances and its number of evaluations.
-    single: &'s mut Isolation<'a, Y, T>,
-    block: Block<T>,
+    pub(super) single: &'s mut Isolation<'a, Y, T>,
+    pub(super) block: Block<T>,
     /// The samples of the window in ascending order.
-    samples: List<Sample, MOST>,
+    pub(super) samples: List<Sample, SAMPLES>,
     /// Sum of `z/sqrt(ω)` of all waves.
     waves: f64,
     /// Numbers that are evaluated at once in the window: one where waves have to be scaled.
@@ -54,7 +58,8 @@ where
     #[inline]
     pub(super) fn new(single: &'s mut Isolation<'a, Y, T>) -> Option<Self> {
         let waves = single.estimates.wave_sum();
-        let suits = cfg!(feature = "std") && T::IS_DOUBLE && Y::HAS_PHASES && waves > 0.0;
+        let suits = cfg!(feature = "std") && T::IS_DOUBLE && waves > 0.0;
+        let suits = suits && if Y::IS_NETWORK { single.system.is_known_in_numbers() } else { Y::HAS_PHASES };
         suits.then(|| Together { single, block: Block::new(), samples: List::new(), waves, lanes: 1 })
     }
 
@@ -111,11 +116,17 @@ where
         Isolation::<Y, T>::push(found, modes).ok()
     }
 
+    /// Evaluates the first so many frequencies of the block.
+    #[inline]
+    pub(super) fn compute(&mut self, count: usize, purpose: Purpose) {
+        self.single.evaluations += count;
+        self.block.counts(self.single.system, count, self.lanes, purpose);
+    }
+
     /// Evaluates the first so many frequencies of the block; none where one has to be evaluated alone.
     #[inline]
     fn evaluate(&mut self, count: usize, purpose: Purpose) -> Option<()> {
-        self.single.evaluations += count;
-        self.block.counts(self.single.system, count, self.lanes, purpose);
+        self.compute(count, purpose);
         (self.block.unknown == 0).then_some(())
     }
 
@@ -132,17 +143,24 @@ where
             let s = from + step * k as f64;
             *omega = T::from_f64(s * s);
         }
+        if Y::IS_NETWORK {
+            return self.sample_network(points);
+        }
         self.evaluate(points, Purpose::Phases)?;
-        let mut last = 0.0;
         self.samples = List::new();
+        self.push_samples(points)
+    }
+
+    /// Adds samples at the first so many frequencies of the block, with counts that do not fall.
+    pub(super) fn push_samples(&mut self, points: usize) -> Option<()> {
+        let mut last = 0.0;
         for lane in 0..points {
             let (value, below) = (self.block.value[lane].to_f64(), self.block.below[lane]);
             if below < last {
                 return None;
             }
-            let phase = self.block.phase[lane];
-            let point = Point { s: from + step * lane as f64, value };
-            self.samples.push(Sample { point, below, phase }).ok()?;
+            let point = Point { s: root(self.block.omega[lane]), value };
+            self.samples.push(Sample { point, below, phase: self.block.phase[lane] }).ok()?;
             last = below;
         }
         Some(())
@@ -150,26 +168,33 @@ where
 
     /// Finds the roots of the window below a number of them.
     fn roots<const N: usize>(&mut self, wanted: f64, found: &mut List<NaturalFrequency<T>, N>) -> Option<()> {
-        let mut brackets = List::<usize, ROOTS>::new();
-        for (lower, pair) in self.samples.windows(2).enumerate() {
-            let (below, above) = (pair[0].below, pair[1].below);
-            if below >= wanted {
-                break;
+        let most = if Y::IS_NETWORK { MOST / 3 } else { ROOTS };
+        let mut lower = 0;
+        while lower + 1 < self.samples.len() {
+            let mut brackets = List::<usize, ROOTS>::new();
+            while lower + 1 < self.samples.len() && brackets.len() < most {
+                let (below, above) = (self.samples[lower].below, self.samples[lower + 1].below);
+                if below >= wanted {
+                    lower = self.samples.len();
+                    break;
+                }
+                if above > below + 1.0 {
+                    return None;
+                }
+                if above > below {
+                    brackets.push(lower).ok()?;
+                }
+                lower += 1;
             }
-            if above > below + 1.0 {
-                return None;
-            }
-            if above > below {
-                brackets.push(lower).ok()?;
+            // lanes that would be idle take a third point of each root; roots of networks start from anywhere in their brackets
+            let vectors = |points: usize| (points * brackets.len()).div_ceil(self.lanes);
+            if Y::IS_NETWORK || vectors(3) == vectors(2) {
+                self.polish::<3, N>(&brackets, found)?;
+            } else {
+                self.polish::<2, N>(&brackets, found)?;
             }
         }
-        // lanes that would be idle take a third point of each root
-        let vectors = |points: usize| (points * brackets.len()).div_ceil(self.lanes);
-        if vectors(3) == vectors(2) {
-            self.polish::<3, N>(&brackets, found)
-        } else {
-            self.polish::<2, N>(&brackets, found)
-        }
+        Some(())
     }
 
     /// Takes the roots of some brackets to their last digits, with so many points each in a round.
@@ -236,9 +261,17 @@ where
             if count == 0 {
                 break;
             }
-            self.evaluate(count, Purpose::Certificates)?;
+            self.compute(count, Purpose::Certificates);
+            if self.block.unknown != 0 && !Y::IS_NETWORK {
+                return None;
+            }
             let mut lower = 0;
             for (k, root) in roots.iter_mut().enumerate().filter(|(_, root)| root.multiplicity == 0) {
+                if self.block.unknown >> lower & 0b11 != 0 {
+                    *root = self.single.certify_near(root.omega, approaches.below[k] as u64)?;
+                    lower += 2;
+                    continue;
+                }
                 let sides = Sides {
                     omega: [self.block.omega[lower], self.block.omega[lower + 1]],
                     value: [self.block.value[lower], self.block.value[lower + 1]],

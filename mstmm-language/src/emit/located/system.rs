@@ -45,10 +45,10 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
     let Names { private, system, parameter, .. } = names;
     let mut place = 2 * (skeleton.places.len() + skeleton.directions.len()) + 4 * skeleton.bodies.len();
     let members = skeleton.members.iter().enumerate().map(|(index, member)| built(index, member, &mut place, names));
-    let estimates = skeleton.members.iter().enumerate().map(|(index, member)| {
+    let descriptions = skeleton.members.iter().enumerate().map(|(index, member)| {
         let (span, kind) = (member.span(names), member.kind(names));
-        let (field, estimate) = (field(index, span), names.function_at("estimate_member", span));
-        quote_spanned!(span=> #estimate::<#kind>(&system.#field, &mut system.estimates);)
+        let field = field(index, span);
+        quote_spanned!(span=> system.skeleton.describe::<#kind>(#index, &system.#field, &mut system.estimates);)
     });
     let kept = values_of_fields(model, keeps_fields, names);
     let body = quote_spanned! {names.here=>
@@ -63,7 +63,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
             estimates: ::core::default::Default::default(),
         };
         system.skeleton.estimate(&mut system.estimates);
-        #(#estimates)*
+        #(#descriptions)*
     };
     let doc = [
         "Validates all places and parameters and builds the system.",
@@ -120,7 +120,12 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
             type Parameter = #parameter;
             const HAS_PHASES: bool = false;
+            const IS_NETWORK: bool = true;
             const MAY_BUCKLE: bool = #(#may_buckle)||*;
+
+            fn in_numbers(&self) -> ::core::option::Option<#private::StiffnessModel<'_>> {
+                ::core::option::Option::Some(self.skeleton.in_numbers(#private::Placed::order(self)))
+            }
 
             fn estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates

@@ -1,0 +1,180 @@
+//! The stiffness pass at up to so many frequencies, in the lanes of the widest vectors that the machine has.
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+use crate::number::InLanes;
+use crate::number::{Frequency, Packed, Size, Task, run};
+use crate::pass::network::stiffness::fronts::{StiffnessFronts, StiffnessRoom};
+use crate::pass::network::stiffness::model::StiffnessModel;
+use crate::pass::network::stiffness::pass::eliminate_all;
+use crate::pass::network::stiffness::total::StiffnessTotal;
+
+/// The memory that an evaluation takes: its fronts are as wide as they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Memory {
+    /// For up to 8 displacements at once, as of a chain.
+    #[default]
+    Narrow,
+    /// For up to 24.
+    Wide,
+    /// For up to 48, of one frequency at a time.
+    Widest,
+}
+
+impl Memory {
+    /// The next larger one.
+    fn larger(self) -> Option<Self> {
+        match self {
+            Memory::Narrow => Some(Memory::Wide),
+            Memory::Wide => Some(Memory::Widest),
+            Memory::Widest => None,
+        }
+    }
+}
+
+/// Some frequencies with what was computed there.
+pub(crate) struct StiffnessBlock<'a> {
+    pub(crate) omega: &'a [f64],
+    /// Whether it is watched where rounding may decide signs.
+    pub(crate) watches: bool,
+    /// Δ over `2^exponent`.
+    pub(crate) value: &'a mut [f64],
+    pub(crate) below: &'a mut [f64],
+    /// A bit per frequency: whether Δ is not known, or rounding may have decided the sign of a pivot.
+    pub(crate) unknown: u32,
+    pub(crate) doubtful: u32,
+    /// The power of two of all values; that of the first one, if there is none yet.
+    pub(crate) exponent: Option<i64>,
+    pub(crate) memory: Memory,
+}
+
+impl StiffnessBlock<'_> {
+    /// Evaluates a network at all frequencies, in lanes where no wave has to be scaled, and in more memory where its fronts need that.
+    pub(crate) fn evaluate(&mut self, model: &StiffnessModel<'_>, in_lanes: bool) {
+        loop {
+            let has_room = if in_lanes && self.memory != Memory::Widest {
+                run(Evaluation { model, block: self })
+            } else {
+                Evaluation { model, block: self }.alone()
+            };
+            let Some(larger) = self.memory.larger().filter(|_| !has_room) else { return };
+            self.memory = larger;
+        }
+    }
+
+    /// Evaluates a network in the lanes of a number. Returns whether there is room for its fronts.
+    #[inline(always)]
+    fn in_lanes<S: Packed<f64> + StiffnessScalar>(&mut self, model: &StiffnessModel<'_>) -> bool {
+        match self.memory {
+            Memory::Narrow => self.in_memory::<S, 8>(model),
+            Memory::Wide => self.in_memory::<S, 24>(model),
+            Memory::Widest => self.in_memory::<S, 48>(model),
+        }
+    }
+
+    /// Evaluates a network in memory for up to `W` displacements at once.
+    #[inline(always)]
+    fn in_memory<S: Packed<f64> + StiffnessScalar, const W: usize>(&mut self, model: &StiffnessModel<'_>) -> bool {
+        let mut room = StiffnessRoom::<S, W>::new();
+        (self.unknown, self.doubtful) = (0, 0);
+        let mut from = 0;
+        while from < self.omega.len() {
+            let lanes = from..self.omega.len().min(from + S::LANES);
+            let omega = S::load(&self.omega[lanes.clone()]);
+            let mut fronts = room.fronts(self.watches);
+            if !S::eliminate_all(model, &mut fronts, &omega) {
+                self.unknown = u32::MAX;
+                return false;
+            }
+            let StiffnessTotal { product, exponent, below, is_doubtful } = fronts.total;
+            let value = product
+                .times_power_of_two((exponent - *self.exponent.get_or_insert(exponent)).clamp(-4000, 4000) as i32);
+            // neither a NaN nor zero nor beyond the range
+            let is_known = value.size().is_below(S::Size::of(f64::INFINITY)) & !value.vanishes();
+            let all = (1u32 << lanes.len()) - 1;
+            self.unknown |= (u32::from(S::bits(!is_known)) & all) << from;
+            self.doubtful |= (u32::from(S::bits(is_doubtful)) & all) << from;
+            value.store(&mut self.value[lanes.clone()]);
+            S::store_size(below, &mut self.below[lanes]);
+            from += S::LANES;
+        }
+        true
+    }
+}
+
+/// A number at which networks are evaluated by stiffnesses, compiled with this library.
+trait StiffnessScalar: Frequency<f64> {
+    /// Eliminates all nodes. Returns whether that is possible.
+    fn eliminate_all(model: &StiffnessModel<'_>, fronts: &mut StiffnessFronts<'_, Self>, omega: &Self) -> bool;
+}
+
+impl StiffnessScalar for f64 {
+    #[inline(never)]
+    fn eliminate_all(model: &StiffnessModel<'_>, fronts: &mut StiffnessFronts<'_, Self>, omega: &Self) -> bool {
+        eliminate_all(model, fronts, *omega).is_some()
+    }
+}
+
+/// The evaluation of a block.
+struct Evaluation<'a, 'b, 'm> {
+    model: &'a StiffnessModel<'m>,
+    block: &'a mut StiffnessBlock<'b>,
+}
+
+impl Task for Evaluation<'_, '_, '_> {
+    type Output = bool;
+
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    #[inline(always)]
+    fn on_avx512(self) -> bool {
+        self.block.in_lanes::<<f64 as InLanes>::OnAvx512>(self.model)
+    }
+
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    #[inline(always)]
+    fn on_avx2(self) -> bool {
+        self.block.in_lanes::<<f64 as InLanes>::OnAvx2>(self.model)
+    }
+
+    fn alone(self) -> bool {
+        self.block.in_lanes::<f64>(self.model)
+    }
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
+mod in_vectors {
+    use super::{StiffnessFronts, StiffnessModel, StiffnessScalar, eliminate_all};
+    use mstmm_lanes::{Eight, Four, Lanes, Part, Vector};
+
+    /// The elimination of all nodes.
+    struct Elimination<'a, 'm, 'r, V: crate::number::lanes::Waving> {
+        model: &'a StiffnessModel<'m>,
+        fronts: &'a mut StiffnessFronts<'r, Lanes<V>>,
+        omega: &'a Lanes<V>,
+        is_whole: &'a mut bool,
+    }
+
+    impl<V: crate::number::lanes::Waving> Part for Elimination<'_, '_, '_, V> {
+        #[inline(always)]
+        fn run(self) {
+            *self.is_whole = eliminate_all(self.model, self.fronts, *self.omega).is_some();
+        }
+    }
+
+    macro_rules! vectors {
+        ($($vector:ty),*) => {$(
+            impl StiffnessScalar for Lanes<$vector> {
+                #[inline(never)]
+                fn eliminate_all(
+                    model: &StiffnessModel<'_>,
+                    fronts: &mut StiffnessFronts<'_, Self>,
+                    omega: &Self,
+                ) -> bool {
+                    let mut is_whole = false;
+                    <$vector>::call(Elimination { model, fronts, omega, is_whole: &mut is_whole });
+                    is_whole
+                }
+            }
+        )*};
+    }
+    vectors!(Eight, Four);
+}

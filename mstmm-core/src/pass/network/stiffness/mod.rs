@@ -1,0 +1,19 @@
+//! Networks by dynamic stiffnesses: an evaluation that chooses no pivots, at several frequencies at once.
+//!
+//! It is fast, and as good as the members are far from frequencies at which they vibrate between held ends. Searches approach roots by it,
+//! and take its counts where rounding cannot have decided the sign of a pivot; all else goes by fronts.
+
+mod block;
+mod fronts;
+mod in_front;
+mod model;
+mod pass;
+mod total;
+mod waves;
+
+#[cfg(test)]
+mod tests;
+
+pub(crate) use block::{Memory, StiffnessBlock};
+pub use model::StiffnessModel;
+pub(crate) use model::{StiffnessMember, StiffnessNode};

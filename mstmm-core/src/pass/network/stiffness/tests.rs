@@ -1,0 +1,117 @@
+//! Stiffnesses beside fronts: both give one Δ and one count.
+
+extern crate std;
+
+use crate::elements::{Spring, TautString, TorsionSpring};
+use crate::number::Scaled;
+use crate::pass::characteristic::{System, count_and_value};
+use crate::pass::network::stiffness::{Memory, StiffnessBlock};
+use crate::pass::network::{End, Member, Network, NetworkRoom, Node};
+use crate::{Joint, Section, UndampedMember};
+use mstmm_plan::{Freedoms, Support};
+use std::vec::Vec;
+
+type Any = UndampedMember<f64>;
+
+/// The number of nodes and of members that memory is for.
+const NODES: usize = 12;
+const MEMBERS: usize = 16;
+
+/// Compares Δ, but for a constant, and counts at some frequencies.
+fn compare(nodes: &[Node<f64>], members: &[Member<Any>], frequencies: &[f64]) {
+    let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
+    let network = Network::<_, 48, _, _>::new(nodes, members, &mut room).unwrap();
+    let (mut value, mut below) = ([0.0; 16], [0.0; 16]);
+    let mut ratio = None;
+    for omega in frequencies.chunks(16) {
+        let mut block = StiffnessBlock {
+            omega,
+            watches: true,
+            value: &mut value[..omega.len()],
+            below: &mut below[..omega.len()],
+            unknown: 0,
+            doubtful: 0,
+            exponent: None,
+            memory: Memory::default(),
+        };
+        block.evaluate(&network.in_numbers().unwrap(), true);
+        assert_eq!((block.unknown, block.doubtful), (0, 0));
+        let exponent = block.exponent.unwrap();
+        for (k, &omega) in omega.iter().enumerate() {
+            let (count, delta) = count_and_value::<true, _, f64>(&network, omega);
+            assert_eq!(below[k] as u64, count.below(), "at {omega}");
+            let own = Scaled::new(value[k], exponent).over(delta);
+            let first: Scaled<f64> = *ratio.get_or_insert(own);
+            let change = own.over(first).over_power(0) - 1.0;
+            assert!(change.abs() < 1e-10, "Δ at {omega} changes by {change:e}");
+        }
+    }
+}
+
+/// Frequencies between those of a structure.
+fn frequencies(from: f64, factor: f64, count: i32) -> Vec<f64> {
+    (0..count).map(|k| from * factor.powi(k)).collect()
+}
+
+fn section() -> Section<f64> {
+    Section { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 }
+}
+
+#[test]
+fn a_portal() {
+    let nodes = [
+        Node::at([0.0, 0.0]).held(Support::Fixed.holds()),
+        Node::at([0.0, 2.0]),
+        Node::at([2.5, 2.0]),
+        Node::at([2.0, 0.0]).held(Support::Pinned.holds()),
+    ];
+    let members = [[0, 1], [2, 1], [3, 2]].map(|[from, to]| Member::<Any>::new(from, to, section()));
+    compare(&nodes, &members, &frequencies(0.5, 1.137, 80));
+}
+
+#[test]
+fn joints_bodies_and_lines() {
+    let holds = Support::Fixed.holds();
+    let nodes = [
+        Node::at([0.0, 0.0]).held(holds),
+        Node::at([0.0, 3.0]),
+        Node::at([2.0, 3.0]).with_body(500.0, 40.0, [2.0, 3.4]),
+        Node::at([4.0, 3.0]),
+        Node::at([4.0, 3.0]),
+        Node::at([4.0, 0.0]).held(Freedoms::RZ).along([1.0, 0.3]),
+        Node::at([6.0, 1.0]),
+        Node::at([6.0, 1.0]).held(Support::Pinned.holds()),
+    ];
+    let pin = Joint::rigid(Freedoms::X.union(Freedoms::Y));
+    let offset = End::of(2).at([2.3, 2.9]);
+    let string = TautString { length: 3.0, tension: 4e4, mass_per_length: 2.0, foundation_stiffness: 1e3 };
+    let members: [Member<Any>; 10] = [
+        Member::new(0, 1, section()),
+        Member::new(1, offset, section()),
+        Member::new(2, 3, section()),
+        Member::new(3, 4, pin),
+        Member::new(4, 5, section()),
+        Member::new(1, 5, Spring { stiffness: 2e6 }),
+        Member::new(4, 6, section()),
+        Member::new(6, 7, pin),
+        Member::new(6, 7, TorsionSpring { stiffness: 1e5 }),
+        Member::new(1, 5, string).along([0.2, 1.0]),
+    ];
+    compare(&nodes, &members, &frequencies(0.7, 1.0917, 80));
+}
+
+#[test]
+fn members_between_points_at_rest_and_rings() {
+    let holds = Support::Fixed.holds();
+    let nodes = [
+        Node::at([0.0, 0.0]).held(holds),
+        Node::at([2.0, 0.5]).held(holds),
+        Node::at([1.0, 2.0]),
+        Node::at([3.0, 2.0]),
+        Node::at([3.0, 4.0]),
+        Node::at([1.0, 4.0]),
+    ];
+    let pairs = [[0, 1], [0, 2], [2, 3], [3, 4], [4, 5], [5, 2], [3, 5], [1, 3]];
+    let members = pairs.map(|[from, to]| Member::<Any>::new(from, to, section()));
+    compare(&nodes, &members, &frequencies(3.0, 1.0771, 80));
+}

@@ -1,0 +1,45 @@
+//! What is multiplied and counted while a network is evaluated by stiffnesses.
+
+use crate::number::{Scalar, Size, Truth, binary_exponent, power_of_two};
+use crate::pass::network::stiffness::waves::Waves;
+
+/// Sizes of a product beyond which a power of two is taken out.
+const SMALL: f64 = 1e-30;
+const LARGE: f64 = 1e30;
+
+/// The product of all pivots and minors, which is Δ but for a factor without zeros, and the count.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StiffnessTotal<S: Scalar> {
+    pub(super) product: S,
+    pub(super) exponent: i64,
+    pub(super) below: S::Size,
+    /// Where rounding may have decided the sign of a pivot.
+    pub(super) is_doubtful: S::Truth,
+}
+
+impl<S: Scalar> StiffnessTotal<S> {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        StiffnessTotal { product: S::one(), exponent: 0, below: S::Size::of(0.0), is_doubtful: S::Truth::of(false) }
+    }
+
+    /// Includes a member: its minor, and its frequencies with both ends held.
+    #[inline(always)]
+    pub(super) fn include<const ENTRIES: usize>(&mut self, waves: &Waves<S, ENTRIES>) {
+        self.multiply(waves.minor, i64::from(waves.exponent));
+        self.below = self.below + waves.below;
+    }
+
+    /// Multiplies Δ by a factor and a power of two. In lanes the first one tells the power that is taken out.
+    #[inline(always)]
+    pub(super) fn multiply(&mut self, factor: S, exponent: i64) {
+        self.product *= factor;
+        self.exponent += exponent;
+        let size = self.product.size().first();
+        if !(size > SMALL && size < LARGE) && size > 0.0 && size < f64::INFINITY {
+            let own = binary_exponent(size);
+            self.product = self.product.scaled(power_of_two(-own));
+            self.exponent += i64::from(own);
+        }
+    }
+}
