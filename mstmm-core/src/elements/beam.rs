@@ -135,8 +135,9 @@ impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for Beam<T> {
 }
 
 impl<T: Parameter> BuiltBeam<T> {
-    /// The coefficients for `|z| > 1`.
-    #[inline(always)]
+    /// The coefficients for `|z| > 1`. In line where lanes need it, not where size counts: each beam of a model has them.
+    #[cfg_attr(feature = "std", inline(always))]
+    #[cfg_attr(not(feature = "std"), inline)]
     fn waving<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = z.wave_products();
         let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
