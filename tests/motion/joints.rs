@@ -1,23 +1,8 @@
 //! Shapes, responses and sensitivities through hinges of one freedom and levers, in closed form.
 
+use crate::hinged_models::{Gerber, Sliding};
 use mstmm::motion::MotionError;
 use mstmm::prelude::*;
-
-system! {
-    /// Two beams, clamped at their outer ends, with a rotational hinge between.
-    struct Gerber { stiffness: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> rotational_hinge 2 { stiffness }
-          -> beam 3 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
-}
-
-system! {
-    /// The same with a shear hinge.
-    struct Sliding { stiffness: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> shear_hinge 2 { stiffness }
-          -> beam 3 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
-}
 
 #[track_caller]
 fn assert_close(actual: f64, expected: f64, size: f64) {

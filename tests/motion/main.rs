@@ -4,6 +4,8 @@ pub mod curves_end;
 mod energy_shares;
 pub mod examples;
 pub mod frequency_response;
+#[path = "../support/hinged_models.rs"]
+mod hinged_models;
 mod joints;
 mod lists;
 mod lumped_chains;

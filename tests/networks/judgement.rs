@@ -33,19 +33,24 @@ pub(crate) struct Tally {
 pub(crate) fn judge_reference_cases(search: impl Fn(&ReferenceCase) -> Result<Vec<Found>, String>) {
     for case in reference_cases() {
         let found = search(&case).unwrap_or_else(|error| panic!("{}: {error}", case.name));
-        assert!(found.len() > 1, "{}: {found:?}", case.name);
-        let mut before = 0;
-        for (found, exact) in found.iter().zip(&case.frequencies) {
-            if exact.mode != before + 1 {
-                // the file goes on with single modes far above
-                break;
-            }
-            before += exact.multiplicity;
-            if let Err(message) = compared(found, exact) {
-                panic!("{}: {message}: {found:?}, {exact:?}", case.name);
-            }
-        }
+        judge_frequencies(case.name, &found, &case.frequencies);
         check_frequencies(&case.structure, &found);
+    }
+}
+
+/// The same of the first frequencies of one case.
+pub(crate) fn judge_frequencies(name: &str, found: &[Found], exact: &[ExactFrequency]) {
+    assert!(found.len() > 1, "{name}: {found:?}");
+    let mut before = 0;
+    for (found, exact) in found.iter().zip(exact) {
+        if exact.mode != before + 1 {
+            // the file goes on with single modes far above
+            break;
+        }
+        before += exact.multiplicity;
+        if let Err(message) = compared(found, exact) {
+            panic!("{name}: {message}: {found:?}, {exact:?}");
+        }
     }
 }
 

@@ -35,13 +35,22 @@ pub(crate) struct ReferenceCase {
 
 /// All cases.
 pub(crate) fn reference_cases() -> Vec<ReferenceCase> {
-    let file: Value = serde_json::from_str(include_str!("../data/frames.json")).unwrap();
+    let file = file();
     let case = |name: &'static str| ReferenceCase {
         name,
         structure: structure(&file[name]["model"]),
         frequencies: frequencies(&file[name]["wanted"]),
     };
     CASES.map(case).into()
+}
+
+fn file() -> Value {
+    serde_json::from_str(include_str!("../data/frames.json")).unwrap()
+}
+
+/// The frequencies of a case, of whatever elements.
+pub(crate) fn exact_frequencies(name: &str) -> Vec<ExactFrequency> {
+    frequencies(&file()[name]["wanted"])
 }
 
 fn list(value: &Value) -> &[Value] {

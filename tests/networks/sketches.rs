@@ -10,8 +10,9 @@ mod lists;
 mod overall;
 
 use crate::checks::Found;
-use crate::judgement::judge_reference_cases;
-use frames::{HingedFrame, InclinedRoller, LFrame, NafemsCross, NafemsSquare, Portal, ThreePorts};
+use crate::judgement::{judge_frequencies, judge_reference_cases};
+use crate::reference_cases::exact_frequencies;
+use frames::{HingedFrame, InclinedRoller, LFrame, NafemsCross, NafemsSquare, Portal, StringAndRod, ThreePorts};
 use mstmm::prelude::*;
 use mstmm::search::{NaturalFrequencies, Spectrum, Undamped};
 
@@ -70,4 +71,12 @@ fn of_sketch(name: &str) -> Vec<Found> {
 #[test]
 fn exact_reference_cases_lie_in_the_intervals_of_their_sketches() {
     judge_reference_cases(|case| Ok(of_sketch(case.name)));
+}
+
+/// A string that stretches moves across itself and along itself: its frequencies are those of both.
+#[test]
+fn a_string_and_a_rod_along_each_other_have_the_exact_frequencies_of_both() {
+    let model = StringAndRod { left: 0.8, right: 1.2, tension: 100.0, ea: 1e4, m: 0.01, mass: 0.02 };
+    let found = first(&model.build().unwrap());
+    judge_frequencies("string_and_rod", &found, &exact_frequencies("string_and_rod"));
 }

@@ -1,6 +1,7 @@
 //! General beams: published values, and random beams of each kind beside an oracle of many digits.
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
+use crate::general_chains::families::PLAIN;
 use crate::oracles::many_digits::Case;
 use crate::support::random_tree::Random;
 use mstmm::element::Support;
@@ -44,30 +45,20 @@ fn case(kind: Kind, largest_tension: f64, random: &mut Random) -> (Case, AnyUnda
     let stiffest = if kind == Kind::General { 5.0 } else { 12.0 };
     let foundation_stiffness = scale / (length * length) * decade(random, -2.0, stiffest);
     let foundation_shear_stiffness = if random.chance(0.5) { 0.0 } else { scale * decade(random, -2.0, 4.0) };
+    let plain = GeneralBeam { length, bending_stiffness, mass_per_length, ..PLAIN };
     let (element, beam) = match kind {
         Kind::Rayleigh => {
             let beam = RayleighBeam { length, bending_stiffness, mass_per_length, rotary_inertia };
-            (
-                beam.try_into().unwrap(),
-                GeneralBeam { rotary_inertia, ..plain([length, bending_stiffness, mass_per_length]) },
-            )
+            (beam.try_into().unwrap(), GeneralBeam { rotary_inertia, ..plain })
         }
         Kind::Timoshenko => {
             let beam = TimoshenkoBeam { length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia };
             let shear_flexibility = 1.0 / shear_stiffness;
-            let general = GeneralBeam {
-                shear_flexibility,
-                rotary_inertia,
-                ..plain([length, bending_stiffness, mass_per_length])
-            };
-            (beam.try_into().unwrap(), general)
+            (beam.try_into().unwrap(), GeneralBeam { shear_flexibility, rotary_inertia, ..plain })
         }
         Kind::Column => {
             let beam = BeamColumn { length, bending_stiffness, mass_per_length, axial_force };
-            (
-                beam.try_into().unwrap(),
-                GeneralBeam { axial_force, ..plain([length, bending_stiffness, mass_per_length]) },
-            )
+            (beam.try_into().unwrap(), GeneralBeam { axial_force, ..plain })
         }
         Kind::Founded => {
             let beam = FoundationBeam {
@@ -77,7 +68,6 @@ fn case(kind: Kind, largest_tension: f64, random: &mut Random) -> (Case, AnyUnda
                 foundation_stiffness,
                 foundation_shear_stiffness,
             };
-            let plain = plain([length, bending_stiffness, mass_per_length]);
             (beam.try_into().unwrap(), GeneralBeam { foundation_stiffness, foundation_shear_stiffness, ..plain })
         }
         Kind::General => {
@@ -96,19 +86,6 @@ fn case(kind: Kind, largest_tension: f64, random: &mut Random) -> (Case, AnyUnda
     };
     let [tip, root] = [0, 1].map(|_| SUPPORTS[random.below(4)]);
     (Case { beam, tip, root }, element)
-}
-
-fn plain([length, bending_stiffness, mass_per_length]: [f64; 3]) -> GeneralBeam<f64> {
-    GeneralBeam {
-        length,
-        bending_stiffness,
-        mass_per_length,
-        shear_flexibility: 0.0,
-        rotary_inertia: 0.0,
-        axial_force: 0.0,
-        foundation_stiffness: 0.0,
-        foundation_shear_stiffness: 0.0,
-    }
 }
 
 /// A mode of a number, or none that an interval holds alone.

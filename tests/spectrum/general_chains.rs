@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 pub(crate) mod chain;
-mod families;
+pub(crate) mod families;
 mod judge;
 
 use crate::oracles::many_digits::exact;

@@ -1,25 +1,10 @@
 //! Beams with hinges of one freedom and levers: closed forms, determinants in double-double arithmetic, equivalent structures.
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
+use crate::hinged_models::{Gerber, Sliding};
 use mstmm::number::{DoubleDouble, Scalar};
 use mstmm::prelude::*;
 use mstmm::search::{NaturalFrequency, SearchError};
-
-system! {
-    /// Two beams, clamped at their outer ends, with a rotational hinge between.
-    struct Gerber { stiffness: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> rotational_hinge 2 { stiffness }
-          -> beam 3 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
-}
-
-system! {
-    /// The same with a shear hinge.
-    struct Sliding { stiffness: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> shear_hinge 2 { stiffness }
-          -> beam 3 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
-}
 
 system! {
     /// Cantilever with a crack.

@@ -10,6 +10,8 @@ mod directed_families;
 mod dynamic_stiffness;
 mod general_beams;
 mod general_chains;
+#[path = "../support/hinged_models.rs"]
+mod hinged_models;
 mod joints;
 mod levers;
 mod macro_equals_list;

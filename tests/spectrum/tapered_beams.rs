@@ -1,5 +1,6 @@
 //! Tapered and rotating beams: Bessel functions, published values, limits in which they are other beams.
 
+use crate::general_chains::families::PLAIN;
 use mstmm::element::Support;
 use mstmm::elements::{AnyUndamped, GeneralBeam, Spring, TaperedBeam};
 use mstmm::list::{ListStep, StepList};
@@ -211,16 +212,7 @@ const SUPPORTS: [Support; 4] = [Support::Fixed, Support::Pinned, Support::Guided
 fn without_taper_the_beam_is_the_uniform_one() {
     let (length, bending_stiffness, mass_per_length) = (1.3, 2.0, 0.7);
     for (axial_force, rotary_inertia) in [(0.0, 0.0), (30.0, 0.01), (-3.0, 0.0), (400.0, 0.002)] {
-        let uniform = GeneralBeam {
-            length,
-            bending_stiffness,
-            mass_per_length,
-            shear_flexibility: 0.0,
-            rotary_inertia,
-            axial_force,
-            foundation_stiffness: 0.0,
-            foundation_shear_stiffness: 0.0,
-        };
+        let uniform = GeneralBeam { length, bending_stiffness, mass_per_length, rotary_inertia, axial_force, ..PLAIN };
         let tapered = TaperedBeam {
             length,
             bending_stiffness,

@@ -4,9 +4,7 @@ use crate::element::{BendingNumbers, Element, MemberNumbers, PlaneStep, Transfer
 use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::bending_matrix;
 use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{
-    Frequency, FrequencyPowers, Parameter, Scaled, Single, Size, Truth, WaveProducts, binary_exponent, twice,
-};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Size, Truth, WaveProducts, twice};
 use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
@@ -68,7 +66,11 @@ impl<T: Parameter> Element for Beam<T> {
         let wave_units = Units::new(bending_stiffness, wave_number);
         let length_units = Units::new(bending_stiffness, T::one() / length);
         if !(wave_units.are_in_range() && length_units.are_in_range()) {
-            return Err(self.most_extreme());
+            return Err(InvalidParameter::most_extreme([
+                ("length", length),
+                ("bending_stiffness", bending_stiffness),
+                ("mass_per_length", mass_per_length),
+            ]));
         }
         Ok(BuiltBeam {
             parameters: self,
@@ -102,24 +104,6 @@ impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for Beam<T> {
     fn transfer_matrix(built: &BuiltBeam<T>, x: S) -> Matrix4<S> {
         let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
         bending_matrix(length, bending_stiffness, mass_per_length, x.lambda_squared())
-    }
-}
-
-impl<T: Parameter> Beam<T> {
-    /// The parameter farthest from 1, where their products leave the range of the type.
-    fn most_extreme(&self) -> InvalidParameter {
-        let parameters = [
-            ("length", self.length.to_f64()),
-            ("bending_stiffness", self.bending_stiffness.to_f64()),
-            ("mass_per_length", self.mass_per_length.to_f64()),
-        ];
-        let mut worst = parameters[0];
-        for parameter in parameters {
-            if binary_exponent(parameter.1).abs() > binary_exponent(worst.1).abs() {
-                worst = parameter;
-            }
-        }
-        InvalidParameter { parameter: worst.0, value: worst.1, requirement: Requirement::Rescale }
     }
 }
 
@@ -158,8 +142,9 @@ impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for Beam<T> {
 }
 
 impl<T: Parameter> BuiltBeam<T> {
-    /// The coefficients for `|z| > 1`.
-    #[inline(always)]
+    /// The coefficients for `|z| > 1`. In line where lanes need it, not where size counts: each beam of a model has them.
+    #[cfg_attr(feature = "std", inline(always))]
+    #[cfg_attr(not(feature = "std"), inline)]
     fn waving<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = z.wave_products();
         let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);

@@ -3,7 +3,7 @@
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::Units;
 use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Truth, binary_exponent};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Truth};
 use crate::subspace::{RootCounter, Subspace};
 use compound::GeneralCompound;
 use constants::{Constants, SectionAt};
@@ -90,7 +90,8 @@ impl<T: Parameter> Element for GeneralBeam<T> {
             return Err(InvalidParameter { parameter, value, requirement: Requirement::Rescale });
         }
         if !built.units.are_in_range() {
-            return Err(self.most_extreme());
+            let powers = [("bending_stiffness", self.bending_stiffness), ("length", self.length)];
+            return Err(InvalidParameter::most_extreme(powers));
         }
         Ok(built)
     }
@@ -133,14 +134,6 @@ impl<T: Parameter> GeneralBeam<T> {
         let bound = T::zero() - T::one() / self.shear_flexibility - self.foundation_shear_stiffness;
         let formula = "-1/shear_flexibility - foundation_shear_stiffness";
         Requirement::above(bound, formula).check("axial_force", self.axial_force)
-    }
-
-    /// Of length and bending stiffness the one farther from 1, where powers of both leave the range of the type.
-    fn most_extreme(&self) -> InvalidParameter {
-        let [length, stiffness] = [self.length, self.bending_stiffness].map(T::to_f64);
-        let is_length = binary_exponent(length).abs() > binary_exponent(stiffness).abs();
-        let (parameter, value) = if is_length { ("length", length) } else { ("bending_stiffness", stiffness) };
-        InvalidParameter { parameter, value, requirement: Requirement::Rescale }
     }
 
     /// The parameters as numbers of another type.

@@ -3,7 +3,7 @@
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::Units;
 use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, binary_exponent};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single};
 use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
@@ -91,7 +91,8 @@ impl<T: Parameter> Element for TaperedBeam<T> {
         Requirement::NonNegative.check("rotation_speed", self.rotation_speed)?;
         Requirement::Finite.check("hub_radius", self.hub_radius)?;
         if !Units::new(self.bending_stiffness, T::one() / self.length).are_in_range() {
-            return Err(self.most_extreme());
+            let powers = [("bending_stiffness", self.bending_stiffness), ("length", self.length)];
+            return Err(InvalidParameter::most_extreme(powers));
         }
         Ok(BuiltTaperedBeam { parameters: self, is_reversed: false })
     }
@@ -117,14 +118,6 @@ impl<T: Parameter> Element for TaperedBeam<T> {
 }
 
 impl<T: Parameter> TaperedBeam<T> {
-    /// Of length and bending stiffness the one farther from 1, where powers of both leave the range of the type.
-    fn most_extreme(&self) -> InvalidParameter {
-        let [length, stiffness] = [self.length, self.bending_stiffness].map(T::to_f64);
-        let is_length = binary_exponent(length).abs() > binary_exponent(stiffness).abs();
-        let (parameter, value) = if is_length { ("length", length) } else { ("bending_stiffness", stiffness) };
-        InvalidParameter { parameter, value, requirement: Requirement::Rescale }
-    }
-
     /// The parameters as numbers of another type.
     fn map<S>(self, to: impl Fn(T) -> S) -> TaperedBeam<S> {
         TaperedBeam {

@@ -150,24 +150,24 @@ macro_rules! wave_lines {
             }
 
             fn mass_form(built: &UniformLine<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-                built.motion().forms(&stretch!($space, first), &stretch!($space, second))[0]
+                built.section.forms(&stretch!($space, first), &stretch!($space, second))[0]
             }
 
             fn stiffness_form(built: &UniformLine<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-                built.motion().forms(&stretch!($space, first), &stretch!($space, second))[1]
+                built.section.forms(&stretch!($space, first), &stretch!($space, second))[1]
             }
 
             fn inside(built: &UniformLine<T>, x: S) -> Option<Inside> {
-                Some(built.motion().inside(x))
+                Some(built.section.inside(x))
             }
 
             fn state_at(built: &UniformLine<T>, ends: &Ends<S>, distance: f64) -> State<S> {
-                let [displacement, force] = built.motion().at(&stretch!($space, ends), T::from_f64(distance));
+                let [displacement, force] = built.section.at(&stretch!($space, ends), T::from_f64(distance));
                 state!($space, displacement, force)
             }
 
             fn gradient(built: &UniformLine<T>, ends: &Ends<S>) -> $element<S> {
-                let [length, stiffness, inertia, _foundation] = built.motion().gradient(&stretch!($space, ends));
+                let [length, stiffness, inertia, _foundation] = built.section.gradient(&stretch!($space, ends));
                 $element { $length: length, $stiffness: stiffness, $inertia: inertia, $($foundation: _foundation)? }
             }
         }
@@ -181,16 +181,16 @@ macro_rules! wave_lines {
         impl<T: Real, S: Oscillation<T>> MemberMotion<S> for $element<T> {
             fn forms(built: &UniformLine<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
                 let [first, second] = [first, second].map(|motion| Stretch::in_freedom(motion, freedom!($space)));
-                let [mass, stiffness] = built.motion().forms(&first, &second);
+                let [mass, stiffness] = built.section.forms(&first, &second);
                 Forms { mass, stiffness, ..Forms::none() }
             }
 
             fn inside(built: &UniformLine<T>, x: S) -> Option<Inside> {
-                Some(built.motion().inside(x))
+                Some(built.section.inside(x))
             }
 
             fn motion_at(built: &UniformLine<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
-                let inside = built.motion().at(&Stretch::in_freedom(motion, freedom!($space)), T::from_f64(distance));
+                let inside = built.section.at(&Stretch::in_freedom(motion, freedom!($space)), T::from_f64(distance));
                 EndMotion::at_rest().in_freedom(freedom!($space), inside)
             }
         }

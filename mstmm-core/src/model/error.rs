@@ -1,6 +1,6 @@
 //! Errors: each carries the numbers that caused it.
 
-use crate::number::Parameter;
+use crate::number::{Parameter, binary_exponent};
 use core::fmt;
 
 /// The range that a parameter must satisfy.
@@ -97,6 +97,18 @@ impl fmt::Display for InvalidParameter {
 impl core::error::Error for InvalidParameter {}
 
 impl InvalidParameter {
+    /// The parameter farthest from 1, of those whose products leave the range of the type; the first of several.
+    pub(crate) fn most_extreme<T: Parameter, const N: usize>(parameters: [(&'static str, T); N]) -> Self {
+        let parameters = parameters.map(|(name, value)| (name, value.to_f64()));
+        let mut worst = parameters[0];
+        for parameter in parameters {
+            if binary_exponent(parameter.1).abs() > binary_exponent(worst.1).abs() {
+                worst = parameter;
+            }
+        }
+        InvalidParameter { parameter: worst.0, value: worst.1, requirement: Requirement::Rescale }
+    }
+
     /// The error with the name of the element in the model.
     pub fn of(self, element: &'static str) -> ParameterError {
         ParameterError { element, parameter: self.parameter, value: self.value, requirement: self.requirement }
@@ -137,9 +149,9 @@ impl Requirement {
             Requirement::Direction => is_size_of_direction(number),
             Requirement::Invertible => number > 0.0 && reciprocal().is_finite(),
             Requirement::NonNegative => number >= 0.0,
-            // see `AtLeast`: three roundings of each of two numbers of the size of the bound
             Requirement::Above { bound, .. } => number > bound,
             Requirement::Between { least, most } => (least..=most).contains(&number),
+            // see `AtLeast`: three roundings of each of two numbers of the size of the bound
             Requirement::AtLeast { bound, .. } => number >= bound - rounding(3, 2.0 * bound.abs()),
         };
         if valid && number.abs() < f64::INFINITY {

@@ -84,6 +84,13 @@ pub trait RootCounter<S: Scalar> {
     /// The size of Δ is `sum`, and the sizes of its terms add up to `terms`.
     #[inline(always)]
     fn root_sum(&mut self, _sum: S::Size, _terms: S::Size) {}
+    /// The sizes of the terms of Δ add up to `terms`, times a power of two.
+    #[inline(always)]
+    fn root_terms(&mut self, delta: Scaled<S>, terms: S::Size, exponent: i32) {
+        let exponent = i64::from(exponent) - delta.exponent();
+        let power = 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
+        self.root_sum(delta.mantissa().size() * S::Size::of(power), terms);
+    }
 }
 
 /// The counter that ignores all reports, for Δ alone.

@@ -102,25 +102,13 @@ const fn refused(name: &'static str, instead: [&'static str; 2]) -> LocatedKeywo
     LocatedKeyword { instead: [Some(line), Some(plane)], ..keyword(name, Role::Unknown, Freedoms::NONE, &[]) }
 }
 
-/// A beam along a line, and the keyword to take instead of it in the plane.
+/// A beam, with the keyword to take instead of it along a line or in the plane.
 const fn beam(
     name: &'static str,
-    in_plane: &'static str,
+    instead: [Option<&'static str>; 2],
     parameters: &'static [&'static str],
     optional: &'static [&'static str],
 ) -> LocatedKeyword {
-    let instead = [None, Some(in_plane)];
-    LocatedKeyword { instead, optional, ..keyword(name, Role::Member, Freedoms::ALL, parameters) }
-}
-
-/// A beam in the plane, and the keyword to take instead of it along a line.
-const fn planar_beam(
-    name: &'static str,
-    along_line: &'static str,
-    parameters: &'static [&'static str],
-    optional: &'static [&'static str],
-) -> LocatedKeyword {
-    let instead = [Some(along_line), None];
     LocatedKeyword { instead, optional, ..keyword(name, Role::Member, Freedoms::ALL, parameters) }
 }
 
@@ -155,19 +143,19 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
         ..keyword("elastic_hinge", Role::Joint, Freedoms::ALL, &["stiffness_y", "stiffness_theta"])
     },
     refused("body", [RIGID_BODY; 2]),
-    beam("beam", "planar_beam", &["bending_stiffness", "mass_per_length"], &[]),
-    beam("rayleigh_beam", "planar_rayleigh_beam", &["bending_stiffness", "mass_per_length", "rotary_inertia"], &[]),
-    beam("timoshenko_beam", "planar_timoshenko_beam", &["bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[]),
-    beam("beam_column", "planar_beam_column", &["bending_stiffness", "mass_per_length", "axial_force"], &[]),
-    beam("foundation_beam", "planar_foundation_beam", &["bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
-    beam("general_beam", "planar_general_beam", &["bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
+    beam("beam", [None, Some("planar_beam")], &["bending_stiffness", "mass_per_length"], &[]),
+    beam("rayleigh_beam", [None, Some("planar_rayleigh_beam")], &["bending_stiffness", "mass_per_length", "rotary_inertia"], &[]),
+    beam("timoshenko_beam", [None, Some("planar_timoshenko_beam")], &["bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[]),
+    beam("beam_column", [None, Some("planar_beam_column")], &["bending_stiffness", "mass_per_length", "axial_force"], &[]),
+    beam("foundation_beam", [None, Some("planar_foundation_beam")], &["bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
+    beam("general_beam", [None, Some("planar_general_beam")], &["bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
     refused("planar_body", [RIGID_BODY; 2]),
-    planar_beam("planar_beam", "beam", &["axial_stiffness", "bending_stiffness", "mass_per_length"], &[]),
-    planar_beam("planar_rayleigh_beam", "rayleigh_beam", &["axial_stiffness", "bending_stiffness", "mass_per_length", "rotary_inertia"], &[]),
-    planar_beam("planar_timoshenko_beam", "timoshenko_beam", &["axial_stiffness", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[]),
-    planar_beam("planar_beam_column", "beam_column", &["axial_stiffness", "bending_stiffness", "mass_per_length", "axial_force"], &[]),
-    planar_beam("planar_foundation_beam", "foundation_beam", &["axial_stiffness", "bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
-    planar_beam("planar_general_beam", "general_beam", &["axial_stiffness", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
+    beam("planar_beam", [Some("beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length"], &[]),
+    beam("planar_rayleigh_beam", [Some("rayleigh_beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "rotary_inertia"], &[]),
+    beam("planar_timoshenko_beam", [Some("timoshenko_beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[]),
+    beam("planar_beam_column", [Some("beam_column"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "axial_force"], &[]),
+    beam("planar_foundation_beam", [Some("foundation_beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
+    beam("planar_general_beam", [Some("general_beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
     LocatedKeyword {
         instead: [Some("elastic_hinge"), None],
         ..keyword("planar_hinge", Role::Joint, Freedoms::ALL, &["stiffness_x", "stiffness_y", "stiffness_theta"])

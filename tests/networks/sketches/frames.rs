@@ -71,3 +71,14 @@ system! {
         -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free at (2.4, 0.9);
     rigid_body 2 <- conn c at (1.2, -0.2) <- along (0.0, 1.0) <- spring 4 { stiffness } <- fixed;
 }
+
+system! {
+    /// Two strings that stretch, from the ground to a mass between them: across and along themselves.
+    pub(crate) struct StringAndRod { pub(crate) left: f64, pub(crate) right: f64, pub(crate) tension: f64, pub(crate) ea: f64, pub(crate) m: f64, pub(crate) mass: f64 }
+
+    conn c at (left, 0.0) -> point_mass 1 { mass };
+    conn c <- along (0.0, 1.0) <- string 2 { length: left, tension, mass_per_length: m } <- fixed;
+    conn c <- along (0.0, 1.0) <- string 3 { length: right, tension, mass_per_length: m } <- fixed;
+    conn c <- along (1.0, 0.0) <- rod 4 { length: left, axial_stiffness: ea, mass_per_length: m } <- fixed;
+    conn c <- along (1.0, 0.0) <- rod 5 { length: right, axial_stiffness: ea, mass_per_length: m } <- fixed;
+}

@@ -53,11 +53,10 @@ pub(crate) struct Relation<S: Scalar> {
 impl<S: Scalar> Relation<S> {
     pub(crate) fn new(compound: &GeneralCompound<S>, transfer: &Transfer<S>) -> Self {
         let exponent = compound.exponent;
-        let [a, b, c, d] = compound.units.factors;
         Relation {
             compound: [0, 1, 2, 3, 4].map(|row| compound.row(row)),
             matrix: transfer.over_power(exponent),
-            units: [S::one(), a, b, c, d],
+            units: [0, 1, 2, 3, 4].map(|minor| compound.unit(minor)),
             clamped: compound.clamped_count(),
             exponent,
         }
@@ -196,11 +195,10 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
         } else {
             (self.at(at.lambda_squared), self.units())
         };
-        let compound = GeneralCompound::new(section, units);
-        (
-            Relation::new(&compound, &Transfer::new(&section)),
-            Factors::new(stiffness / (length * length * length), length),
-        )
+        let waves = section.waves.in_form();
+        let compound = GeneralCompound::of_products(section, waves.products(), units);
+        let transfer = Transfer::of_functions(&section, waves.functions());
+        (Relation::new(&compound, &transfer), Factors::new(stiffness / (length * length * length), length))
     }
 
     /// The impedances by which the units of a chart are found.

@@ -4,7 +4,7 @@ use crate::elements::general_beam::constants::SectionAt;
 use crate::elements::general_beam::held::clamped_count;
 use crate::elements::general_beam::wave_pair::PairProducts;
 use crate::elements::shared::compound::Units;
-use crate::number::{Scalar, Scaled, Size, twice};
+use crate::number::{Scalar, Scaled, twice};
 use crate::subspace::{Connecting, Held, Plane, RootCounter, Subspace};
 use mstmm_plan::Support;
 
@@ -37,12 +37,29 @@ pub struct GeneralCompound<S: Scalar> {
 /// Binary exponent of the relative change by which a difference stands for a derivative: half of the digits.
 const CHANGE: i32 = -26;
 
+/// The row of K whose minor is Δ at a support; the plane behind a tip there is the column `4 - row`.
+#[inline]
+fn row_at(support: Support) -> usize {
+    match support {
+        Support::Fixed => 0,
+        Support::Pinned => 1,
+        Support::Guided => 3,
+        _ => 4,
+    }
+}
+
 impl<S: Scalar> GeneralCompound<S> {
     /// The compound of a beam with these constants.
     #[inline]
     pub(crate) fn new(section: SectionAt<S>, units: Units<S>) -> Self {
-        let SectionAt { sigma, tau, g, h, cut, waves, .. } = section;
-        let PairProducts { p, w, r, v, e, one, inverse_square, exponent } = waves.products();
+        GeneralCompound::of_products(section, section.waves.in_form().products(), units)
+    }
+
+    /// The compound of a beam with these constants and the products of its waves.
+    #[inline]
+    pub(super) fn of_products(section: SectionAt<S>, products: PairProducts<S>, units: Units<S>) -> Self {
+        let SectionAt { sigma, tau, g, h, cut, .. } = section;
+        let PairProducts { p, w, r, v, e, one, inverse_square, exponent } = products;
         let square = sigma * sigma;
         let twice_x = twice(h * square);
         let (tau_h, twice_v) = (tau * h, twice(v));
@@ -117,13 +134,7 @@ impl<S: Scalar> GeneralCompound<S> {
     /// Reports the sizes of Δ and of its terms to a counter: those of the sum, and what g and h change, whose own terms cancel beside a
     /// buckling load, at the cut-on and in stiff foundations.
     fn watch_root<C: RootCounter<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, counter: &mut C) {
-        let (row, factor) = match support {
-            Support::Fixed => (0, S::Size::of(1.0)),
-            Support::Pinned => (1, self.units.factors[0].size()),
-            Support::Guided => (3, self.units.factors[2].size()),
-            _ => (4, self.units.factors[3].size()),
-        };
-        let minors = self.without_units(p);
+        let (row, minors) = (row_at(support), self.without_units(p));
         let products = |compound: &Self| {
             let power = compound.exponent - self.exponent;
             compound
@@ -139,9 +150,14 @@ impl<S: Scalar> GeneralCompound<S> {
             let change = changed.fold(S::zero(), |sum, product| sum + product) - own;
             terms = terms + change.times_power_of_two(-CHANGE).size();
         }
-        let exponent = i64::from(p.exponent.saturating_add(self.exponent)) - delta.exponent();
-        let power = 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
-        counter.root_sum(delta.mantissa().size() * S::Size::of(power), terms * factor);
+        let terms = terms * self.unit(row).size();
+        counter.root_terms(delta, terms, p.exponent.saturating_add(self.exponent));
+    }
+
+    /// The unit of a minor.
+    #[inline]
+    pub(super) fn unit(&self, minor: usize) -> S {
+        if minor > 0 { self.units.factors[minor - 1] } else { S::one() }
     }
 
     /// A row of K.
@@ -175,18 +191,16 @@ impl<S: Scalar> GeneralCompound<S> {
 
     /// The plane behind a beam that starts at a support: a column of K.
     fn behind_tip(&self, support: Support) -> Plane<S> {
-        let [a, _, c, d] = self.units.inverses;
-        let (column, inverse) = match support {
-            Support::Fixed => (4, d),
-            Support::Pinned => (3, c),
-            Support::Guided => (1, a),
-            _ => (0, S::one()),
-        };
-        let entry = |row: usize| self.row(row)[column] * inverse;
-        let factors = self.units.factors;
-        let minors =
-            [entry(0), entry(1) * factors[0], entry(2) * factors[1], entry(3) * factors[2], entry(4) * factors[3]];
-        Plane::unscaled(minors, self.exponent)
+        let column = 4 - row_at(support);
+        let inverse = if column > 0 { self.units.inverses[column - 1] } else { S::one() };
+        self.plane([0, 1, 2, 3, 4].map(|row| self.row(row)[column] * inverse), 0)
+    }
+
+    /// A plane with its units, from minors without, not shifted into the range.
+    #[inline]
+    fn plane(&self, [y_theta, y_m, w, theta_q, m_q]: [S; 5], exponent: i32) -> Plane<S> {
+        let [a, b, c, d] = self.units.factors;
+        Plane::unscaled([y_theta, y_m * a, w * b, theta_q * c, m_q * d], exponent.saturating_add(self.exponent))
     }
 
     /// Takes a plane through the beam.
@@ -197,9 +211,6 @@ impl<S: Scalar> GeneralCompound<S> {
             let [k0, k1, k2, k3, k4] = self.row(row);
             (k0 * a + k1 * b) + (k2 * c + k3 * d) + k4 * e
         };
-        let factors = self.units.factors;
-        let minors =
-            [minor(0), minor(1) * factors[0], minor(2) * factors[1], minor(3) * factors[2], minor(4) * factors[3]];
-        Plane::unscaled(minors, p.exponent.saturating_add(self.exponent))
+        self.plane([0, 1, 2, 3, 4].map(minor), p.exponent)
     }
 }

@@ -70,7 +70,7 @@ impl<T: Real> Inside<T> {
 
     /// By the transfer matrix of the part of the beam before it.
     fn by_input(&self, part: T) -> Vector<T> {
-        let c = self.section.waves.along(Complex::from(part)).functions().c;
+        let c = self.section.waves.along(Complex::from(part)).in_form().functions().c;
         let mut power = Complex::one();
         let mut derivative = self.input;
         let mut sum = [Complex::zero(); 4];

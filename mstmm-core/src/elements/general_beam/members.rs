@@ -25,12 +25,18 @@ pub struct BuiltPlanarGeneralBeam<T> {
 }
 
 impl<T: Parameter> BuiltGeneralBeam<T> {
-    /// The chart of a beam along a line.
-    fn chart<S: Frequency<T> + ChartScalar>(&self, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
-        let (units, wave) = units_of_waves(&self.impedances(at.lambda_squared, f64::INFINITY), at.lambda_squared);
-        let mut chart = Chart::empty(Freedoms::Y.union(Freedoms::RZ), units, Measure::Member(wave));
+    /// The chart of bending, at its places among the freedoms of a member, beside an axial impedance.
+    fn chart<S: Frequency<T> + ChartScalar>(
+        &self,
+        at: &FrequencyPowers<S>,
+        length: S,
+        (freedoms, places): (Freedoms, [usize; 4]),
+        axial: f64,
+    ) -> Chart<S> {
+        let (units, wave) = units_of_waves(&self.impedances(at.lambda_squared, axial), at.lambda_squared);
+        let mut chart = Chart::empty(freedoms, units, Measure::Member(wave));
         let (relation, factors) = self.relation(at, length);
-        relation.enter(&mut chart, [0, 1, 2, 3], &factors);
+        relation.enter(&mut chart, places, &factors);
         chart
     }
 }
@@ -75,11 +81,7 @@ impl<T: Parameter> BuiltPlanarGeneralBeam<T> {
     /// The chart of a beam in the plane.
     fn chart<S: Frequency<T> + ChartScalar>(&self, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
         let longitudinal = self.longitudinal(at, length);
-        let impedances = self.bending.impedances(at.lambda_squared, longitudinal.unit());
-        let (units, wave) = units_of_waves(&impedances, at.lambda_squared);
-        let mut chart = Chart::empty(Freedoms::ALL, units, Measure::Member(wave));
-        let (relation, factors) = self.bending.relation(at, length);
-        relation.enter(&mut chart, [1, 2, 4, 5], &factors);
+        let mut chart = self.bending.chart(at, length, (Freedoms::ALL, [1, 2, 4, 5]), longitudinal.unit());
         S::enter_longitudinal(&longitudinal, &mut chart, [0, 3]);
         chart
     }
@@ -90,7 +92,7 @@ macro_rules! along_line {
     ($($kind:ident),*) => {$(
         impl<T: Parameter, S: Frequency<T> + ChartScalar> Charted<S> for $kind<T> {
             fn chart(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
-                built.chart(at, length)
+                built.chart(at, length, (Freedoms::Y.union(Freedoms::RZ), [0, 1, 2, 3]), f64::INFINITY)
             }
         }
 
@@ -171,17 +173,17 @@ macro_rules! in_plane {
 
         impl<T: Real, S: Oscillation<T>> MemberMotion<S> for $planar<T> {
             fn forms(built: &BuiltPlanarGeneralBeam<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
-                let [mass, stiffness] = built.rod.motion().forms(&Stretch::of(first), &Stretch::of(second));
+                let [mass, stiffness] = built.rod.section.forms(&Stretch::of(first), &Stretch::of(second));
                 built.bending.member_forms(first, second).plus(Forms { mass, stiffness, ..Forms::none() })
             }
 
             fn inside(built: &BuiltPlanarGeneralBeam<T>, x: S) -> Option<Inside> {
-                let (bending, rod) = (built.bending.interior(x), built.rod.motion().inside(x));
+                let (bending, rod) = (built.bending.interior(x), built.rod.section.inside(x));
                 Some(Inside { wave_number: bending.wave_number.max(rod.wave_number), ..bending })
             }
 
             fn motion_at(built: &BuiltPlanarGeneralBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
-                let stretch = built.rod.motion().at(&Stretch::of(motion), T::from_f64(distance));
+                let stretch = built.rod.section.at(&Stretch::of(motion), T::from_f64(distance));
                 built.bending.motion_at(motion, distance).stretched(stretch)
             }
         }

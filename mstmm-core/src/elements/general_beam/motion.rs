@@ -5,7 +5,7 @@ use crate::elements::general_beam::inside::{Inside, section_at};
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::gauss::integrals;
-use crate::elements::shared::line_forms::half;
+use crate::elements::shared::line_forms::{half, smaller_sum};
 use crate::model::{Ends, State};
 use crate::number::{FrequencyPowers, Oscillation, Real};
 use crate::subspace::{Covector, Subspace};
@@ -152,7 +152,7 @@ impl<T: Real> BuiltGeneralBeam<T> {
         let square = ends.x.lambda_squared();
         let g = square * beam.rotary_inertia + S::from_parameter(sigma * beam.tension());
         let h = -(square * beam.mass_per_length) - S::from_parameter(beam.foundation_stiffness);
-        let at_end = |state: &State<S>| {
+        smaller_sum([ends.input, ends.output].map(|state| {
             [
                 -half(state.m * state.m) * (T::one() / beam.bending_stiffness),
                 -half(state.q * state.q) * (sigma * beam.shear_flexibility),
@@ -160,10 +160,6 @@ impl<T: Real> BuiltGeneralBeam<T> {
                 half(g * state.theta * state.theta),
                 -half(h * state.y * state.y),
             ]
-        };
-        let [input, output] = [at_end(&ends.input), at_end(&ends.output)];
-        let size = |parts: &[S; 5]| parts.iter().map(|part| part.size()).sum::<f64>();
-        let parts = if size(&input) < size(&output) { input } else { output };
-        parts.into_iter().fold(S::zero(), |sum, part| sum + part)
+        }))
     }
 }

@@ -17,8 +17,13 @@ pub(crate) struct Transfer<S> {
 impl<S: Scalar> Transfer<S> {
     /// `exp A = c₀ + c₁ A + c₂ A² + c₃ A³` for the matrix A of the equations.
     pub(crate) fn new(section: &SectionAt<S>) -> Self {
+        Transfer::of_functions(section, section.waves.in_form().functions())
+    }
+
+    /// The same from the functions of the waves.
+    pub(super) fn of_functions(section: &SectionAt<S>, functions: PairFunctions<S>) -> Self {
         let SectionAt { sigma, tau, g, h, waves, .. } = *section;
-        let PairFunctions { c: [c0, c1, c2, c3], exponent } = waves.functions();
+        let PairFunctions { c: [c0, c1, c2, c3], exponent } = functions;
         let tau_h = tau * h;
         let square = sigma * sigma;
         let slope = sigma * (c1 + waves.sum * c3);

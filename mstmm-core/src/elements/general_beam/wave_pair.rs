@@ -27,6 +27,13 @@ pub(super) enum Form<S> {
     Together { quarters: [S; 2], difference: S },
 }
 
+/// A pair in its form, with the functions of the two numbers by which it is taken.
+pub(super) enum PairWaves<S> {
+    Short(WavePair<S>),
+    Apart { sum: S, squares: [S; 2], difference: S, waves: [EvenWaves<S>; 2] },
+    Together { sum: S, quarters: [S; 2], difference: S, waves: [EvenWaves<S>; 2] },
+}
+
 /// With `C = cosh √κ` and `S = sinh √κ/√κ` of both: `P = C₁ C₂`, `W = (κ₁ S₁ C₂ - κ₂ C₁ S₂)/(κ₁ - κ₂)`, `R = S₁ S₂`,
 /// `V = (C₁ S₂ - S₁ C₂)/(2 (κ₁ - κ₂))` and `E = (1 - P + s R/2)/δ`, all divided by `2^exponent`.
 #[derive(Clone, Copy, Debug)]
@@ -92,13 +99,29 @@ impl<S: Scalar> WavePair<S> {
         }
     }
 
+    /// The pair with the functions of the numbers of its form.
+    #[inline]
+    pub(super) fn in_form(&self) -> PairWaves<S> {
+        let sum = self.sum;
+        match self.form() {
+            Form::Short => PairWaves::Short(*self),
+            Form::Apart { squares, difference } => {
+                PairWaves::Apart { sum, squares, difference, waves: squares.map(S::even_waves) }
+            }
+            Form::Together { quarters, difference } => {
+                PairWaves::Together { sum, quarters, difference, waves: quarters.map(S::even_waves) }
+            }
+        }
+    }
+}
+
+impl<S: Scalar> PairWaves<S> {
     /// The products of which the minors of a transfer matrix are made.
     #[inline]
-    pub(crate) fn products(&self) -> PairProducts<S> {
-        match self.form() {
-            Form::Short => self.short_products(),
-            Form::Apart { squares, difference } => {
-                let [first, second] = squares.map(S::even_waves);
+    pub(super) fn products(&self) -> PairProducts<S> {
+        match *self {
+            PairWaves::Short(pair) => pair.short_products(),
+            PairWaves::Apart { sum, squares, difference, waves: [first, second] } => {
                 let one = first.one * second.one;
                 let (p, r) = (first.cosh * second.cosh, first.sinhc * second.sinhc);
                 let (cs, sc) = (first.cosh * second.sinhc, first.sinhc * second.cosh);
@@ -109,22 +132,21 @@ impl<S: Scalar> WavePair<S> {
                     r,
                     v: ((cs - sc) * inverse).times_power_of_two(-1),
                     w: (squares[0] * sc - squares[1] * cs) * inverse,
-                    e: (one - p + (self.sum * r).times_power_of_two(-1)) * inverse_square,
+                    e: (one - p + (sum * r).times_power_of_two(-1)) * inverse_square,
                     one,
                     inverse_square: Some(inverse_square),
                     exponent: first.exponent.saturating_add(second.exponent),
                 }
             }
-            Form::Together { quarters, difference } => products_together(quarters, difference),
+            PairWaves::Together { quarters, difference, waves, .. } => products_together(quarters, waves, difference),
         }
     }
 
     /// The functions of which a transfer matrix is made.
-    pub(crate) fn functions(&self) -> PairFunctions<S> {
-        match self.form() {
-            Form::Short => PairFunctions { c: self.short_functions(), exponent: 0 },
-            Form::Apart { squares, difference } => {
-                let [first, second] = squares.map(S::even_waves);
+    pub(super) fn functions(&self) -> PairFunctions<S> {
+        match *self {
+            PairWaves::Short(pair) => PairFunctions { c: pair.short_functions(), exponent: 0 },
+            PairWaves::Apart { squares, difference, waves: [first, second], .. } => {
                 let exponent = first.exponent.max(second.exponent);
                 let [[c1, s1], [c2, s2]] = [first, second].map(|waves| {
                     [waves.cosh, waves.sinhc].map(|entry| entry.times_power_of_two(waves.exponent - exponent))
@@ -134,21 +156,22 @@ impl<S: Scalar> WavePair<S> {
                 let c1_of_a = (squares[0] * s2 - squares[1] * s1) * inverse;
                 PairFunctions { c: [c0, c1_of_a, (c1 - c2) * inverse, (s1 - s2) * inverse], exponent }
             }
-            Form::Together { quarters, difference } => {
-                let [first, second] = quarters.map(S::even_waves);
+            PairWaves::Together { sum, quarters, difference, waves: [first, second] } => {
                 let half = |number: S| number.times_power_of_two(-1);
                 let inverse = S::one() / difference;
                 let (cs, sc) = (first.cosh * second.sinhc, first.sinhc * second.cosh);
                 let c2 = half(first.sinhc * second.sinhc);
                 let c3 = half((cs - sc) * inverse);
-                let half_sum = half(self.sum);
+                let half_sum = half(sum);
                 let c0 = first.cosh * second.cosh - half_sum * c2;
                 let c1 = (quarters[0] * sc - quarters[1] * cs) * inverse - half_sum * c3;
                 PairFunctions { c: [c0, c1, c2, c3], exponent: first.exponent.saturating_add(second.exponent) }
             }
         }
     }
+}
 
+impl<S: Scalar> WavePair<S> {
     /// Series of the products: with the complete homogeneous sums `H_k` of u and v, `H_k = 2s H_(k-1) - δ H_(k-2)`, and
     /// `p_k = H_k - s H_(k-1)`.
     fn short_products(&self) -> PairProducts<S> {
@@ -194,8 +217,11 @@ pub(super) fn larger_sum<S: Scalar>(first: S, second: S) -> (S, S) {
 /// The products by the functions of whole u and v, from those of their quarters: `cosh √u = C² + u S²/4`, `sinh √u/√u = S C`,
 /// `(cosh √u - 1)/u = S²/2`.
 #[inline]
-fn products_together<S: Scalar>(quarters: [S; 2], difference: S) -> PairProducts<S> {
-    let [first, second] = quarters.map(S::even_waves);
+fn products_together<S: Scalar>(
+    quarters: [S; 2],
+    [first, second]: [EvenWaves<S>; 2],
+    difference: S,
+) -> PairProducts<S> {
     let exponent = first.exponent.max(second.exponent).saturating_mul(2);
     let whole = |quarter: S, waves: EvenWaves<S>| {
         let squared = waves.sinhc * waves.sinhc;

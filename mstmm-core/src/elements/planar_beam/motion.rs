@@ -4,7 +4,8 @@ use crate::element::{Forms, Inside, MemberEnds, MemberMotion};
 use crate::elements::Beam;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::bending_motion::BendingMotion;
-use crate::elements::shared::rod_motion::{RodMotion, Stretch};
+use crate::elements::shared::rod_motion::Stretch;
+use crate::elements::shared::uniform_line::LineSection;
 use crate::model::EndMotion;
 use crate::number::{Oscillation, Real};
 
@@ -15,9 +16,9 @@ impl<T: Real> BuiltPlanarBeam<T> {
         BendingMotion { parameters, wave: self.wave, wave_fourth: self.wave_fourth }
     }
 
-    fn rod(&self) -> RodMotion<T> {
+    fn rod(&self) -> LineSection<T> {
         let PlanarBeam { length, axial_stiffness, mass_per_length, .. } = self.parameters;
-        RodMotion { length, axial_stiffness, mass_per_length, foundation_stiffness: T::zero() }
+        LineSection { length, stiffness: axial_stiffness, inertia: mass_per_length, foundation: T::zero() }
     }
 }
 

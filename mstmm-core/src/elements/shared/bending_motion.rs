@@ -4,7 +4,7 @@ use crate::element::{Forms, Inside, MemberEnds};
 use crate::elements::beam::Beam;
 use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::krylov::krylov;
-use crate::elements::shared::line_forms::half;
+use crate::elements::shared::line_forms::{half, smaller_sum};
 use crate::model::{Ends, State};
 use crate::number::{FrequencyPowers, Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
@@ -131,16 +131,13 @@ impl<T: Real> BendingMotion<T> {
     /// `λ² m Y²/2 - M²/(2 EI) + Θ Q` at the end where its terms are smaller, since they cancel where waves decay.
     pub(crate) fn flow<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
         let (ei, m) = (self.parameters.bending_stiffness, self.parameters.mass_per_length);
-        let [at_input, at_output] = [ends.input, ends.output].map(|state| {
+        smaller_sum([ends.input, ends.output].map(|state| {
             [
                 half(ends.x.lambda_squared() * state.y * state.y) * m,
                 -half(state.m * state.m) * (T::one() / ei),
                 state.theta * state.q,
             ]
-        });
-        let size = |parts: &[S; 3]| parts.iter().map(|part| part.size()).sum::<f64>();
-        let parts = if size(&at_input) < size(&at_output) { at_input } else { at_output };
-        parts[0] + parts[1] + parts[2]
+        }))
     }
 
     /// `∫ m Y² dx = (l/2) flow/λ² - [3 Y Q - Θ M]/(4 λ²)`, for a beam that is not short.

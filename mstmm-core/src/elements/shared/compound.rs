@@ -169,9 +169,7 @@ impl<S: Scalar> BendingCoefficients<S> {
         for k in 0..5 {
             terms = terms + (row[k] * minors[k]).size();
         }
-        let exponent = i64::from(p.exponent.saturating_add(self.exponent)) - delta.exponent();
-        let power = 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
-        counter.root_sum(delta.mantissa().size() * S::Size::of(power), terms * factor.size());
+        counter.root_terms(delta, terms * factor.size(), p.exponent.saturating_add(self.exponent));
     }
 
     /// The plane behind the beam, from minors in the units of the coefficients.

@@ -4,20 +4,11 @@ use crate::element::{Inside, MemberEnds};
 use crate::elements::shared::bending_motion::{APART, LONG};
 use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::krylov::cosine_and_sinc;
-use crate::elements::shared::line_forms::half;
+use crate::elements::shared::line_forms::{half, smaller_sum};
+use crate::elements::shared::uniform_line::LineSection;
 use crate::number::{Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
 use num_traits::Zero;
-
-/// What longitudinal motions of a uniform member need of it: `EA u'' = (m λ² + k) u`. Those of strings and of shafts are the same in other
-/// letters.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct RodMotion<T> {
-    pub(crate) length: T,
-    pub(crate) axial_stiffness: T,
-    pub(crate) mass_per_length: T,
-    pub(crate) foundation_stiffness: T,
-}
 
 /// A longitudinal motion: the frequency, and the displacement and the axial force at both ends, tension positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,15 +30,16 @@ impl<S: Scalar> Stretch<S> {
     }
 }
 
-impl<T: Real> RodMotion<T> {
+/// Motions `H u'' = (m λ² + k) u`: of rods, and those of strings and of shafts, which are the same in other letters.
+impl<T: Real> LineSection<T> {
     /// The dynamic stiffness of a unit of length, `m λ² + k`.
     fn density<S: Oscillation<T>>(&self, x: S) -> S {
-        x.lambda_squared() * self.mass_per_length + S::from_parameter(self.foundation_stiffness)
+        x.lambda_squared() * self.inertia + S::from_parameter(self.foundation)
     }
 
-    /// The square of the wave number times a length, `ζ² = -(mλ² + k)l²/EA`.
+    /// The square of the wave number times a length, `ζ² = -(mλ² + k)l²/H`.
     fn zeta_squared<S: Oscillation<T>>(&self, x: S, length: T) -> S {
-        -self.density(x) * (length * length / self.axial_stiffness)
+        -self.density(x) * (length * length / self.stiffness)
     }
 
     /// The wave number times the length.
@@ -73,16 +65,16 @@ impl<T: Real> RodMotion<T> {
         let [displacement, force] = motion.ends[0];
         let inertia = self.density(motion.x) * distance;
         [
-            cosine * displacement + sinc * force * (distance / self.axial_stiffness),
+            cosine * displacement + sinc * force * (distance / self.stiffness),
             cosine * force + sinc * inertia * displacement,
         ]
     }
 
     fn of_waves<S: Oscillation<T>>(&self, motion: &Stretch<S>, distance: T) -> [S; 2] {
-        let rate = Scalar::sqrt(self.density(motion.x).to_complex() * (T::one() / self.axial_stiffness));
+        let rate = Scalar::sqrt(self.density(motion.x).to_complex() * (T::one() / self.stiffness));
         let mut sum = [Complex::zero(); 2];
         for rate in [rate, -rate] {
-            let impedance = rate * self.axial_stiffness;
+            let impedance = rate * self.stiffness;
             let (end, from) = if rate.re <= T::zero() { (0, distance) } else { (1, distance - self.length) };
             let [displacement, force] = motion.ends[end].map(S::to_complex);
             let wave = (displacement + force / impedance) * exponential(rate * from) * T::from_f64(0.5);
@@ -91,16 +83,16 @@ impl<T: Real> RodMotion<T> {
         sum.map(S::from_complex)
     }
 
-    /// Mass and stiffness form of two motions: `[∫ m u₁ u₂ dx, ∫ N₁ N₂/EA + k u₁ u₂ dx]`.
+    /// Mass and stiffness form of two motions: `[∫ m u₁ u₂ dx, ∫ N₁ N₂/H + k u₁ u₂ dx]`.
     pub(crate) fn forms<S: Oscillation<T>>(&self, first: &Stretch<S>, second: &Stretch<S>) -> [S; 2] {
         let [square, strain] = self.squares(first, second);
-        [square * self.mass_per_length, strain + square * self.foundation_stiffness]
+        [square * self.inertia, strain + square * self.foundation]
     }
 
-    /// `[∫ u₁ u₂ dx, ∫ N₁ N₂/EA dx]`.
+    /// `[∫ u₁ u₂ dx, ∫ N₁ N₂/H dx]`.
     ///
     /// In a long member the second is `[N₁ u₂] - (mλ₁² + k) ∫ u₁ u₂ dx`. The first is a difference of the ends, too, if the frequencies are
-    /// apart; that of one motion with itself follows from `N²/EA - (mλ² + k) u²`, which is constant along the member.
+    /// apart; that of one motion with itself follows from `N²/H - (mλ² + k) u²`, which is constant along the member.
     fn squares<S: Oscillation<T>>(&self, first: &Stretch<S>, second: &Stretch<S>) -> [S; 2] {
         let (a, b) = (self.density(first.x), self.density(second.x));
         let size = S::size(a).max(S::size(b));
@@ -121,7 +113,7 @@ impl<T: Real> RodMotion<T> {
                 let ([u, n], [v, q]) = (self.at(first, distance), self.at(second, distance));
                 [u * v, n * q]
             });
-            return [displacement, force * (T::one() / self.axial_stiffness)];
+            return [displacement, force * (T::one() / self.stiffness)];
         };
         [square, between(&|end| first.ends[end][1] * second.ends[end][0]) - a * square]
     }
@@ -129,15 +121,13 @@ impl<T: Real> RodMotion<T> {
     /// The derivatives of the dynamic work with respect to length, stiffness, mass and foundation, with the displacements at both ends held.
     pub(crate) fn gradient<S: Oscillation<T>>(&self, motion: &Stretch<S>) -> [S; 4] {
         let [square, strain] = self.squares(motion, motion).map(half);
-        let stiffness = strain * (T::one() / self.axial_stiffness);
+        let stiffness = strain * (T::one() / self.stiffness);
         [-half(self.flow(motion)), stiffness, motion.x.lambda_squared() * square, square]
     }
 
-    /// `N²/EA - (mλ² + k) u²` at the end where its terms are smaller, since they cancel where waves decay.
+    /// `N²/H - (mλ² + k) u²` at the end where its terms are smaller, since they cancel where waves decay.
     fn flow<S: Oscillation<T>>(&self, motion: &Stretch<S>) -> S {
         let inertia = self.density(motion.x);
-        let parts = motion.ends.map(|[u, n]| [n * n * (T::one() / self.axial_stiffness), inertia * u * u]);
-        let [input, output] = parts.map(|[strain, kinetic]| (strain.size() + kinetic.size(), strain - kinetic));
-        if input.0 < output.0 { input.1 } else { output.1 }
+        smaller_sum(motion.ends.map(|[u, n]| [n * n * (T::one() / self.stiffness), -(inertia * u * u)]))
     }
 }

@@ -4,7 +4,6 @@ use crate::element::{LineNumbers, MemberWork};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::line_forms::half;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
-use crate::elements::shared::rod_motion::RodMotion;
 use crate::model::{FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Single, Size, Truth, binary_exponent};
 use crate::subspace::{Chart, Measure, Units, unit_of};
@@ -55,8 +54,9 @@ impl<T: Parameter> LineSection<T> {
     /// The line, if products of its parameters are in the range of the type; the names are those of its parameters.
     pub(crate) fn build(self, names: [&'static str; 4]) -> Result<UniformLine<T>, InvalidParameter> {
         let LineSection { length, stiffness, inertia, foundation } = self;
-        let parameters = [length, stiffness, inertia, foundation];
-        for ((name, parameter), requirement) in names.into_iter().zip(parameters).zip(REQUIREMENTS) {
+        let [a, b, c, d] = names;
+        let parameters = [(a, length), (b, stiffness), (c, inertia), (d, foundation)];
+        for ((name, parameter), requirement) in parameters.into_iter().zip(REQUIREMENTS) {
             requirement.check(name, parameter)?;
         }
         let compliance = length / stiffness;
@@ -67,25 +67,13 @@ impl<T: Parameter> LineSection<T> {
             stiffness: stiffness / length,
             compliance,
         };
-        if line.is_in_range() { Ok(line) } else { Err(most_extreme(names, parameters)) }
+        if line.is_in_range() { Ok(line) } else { Err(InvalidParameter::most_extreme(parameters)) }
     }
 }
 
 /// Ranges of the parameters.
 const REQUIREMENTS: [Requirement; 4] =
     [Requirement::Positive, Requirement::Positive, Requirement::Positive, Requirement::NonNegative];
-
-/// The parameter farthest from 1, where products leave the range of the type.
-fn most_extreme<T: Parameter>(names: [&'static str; 4], parameters: [T; 4]) -> InvalidParameter {
-    let mut worst = (names[0], parameters[0].to_f64());
-    for (name, parameter) in names.into_iter().zip(parameters) {
-        let value = parameter.to_f64();
-        if binary_exponent(value).abs() > binary_exponent(worst.1).abs() {
-            worst = (name, value);
-        }
-    }
-    InvalidParameter { parameter: worst.0, value: worst.1, requirement: Requirement::Rescale }
-}
 
 impl<T: Parameter> UniformLine<T> {
     /// Whether what is computed is finite, and not zero but for a foundation that there is not.
@@ -189,12 +177,6 @@ impl<T: Parameter> UniformLine<T> {
             square * half_of_square,
             half_of_square,
         ]
-    }
-
-    /// What its motions need of it.
-    pub(crate) fn motion(&self) -> RodMotion<T> {
-        let LineSection { length, stiffness, inertia, foundation } = self.section;
-        RodMotion { length, axial_stiffness: stiffness, mass_per_length: inertia, foundation_stiffness: foundation }
     }
 }
 

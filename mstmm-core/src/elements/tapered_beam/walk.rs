@@ -124,9 +124,7 @@ fn watch_root<S: Scalar, C: RootCounter<S>>(
         let Some(after) = part.plane(&Plane::unscaled(only, before.exponent)) else { return };
         terms = terms + after.minor_at(support).size();
     }
-    let exponent = i64::from(before.exponent) - delta.exponent();
-    let power = 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
-    counter.root_sum(delta.mantissa().size() * S::Size::of(power), terms);
+    counter.root_terms(delta, terms, before.exponent);
 }
 
 /// Where the parts of a beam start, and how wide they are, in shares of the length. `None` is a beam that needs too many of them.
