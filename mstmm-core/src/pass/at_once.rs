@@ -116,13 +116,14 @@ impl<T: InLanes + Real> Block<T> {
         }
     }
 
-    /// Evaluates one frequency anew, where doubts of stiffnesses are none.
+    /// Counts at one frequency of a network by fronts, where rounding may have decided signs of its stiffnesses. Returns whether the count is
+    /// beyond doubt.
     #[inline]
-    pub(crate) fn count_alone<Y: Characteristic<T> + ?Sized>(&mut self, system: &Y, lane: usize) {
+    pub(crate) fn count_alone<Y: Characteristic<T> + ?Sized>(&mut self, system: &Y, lane: usize) -> bool {
         let (counter, delta) = counted_pass(system, self.omega[lane], WittrickWilliams::<f64>::default());
         self.below[lane] = counter.count();
-        let is_known = delta.mantissa().size().is_finite() && !delta.mantissa().is_zero() && !counter.cancelled().any();
-        self.unknown = self.unknown & !(1 << lane) | u32::from(!is_known) << lane;
+        let size = delta.mantissa().size();
+        size.is_finite() && size > 0.0 && !counter.cancelled().any()
     }
 
     /// Forgets what was known of the lanes.

@@ -23,7 +23,7 @@ where
             if several == 0 {
                 return Some(());
             }
-            let inside = (MOST / several).clamp(1, 4);
+            let inside = (MOST / several).clamp(1, 2);
             let mut count = 0;
             for pair in self.samples.windows(2).filter(|pair| pair[1].below > pair[0].below + 1.0) {
                 let [from, to] = [pair[0].point.s, pair[1].point.s];
@@ -46,13 +46,18 @@ where
     fn sample(&mut self, points: usize, purpose: Purpose) -> Option<()> {
         self.compute(points, purpose);
         for lane in 0..points {
-            if self.block.unknown >> lane & 1 != 0 {
-                self.single.evaluations += 1;
-                self.block.count_alone(self.single.system, lane);
+            if self.block.unknown >> lane & 1 != 0 && !self.count_alone(lane) {
+                return None;
             }
         }
         // phases are none
         self.block.phase = [f64::NAN; MOST];
-        if self.block.unknown == 0 { self.push_samples(points) } else { None }
+        self.push_samples(points)
+    }
+
+    /// Counts at one frequency of the block by fronts. Returns whether the count is beyond doubt.
+    fn count_alone(&mut self, lane: usize) -> bool {
+        self.single.evaluations += 1;
+        self.block.count_alone(self.single.system, lane)
     }
 }
