@@ -51,29 +51,27 @@ impl StiffnessBlock<'_> {
     /// Evaluates a network at all frequencies, in lanes where no wave has to be scaled, and in more memory where its fronts need that.
     pub(crate) fn evaluate(&mut self, model: &StiffnessModel<'_>, in_lanes: bool) {
         loop {
-            let has_room = if in_lanes && self.memory != Memory::Widest {
-                run(Evaluation { model, block: self })
-            } else {
-                Evaluation { model, block: self }.alone()
+            let has_room = match self.memory {
+                Memory::Narrow => self.in_memory::<8>(model, in_lanes),
+                Memory::Wide => self.in_memory::<24>(model, in_lanes),
+                Memory::Widest => self.in_memory::<48>(model, false),
             };
             let Some(larger) = self.memory.larger().filter(|_| !has_room) else { return };
             self.memory = larger;
         }
     }
 
-    /// Evaluates a network in the lanes of a number. Returns whether there is room for its fronts.
-    #[inline(always)]
-    fn in_lanes<S: Packed<f64> + StiffnessScalar>(&mut self, model: &StiffnessModel<'_>) -> bool {
-        match self.memory {
-            Memory::Narrow => self.in_memory::<S, 8>(model),
-            Memory::Wide => self.in_memory::<S, 24>(model),
-            Memory::Widest => self.in_memory::<S, 48>(model),
-        }
+    /// Evaluates a network in memory for up to `W` displacements at once: a call, since the stack has room for no more than is needed. Returns
+    /// whether its fronts have room there.
+    #[inline(never)]
+    fn in_memory<const W: usize>(&mut self, model: &StiffnessModel<'_>, in_lanes: bool) -> bool {
+        let evaluation = Evaluation::<W> { model, block: self };
+        if in_lanes { run(evaluation) } else { evaluation.alone() }
     }
 
-    /// Evaluates a network in memory for up to `W` displacements at once.
+    /// Evaluates a network in the lanes of a number.
     #[inline(always)]
-    fn in_memory<S: Packed<f64> + StiffnessScalar, const W: usize>(&mut self, model: &StiffnessModel<'_>) -> bool {
+    fn in_lanes<S: Packed<f64> + StiffnessScalar, const W: usize>(&mut self, model: &StiffnessModel<'_>) -> bool {
         let mut room = StiffnessRoom::<S, W>::new();
         (self.unknown, self.doubtful) = (0, 0);
         let mut from = 0;
@@ -114,29 +112,29 @@ impl StiffnessScalar for f64 {
     }
 }
 
-/// The evaluation of a block.
-struct Evaluation<'a, 'b, 'm> {
+/// The evaluation of a block in memory for up to `W` displacements at once.
+struct Evaluation<'a, 'b, 'm, const W: usize> {
     model: &'a StiffnessModel<'m>,
     block: &'a mut StiffnessBlock<'b>,
 }
 
-impl Task for Evaluation<'_, '_, '_> {
+impl<const W: usize> Task for Evaluation<'_, '_, '_, W> {
     type Output = bool;
 
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx512(self) -> bool {
-        self.block.in_lanes::<<f64 as InLanes>::OnAvx512>(self.model)
+        self.block.in_lanes::<<f64 as InLanes>::OnAvx512, W>(self.model)
     }
 
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
     fn on_avx2(self) -> bool {
-        self.block.in_lanes::<<f64 as InLanes>::OnAvx2>(self.model)
+        self.block.in_lanes::<<f64 as InLanes>::OnAvx2, W>(self.model)
     }
 
     fn alone(self) -> bool {
-        self.block.in_lanes::<f64>(self.model)
+        self.block.in_lanes::<f64, W>(self.model)
     }
 }
 

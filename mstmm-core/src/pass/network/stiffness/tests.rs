@@ -5,7 +5,7 @@ extern crate std;
 use crate::elements::{Spring, TautString, TorsionSpring};
 use crate::number::Scaled;
 use crate::pass::characteristic::{System, count_and_value};
-use crate::pass::network::stiffness::{Memory, StiffnessBlock};
+use crate::pass::network::stiffness::{Memory, StiffnessBlock, StiffnessModel};
 use crate::pass::network::{End, Member, Network, NetworkRoom, Node};
 use crate::{Joint, Section, UndampedMember};
 use mstmm_plan::{Freedoms, Support};
@@ -17,6 +17,20 @@ type Any = UndampedMember<f64>;
 const NODES: usize = 12;
 const MEMBERS: usize = 16;
 
+/// A network at some frequencies.
+fn evaluated<'a>(
+    model: &StiffnessModel<'_>,
+    omega: &'a [f64],
+    [value, below]: [&'a mut [f64; 16]; 2],
+) -> StiffnessBlock<'a> {
+    let (value, below) = (&mut value[..omega.len()], &mut below[..omega.len()]);
+    let memory = Memory::default();
+    let mut block =
+        StiffnessBlock { omega, watches: true, value, below, unknown: 0, doubtful: 0, exponent: None, memory };
+    block.evaluate(model, true);
+    block
+}
+
 /// Compares Δ, but for a constant, and counts at some frequencies.
 fn compare(nodes: &[Node<f64>], members: &[Member<Any>], frequencies: &[f64]) {
     let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
@@ -24,23 +38,13 @@ fn compare(nodes: &[Node<f64>], members: &[Member<Any>], frequencies: &[f64]) {
     let (mut value, mut below) = ([0.0; 16], [0.0; 16]);
     let mut ratio = None;
     for omega in frequencies.chunks(16) {
-        let mut block = StiffnessBlock {
-            omega,
-            watches: true,
-            value: &mut value[..omega.len()],
-            below: &mut below[..omega.len()],
-            unknown: 0,
-            doubtful: 0,
-            exponent: None,
-            memory: Memory::default(),
-        };
-        block.evaluate(&network.in_numbers().unwrap(), true);
+        let block = evaluated(&network.in_numbers().unwrap(), omega, [&mut value, &mut below]);
         assert_eq!((block.unknown, block.doubtful), (0, 0));
         let exponent = block.exponent.unwrap();
         for (k, &omega) in omega.iter().enumerate() {
             let (count, delta) = count_and_value::<true, _, f64>(&network, omega);
-            assert_eq!(below[k] as u64, count.below(), "at {omega}");
-            let own = Scaled::new(value[k], exponent).over(delta);
+            assert_eq!(block.below[k] as u64, count.below(), "at {omega}");
+            let own = Scaled::new(block.value[k], exponent).over(delta);
             let first: Scaled<f64> = *ratio.get_or_insert(own);
             let change = own.over(first).over_power(0) - 1.0;
             assert!(change.abs() < 1e-10, "Δ at {omega} changes by {change:e}");
@@ -114,4 +118,26 @@ fn members_between_points_at_rest_and_rings() {
     let pairs = [[0, 1], [0, 2], [2, 3], [3, 4], [4, 5], [5, 2], [3, 5], [1, 3]];
     let members = pairs.map(|[from, to]| Member::<Any>::new(from, to, section()));
     compare(&nodes, &members, &frequencies(3.0, 1.0771, 80));
+}
+
+/// A beam on a leg that leans: the stiffer the leg is along, the more of its bending rounding takes.
+#[test]
+fn rounding_is_seen_where_stiff_members_hide_soft_ones() {
+    let nodes = [Node::at([0.0, 0.0]).held(Support::Fixed.holds()), Node::at([0.6, 0.8]), Node::at([2.0, 0.8])];
+    let doubts = |axial_stiffness: f64, away: f64| {
+        let members =
+            [[0, 1], [1, 2]].map(|[from, to]| Member::<Any>::new(from, to, Section { axial_stiffness, ..section() }));
+        let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
+        let network = Network::<_, 48, _, _>::new(&nodes, &members, &mut room).unwrap();
+        // the first root, by counts of fronts
+        let (mut lower, mut upper) = (1.0, 1e4);
+        for _ in 0..64 {
+            let middle = (lower + upper) * 0.5;
+            let below = count_and_value::<true, _, f64>(&network, middle).0.below();
+            *(if below == 0 { &mut lower } else { &mut upper }) = middle;
+        }
+        let omega = [1.0 - away, 1.0 + away].map(|factor| lower * factor);
+        evaluated(&network.in_numbers().unwrap(), &omega, [&mut [0.0; 16], &mut [0.0; 16]]).doubtful
+    };
+    assert_eq!([doubts(4e8, 1e-12), doubts(4e12, 1e-12), doubts(4e16, 1e-12), doubts(4e16, 1e-4)], [0, 0b11, 0b11, 0]);
 }
