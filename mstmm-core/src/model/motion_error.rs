@@ -83,6 +83,8 @@ pub enum MotionError {
     },
     /// A reaction to the motion of a support, which has a part that grows with the frequency and is no sum over modes.
     NotModal,
+    /// A motion in time, or one at `Im λ < 0`, of a system in which something has a loss factor: that describes motions with `Im λ > 0` alone.
+    LossFactor,
     /// A range of frequencies that is empty, reversed or not finite.
     Range {
         /// Start of the range [rad/s].
@@ -205,6 +207,13 @@ impl MotionError {
                     f,
                     "a reaction to the motion of a support is no sum over modes: ask `frequency_response` for it, or for forces in members"
                 )
+            }
+            MotionError::LossFactor => {
+                write!(
+                    f,
+                    "a loss factor describes motions with Im λ > 0, not those in time: ask `frequency_response`, or take "
+                )?;
+                write!(f, "`kelvin_voigt_time`")
             }
             MotionError::NoSuchFreedom { freedom } => {
                 let name = match freedom {

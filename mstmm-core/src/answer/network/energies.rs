@@ -50,8 +50,17 @@ where
         EnergyShares {
             strain: share(part.stiffness, whole.stiffness),
             kinetic: share(part.mass, whole.mass),
-            dissipated: share(part.damping, whole.damping),
+            dissipated: share(self.dissipation(&part), self.dissipation(&whole)),
         }
+    }
+
+    /// The form of damping of the motion and its conjugate, with what a loss factor takes, `Im K/Im λ`.
+    fn dissipation(&self, forms: &Forms<S>) -> S {
+        if !self.system.estimates().has_loss() {
+            return forms.damping;
+        }
+        let lost = forms.stiffness.to_complex().im / self.x.to_complex().im;
+        forms.damping + S::from_parameter(lost)
     }
 
     /// The forms of the whole motion and its conjugate.
