@@ -1,5 +1,5 @@
 //! Where eigenvalues of damped materials are searched and where not, and closed forms of lines, which have sines for shapes.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a failing helper fails the test that called it")]
+#![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use crate::complex_beam::C;
 use crate::damped_materials::list_of;

@@ -2,23 +2,23 @@
 
 use mstmm::prelude::Complex;
 
-pub type C = Complex<f64>;
-pub type Matrix = [[C; 4]; 4];
+pub(crate) type C = Complex<f64>;
+pub(crate) type Matrix = [[C; 4]; 4];
 
 /// What a beam is made of, undamped, and its damping.
 #[derive(Clone, Copy, Debug)]
-pub struct ComplexBeam {
-    pub length: f64,
-    pub bending_stiffness: f64,
-    pub mass_per_length: f64,
+pub(crate) struct ComplexBeam {
+    pub(crate) length: f64,
+    pub(crate) bending_stiffness: f64,
+    pub(crate) mass_per_length: f64,
     /// None without shear.
-    pub shear_stiffness: Option<f64>,
-    pub rotary_inertia: f64,
-    pub axial_force: f64,
-    pub foundation_stiffness: f64,
-    pub loss_factor: f64,
-    pub kelvin_voigt_time: f64,
-    pub external_damping: f64,
+    pub(crate) shear_stiffness: Option<f64>,
+    pub(crate) rotary_inertia: f64,
+    pub(crate) axial_force: f64,
+    pub(crate) foundation_stiffness: f64,
+    pub(crate) loss_factor: f64,
+    pub(crate) kelvin_voigt_time: f64,
+    pub(crate) external_damping: f64,
 }
 
 impl ComplexBeam {
@@ -48,7 +48,7 @@ impl ComplexBeam {
     }
 
     /// The transfer matrix over Y, Θ, M, Q: the series of a short piece, squared as often as it fits.
-    pub fn transfer(&self, lambda: C) -> Matrix {
+    pub(crate) fn transfer(&self, lambda: C) -> Matrix {
         const HALVES: i32 = 10;
         let piece = self.equations(lambda).map(|row| row.map(|entry| entry * self.length * 0.5f64.powi(HALVES)));
         let mut sum = identity();
@@ -66,18 +66,18 @@ fn identity() -> Matrix {
     core::array::from_fn(|i| core::array::from_fn(|j| if i == j { C::ONE } else { C::ZERO }))
 }
 
-pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
+pub(crate) fn product(a: &Matrix, b: &Matrix) -> Matrix {
     core::array::from_fn(|i| core::array::from_fn(|j| (0..4).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
 /// The root of a function beside an estimate, by the secant method.
-pub fn refined(function: impl Fn(C) -> C, estimate: C) -> C {
+pub(crate) fn refined(function: impl Fn(C) -> C, estimate: C) -> C {
     let (mut before, mut here) = (estimate * (1.0 + 1e-4), estimate);
     let mut value = function(before);
     for _ in 0..12 {
         let own = function(here);
         let step = own * (here - before) / (own - value);
-        if !(step.norm() > 1e-15 * here.norm()) {
+        if step.norm().is_nan() || step.norm() <= 1e-15 * here.norm() {
             break;
         }
         (before, value) = (here, own);

@@ -172,6 +172,13 @@ impl fmt::Display for MotionError {
             MotionError::NotFinite { frequency } => {
                 write!(f, "at the frequency {frequency} the motion is not finite")
             }
+            MotionError::LossFactor => {
+                write!(
+                    f,
+                    "a loss factor describes motions with Im λ > 0, not those in time: ask `frequency_response`, or take "
+                )?;
+                write!(f, "`kelvin_voigt_time`")
+            }
             _ => self.fmt_question(f),
         }
     }
@@ -207,13 +214,6 @@ impl MotionError {
                     f,
                     "a reaction to the motion of a support is no sum over modes: ask `frequency_response` for it, or for forces in members"
                 )
-            }
-            MotionError::LossFactor => {
-                write!(
-                    f,
-                    "a loss factor describes motions with Im λ > 0, not those in time: ask `frequency_response`, or take "
-                )?;
-                write!(f, "`kelvin_voigt_time`")
             }
             MotionError::NoSuchFreedom { freedom } => {
                 let name = match freedom {

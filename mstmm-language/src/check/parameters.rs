@@ -50,7 +50,7 @@ pub(super) fn parameters(element: &Element, known: Option<[&'static [&'static st
 /// Advice for a parameter of damping that an element does not take, given those that it takes.
 fn advice_on_damping(taken: &[&str]) -> String {
     if taken.is_empty() {
-        return "springs, torsion springs, beams, rods and shafts have damping of their own, strings an external one"
+        return "springs, torsion springs, uniform beams, rods and shafts have damping of their own, strings an external one"
             .to_owned();
     }
     format!("of damping it has {}", listed(taken.iter().copied()))

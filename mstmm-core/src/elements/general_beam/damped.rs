@@ -3,7 +3,7 @@
 use crate::element::{Element, Forms, Inside};
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::constants::{Constants, SectionAt};
-use crate::elements::general_beam::motion::BeamMotion;
+use crate::elements::general_beam::inside::BeamMotion;
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::bending_chart::units_of_waves;

@@ -1,13 +1,30 @@
 //! States of a general beam between its ends.
 
+use crate::elements::general_beam::GeneralBeam;
 use crate::elements::general_beam::constants::SectionAt;
-use crate::elements::general_beam::motion::BeamMotion;
 use crate::elements::general_beam::transfer::units_of_states;
 use crate::elements::general_beam::wave_pair::{Form, WavePair, larger_sum};
 use crate::model::{Ends, State};
 use crate::number::{Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
 use num_traits::{One, Zero};
+
+/// A beam at the frequency of a motion.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BeamMotion<T: Real, S> {
+    /// Its parameters without damping.
+    pub(super) beam: GeneralBeam<T>,
+    pub(super) x: S,
+    pub(super) section: SectionAt<Complex<T>>,
+    /// The factor e by which damping multiplies EI and kGA.
+    pub(super) loss: S,
+    /// What damping adds to the stiffness of the foundation.
+    pub(super) external: S,
+    /// σ.
+    pub(super) sigma: S,
+    /// `σ f`, with damping over e.
+    pub(super) flexibility: S,
+}
 
 /// Y, Θ, M, Q in units of l and EI.
 type Vector<T> = [Complex<T>; 4];

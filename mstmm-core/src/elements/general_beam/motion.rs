@@ -1,8 +1,7 @@
 //! The motion of a general beam: its back transfer, its energies and their derivatives with respect to its parameters.
 
 use crate::element::{BackTransfer, Energies, Forms, Inside as Interior};
-use crate::elements::general_beam::constants::SectionAt;
-use crate::elements::general_beam::inside::Inside;
+use crate::elements::general_beam::inside::{BeamMotion, Inside};
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::dissipation::Undamped;
@@ -104,23 +103,6 @@ impl<T: Real> BuiltGeneralBeam<T> {
             self.motion(first.x).forms(first, (&self.motion(second.x), second));
         Forms { mass, stiffness: strain + restoring, ..Forms::none() }
     }
-}
-
-/// A beam at the frequency of a motion.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct BeamMotion<T: Real, S> {
-    /// Its parameters without damping.
-    pub(super) beam: GeneralBeam<T>,
-    pub(super) x: S,
-    pub(super) section: SectionAt<Complex<T>>,
-    /// The factor e by which damping multiplies EI and kGA.
-    pub(super) loss: S,
-    /// What damping adds to the stiffness of the foundation.
-    pub(super) external: S,
-    /// σ.
-    pub(super) sigma: S,
-    /// `σ f`, with damping over e.
-    pub(super) flexibility: S,
 }
 
 impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
