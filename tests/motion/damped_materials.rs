@@ -223,5 +223,6 @@ fn conjugate_roots_have_no_shapes_with_a_loss_factor() {
     let chain = Chain { first: 0.2, second: 0.1, time: 0.0 }.build().unwrap();
     let root = chain.first_eigenvalues::<1>().unwrap()[0];
     let conjugate = Eigenvalue { lambda: root.lambda.conj(), ..root };
-    assert!(matches!(chain.mode_shape(&conjugate), Err(MotionError::NotARoot { .. })));
+    assert!(matches!(chain.mode_shape(&conjugate), Err(MotionError::LossFactor)));
+    assert!(matches!(chain.sensitivity(&conjugate), Err(MotionError::LossFactor)));
 }

@@ -1,13 +1,14 @@
 //! Responses to harmonic loads.
 
 use crate::answer::at_rest::{AtRest, Part};
+use crate::answer::root::is_below_losses;
 use crate::model::{Entry, Load, MotionError};
 use crate::number::{Oscillation, Scalar};
 use crate::pass::both_ways::Passes;
 use crate::pass::route::{Place, Route};
 use crate::pass::tree::{Planned, Tree};
 use mstmm_plan::Coordinate;
-use num_traits::{One, Zero};
+use num_traits::One;
 
 /// Size of Δ at rest, in roundings of Δ at low frequencies, up to which it counts as zero.
 const VANISHING: f64 = 4096.0;
@@ -48,8 +49,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
             return self.static_limit();
         }
         // below the real axis a motion has the conjugate loss factor
-        let is_below = x.to_complex().im < <Y::Parameter as Zero>::zero();
-        if is_below && self.route.system.estimates().has_loss() {
+        if is_below_losses(self.route.system, x) {
             return Ok(self.evaluated(x.conjugate())?.conjugate());
         }
         self.evaluated(x)

@@ -5,7 +5,7 @@ use crate::element::{
     TransferMatrix, along_member,
 };
 use crate::elements::shared::connector::connector;
-use crate::elements::shared::dissipation::{Dissipation, Undamped};
+use crate::elements::shared::dissipation::{Dissipation, UndampedForms};
 use crate::elements::shared::line_forms::{elongations, half, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_stiffness};
 use crate::elements::shared::massless::{elongation, off_pole};
@@ -57,7 +57,7 @@ impl<T: Real> DampedStiffness<T> {
     fn forms<S: ComplexFrequency<T> + Oscillation<T>>(&self, lambda: S, elongations: S) -> Forms<S> {
         let none = S::zero();
         let strain = elongations * self.stiffness;
-        self.dissipation.forms(lambda, Undamped { mass: none, strain, restoring: none, displacement: none })
+        self.dissipation.forms(lambda, UndampedForms { mass: none, strain, restoring: none, displacement: none })
     }
 
     /// The derivatives of the dynamic work with respect to stiffness, loss factor and time, given the square of the elongation.

@@ -4,9 +4,9 @@ use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::frequency_response::on_grid;
 use crate::answer::network::states::{PlaneStates, check, check_freedom, held_at, offset};
 use crate::answer::response_curve::{Sample, refined};
-use crate::answer::root::Root;
+use crate::answer::root::{Root, is_below_losses};
 use crate::model::{MotionError, PlaneEntry, PlaneLoad, Quantity, Site, Tied};
-use crate::number::{Frequency, List, Scalar};
+use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
 use crate::pass::network::{
     LoadAt, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, motion_under, rounding_under,
@@ -140,8 +140,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        let is_below = x.to_complex().im < <Y::Parameter as Scalar>::from_f64(0.0);
-        if is_below && self.system.estimates().has_loss() {
+        if is_below_losses(self.system, x) {
             return Err(MotionError::LossFactor);
         }
         self.continued(x)

@@ -66,12 +66,14 @@ impl<T: Parameter> BuiltDampedBeam<T> {
         BackThrough::new(Transfer::new(&beam.section(at.lambda_squared)), &beam)
     }
 
-    /// The chart of the beam along a line, which the caller's axial impedance measures, too.
-    pub(super) fn enter_chart<S: ComplexFrequency<T>>(
+    /// The chart of a beam of a length with its bending at four places, given all freedoms of its ends and the axial impedance.
+    pub(super) fn chart<S: ComplexFrequency<T>>(
         &self,
         at: &FrequencyPowers<S>,
         length: S,
-        (freedoms, axial, places): (Freedoms, f64, [usize; 4]),
+        freedoms: Freedoms,
+        axial: f64,
+        places: [usize; 4],
     ) -> Chart<S> {
         let (units, wave) = units_of_waves(&self.beam.impedances(at.lambda_squared, axial), at.lambda_squared);
         let mut chart = Chart::empty(freedoms, units, Measure::Member(wave));

@@ -46,8 +46,8 @@ macro_rules! damped_beams {
                 $kind { length, bending_stiffness, mass_per_length, $($field),* }
             }
 
-            /// The derivatives of a beam and those of its damping.
-            pub(super) fn of_gradient(beam: $kind<T>, [loss_factor, kelvin_voigt_time, external_damping]: [T; 3]) -> Self {
+            /// A beam with damping, or the derivatives with respect to all of it.
+            pub(super) fn with_damping(beam: $kind<T>, [loss_factor, kelvin_voigt_time, external_damping]: [T; 3]) -> Self {
                 let $kind { length, bending_stiffness, mass_per_length, $($field),* } = beam;
                 $damped {
                     length, bending_stiffness, mass_per_length, $($field,)* loss_factor, kelvin_voigt_time, external_damping,
@@ -149,25 +149,25 @@ macro_rules! damped_beams {
             }
 
             fn gradient(built: &BuiltDampedBeam<T>, ends: &Ends<S>) -> $damped<S> {
-                $damped::of_beam(built, ends)
+                $damped::gradient_of(built, ends)
             }
         }
 
         impl<S: Scalar> $damped<S> {
             /// The derivatives of the dynamic work of a motion.
-            pub(super) fn of_beam<T: Real>(built: &BuiltDampedBeam<T>, ends: &Ends<S>) -> Self
+            pub(super) fn gradient_of<T: Real>(built: &BuiltDampedBeam<T>, ends: &Ends<S>) -> Self
             where
                 S: ComplexFrequency<T> + Oscillation<T>,
             {
                 let (beam, damping) = built.gradient(ends);
-                $damped::of_gradient($kind::of_gradient(beam, &built.beam.parameters), damping)
+                $damped::with_damping($kind::of_gradient(beam, &built.beam.parameters), damping)
             }
         }
 
         impl<T: Parameter, S: ComplexFrequency<T>> Charted<S> for $damped<T> {
             fn chart(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
                 let freedoms = Freedoms::Y.union(Freedoms::RZ);
-                built.enter_chart(at, length, (freedoms, f64::INFINITY, [0, 1, 2, 3]))
+                built.chart(at, length, freedoms, f64::INFINITY, [0, 1, 2, 3])
             }
         }
 
@@ -189,7 +189,7 @@ macro_rules! damped_beams {
             type Gradient = $damped<S>;
 
             fn member_gradient(built: &BuiltDampedBeam<T>, work: &MemberWork<S>) -> $damped<S> {
-                $damped::of_beam(built, &MemberEnds { x: work.x, ends: work.ends }.bending())
+                $damped::gradient_of(built, &MemberEnds { x: work.x, ends: work.ends }.bending())
             }
         }
 
@@ -198,7 +198,7 @@ macro_rules! damped_beams {
             /// A beam whose stiffness vanishes far from the frequencies of the laws.
             fn sample(mut next: impl FnMut() -> f64) -> Self {
                 let beam = $kind::sample(&mut next);
-                $damped::of_gradient(beam, [0.2 * next(), 0.005 * next(), 0.5 * next()])
+                $damped::with_damping(beam, [0.2 * next(), 0.005 * next(), 0.5 * next()])
             }
 
             fn length(&self) -> f64 {
@@ -216,7 +216,7 @@ macro_rules! damped_beams {
 
             fn untied(self) -> Self {
                 let damping = [self.loss_factor, self.kelvin_voigt_time, self.external_damping];
-                $damped::of_gradient(self.undamped().untied(), damping)
+                $damped::with_damping(self.undamped().untied(), damping)
             }
 
             fn lossless(self) -> Self {

@@ -37,7 +37,7 @@ impl<T: Parameter> BuiltPlanarDampedBeam<T> {
 
     fn chart<S: ComplexFrequency<T> + ChartScalar>(&self, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
         let longitudinal = self.rod.longitudinal(at, length);
-        let mut chart = self.bending.enter_chart(at, length, (Freedoms::ALL, longitudinal.unit(), [1, 2, 4, 5]));
+        let mut chart = self.bending.chart(at, length, Freedoms::ALL, longitudinal.unit(), [1, 2, 4, 5]);
         S::enter_longitudinal(&longitudinal, &mut chart, [0, 3]);
         chart
     }
@@ -125,7 +125,7 @@ macro_rules! in_plane {
 
             fn member_gradient(built: &BuiltPlanarDampedBeam<T>, work: &MemberWork<S>) -> $planar<S> {
                 let motion = MemberEnds { x: work.x, ends: work.ends };
-                let bending = $kind::of_beam(&built.bending, &motion.bending());
+                let bending = $kind::gradient_of(&built.bending, &motion.bending());
                 let ([length, axial_stiffness, mass, _], [loss, time, external]) = built.rod.gradient(&Stretch::of(&motion));
                 $planar {
                     length: bending.length + length,

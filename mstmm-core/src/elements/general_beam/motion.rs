@@ -4,7 +4,7 @@ use crate::element::{BackTransfer, Energies, Forms, Inside as Interior};
 use crate::elements::general_beam::inside::{BeamMotion, Inside};
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
-use crate::elements::shared::dissipation::Undamped;
+use crate::elements::shared::dissipation::UndampedForms;
 use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::line_forms::half;
 use crate::model::{Ends, State};
@@ -99,7 +99,7 @@ impl<T: Real> BuiltGeneralBeam<T> {
 
     /// The forms of two motions.
     pub(super) fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> Forms<S> {
-        let Undamped { mass, strain, restoring, .. } =
+        let UndampedForms { mass, strain, restoring, .. } =
             self.motion(first.x).forms(first, (&self.motion(second.x), second));
         Forms { mass, stiffness: strain + restoring, ..Forms::none() }
     }
@@ -167,11 +167,11 @@ impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
 
     /// The forms of two motions: of mass `∫ m Y₁ Y₂ + r Θ₁ Θ₂`, of strain `∫ EI Θ₁' Θ₂' + f V₁ V₂/(e₁ e₂)`, and of what else holds the beam,
     /// `∫ T Y₁' Y₂' + k Y₁ Y₂`.
-    pub(super) fn forms(&self, first: &Ends<S>, (other, second): (&Self, &Ends<S>)) -> Undamped<S> {
+    pub(super) fn forms(&self, first: &Ends<S>, (other, second): (&Self, &Ends<S>)) -> UndampedForms<S> {
         let Products { deflection, rotation, moment, shear, slope } = self.products(first, (other, second));
         let beam = &self.beam;
         let bending = moment * (T::one() / beam.bending_stiffness) + shear * beam.shear_flexibility;
-        Undamped {
+        UndampedForms {
             mass: deflection * beam.mass_per_length + rotation * beam.rotary_inertia,
             strain: bending / (self.loss * other.loss),
             restoring: slope * beam.tension() + deflection * beam.foundation_stiffness,

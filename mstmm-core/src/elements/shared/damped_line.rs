@@ -1,7 +1,7 @@
 //! Lines with damping: rods, shafts and strings, and members that stretch.
 
 use crate::element::{Forms, Inside};
-use crate::elements::shared::dissipation::{Dissipation, Undamped};
+use crate::elements::shared::dissipation::{Dissipation, UndampedForms};
 use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::line_forms::half;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
@@ -106,7 +106,7 @@ impl<T: Real> DampedLine<T> {
         let [displacement, strain] = self.squares(first, second);
         let LineSection { inertia, foundation, .. } = self.line.section;
         let (mass, restoring) = (displacement * inertia, displacement * foundation);
-        self.dissipation.forms(first.x, Undamped { mass, strain, restoring, displacement })
+        self.dissipation.forms(first.x, UndampedForms { mass, strain, restoring, displacement })
     }
 
     /// The derivatives of the dynamic work with respect to length, stiffness, inertia and foundation, and to the three parameters of

@@ -19,7 +19,7 @@ pub(crate) struct Dissipation<T> {
 /// The forms of two motions of a member, without damping: of mass, of the strain of its material, of what else holds it, and of the
 /// displacements alone.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Undamped<S> {
+pub(crate) struct UndampedForms<S> {
     pub(crate) mass: S,
     pub(crate) strain: S,
     pub(crate) restoring: S,
@@ -78,8 +78,12 @@ impl<T: Real> Dissipation<T> {
 
     /// The forms of two motions, the first of them at λ: the work `V + λ² T + λ D` has the loss factor in its stiffness form and both other
     /// parameters in its damping form.
-    pub(crate) fn forms<S: ComplexFrequency<T> + Oscillation<T>>(&self, lambda: S, parts: Undamped<S>) -> Forms<S> {
-        let Undamped { mass, strain, restoring, displacement } = parts;
+    pub(crate) fn forms<S: ComplexFrequency<T> + Oscillation<T>>(
+        &self,
+        lambda: S,
+        parts: UndampedForms<S>,
+    ) -> Forms<S> {
+        let UndampedForms { mass, strain, restoring, displacement } = parts;
         let strain = self.loss(lambda) * strain;
         Forms { mass, stiffness: strain + restoring, damping: strain * self.time + displacement * self.external }
     }
