@@ -194,8 +194,8 @@ fn damping_belongs_to_some_elements() {
                                           | damping it has `loss_factor` and `kelvin_voigt_time`
         -> mass 2 { mass: 1.0, loss_factor: eta }
                                ^^^^^^^^^^^ `mass` has no parameter `loss_factor`: springs, torsion springs,
-                               | uniform beams, rods and shafts have damping of their own, strings an
-                               | external one
+                               | uniform beams, rods and shafts have damping of their own, strings an external
+                               | one
         -> string 3 { length: 1.0, tension: k, mass_per_length: 1.0, loss_factor: eta }
                                                                      ^^^^^^^^^^^ `string` has no parameter
                                                                      | `loss_factor`: of damping it has
