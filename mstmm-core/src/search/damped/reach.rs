@@ -67,7 +67,8 @@ where
 fn comes_near<T: Real>(rectangle: &Rectangle<T>, [first, last]: [f64; 2]) -> bool {
     let Rectangle { left, right, low, high } = rectangle.grown(GROWTH);
     let [left, right, low, high] = [left, right, low, high].map(T::to_f64);
-    let height = -first * NEAR;
+    // of the farthest point in reach
+    let height = -left.max(last) * NEAR;
     left <= first * (1.0 - NEAR) && right >= last * (1.0 + NEAR) && low <= height && high >= -height
 }
 
