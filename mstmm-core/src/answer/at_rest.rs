@@ -3,9 +3,9 @@
 //! A rigid body that the load sets in motion causes r₂; a part that only dampers hold causes r₁. Where both are zero h₀ is the
 //! static limit, although Δ vanishes at λ = 0 itself.
 //!
-//! At `λ = iω` the even part of H is `r₂/λ² + h₀ + h₂ λ² + …` and its odd part times λ is `r₁ + h₁ λ² + …`: its real and its imaginary part,
-//! unless something has a loss factor. Without their poles both are smooth in λ² up to the first other root. A polynomial through samples on the imaginary axis gives their values
-//! at zero, for real frequencies as for complex ones.
+//! At `λ = iω` the even part of H is `r₂/λ² + h₀ + h₂ λ² + …` and its odd part times λ is `r₁ + h₁ λ² + …`: its real and its
+//! imaginary part, unless something has a loss factor. Without their poles both are smooth in λ² up to the first other root. A
+//! polynomial through samples on the imaginary axis gives their values at zero, for real frequencies as for complex ones.
 
 use crate::model::MotionError;
 use crate::number::{Oscillation, Real, Scalar, Single, binary_exponent};
