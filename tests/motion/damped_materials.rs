@@ -1,5 +1,4 @@
 //! Responses, shapes, energies and sensitivities of trees whose materials are damped, or that move in a medium.
-#![expect(clippy::unwrap_used, reason = "a helper that fails fails the test that called it")]
 
 use crate::complex_beam::{C, ComplexBeam, product};
 use mstmm::motion::MotionError;
