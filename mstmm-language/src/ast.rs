@@ -5,7 +5,7 @@ mod coordinates;
 pub(crate) use coordinates::{Coordinates, place_of, tuple_parts};
 
 use crate::diagnostics::Place;
-use crate::keywords::{Keyword, LocatedKeyword, element_of, located_of};
+use crate::keywords::{Damped, Keyword, LocatedKeyword, element_of, located_of};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
@@ -179,10 +179,26 @@ impl Element {
         self.parameters.iter().flatten()
     }
 
-    /// The parameters that were left out, which are zero.
+    fn gives(&self, name: &str) -> bool {
+        self.parameters().any(|parameter| parameter.name.unraw() == name)
+    }
+
+    /// What it is with damping, if it names a parameter of that.
+    fn damped(&self) -> Option<Damped> {
+        self.kind.known()?.damped.filter(|damped| damped.parameters.iter().any(|name| self.gives(name)))
+    }
+
+    /// The type in `mstmm_core::elements`; `None` for a type of the user and for a misspelt keyword.
+    pub(crate) fn type_name(&self) -> Option<&'static str> {
+        self.damped().map(|damped| damped.type_name).or(self.kind.known().map(|known| known.type_name))
+    }
+
+    /// The parameters of its type that were left out, which are zero.
     pub(crate) fn omitted(&self) -> impl Iterator<Item = &'static str> {
         let optional = self.kind.known().map_or(&[][..], |known| known.optional);
-        optional.iter().copied().filter(|name| self.parameters().all(|parameter| parameter.name.unraw() != name))
+        let [of_damping, absent] = self.damped().map_or([&[][..]; 2], |damped| [damped.parameters, damped.absent]);
+        let all = optional.iter().chain(of_damping).chain(absent);
+        all.copied().filter(|name| !self.gives(name))
     }
 }
 

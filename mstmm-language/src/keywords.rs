@@ -18,7 +18,28 @@ pub(crate) struct Keyword {
     pub(crate) parameters: &'static [&'static str],
     /// Those of the parameters that may be left out, which then are zero.
     pub(crate) optional: &'static [&'static str],
+    /// What it is with damping, if it may have any.
+    pub(crate) damped: Option<Damped>,
 }
+
+/// What the language knows of an element with damping, which is another type: naming a parameter of damping selects it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Damped {
+    /// The type in `mstmm_core::elements`.
+    pub(crate) type_name: &'static str,
+    /// The parameters of damping; those that are left out are zero.
+    pub(crate) parameters: &'static [&'static str],
+    /// Parameters of the type that the keyword has not, which are zero.
+    pub(crate) absent: &'static [&'static str],
+}
+
+/// The parameters of damping: of materials, and all of them.
+const LOSSES: &[&str] = &["loss_factor", "kelvin_voigt_time"];
+pub(crate) const DAMPING: &[&str] = &["loss_factor", "kelvin_voigt_time", "external_damping"];
+
+/// What a beam has not that the general one has.
+const ABSENT_OF_BEAM: &[&str] =
+    &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"];
 
 const fn element(
     name: &'static str,
@@ -26,13 +47,23 @@ const fn element(
     space: Space,
     parameters: &'static [&'static str],
 ) -> Keyword {
-    Keyword { name, type_name, space, parameters, optional: &[] }
+    Keyword { name, type_name, space, parameters, optional: &[], damped: None }
+}
+
+/// A beam that with damping is a general one of a type, without some of its parameters.
+const fn damped(type_name: &'static str, absent: &'static [&'static str], keyword: Keyword) -> Keyword {
+    Keyword { damped: Some(Damped { type_name, parameters: DAMPING, absent }), ..keyword }
+}
+
+/// An element with parameters of damping.
+const fn with_damping(type_name: &'static str, parameters: &'static [&'static str], keyword: Keyword) -> Keyword {
+    Keyword { damped: Some(Damped { type_name, parameters, absent: &[] }), ..keyword }
 }
 
 #[rustfmt::skip]
 pub(crate) const ELEMENTS: &[Keyword] = &[
-    element("spring", "Spring", Space::Translation, &["stiffness"]),
-    element("torsion_spring", "TorsionSpring", Space::Rotation, &["stiffness"]),
+    with_damping("DampedSpring", LOSSES, element("spring", "Spring", Space::Translation, &["stiffness"])),
+    with_damping("DampedTorsionSpring", LOSSES, element("torsion_spring", "TorsionSpring", Space::Rotation, &["stiffness"])),
     element("damper", "Damper", Space::Translation, &["damping"]),
     element("torsion_damper", "TorsionDamper", Space::Rotation, &["damping"]),
     element("spring_damper", "SpringDamper", Space::Translation, &["stiffness", "damping"]),
@@ -42,41 +73,41 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     element("point_mass", "PointMass", Space::Bending, &["mass", "inertia"]),
     element("elastic_hinge", "ElasticHinge", Space::Bending, &["stiffness_y", "stiffness_theta"]),
     element("body", "Body", Space::Bending, &["mass", "inertia", "output_x", "centre_x"]),
-    element("beam", "Beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length"]),
-    element("rayleigh_beam", "RayleighBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "rotary_inertia"]),
-    element("timoshenko_beam", "TimoshenkoBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"]),
-    element("beam_column", "BeamColumn", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "axial_force"]),
-    Keyword {
+    damped("DampedBeam", ABSENT_OF_BEAM, element("beam", "Beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length"])),
+    damped("DampedBeam", &["shear_flexibility", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], element("rayleigh_beam", "RayleighBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "rotary_inertia"])),
+    damped("DampedTimoshenkoBeam", &[], element("timoshenko_beam", "TimoshenkoBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"])),
+    damped("DampedBeam", &["shear_flexibility", "rotary_inertia", "foundation_stiffness", "foundation_shear_stiffness"], element("beam_column", "BeamColumn", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "axial_force"])),
+    damped("DampedBeam", &["shear_flexibility", "rotary_inertia", "axial_force"], Keyword {
         optional: &["foundation_shear_stiffness"],
         ..element("foundation_beam", "FoundationBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"])
-    },
-    Keyword {
+    }),
+    damped("DampedBeam", &[], Keyword {
         optional: &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"],
         ..element("general_beam", "GeneralBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"])
-    },
-    Keyword {
+    }),
+    with_damping("DampedString", &["external_damping"], Keyword {
         optional: &["foundation_stiffness"],
         ..element("string", "TautString", Space::Translation, &["length", "tension", "mass_per_length", "foundation_stiffness"])
-    },
-    Keyword {
+    }),
+    with_damping("DampedRod", DAMPING, Keyword {
         optional: &["foundation_stiffness"],
         ..element("rod", "Rod", Space::Translation, &["length", "axial_stiffness", "mass_per_length", "foundation_stiffness"])
-    },
-    element("shaft", "Shaft", Space::Rotation, &["length", "torsional_stiffness", "inertia_per_length"]),
+    }),
+    with_damping("DampedShaft", DAMPING, element("shaft", "Shaft", Space::Rotation, &["length", "torsional_stiffness", "inertia_per_length"])),
     element("planar_body", "PlanarBody", Space::Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
-    element("planar_beam", "PlanarBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"]),
+    damped("PlanarDampedBeam", ABSENT_OF_BEAM, element("planar_beam", "PlanarBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"])),
     element("planar_hinge", "PlanarHinge", Space::Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"]),
-    element("planar_rayleigh_beam", "PlanarRayleighBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "rotary_inertia"]),
-    element("planar_timoshenko_beam", "PlanarTimoshenkoBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"]),
-    element("planar_beam_column", "PlanarBeamColumn", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "axial_force"]),
-    Keyword {
+    damped("PlanarDampedBeam", &["shear_flexibility", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], element("planar_rayleigh_beam", "PlanarRayleighBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "rotary_inertia"])),
+    damped("PlanarDampedTimoshenkoBeam", &[], element("planar_timoshenko_beam", "PlanarTimoshenkoBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"])),
+    damped("PlanarDampedBeam", &["shear_flexibility", "rotary_inertia", "foundation_stiffness", "foundation_shear_stiffness"], element("planar_beam_column", "PlanarBeamColumn", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "axial_force"])),
+    damped("PlanarDampedBeam", &["shear_flexibility", "rotary_inertia", "axial_force"], Keyword {
         optional: &["foundation_shear_stiffness"],
         ..element("planar_foundation_beam", "PlanarFoundationBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"])
-    },
-    Keyword {
+    }),
+    damped("PlanarDampedBeam", &[], Keyword {
         optional: &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"],
         ..element("planar_general_beam", "PlanarGeneralBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"])
-    },
+    }),
     element("rotational_hinge", "RotationalHinge", Space::Bending, &["stiffness"]),
     element("shear_hinge", "ShearHinge", Space::Bending, &["stiffness"]),
     element("lever", "Lever", Space::Bending, &["output_x"]),

@@ -1,6 +1,10 @@
 //! Mode shapes, responses to loads and sensitivities.
 
+#[expect(dead_code, reason = "what the other program needs")]
+#[path = "../support/complex_beam.rs"]
+mod complex_beam;
 pub mod curves_end;
+mod damped_materials;
 mod energy_shares;
 pub mod examples;
 pub mod frequency_response;

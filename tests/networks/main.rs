@@ -4,6 +4,7 @@ mod at_rest;
 mod by_minors;
 mod checks;
 mod damped;
+mod damped_members;
 mod directed;
 mod equivalents;
 pub mod examples;

@@ -1,10 +1,14 @@
 //! Counts, natural frequencies and eigenvalues: certified ones, those of trees that searches find hard, those of random trees.
 
 mod certified;
+#[path = "../support/complex_beam.rs"]
+mod complex_beam;
 mod counts;
 mod critical_loads;
+mod damped_materials;
 #[path = "../support/damped_models.rs"]
 mod damped_models;
+mod damped_regions;
 mod defects;
 mod directed_families;
 mod dynamic_stiffness;

@@ -3,9 +3,9 @@
 //! A rigid body that the load sets in motion causes r₂; a part that only dampers hold causes r₁. Where both are zero h₀ is the
 //! static limit, although Δ vanishes at λ = 0 itself.
 //!
-//! At `λ = iω` the real part of H is `r₂/λ² + h₀ + h₂ λ² + …` and its imaginary part times λ is `r₁ + h₁ λ² + …`. Without their
-//! poles both are smooth in λ² up to the first other root. A polynomial through samples on the imaginary axis gives their values
-//! at zero, for real frequencies as for complex ones.
+//! At `λ = iω` the even part of H is `r₂/λ² + h₀ + h₂ λ² + …` and its odd part times λ is `r₁ + h₁ λ² + …`: its real and its
+//! imaginary part, unless something has a loss factor. Without their poles both are smooth in λ² up to the first other root. A
+//! polynomial through samples on the imaginary axis gives their values at zero, for real frequencies as for complex ones.
 
 use crate::model::MotionError;
 use crate::number::{Oscillation, Real, Scalar, Single, binary_exponent};
@@ -47,11 +47,23 @@ const LEFT: f64 = 16.0;
 /// Change of a limit at the best range, relative to the response without its poles there, from which on there is no limit.
 const UNSETTLED: f64 = 1e-9;
 
-/// A response at one frequency, and a size compared with which its rounding is small.
+/// A response at one frequency x, and a size compared with which its rounding is small.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part<S> {
     pub(crate) value: S,
     pub(crate) size: f64,
+    /// The response at -x as the one above the real axis goes on below: the conjugate, unless something has a loss factor.
+    pub(crate) mirrored: S,
+}
+
+impl<S> Part<S> {
+    /// A response whose conjugate is that at the conjugate frequency.
+    pub(crate) fn new<T: Real>(value: S, size: f64) -> Self
+    where
+        S: Oscillation<T>,
+    {
+        Part { value, size, mirrored: value.conjugate() }
+    }
 }
 
 /// The first coefficients of a response about λ = 0. Poles that may be rounding alone are zero.
@@ -224,8 +236,8 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
     fn refined(poles: [S; 2], exponent: i32, response: &impl Fn(S) -> Result<Part<S>, MotionError>) -> [S; 2] {
         let closer = exponent + binary_exponent(S::EPSILON) / 2 - 1;
         let x = S::of_omega(T::one().times_power_of_two(closer));
-        let Ok(Part { value, .. }) = response(x) else { return poles };
-        let (half, mirrored) = (S::from_f64(0.5), value.conjugate());
+        let Ok(Part { value, mirrored, .. }) = response(x) else { return poles };
+        let half = S::from_f64(0.5);
         let agreed = |pole: S, sample: S| {
             let is_near = (sample - pole).size() <= ROUNDING * S::EPSILON * pole.size();
             if is_near { sample } else { pole }
@@ -246,8 +258,8 @@ impl<T: Real, S: Oscillation<T>> Polynomial<T, S> {
         let (mut squares, mut rounding, mut whole) = (even, 0.0, 0.0_f64);
         for (k, part) in PARTS.into_iter().enumerate() {
             let x = S::of_omega(T::from_f64(part).times_power_of_two(exponent));
-            let Part { value, size } = response(x)?;
-            let (square, mirrored) = (x.lambda_squared(), value.conjugate());
+            let Part { value, size, mirrored } = response(x)?;
+            let square = x.lambda_squared();
             let odd = (value - mirrored) * half;
             (squares[k], even[k]) = (square, (value + mirrored) * half);
             double[k] = (even[k] * square, size * square.size());
@@ -279,8 +291,8 @@ mod tests {
     use crate::number::DoubleDouble;
     use num_complex::Complex;
 
-    fn part<S: Single>(value: S) -> Result<Part<S>, MotionError> {
-        Ok(Part { value, size: value.size() })
+    fn part<T: Real, S: Oscillation<T>>(value: S) -> Result<Part<S>, MotionError> {
+        Ok(Part::new::<T>(value, value.size()))
     }
 
     fn agrees<S: Single>(actual: S, expected: f64, limit: f64) -> bool {
@@ -317,7 +329,7 @@ mod tests {
     /// A pole as small as rounding is none, and a response without a limit is not settled.
     #[test]
     fn what_cannot_be_told() {
-        let noisy = |x: f64| Ok(Part { value: 1e-15 / (x * x) + 1.0 / (4.0 - x * x), size: 1.0 + 10.0 / (x * x) });
+        let noisy = |x: f64| Ok(Part::new::<f64>(1e-15 / (x * x) + 1.0 / (4.0 - x * x), 1.0 + 10.0 / (x * x)));
         let AtRest { double, finite, .. } = AtRest::of::<f64>(-3, 0.0, noisy).unwrap();
         assert!(double == 0.0 && agrees(finite, 0.25, 1e-9), "{double} {finite}");
         let endless = AtRest::of::<f64>(-3, 0.0, |x: f64| part(x.ln().sin()));

@@ -5,6 +5,7 @@ use crate::answer::mode_shape::ModeShape;
 use crate::model::{Ends, Label, State};
 use crate::number::{Oscillation, Scalar};
 use crate::pass::tree::Tree;
+use num_complex::Complex;
 use num_traits::Zero;
 
 /// Shares of an element in the energies of a mode, from 0 to 1. The shares of all elements in an energy add up to 1, or to 0 if
@@ -35,12 +36,23 @@ where
         EnergyShares { strain: share(Form::Stiffness), kinetic: share(Form::Mass), dissipated: share(Form::Damping) }
     }
 
-    /// A form of the motion of an element and its conjugate: real, and positive.
+    /// A form of the motion of an element and its conjugate, real and positive; that of damping with what a loss factor takes,
+    /// `Im K/Im λ`.
     fn energy(&self, form: Form, step: usize) -> Y::Parameter {
+        let energy = self.with_conjugate(form, step).re;
+        let is_lossy = matches!(form, Form::Damping) && self.system.estimates().has_loss();
+        if !is_lossy {
+            return energy;
+        }
+        energy + self.with_conjugate(Form::Stiffness, step).im / self.x.to_complex().im
+    }
+
+    /// A form of the motion of an element and its conjugate.
+    fn with_conjugate(&self, form: Form, step: usize) -> Complex<Y::Parameter> {
         let first = self.ends(step);
         let conjugate = |state: State<S>| state.map(S::conjugate);
         let second = Ends { x: first.x.conjugate(), input: conjugate(first.input), output: conjugate(first.output) };
         let value = self.system.visit(None, step, FormOf { form, first, second });
-        value.map_or(Y::Parameter::from_f64(0.0), |value| value.to_complex().re)
+        value.map_or(Complex::zero(), S::to_complex)
     }
 }

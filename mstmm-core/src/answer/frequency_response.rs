@@ -1,6 +1,7 @@
 //! Responses to harmonic loads.
 
 use crate::answer::at_rest::{AtRest, Part};
+use crate::answer::root::is_below_losses;
 use crate::model::{Entry, Load, MotionError};
 use crate::number::{Oscillation, Scalar};
 use crate::pass::both_ways::Passes;
@@ -32,7 +33,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.
     ///
-    /// At 0 it is the static limit, wherever it is finite; this takes twice the time, to see that Δ is not rounding alone. Where a
+    /// At 0 it is the static limit, wherever it is finite, and with loss factors the limit from above; this takes twice the time, to see that Δ is not rounding alone. Where a
     /// part of the system is not held and the load does not move it, the limit is extrapolated from some tens to hundreds of responses
     /// at low frequencies, to 12 digits of the largest of these. A part that the load moves by rounding alone is at rest.
     ///
@@ -44,7 +45,14 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        if x.is_zero() { self.static_limit() } else { self.evaluated(x) }
+        if x.is_zero() {
+            return self.static_limit();
+        }
+        // below the real axis a motion has the conjugate loss factor
+        if is_below_losses(self.route.system, x) {
+            return Ok(self.evaluated(x.conjugate())?.conjugate());
+        }
+        self.evaluated(x)
     }
 
     /// The response at a frequency other than zero.
@@ -71,7 +79,11 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         };
         let load = own(self.route.load.step, self.route.load.coordinate.dual());
         let entry = own(self.route.entry.step, self.route.entry.coordinate);
-        Ok(Part { value, size: value.size().max(load.sqrt() * entry.sqrt()) })
+        let size = value.size().max(load.sqrt() * entry.sqrt());
+        if self.route.system.estimates().has_loss() {
+            return Ok(Part { value, size, mirrored: self.evaluated(-x)? });
+        }
+        Ok(Part::new(value, size))
     }
 
     /// The static limit.

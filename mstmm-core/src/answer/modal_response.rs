@@ -56,6 +56,9 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     where
         R: Root<T> + 'r,
     {
+        if source.has_loss() {
+            return Err(MotionError::LossFactor);
+        }
         let (rigid, residual) = (T::zero(), T::zero());
         let mut response = ModalResponse { terms: List::new(), rigid, residual, meaning: PhantomData };
         let mut at_rest = None;
@@ -120,7 +123,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
             let whole = source.sized(x)?;
             let omega = x.omega().to_complex();
             let (sum, size) = self.at(Complex::new(-omega.im, omega.re));
-            Ok(Part { value: whole.value - R::Frequency::from_complex(sum), size: whole.size + size })
+            Ok(Part::new::<T>(whole.value - R::Frequency::from_complex(sum), whole.size + size))
         };
         let rest = AtRest::of::<T>(source.lowest_exponent(), scale, left)?;
         let AtRest { double, simple, finite, uncertainty, .. } = rest;
@@ -236,4 +239,7 @@ pub(crate) trait Superposed<T: Real, R: Root<T>> {
 
     /// Logarithm to base 2 of a frequency below all roots but those at zero.
     fn lowest_exponent(&self) -> i32;
+
+    /// Whether something has a loss factor.
+    fn has_loss(&self) -> bool;
 }

@@ -2,6 +2,7 @@
 
 use crate::answer::dominant_entry::Candidate;
 use crate::answer::energies::Form;
+use crate::answer::root::is_below_losses;
 use crate::answer::states::SystemStates;
 use crate::model::MotionError;
 use crate::number::{Magnitude, Oscillation, Scalar, Scaled, Single};
@@ -67,6 +68,9 @@ where
     Y: ExtendedTree<S> + ?Sized,
     S: Oscillation<<Y as System>::Parameter>,
 {
+    if is_below_losses(system, x) {
+        return Err(MotionError::LossFactor);
+    }
     let plain = plainly(system, x);
     // where other roots are close, the root needs more digits, too: they are sought at the point where the shape shows best
     let point = match &plain {

@@ -69,4 +69,8 @@ where
     fn lowest_exponent(&self) -> i32 {
         self.system.estimates().lowest_exponent()
     }
+
+    fn has_loss(&self) -> bool {
+        self.system.estimates().has_loss()
+    }
 }

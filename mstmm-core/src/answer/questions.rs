@@ -32,7 +32,7 @@ pub trait ModalAnalysis: System {
     /// # Errors
     /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](ModalAnalysis::mode_shapes);
     /// [`MotionError::NotARoot`] for a frequency that is no root of this system; [`MotionError::Unresolved`] where other roots
-    /// are so close that the states do not fit together.
+    /// are so close that the states do not fit together; [`MotionError::LossFactor`] for `Im λ < 0` where something has a loss factor.
     fn mode_shape<S>(
         &self,
         root: &impl Root<<Self as System>::Parameter, Frequency = S>,
@@ -116,7 +116,8 @@ pub trait ModalAnalysis: System {
     /// # Errors
     /// [`MotionError::NoSuchEntry`] for a load or an entry that no state at its point carries;
     /// [`MotionError::Capacity`] for more than `N` modes, or more than both 4 and `N` of one root;
-    /// [`MotionError::Unsettled`] where roots close to zero hide the residual compliance; else as
+    /// [`MotionError::Unsettled`] where roots close to zero hide the residual compliance; [`MotionError::LossFactor`] where something has a
+    /// loss factor; else as
     /// [`mode_shape`](ModalAnalysis::mode_shape) and [`mode_shapes`](ModalAnalysis::mode_shapes).
     ///
     /// [`ModalResponse`] has an example.

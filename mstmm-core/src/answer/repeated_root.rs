@@ -5,7 +5,7 @@
 
 use crate::answer::dominant_entry::Candidate;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
-use crate::answer::root::Root;
+use crate::answer::root::{Root, is_below_losses};
 use crate::answer::states::SystemStates;
 use crate::model::MotionError;
 use crate::number::{Oscillation, Scalar, Scaled, Single};
@@ -22,6 +22,9 @@ where
     Y: ExtendedTree<S> + ?Sized,
     R: Root<Y::Parameter, Frequency = S>,
 {
+    if is_below_losses(system, root.frequency()) {
+        return Err(MotionError::LossFactor);
+    }
     let mut list = ShapeList { shapes: [const { None }; CAP] };
     if root.multiplicity() > 1 {
         let plain = shapes(system, root.frequency(), root.multiplicity(), &mut list.shapes);

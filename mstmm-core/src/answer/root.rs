@@ -2,9 +2,11 @@
 
 use crate::model::MotionError;
 use crate::number::{Oscillation, Real};
+use crate::pass::characteristic::System;
 use crate::search::damped::found::Eigenvalue;
 use crate::search::undamped::found::NaturalFrequency;
 use num_complex::Complex;
+use num_traits::Zero;
 
 /// A root of Δ: a natural frequency or an eigenvalue.
 pub trait Root<T: Real> {
@@ -55,6 +57,16 @@ impl<T: Real> Root<T> for Eigenvalue<T> {
     fn multiplicity(&self) -> u64 {
         self.multiplicity
     }
+}
+
+/// Whether a frequency is below the real axis of λ in a system with a loss factor: motions have the conjugate one there, and Δ, which goes on
+/// from above, is not theirs.
+pub(crate) fn is_below_losses<Y, S>(system: &Y, x: S) -> bool
+where
+    Y: System + ?Sized,
+    S: Oscillation<Y::Parameter>,
+{
+    x.to_complex().im < Y::Parameter::zero() && system.estimates().has_loss()
 }
 
 /// The frequency of a simple root.

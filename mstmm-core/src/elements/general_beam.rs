@@ -14,6 +14,9 @@ use transfer::Transfer;
 mod chart;
 mod compound;
 mod constants;
+mod damped;
+mod damped_kinds;
+mod damped_members;
 mod held;
 mod inside;
 mod kinds;
@@ -22,6 +25,8 @@ mod motion;
 mod transfer;
 mod wave_pair;
 
+pub use damped_kinds::{DampedBeam, DampedTimoshenkoBeam};
+pub use damped_members::{PlanarDampedBeam, PlanarDampedTimoshenkoBeam};
 pub use kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam};
 pub use members::{
     PlanarBeamColumn, PlanarFoundationBeam, PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam,
@@ -135,10 +140,12 @@ impl<T: Parameter> GeneralBeam<T> {
         let formula = "-1/shear_flexibility - foundation_shear_stiffness";
         Requirement::above(bound, formula).check("axial_force", self.axial_force)
     }
+}
 
+impl<S> GeneralBeam<S> {
     /// The parameters as numbers of another type.
     #[inline]
-    pub(crate) fn map<S>(self, to: impl Fn(T) -> S) -> GeneralBeam<S> {
+    pub(crate) fn map<R>(self, to: impl Fn(S) -> R) -> GeneralBeam<R> {
         GeneralBeam {
             length: to(self.length),
             bending_stiffness: to(self.bending_stiffness),
@@ -150,9 +157,7 @@ impl<T: Parameter> GeneralBeam<T> {
             foundation_shear_stiffness: to(self.foundation_shear_stiffness),
         }
     }
-}
 
-impl<S> GeneralBeam<S> {
     /// The derivatives themselves; the kinds of the general beam have other parameters.
     fn of_gradient<T>(gradient: Self, _beam: &GeneralBeam<T>) -> Self {
         gradient

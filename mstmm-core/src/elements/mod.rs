@@ -7,6 +7,8 @@ mod any;
 pub(crate) mod any_member;
 mod beam;
 mod body;
+mod damped_spring;
+mod damped_wave_line;
 mod elastic_hinge;
 mod general_beam;
 mod hinge;
@@ -26,10 +28,13 @@ mod wave_line;
 pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
 pub use body::Body;
+pub use damped_spring::{DampedSpring, DampedTorsionSpring};
+pub use damped_wave_line::{DampedRod, DampedShaft, DampedString};
 pub use elastic_hinge::ElasticHinge;
 pub use general_beam::{
-    BeamColumn, FoundationBeam, GeneralBeam, PlanarBeamColumn, PlanarFoundationBeam, PlanarGeneralBeam,
-    PlanarRayleighBeam, PlanarTimoshenkoBeam, RayleighBeam, TimoshenkoBeam,
+    BeamColumn, DampedBeam, DampedTimoshenkoBeam, FoundationBeam, GeneralBeam, PlanarBeamColumn, PlanarDampedBeam,
+    PlanarDampedTimoshenkoBeam, PlanarFoundationBeam, PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam,
+    RayleighBeam, TimoshenkoBeam,
 };
 pub use hinge::{RotationalHinge, ShearHinge};
 pub use lever::Lever;
@@ -60,6 +65,7 @@ macro_rules! elements {
         undamped { $($element:ident { $($field:ident),* })* }
         damped { $($damped:ident { $($damped_field:ident),* })* }
         planar { $($planar:ident { $($planar_field:ident),* })* }
+        planar damped { $($planar_damped:ident { $($planar_damped_field:ident),* })* }
     ) => {
         /// All element types.
         #[doc(hidden)]
@@ -67,6 +73,7 @@ macro_rules! elements {
             $(row!($element { $($field),* }),)*
             $(row!($damped { $($damped_field),* }),)*
             $(row!($planar { $($planar_field),* }),)*
+            $(row!($planar_damped { $($planar_damped_field),* }),)*
         ];
 
         /// Hands the elements of the plane method to a macro: those without damping, then those with.
@@ -92,6 +99,7 @@ macro_rules! elements {
                 $($law::<$element<f64>>();)*
                 $($law::<$damped<f64>>();)*
                 $($law::<$planar<f64>>();)*
+                $($law::<$planar_damped<f64>>();)*
             };
         }
         #[cfg(test)]
@@ -142,6 +150,23 @@ elements! {
         TorsionDamper { damping }
         SpringDamper { stiffness, damping }
         TorsionSpringDamper { stiffness, damping }
+        DampedSpring { stiffness, loss_factor, kelvin_voigt_time }
+        DampedTorsionSpring { stiffness, loss_factor, kelvin_voigt_time }
+        DampedBeam {
+            length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force, foundation_stiffness,
+            foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
+        }
+        DampedTimoshenkoBeam {
+            length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, loss_factor, kelvin_voigt_time,
+            external_damping
+        }
+        DampedString { length, tension, mass_per_length, foundation_stiffness, external_damping }
+        DampedRod {
+            length, axial_stiffness, mass_per_length, foundation_stiffness, loss_factor, kelvin_voigt_time, external_damping
+        }
+        DampedShaft {
+            length, torsional_stiffness, inertia_per_length, loss_factor, kelvin_voigt_time, external_damping
+        }
     }
     planar {
         PlanarBody { mass, inertia, output_x, output_y, centre_x, centre_y }
@@ -158,6 +183,16 @@ elements! {
         PlanarGeneralBeam {
             length, axial_stiffness, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force,
             foundation_stiffness, foundation_shear_stiffness
+        }
+    }
+    planar damped {
+        PlanarDampedBeam {
+            length, axial_stiffness, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force,
+            foundation_stiffness, foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
+        }
+        PlanarDampedTimoshenkoBeam {
+            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, loss_factor,
+            kelvin_voigt_time, external_damping
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::element::{
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::line_forms::unit_of;
 use crate::elements::shared::line_step::through_waves;
-use crate::elements::shared::rod_motion::Stretch;
+use crate::elements::shared::rod_motion::{Stretch, path_state};
 use crate::elements::shared::uniform_line::{LineSection, LineWaves, UniformLine};
 use crate::model::{EndMotion, Ends, FrequencyEstimates, InvalidParameter, Rotation, State, Translation};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
@@ -27,23 +27,20 @@ macro_rules! foundation {
     };
 }
 
-/// Displacement and tension at both ends of a motion, `H y'` in translation, of which Q is the opposite, or `GJ θ'`.
-macro_rules! stretch {
-    (Translation, $ends:expr) => {
-        Stretch { x: $ends.x, ends: [$ends.input, $ends.output].map(|state| [state.y, -state.q]) }
+/// Whether a line turns.
+macro_rules! is_rotation {
+    (Translation) => {
+        false
     };
-    (Rotation, $ends:expr) => {
-        Stretch { x: $ends.x, ends: [$ends.input, $ends.output].map(|state| [state.theta, state.m]) }
+    (Rotation) => {
+        true
     };
 }
 
-/// The state of displacement and tension.
-macro_rules! state {
-    (Translation, $y:expr, $force:expr) => {
-        State { y: $y, q: -$force, ..State::default() }
-    };
-    (Rotation, $y:expr, $force:expr) => {
-        State { theta: $y, m: $force, ..State::default() }
+/// The motion of a line between its ends.
+macro_rules! along {
+    ($space:ident, $ends:expr) => {
+        Stretch::of_path($ends, is_rotation!($space))
     };
 }
 
@@ -108,7 +105,7 @@ macro_rules! wave_lines {
 
         impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for $element<T> {
             fn transfer_matrix(built: &UniformLine<T>, x: S) -> Matrix2<S> {
-                built.transfer_matrix(x, matches!(Coordinate::$coordinate, Coordinate::Theta))
+                built.transfer_matrix(x, is_rotation!($space))
             }
         }
 
@@ -150,11 +147,11 @@ macro_rules! wave_lines {
             }
 
             fn mass_form(built: &UniformLine<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-                built.section.forms(&stretch!($space, first), &stretch!($space, second))[0]
+                built.section.forms(&along!($space, first), &along!($space, second))[0]
             }
 
             fn stiffness_form(built: &UniformLine<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-                built.section.forms(&stretch!($space, first), &stretch!($space, second))[1]
+                built.section.forms(&along!($space, first), &along!($space, second))[1]
             }
 
             fn inside(built: &UniformLine<T>, x: S) -> Option<Inside> {
@@ -162,12 +159,11 @@ macro_rules! wave_lines {
             }
 
             fn state_at(built: &UniformLine<T>, ends: &Ends<S>, distance: f64) -> State<S> {
-                let [displacement, force] = built.section.at(&stretch!($space, ends), T::from_f64(distance));
-                state!($space, displacement, force)
+                path_state(built.section.at(&along!($space, ends), T::from_f64(distance)), is_rotation!($space))
             }
 
             fn gradient(built: &UniformLine<T>, ends: &Ends<S>) -> $element<S> {
-                let [length, stiffness, inertia, _foundation] = built.section.gradient(&stretch!($space, ends));
+                let [length, stiffness, inertia, _foundation] = built.section.gradient(&along!($space, ends));
                 $element { $length: length, $stiffness: stiffness, $inertia: inertia, $($foundation: _foundation)? }
             }
         }

@@ -275,6 +275,20 @@ pub enum SearchError {
         /// How many motions grow.
         modes: u64,
     },
+    /// A region that reaches down to the real axis of λ, of a system in which something has a loss factor: that describes motions with `Im λ > 0`
+    /// alone.
+    LossFactor {
+        /// The lower end of the region [rad/s].
+        im: f64,
+    },
+    /// A region that comes near a λ at which the stiffness of a member of Kelvin and Voigt vanishes: infinitely many eigenvalues accumulate
+    /// there. Fewer than were asked for are nearer to zero.
+    Accumulation {
+        /// Start of the part of the real axis from which searches have to keep away [1/s].
+        from: f64,
+        /// Its end [1/s].
+        to: f64,
+    },
     /// There are more results than the caller's capacity; none is returned rather than a part of them.
     Capacity {
         /// The capacity.
@@ -322,6 +336,20 @@ impl fmt::Display for SearchError {
                 let grow = if modes == 1 { "motion grows" } else { "motions grow" };
                 write!(f, "the system is statically unstable: {modes} {grow} instead of vibrating; ")?;
                 write!(f, "their rates are real eigenvalues, which `eigenvalues` finds")
+            }
+            SearchError::LossFactor { im } => {
+                write!(
+                    f,
+                    "the region reaches down to Im λ = {im}, but a loss factor describes motions with Im λ > 0 alone: "
+                )?;
+                write!(f, "let it begin above zero")
+            }
+            SearchError::Accumulation { from, to } => {
+                write!(
+                    f,
+                    "eigenvalues accumulate between λ = {from} and {to}, where the stiffness of a member of Kelvin and "
+                )?;
+                write!(f, "Voigt vanishes: search regions that keep away from there")
             }
             SearchError::Capacity { capacity } => {
                 write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")

@@ -20,6 +20,10 @@ pub struct FrequencyEstimates {
     reach: f64,
     /// Levers of rigid bodies.
     levers: Range,
+    /// The largest loss factor.
+    loss_factor: f64,
+    /// Rates of decay at which the stiffness of a member with waves vanishes.
+    singularities: Range,
     /// Logarithms to base 2 of a low estimate of the frequencies, of one that no other falls short of by much, and of a high one.
     exponents: [i32; 3],
 }
@@ -57,6 +61,8 @@ impl Default for FrequencyEstimates {
             linear_waves: Range::EMPTY,
             reach: 0.0,
             levers: Range::EMPTY,
+            loss_factor: 0.0,
+            singularities: Range::EMPTY,
             exponents: [0; 3],
         }
     }
@@ -115,6 +121,28 @@ impl FrequencyEstimates {
     pub fn lever(&mut self, value: f64) {
         self.length(value);
         self.levers.include(value.abs());
+    }
+
+    /// A loss factor η of a stiffness, which describes motions with `Im λ > 0` alone.
+    pub fn loss_factor(&mut self, value: f64) {
+        self.loss_factor = if value > self.loss_factor { value } else { self.loss_factor };
+    }
+
+    /// A rate of decay a [1/s], at which the stiffness of a continuous element vanishes: `λ = -a` is an essential singularity of Δ, about
+    /// which eigenvalues accumulate. An infinite one is none.
+    pub fn essential_singularity(&mut self, rate: f64) {
+        self.singularities.include(rate);
+    }
+
+    /// Whether some stiffness has a loss factor.
+    pub(crate) fn has_loss(&self) -> bool {
+        self.loss_factor > 0.0
+    }
+
+    /// The rightmost and the leftmost essential singularity of Δ on the real axis of λ.
+    pub(crate) fn singularities(&self) -> Option<[f64; 2]> {
+        let Range { least, greatest } = self.singularities;
+        (greatest > 0.0).then_some([-least, -greatest])
     }
 
     /// Number of continuous elements.

@@ -83,6 +83,8 @@ pub enum MotionError {
     },
     /// A reaction to the motion of a support, which has a part that grows with the frequency and is no sum over modes.
     NotModal,
+    /// A motion in time, or one at `Im λ < 0`, of a system in which something has a loss factor: that describes motions with `Im λ > 0` alone.
+    LossFactor,
     /// A range of frequencies that is empty, reversed or not finite.
     Range {
         /// Start of the range [rad/s].
@@ -169,6 +171,13 @@ impl fmt::Display for MotionError {
             }
             MotionError::NotFinite { frequency } => {
                 write!(f, "at the frequency {frequency} the motion is not finite")
+            }
+            MotionError::LossFactor => {
+                write!(
+                    f,
+                    "a loss factor describes motions with Im λ > 0, not those in time: ask `frequency_response`, or take "
+                )?;
+                write!(f, "`kelvin_voigt_time`")
             }
             _ => self.fmt_question(f),
         }

@@ -109,8 +109,8 @@ pub enum ComplexEigenvalue {}
 ///
 /// A search for natural frequencies uses four scalars. They share one meaning, so that the compiler reports a damper once.
 #[diagnostic::on_unimplemented(
-    message = "a system with a damper has complex eigenvalues: it cannot be evaluated at a real frequency",
-    label = "needs a complex λ, since there is a damper in the model",
+    message = "a damped system has complex eigenvalues: it cannot be evaluated at a real frequency",
+    label = "needs a complex λ, since something in the model is damped",
     note = "search its `eigenvalues` instead of `natural_frequencies`, count them with `count_in` instead of `count_below`",
     note = "pass `Complex::new(re, im)` for λ [1/s]; an undamped motion at ω is λ = iω, `Complex::new(0.0, omega)`"
 )]

@@ -3,7 +3,7 @@
 use super::listed;
 use crate::ast::Element;
 use crate::diagnostics::Errors;
-use crate::keywords::nearest;
+use crate::keywords::{DAMPING, nearest};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
@@ -22,24 +22,36 @@ pub(super) fn parameters(element: &Element, known: Option<[&'static [&'static st
     let Some([known, optional]) = known else { return };
     let is_missing = |name: &&str| !given.contains(*name) && !optional.contains(name);
     let mut missing: Vec<&str> = known.iter().copied().filter(is_missing).collect();
-    let is_unknown = |name: &str| !known.contains(&name);
+    let damping = element.kind.known().and_then(|row| row.damped).map_or(&[][..], |damped| damped.parameters);
+    let is_unknown = |name: &str| !known.contains(&name) && !damping.contains(&name);
     let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;
     for parameter in element.parameters() {
         let name = parameter.name.unraw().to_string();
         if !is_unknown(&name) {
             continue;
         }
-        let meant = nearest(missing.iter().copied(), &name).or(missing.first().copied().filter(|_| is_only_one));
+        let candidates = missing.iter().chain(damping).copied();
+        let meant = nearest(candidates, &name).or(missing.first().copied().filter(|_| is_only_one));
         let hint = match meant {
+            _ if DAMPING.contains(&name.as_str()) => advice_on_damping(damping),
             Some(meant) => {
                 missing.retain(|other| *other != meant);
                 format!("did you mean `{meant}`?")
             }
-            None => format!("it has {}", listed(known.iter().copied())),
+            None => format!("it has {}", listed(known.iter().chain(damping).copied())),
         };
         errors.push(parameter.name.span(), format!("`{}` has no parameter `{name}`: {hint}", element.kind.name()));
     }
     if !missing.is_empty() {
         errors.push(element.place(), format!("`{element}` lacks {}", listed(missing)));
     }
+}
+
+/// Advice for a parameter of damping that an element does not take, given those that it takes.
+fn advice_on_damping(taken: &[&str]) -> String {
+    if taken.is_empty() {
+        return "springs, torsion springs, uniform beams, rods and shafts have damping of their own, strings an external one"
+            .to_owned();
+    }
+    format!("of damping it has {}", listed(taken.iter().copied()))
 }

@@ -5,7 +5,9 @@ use mstmm_core::elements::{ELEMENTS as OF_CORE, Row};
 
 #[test]
 fn each_element_of_the_core_has_one_keyword_with_its_state_and_parameters() {
-    let mut of_core: Vec<&Row> = OF_CORE.iter().collect();
+    let is_damped =
+        |row: &&Row| ELEMENTS.iter().filter_map(|row| row.damped).any(|damped| damped.type_name == row.name);
+    let mut of_core: Vec<&Row> = OF_CORE.iter().filter(|row| !is_damped(row)).collect();
     let mut keywords: Vec<&Keyword> = ELEMENTS.iter().collect();
     of_core.sort_by_key(|row| row.name);
     keywords.sort_by_key(|keyword| keyword.type_name);
@@ -16,6 +18,38 @@ fn each_element_of_the_core_has_one_keyword_with_its_state_and_parameters() {
         assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
         assert_eq!(keyword.parameters, of_core.parameters, "{}", keyword.name);
         assert!(keyword.optional.iter().all(|name| keyword.parameters.contains(name)), "{}", keyword.name);
+    }
+}
+
+/// With damping an element has the parameters of its keyword, those of damping, and others that are zero.
+#[test]
+fn each_element_with_damping_is_one_of_the_core() {
+    for (keyword, damped) in ELEMENTS.iter().filter_map(|row| Some((row, row.damped?))) {
+        let of_core = OF_CORE.iter().find(|row| row.name == damped.type_name);
+        let of_core = of_core.unwrap_or_else(|| panic!("no `{}` in the core", damped.type_name));
+        let parts = [keyword.parameters, damped.parameters, damped.absent];
+        let mut parameters: Vec<&str> = parts.concat();
+        let mut expected = of_core.parameters.to_vec();
+        parameters.sort_unstable();
+        expected.sort_unstable();
+        assert_eq!(parameters, expected, "{}", keyword.name);
+        assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
+        assert!(damped.parameters.iter().all(|name| DAMPING.contains(name)), "{}", keyword.name);
+    }
+}
+
+#[test]
+fn the_grammar_says_which_elements_have_damping() {
+    let grammar = include_str!("../../../docs/grammar.md");
+    let (_, section) = grammar.split_once("### Damping of materials").unwrap();
+    for (keyword, damped) in ELEMENTS.iter().filter_map(|row| Some((row, row.damped?))) {
+        let quoted = format!("`{}`", keyword.name);
+        let row = section.lines().find(|line| line.starts_with('|') && line.contains(&quoted));
+        let row = row.unwrap_or_else(|| panic!("no row for {quoted} in the table of damping in docs/grammar.md"));
+        for parameter in DAMPING {
+            let is_there = row.contains(&format!("`{parameter}`"));
+            assert_eq!(is_there, damped.parameters.contains(parameter), "{parameter} in docs/grammar.md: {row}");
+        }
     }
 }
 

@@ -165,8 +165,9 @@ fn an_element_has_its_parameters_and_no_others() {
         fixed -> beam 1 { lenght: length, bending_stiffness: ei, quux: 1.0 } -> free;
                           ^^^^^^ `beam` has no parameter `lenght`: did you mean `length`?
                                                                  ^^^^ `beam` has no parameter `quux`: it has
-                                                                 | `length`, `bending_stiffness` and
-                                                                 | `mass_per_length`
+                                                                 | `length`, `bending_stiffness`,
+                                                                 | `mass_per_length`, `loss_factor`,
+                                                                 | `kelvin_voigt_time` and `external_damping`
                  ^^^^^^ `beam 1` lacks `mass_per_length`
         conn 2 <- spring_damper 3 { stiffness: 1.0, stiffness: 2.0 } <- fixed;
                                                     ^^^^^^^^^ `spring_damper 3` gives `stiffness` a second
@@ -179,6 +180,30 @@ fn an_element_has_its_parameters_and_no_others() {
                                                                               | no path joins this part of the
                                                                               | model to the first; a model is
                                                                               | one tree
+        ",
+    );
+}
+
+#[test]
+fn damping_belongs_to_some_elements() {
+    assert_refused(
+        "
+        struct M { k: f64, eta: f64 }
+        fixed -> spring 1 { stiffness: k, external_damping: eta }
+                                          ^^^^^^^^^^^^^^^^ `spring` has no parameter `external_damping`: of
+                                          | damping it has `loss_factor` and `kelvin_voigt_time`
+        -> mass 2 { mass: 1.0, loss_factor: eta }
+                               ^^^^^^^^^^^ `mass` has no parameter `loss_factor`: springs, torsion springs,
+                               | uniform beams, rods and shafts have damping of their own, strings an external
+                               | one
+        -> string 3 { length: 1.0, tension: k, mass_per_length: 1.0, loss_factor: eta }
+                                                                     ^^^^^^^^^^^ `string` has no parameter
+                                                                     | `loss_factor`: of damping it has
+                                                                     | `external_damping`
+        -> rod 4 { length: 1.0, axial_stiffness: k, mass_per_length: 1.0, loss_facter: eta } -> free
+                                                                          ^^^^^^^^^^^ `rod` has no parameter
+                                                                          | `loss_facter`: did you mean
+                                                                          | `loss_factor`?
         ",
     );
 }

@@ -43,6 +43,8 @@ pub(crate) struct Parameter {
 
 /// A scene of one element; its functions take the values of the parameters in order.
 pub(crate) struct Scene {
+    /// Name of the type in the core, which the model has, too.
+    pub(crate) type_name: &'static str,
     /// Keyword and label.
     pub(crate) element: &'static str,
     pub(crate) parameters: &'static [Parameter],
@@ -98,6 +100,7 @@ macro_rules! scenes {
         /// All scenes.
         pub(crate) const SCENES: &[Scene] = &[$(
             Scene {
+                type_name: stringify!($model),
                 element: concat!(stringify!($keyword), " 7"),
                 parameters: &[
                     $(Parameter { name: stringify!($parameter), range: Range::$range }),*
@@ -201,4 +204,35 @@ scenes! {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, width_taper: Taper, height_taper: Taper,
         rotary_inertia: TameOrZero, axial_force: Position, rotation_speed: TameOrZero, hub_radius: Position,
     } -> free undamped;
+    DampedSpring = fixed -> spring { stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative } -> free;
+    DampedTorsionSpring = fixed -> torsion_spring { stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative } -> free;
+    DampedString = fixed -> string {
+        length: Moderate, tension: Moderate, mass_per_length: Moderate, foundation_stiffness: ModerateOrZero, external_damping: NonNegative,
+    } -> free;
+    DampedRod = fixed -> rod {
+        length: Moderate, axial_stiffness: Moderate, mass_per_length: Moderate, foundation_stiffness: ModerateOrZero,
+        loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
+    } -> free;
+    DampedShaft = fixed -> shaft {
+        length: Moderate, torsional_stiffness: Moderate, inertia_per_length: Moderate, loss_factor: NonNegative, kelvin_voigt_time: NonNegative,
+        external_damping: NonNegative,
+    } -> free;
+    DampedBeam = fixed -> general_beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_flexibility: TameOrZero,
+        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
+    } -> free;
+    DampedTimoshenkoBeam = fixed -> timoshenko_beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: Tame, rotary_inertia: TameOrZero,
+        loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
+    } -> free;
+    PlanarDampedBeam = fixed -> planar_general_beam {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame,
+        shear_flexibility: TameOrZero, rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
+    } -> free;
+    PlanarDampedTimoshenkoBeam = fixed -> planar_timoshenko_beam {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: Tame,
+        rotary_inertia: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
+    } -> free;
 }

@@ -7,6 +7,7 @@ use crate::model::{EndMotion, MemberLabel, MotionError, PlanePoint};
 use crate::number::Scalar;
 use crate::pass::characteristic::System;
 use crate::pass::network::{MovingNetwork, PlaneFrequency};
+use num_traits::Zero;
 
 impl<Y, S> PlaneShape<'_, Y, S>
 where
@@ -43,15 +44,27 @@ where
         Ok(self.shares(Forms { mass: self.mass_form(node), ..Forms::none() }))
     }
 
-    /// Forms of a part beside those of the whole, all of the motion and its conjugate, which are real.
+    /// Forms of a part beside those of the whole, all of the motion and its conjugate, which are real but for what a loss factor takes.
     fn shares(&self, part: Forms<S>) -> EnergyShares<<Y as System>::Parameter> {
         let whole = self.whole();
-        let share = |part: S, whole: S| if whole.is_zero() { whole } else { part / whole }.to_complex().re;
+        let share = |of: &dyn Fn(&Forms<S>) -> S| {
+            let [part, whole] = [of(&part), of(&whole)].map(|form| form.to_complex().re);
+            if whole.is_zero() { whole } else { part / whole }
+        };
         EnergyShares {
-            strain: share(part.stiffness, whole.stiffness),
-            kinetic: share(part.mass, whole.mass),
-            dissipated: share(part.damping, whole.damping),
+            strain: share(&|forms| forms.stiffness),
+            kinetic: share(&|forms| forms.mass),
+            dissipated: share(&|forms| self.dissipation(forms)),
         }
+    }
+
+    /// The form of damping of the motion and its conjugate, with what a loss factor takes, `Im K/Im λ`.
+    fn dissipation(&self, forms: &Forms<S>) -> S {
+        if !self.system.estimates().has_loss() {
+            return forms.damping;
+        }
+        let lost = forms.stiffness.to_complex().im / self.x.to_complex().im;
+        forms.damping + S::from_parameter(lost)
     }
 
     /// The forms of the whole motion and its conjugate.

@@ -79,4 +79,8 @@ where
     fn lowest_exponent(&self) -> i32 {
         self.response.lowest_exponent()
     }
+
+    fn has_loss(&self) -> bool {
+        self.system.estimates().has_loss()
+    }
 }

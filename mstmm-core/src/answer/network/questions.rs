@@ -28,7 +28,7 @@ pub trait FrameAnalysis: Placed + Sized {
     /// # Errors
     /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](FrameAnalysis::mode_shapes);
     /// [`MotionError::NotARoot`] for a frequency that is no root of this system; [`MotionError::Unresolved`] where other roots are so
-    /// close that shapes cannot be told apart.
+    /// close that shapes cannot be told apart; [`MotionError::LossFactor`] for `Im λ < 0` where something has a loss factor.
     fn mode_shape<S>(
         &self,
         root: &impl Root<Self::Parameter, Frequency = S>,
@@ -95,7 +95,8 @@ pub trait FrameAnalysis: Placed + Sized {
     ///
     /// # Errors
     /// [`MotionError::Capacity`] for more than `N` modes, or more than both 4 and `N` of one root; [`MotionError::Unsettled`] where roots
-    /// close to zero hide the residual compliance; [`MotionError::NotModal`] for a reaction to the motion of a support; else as
+    /// close to zero hide the residual compliance; [`MotionError::NotModal`] for a reaction to the motion of a support;
+    /// [`MotionError::LossFactor`] where something has a loss factor; else as
     /// [`mode_shape`](FrameAnalysis::mode_shape) and [`frequency_response`](FrameAnalysis::frequency_response).
     fn modal_response<'r, const N: usize, R>(
         &self,

@@ -4,7 +4,7 @@ use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::frequency_response::on_grid;
 use crate::answer::network::states::{PlaneStates, check, check_freedom, held_at, offset};
 use crate::answer::response_curve::{Sample, refined};
-use crate::answer::root::Root;
+use crate::answer::root::{Root, is_below_losses};
 use crate::model::{MotionError, PlaneEntry, PlaneLoad, Quantity, Site, Tied};
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
@@ -48,7 +48,8 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Ok(PlaneResponse { system, load, entry })
     }
 
-    /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration; at 0 that to a load at rest.
+    /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration; at 0 that to a load at rest, with
+    /// loss factors the limit from above.
     ///
     /// It is computed with two choices of pivots, and at a real ω in extended precision where they differ. Where a part of the structure is
     /// not held and the load does not move it off, the limit at rest is extrapolated from some tens to hundreds of responses at low
@@ -65,6 +66,8 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         let frequency = x.modulus();
         let value = match self.states(x) {
             Err(MotionError::Resonance { .. }) if x.is_zero() => self.limit_at_rest()?,
+            // below the real axis a motion has the conjugate loss factor
+            Err(MotionError::LossFactor) => self.states(x.conjugate())?.value(self.entry)?.conjugate(),
             states => states?.value(self.entry)?,
         };
         if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency }) }
@@ -94,7 +97,11 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
             Quantity::Displacement(..) => states.motion.size(),
             Quantity::Reaction(..) | Quantity::Internal { .. } => states.motion.largest_force(1.0),
         };
-        Ok(Part { value, size: value.size().max(size) })
+        let size = value.size().max(size);
+        if self.system.estimates().has_loss() {
+            return Ok(Part { value, size, mirrored: self.continued(-x)?.value(self.entry)? });
+        }
+        Ok(Part::new(value, size))
     }
 
     /// Logarithm to base 2 of a frequency below all roots but those at zero.
@@ -127,8 +134,20 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     /// All displacements and forces at a frequency.
     ///
     /// # Errors
-    /// As [`at`](PlaneResponse::at).
+    /// As [`at`](PlaneResponse::at), and [`MotionError::LossFactor`] for `Im λ < 0` where something has a loss factor.
     pub fn states<S>(&self, x: S) -> Result<PlaneStates<'a, Y, S>, MotionError>
+    where
+        Y: MovingNetwork<S>,
+        S: PlaneFrequency<<Y as System>::Parameter>,
+    {
+        if is_below_losses(self.system, x) {
+            return Err(MotionError::LossFactor);
+        }
+        self.continued(x)
+    }
+
+    /// All displacements and forces at a frequency, with a loss factor below the real axis as above it.
+    fn continued<S>(&self, x: S) -> Result<PlaneStates<'a, Y, S>, MotionError>
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,

@@ -1,6 +1,7 @@
 //! Mode shapes of plane structures.
 
 use crate::answer::network::states::PlaneStates;
+use crate::answer::root::is_below_losses;
 use crate::element::Forms;
 use crate::model::MotionError;
 use crate::number::Scalar;
@@ -304,6 +305,9 @@ where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
+    if is_below_losses(system, x) {
+        return Err(MotionError::LossFactor);
+    }
     let plain = AtRoot { system, x, nearer: None };
     let fits =
         |(shape, misfit): &(PlaneShape<'_, Y, S>, f64)| misfit.max(shape.gap()).max(shape.imbalance()) <= FITTING;
@@ -327,6 +331,9 @@ where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
+    if is_below_losses(system, x) {
+        return Err(MotionError::LossFactor);
+    }
     let wanted = usize::try_from(multiplicity).ok().filter(|wanted| *wanted <= CAP);
     let wanted = wanted.ok_or(MotionError::Capacity { capacity: CAP })?;
     if wanted == 1 {

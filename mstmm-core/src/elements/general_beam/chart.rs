@@ -1,7 +1,7 @@
 //! The chart of a general beam between two points.
 
 use crate::elements::general_beam::compound::GeneralCompound;
-use crate::elements::general_beam::constants::Constants;
+use crate::elements::general_beam::constants::{Constants, SectionAt};
 use crate::elements::general_beam::transfer::Transfer;
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::bending_chart::Impedances;
@@ -185,20 +185,30 @@ fn replaced(mut pair: [usize; 2], place: usize, by: usize) -> [usize; 2] {
     pair
 }
 
-impl<T: Parameter> BuiltGeneralBeam<T> {
-    /// The relation of both ends at a frequency, of a beam of a length, and the factors of its entries.
-    pub(crate) fn relation<S: Frequency<T>>(&self, at: &FrequencyPowers<S>, length: S) -> (Relation<S>, Factors<S>) {
-        let stiffness = S::from_parameter(self.parameters.bending_stiffness);
-        let beam = GeneralBeam { length, ..self.parameters.map(S::from_parameter) };
-        let (section, units) = if S::IS_EXTENDED {
-            (Constants::of(beam).at(at.lambda_squared), Units::new(stiffness, S::one() / length))
-        } else {
-            (self.at(at.lambda_squared), self.units())
-        };
+impl<S: Scalar> GeneralBeam<S> {
+    /// The relation of both ends at λ², and the factors of its entries, from the parameters alone.
+    pub(crate) fn relation(&self, lambda_squared: S) -> (Relation<S>, Factors<S>) {
+        let units = Units::new(self.bending_stiffness, S::one() / self.length);
+        self.relation_of(Constants::of(*self).at(lambda_squared), units)
+    }
+
+    fn relation_of(&self, section: SectionAt<S>, units: Units<S>) -> (Relation<S>, Factors<S>) {
+        let GeneralBeam { length, bending_stiffness, .. } = *self;
         let waves = section.waves.in_form();
         let compound = GeneralCompound::of_products(section, waves.products(), units);
         let transfer = Transfer::of_functions(&section, waves.functions());
-        (Relation::new(&compound, &transfer), Factors::new(stiffness / (length * length * length), length))
+        (Relation::new(&compound, &transfer), Factors::new(bending_stiffness / (length * length * length), length))
+    }
+}
+
+impl<T: Parameter> BuiltGeneralBeam<T> {
+    /// The relation of both ends at a frequency, of a beam of a length, and the factors of its entries.
+    pub(crate) fn relation<S: Frequency<T>>(&self, at: &FrequencyPowers<S>, length: S) -> (Relation<S>, Factors<S>) {
+        let beam = GeneralBeam { length, ..self.parameters.map(S::from_parameter) };
+        if S::IS_EXTENDED {
+            return beam.relation(at.lambda_squared);
+        }
+        beam.relation_of(self.at(at.lambda_squared), self.units())
     }
 
     /// The impedances by which the units of a chart are found.

@@ -1,6 +1,6 @@
 //! States of a general beam between its ends.
 
-use crate::elements::general_beam::BuiltGeneralBeam;
+use crate::elements::general_beam::GeneralBeam;
 use crate::elements::general_beam::constants::SectionAt;
 use crate::elements::general_beam::transfer::units_of_states;
 use crate::elements::general_beam::wave_pair::{Form, WavePair, larger_sum};
@@ -8,6 +8,23 @@ use crate::model::{Ends, State};
 use crate::number::{Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
 use num_traits::{One, Zero};
+
+/// A beam at the frequency of a motion.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BeamMotion<T: Real, S> {
+    /// Its parameters without damping.
+    pub(super) beam: GeneralBeam<T>,
+    pub(super) x: S,
+    pub(super) section: SectionAt<Complex<T>>,
+    /// The factor e by which damping multiplies EI and kGA.
+    pub(super) loss: S,
+    /// What damping adds to the stiffness of the foundation.
+    pub(super) external: S,
+    /// σ.
+    pub(super) sigma: S,
+    /// `σ f`, with damping over e.
+    pub(super) flexibility: S,
+}
 
 /// Y, Θ, M, Q in units of l and EI.
 type Vector<T> = [Complex<T>; 4];
@@ -25,32 +42,31 @@ pub(crate) struct Inside<T> {
     input: Vector<T>,
     output: Vector<T>,
     units: [T; 4],
+    /// The factor e by which damping multiplies forces.
+    loss: Complex<T>,
     length: T,
 }
 
 impl<T: Real> Inside<T> {
     /// The motion with given states at both ends.
-    pub(crate) fn new<S: Oscillation<T>>(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> Self {
-        let units = units_of_states(&built.parameters);
+    pub(crate) fn new<S: Oscillation<T>>(motion: &BeamMotion<T, S>, ends: &Ends<S>) -> Self {
+        let (units, loss) = (units_of_states(&motion.beam), motion.loss.to_complex());
         let vector = |state: State<S>| {
             let State { y, theta, m, q } = state.map(S::to_complex);
             let [of_y, of_theta, of_m, of_q] = units;
-            [y / of_y, theta / of_theta, m / of_m, q / of_q]
+            [y / of_y, theta / of_theta, m / of_m / loss, q / of_q / loss]
         };
-        Inside {
-            section: section_at(built, ends.x),
-            input: vector(ends.input),
-            output: vector(ends.output),
-            units,
-            length: built.parameters.length,
-        }
+        let (input, output) = (vector(ends.input), vector(ends.output));
+        Inside { section: motion.section, input, output, units, loss, length: motion.beam.length }
     }
 
     /// The state at a distance from the input end.
     pub(crate) fn state_at<S: Oscillation<T>>(&self, distance: T) -> State<S> {
         let part = distance / self.length;
-        let vector = self.vector_at(part);
-        let [y, theta, m, q] = core::array::from_fn(|k| S::from_complex(vector[k] * self.units[k]));
+        let [y, theta, m, q] = self.vector_at(part);
+        let [of_y, of_theta, of_m, of_q] = self.units;
+        let entries = [y * of_y, theta * of_theta, m * of_m * self.loss, q * of_q * self.loss];
+        let [y, theta, m, q] = entries.map(S::from_complex);
         State { y, theta, m, q }
     }
 
@@ -131,11 +147,6 @@ impl<T: Real> Inside<T> {
         };
         plus(along(self.input, T::one(), part), along(self.output, -T::one(), T::one() - part))
     }
-}
-
-/// The constants of a beam at a frequency.
-pub(super) fn section_at<T: Real, S: Oscillation<T>>(built: &BuiltGeneralBeam<T>, x: S) -> SectionAt<Complex<T>> {
-    built.constants.map(Complex::from).at(x.lambda_squared().to_complex())
 }
 
 fn plus<T: Real>(first: Vector<T>, second: Vector<T>) -> Vector<T> {

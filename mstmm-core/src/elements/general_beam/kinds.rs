@@ -141,7 +141,7 @@ macro_rules! kinds {
             }
 
             fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> $kind<S> {
-                $kind::of_gradient(built.gradient(ends), &built.parameters)
+                $kind::of_gradient(built.motion(ends.x).gradient(ends), &built.parameters)
             }
         }
 

@@ -21,7 +21,7 @@ use mstmm_plan::Freedoms;
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltPlanarGeneralBeam<T> {
     bending: BuiltGeneralBeam<T>,
-    rod: UniformLine<T>,
+    pub(super) rod: UniformLine<T>,
 }
 
 impl<T: Parameter> BuiltGeneralBeam<T> {
@@ -43,21 +43,20 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
 
 impl<T: Real> BuiltGeneralBeam<T> {
     fn member_forms<S: Oscillation<T>>(&self, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
-        let [mass, stiffness] = self.forms(&first.bending(), &second.bending());
-        Forms { mass, stiffness, ..Forms::none() }
+        self.forms(&first.bending(), &second.bending())
     }
 
     fn motion_at<S: Oscillation<T>>(&self, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
-        EndMotion::bent(self.state_at(&motion.bending(), T::from_f64(distance)))
+        EndMotion::bent(self.motion(motion.x).state_at(&motion.bending(), T::from_f64(distance)))
     }
 
     fn work_gradient<S: Oscillation<T>>(&self, work: &MemberWork<S>) -> GeneralBeam<S> {
-        self.gradient(&MemberEnds { x: work.x, ends: work.ends }.bending())
+        self.motion(work.x).gradient(&MemberEnds { x: work.x, ends: work.ends }.bending())
     }
 }
 
 impl<T: Parameter> BuiltPlanarGeneralBeam<T> {
-    fn new(bending: BuiltGeneralBeam<T>, axial_stiffness: T) -> Result<Self, InvalidParameter> {
+    pub(super) fn new(bending: BuiltGeneralBeam<T>, axial_stiffness: T) -> Result<Self, InvalidParameter> {
         let GeneralBeam { length, mass_per_length, .. } = bending.parameters;
         let foundation = T::zero();
         let section = LineSection { length, stiffness: axial_stiffness, inertia: mass_per_length, foundation };
@@ -102,7 +101,7 @@ macro_rules! along_line {
             }
 
             fn inside(built: &BuiltGeneralBeam<T>, x: S) -> Option<Inside> {
-                Some(built.interior(x))
+                Some(built.motion(x).interior())
             }
 
             fn motion_at(built: &BuiltGeneralBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
@@ -178,7 +177,7 @@ macro_rules! in_plane {
             }
 
             fn inside(built: &BuiltPlanarGeneralBeam<T>, x: S) -> Option<Inside> {
-                let (bending, rod) = (built.bending.interior(x), built.rod.section.inside(x));
+                let (bending, rod) = (built.bending.motion(x).interior(), built.rod.section.inside(x));
                 Some(Inside { wave_number: bending.wave_number.max(rod.wave_number), ..bending })
             }
 

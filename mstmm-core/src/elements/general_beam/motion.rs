@@ -1,14 +1,16 @@
 //! The motion of a general beam: its back transfer, its energies and their derivatives with respect to its parameters.
 
-use crate::element::{BackTransfer, Energies, Inside as Interior};
-use crate::elements::general_beam::inside::{Inside, section_at};
+use crate::element::{BackTransfer, Energies, Forms, Inside as Interior};
+use crate::elements::general_beam::inside::{BeamMotion, Inside};
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
+use crate::elements::shared::dissipation::UndampedForms;
 use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::line_forms::{half, smaller_sum};
 use crate::model::{Ends, State};
 use crate::number::{FrequencyPowers, Oscillation, Real};
 use crate::subspace::{Covector, Subspace};
+use num_complex::Complex;
 
 impl<T: Real, S: Oscillation<T>> BackTransfer<S> for GeneralBeam<T> {
     type BackCoefficients = BackThrough<S>;
@@ -32,29 +34,27 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for GeneralBeam<T> {
     type Gradient = GeneralBeam<S>;
 
     fn units(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
-        let [length, stiffness] = [built.parameters.length, built.parameters.bending_stiffness].map(T::to_f64);
-        let wave = built.largest_wave(at.x).max(1.0) / length;
-        [stiffness * wave * wave * wave, stiffness * wave]
+        built.motion(at.x).units()
     }
 
     fn mass_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        built.forms(first, second)[0]
+        built.forms(first, second).mass
     }
 
     fn stiffness_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        built.forms(first, second)[1]
+        built.forms(first, second).stiffness
     }
 
     fn inside(built: &BuiltGeneralBeam<T>, x: S) -> Option<Interior> {
-        Some(built.interior(x))
+        Some(built.motion(x).interior())
     }
 
     fn state_at(built: &BuiltGeneralBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
-        built.state_at(ends, T::from_f64(distance))
+        built.motion(ends.x).state_at(ends, T::from_f64(distance))
     }
 
     fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> GeneralBeam<S> {
-        built.gradient(ends)
+        built.motion(ends.x).gradient(ends)
     }
 }
 
@@ -83,32 +83,63 @@ impl<S> Products<S> {
 }
 
 impl<T: Real> BuiltGeneralBeam<T> {
+    /// The beam at the frequency of a motion.
+    pub(super) fn motion<S: Oscillation<T>>(&self, x: S) -> BeamMotion<T, S> {
+        let constants = self.constants;
+        BeamMotion {
+            beam: self.parameters,
+            x,
+            section: constants.map(Complex::from).at(x.lambda_squared().to_complex()),
+            loss: S::one(),
+            external: S::zero(),
+            sigma: S::from_parameter(constants.sigma),
+            flexibility: S::from_parameter(constants.sigma * self.parameters.shear_flexibility),
+        }
+    }
+
+    /// The forms of two motions.
+    pub(super) fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> Forms<S> {
+        let UndampedForms { mass, strain, restoring, .. } =
+            self.motion(first.x).forms(first, (&self.motion(second.x), second));
+        Forms { mass, stiffness: strain + restoring, ..Forms::none() }
+    }
+}
+
+impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
+    /// Usual sizes of forces per displacement, `[Q/Y, M/Θ]`.
+    pub(super) fn units(&self) -> [f64; 2] {
+        let [length, stiffness] = [self.beam.length, self.beam.bending_stiffness].map(T::to_f64);
+        let wave = self.largest_wave().max(1.0) / length;
+        [stiffness * wave * wave * wave, stiffness * wave]
+    }
+
     /// The largest wave number times l.
-    pub(super) fn largest_wave<S: Oscillation<T>>(&self, x: S) -> f64 {
-        section_at(self, x).waves.largest_wave()
+    fn largest_wave(&self) -> f64 {
+        self.section.waves.largest_wave()
     }
 
     /// The length and the largest wave number.
-    pub(super) fn interior<S: Oscillation<T>>(&self, x: S) -> Interior {
-        let length = self.parameters.length.to_f64();
-        Interior { length, wave_number: self.largest_wave(x) / length }
+    pub(super) fn interior(&self) -> Interior {
+        let length = self.beam.length.to_f64();
+        Interior { length, wave_number: self.largest_wave() / length }
     }
 
     /// The state at a distance from the input end.
-    pub(super) fn state_at<S: Oscillation<T>>(&self, ends: &Ends<S>, distance: T) -> State<S> {
+    pub(super) fn state_at(&self, ends: &Ends<S>, distance: T) -> State<S> {
         Inside::new(self, ends).state_at(distance)
     }
 
-    /// `∂L/∂EI = ½ ∫ Θ'²`, `∂L/∂f = -½ ∫ (kGA)² (Y' - Θ)²`, `∂L/∂T = ½ ∫ Y'²`, `∂L/∂k = ½ ∫ Y²`, `∂L/∂m = ½ λ² ∫ Y²`, `∂L/∂r = ½ λ² ∫ Θ²`.
-    pub(super) fn gradient<S: Oscillation<T>>(&self, ends: &Ends<S>) -> GeneralBeam<S> {
-        let Products { deflection, rotation, moment, shear, slope } = self.products(ends, ends).map(half);
-        let square = ends.x.lambda_squared();
-        let flexibility = T::one() / self.parameters.bending_stiffness;
+    /// `∂L/∂EI = ½ e ∫ Θ'²`, `∂L/∂f = -½ ∫ (kGA)² e (Y' - Θ)²`, `∂L/∂T = ½ ∫ Y'²`, `∂L/∂k = ½ ∫ Y²`, `∂L/∂m = ½ λ² ∫ Y²`,
+    /// `∂L/∂r = ½ λ² ∫ Θ²`; e is 1 without damping.
+    pub(super) fn gradient(&self, ends: &Ends<S>) -> GeneralBeam<S> {
+        let Products { deflection, rotation, moment, shear, slope } = self.products(ends, (self, ends)).map(half);
+        let square = self.x.lambda_squared();
+        let flexibility = T::one() / self.beam.bending_stiffness;
         GeneralBeam {
             length: self.flow(ends),
-            bending_stiffness: moment * (flexibility * flexibility),
+            bending_stiffness: moment * (flexibility * flexibility) / self.loss,
             mass_per_length: square * deflection,
-            shear_flexibility: -shear,
+            shear_flexibility: -shear / self.loss,
             rotary_inertia: square * rotation,
             axial_force: slope,
             foundation_stiffness: deflection,
@@ -117,46 +148,49 @@ impl<T: Real> BuiltGeneralBeam<T> {
     }
 
     /// The slope Y' of a state, and the force that shears its section.
-    fn slope_and_shear<S: Oscillation<T>>(&self, state: &State<S>) -> [S; 2] {
-        let sigma = self.constants.sigma;
-        let slope = state.theta * sigma - state.q * (sigma * self.parameters.shear_flexibility);
-        [slope, -(state.q + slope * self.parameters.tension())]
+    fn slope_and_shear(&self, state: &State<S>) -> [S; 2] {
+        let slope = state.theta * self.sigma - state.q * self.flexibility;
+        [slope, -(state.q + slope * self.beam.tension())]
     }
 
-    fn products<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> Products<S> {
-        let waves = self.largest_wave(first.x).max(self.largest_wave(second.x));
-        let (one, other) = (Inside::new(self, first), Inside::new(self, second));
-        let [deflection, rotation, moment, shear, slope] = integrals(self.parameters.length, waves, |distance| {
+    fn products(&self, first: &Ends<S>, (other, second): (&Self, &Ends<S>)) -> Products<S> {
+        let waves = self.largest_wave().max(other.largest_wave());
+        let (one, two) = (Inside::new(self, first), Inside::new(other, second));
+        let [deflection, rotation, moment, shear, slope] = integrals(self.beam.length, waves, |distance| {
             let u: State<S> = one.state_at(distance);
-            let v = if first == second { u } else { other.state_at(distance) };
-            let ([slope, shear], [other_slope, other_shear]) = (self.slope_and_shear(&u), self.slope_and_shear(&v));
+            let v = if first == second { u } else { two.state_at(distance) };
+            let ([slope, shear], [other_slope, other_shear]) = (self.slope_and_shear(&u), other.slope_and_shear(&v));
             [u.y * v.y, u.theta * v.theta, u.m * v.m, shear * other_shear, slope * other_slope]
         });
         Products { deflection, rotation, moment, shear, slope }
     }
 
-    /// Mass and stiffness form of two motions: `∫ m Y₁ Y₂ + r Θ₁ Θ₂`, `∫ M₁ M₂/EI + f V₁ V₂ + T Y₁' Y₂' + k Y₁ Y₂`.
-    pub(super) fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
-        let Products { deflection, rotation, moment, shear, slope } = self.products(first, second);
-        let beam = &self.parameters;
-        let mass = deflection * beam.mass_per_length + rotation * beam.rotary_inertia;
+    /// The forms of two motions: of mass `∫ m Y₁ Y₂ + r Θ₁ Θ₂`, of strain `∫ EI Θ₁' Θ₂' + f V₁ V₂/(e₁ e₂)`, and of what else holds the beam,
+    /// `∫ T Y₁' Y₂' + k Y₁ Y₂`.
+    pub(super) fn forms(&self, first: &Ends<S>, (other, second): (&Self, &Ends<S>)) -> UndampedForms<S> {
+        let Products { deflection, rotation, moment, shear, slope } = self.products(first, (other, second));
+        let beam = &self.beam;
         let bending = moment * (T::one() / beam.bending_stiffness) + shear * beam.shear_flexibility;
-        [mass, bending + slope * beam.tension() + deflection * beam.foundation_stiffness]
+        UndampedForms {
+            mass: deflection * beam.mass_per_length + rotation * beam.rotary_inertia,
+            strain: bending / (self.loss * other.loss),
+            restoring: slope * beam.tension() + deflection * beam.foundation_stiffness,
+            displacement: deflection,
+        }
     }
 
-    /// `∂L/∂l = -½ (M²/EI + f σ Q² - 2σ Q Θ - g Θ² + h Y²)`, which is constant along the beam, at the end where its terms are smaller, since
-    /// they cancel where waves decay.
-    fn flow<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
-        let beam = &self.parameters;
-        let sigma = self.constants.sigma;
-        let square = ends.x.lambda_squared();
-        let g = square * beam.rotary_inertia + S::from_parameter(sigma * beam.tension());
-        let h = -(square * beam.mass_per_length) - S::from_parameter(beam.foundation_stiffness);
+    /// `∂L/∂l = -½ (M²/(EI e) + f σ/e Q² - 2σ Q Θ - g Θ² + h Y²)`, which is constant along the beam, at the end where its terms are smaller,
+    /// since they cancel where waves decay.
+    fn flow(&self, ends: &Ends<S>) -> S {
+        let beam = &self.beam;
+        let square = self.x.lambda_squared();
+        let g = square * beam.rotary_inertia + self.sigma * beam.tension();
+        let h = -(square * beam.mass_per_length) - S::from_parameter(beam.foundation_stiffness) - self.external;
         smaller_sum([ends.input, ends.output].map(|state| {
             [
-                -half(state.m * state.m) * (T::one() / beam.bending_stiffness),
-                -half(state.q * state.q) * (sigma * beam.shear_flexibility),
-                state.q * state.theta * sigma,
+                -half(state.m * state.m) * (T::one() / beam.bending_stiffness) / self.loss,
+                -half(state.q * state.q) * self.flexibility,
+                state.q * state.theta * self.sigma,
                 half(g * state.theta * state.theta),
                 -half(h * state.y * state.y),
             ]

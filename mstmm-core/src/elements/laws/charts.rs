@@ -107,6 +107,14 @@ fn charts_are_transfer_matrices_of_all_charted_elements() {
     charts_are_transfer_matrices::<Beam<f64>>();
     charts_are_transfer_matrices::<PlanarBeam<f64>>();
     charts_are_transfer_matrices::<GeneralBeam<f64>>();
+    charts_are_transfer_matrices::<DampedSpring<f64>>();
+    charts_are_transfer_matrices::<DampedTorsionSpring<f64>>();
+    charts_are_transfer_matrices::<DampedString<f64>>();
+    charts_are_transfer_matrices::<DampedRod<f64>>();
+    charts_are_transfer_matrices::<DampedShaft<f64>>();
+    charts_are_transfer_matrices::<DampedBeam<f64>>();
+    charts_are_transfer_matrices::<PlanarDampedBeam<f64>>();
+    charts_are_transfer_matrices::<PlanarDampedTimoshenkoBeam<f64>>();
 }
 
 /// So they do at a growth below all waves, where no member held at its displacements falls: its count is the number of its forces alone.

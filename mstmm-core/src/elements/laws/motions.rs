@@ -57,6 +57,11 @@ where
     Ends { x: lambda, input, output: behind(element, lambda, input) }
 }
 
+/// The element itself, but without the loss factor where no motion has one: for `Im λ < 0`.
+fn that_moves<E: Moving>(element: E, lambda: C) -> E {
+    if lambda.im < 0.0 { element.lossless() } else { element }
+}
+
 /// Bound of the roundings of a form: all its terms without their signs.
 fn size(ends: &Ends<C>) -> f64 {
     1.0 + ends.input.size().max(ends.output.size()).powi(2)
@@ -126,6 +131,7 @@ where
     MatrixOf<E, C>: Index<(usize, usize), Output = C>,
 {
     check(ORDINARY, |element: E, lambda, numbers| {
+        let element = that_moves(element, lambda);
         let (ends, built) = (moving(&element, lambda, numbers), built(element));
         let work = |state: &State<C>| state.m * state.theta - state.q * state.y;
         let forms = E::stiffness_form(&built, &ends, &ends)
@@ -147,6 +153,7 @@ where
     MatrixOf<E, C>: Index<(usize, usize), Output = C>,
 {
     check(ORDINARY, |element: E, lambda, numbers| {
+        let element = that_moves(element, lambda);
         let turned: Vec<f64> = numbers.iter().rev().copied().collect();
         let built = built(element);
         for factor in [1.0 + 1e-4, 1.7, 30.0] {

@@ -32,7 +32,7 @@ crate::elements::stepping_elements!(laws_of_steps);
 /// in [-1, 1] for the states; a failure shows the law's own line and the element.
 #[track_caller]
 pub(super) fn check<E: Sample>(decades: core::ops::Range<f64>, law: impl Fn(E, C, &[f64])) {
-    let parameters = proptest::collection::vec(0.5..2.0f64, 9);
+    let parameters = proptest::collection::vec(0.5..2.0f64, 12);
     let states = proptest::collection::vec(-1.0..1.0f64, 8);
     let run = TestRunner::deterministic().run(
         &(parameters, states, decades, 0.0..TAU),

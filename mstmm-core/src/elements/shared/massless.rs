@@ -47,15 +47,10 @@ impl<T: Parameter> Massless<T> {
 }
 
 impl<T: Real> Massless<T> {
-    /// The elongation of a member in a freedom: a force says how long a stiff spring is, where the difference of displacements is
-    /// rounding, but for an overdamped motion, whose κ cancels.
+    /// The elongation of a member in a freedom.
     pub(crate) fn elongation<S: Frequency<T>>(&self, x: S, ends: &[EndMotion<S>; 2], freedom: usize) -> S {
-        let (kappa, [input, output]) = (self.dynamic_stiffness(x), ends);
         let lambda = Scalar::sqrt(x.lambda_squared().size().first());
-        if kappa.size().first() > 0.5 * self.size(lambda) {
-            return output.forces[freedom] / kappa;
-        }
-        output.displacements[freedom] - input.displacements[freedom]
+        elongation(self.dynamic_stiffness(x), self.size(lambda), ends, freedom)
     }
 
     /// The forms of two motions of a member in a freedom.
@@ -71,11 +66,21 @@ impl<T: Real> Massless<T> {
     }
 }
 
+/// The elongation of a member in a freedom, given its dynamic stiffness κ and the size of the terms of that: a force says how long a stiff
+/// spring is, where the difference of displacements is rounding, but for an overdamped motion, whose κ cancels.
+pub(crate) fn elongation<S: Scalar>(kappa: S, size: f64, ends: &[EndMotion<S>; 2], freedom: usize) -> S {
+    let [input, output] = ends;
+    if kappa.size().first() > 0.5 * size {
+        return output.forces[freedom] / kappa;
+    }
+    output.displacements[freedom] - input.displacements[freedom]
+}
+
 /// A dynamic stiffness κ and its reciprocal, for κ of any size. Where the reciprocal is not finite, at the pole of the
 /// transfer matrix or for a damper without damping, κ is `2^-100`, which is zero in effect once the determinant is multiplied by
 /// the denominator.
 #[inline]
-fn off_pole<S: Single>(kappa: S) -> (S, S) {
+pub(crate) fn off_pole<S: Single>(kappa: S) -> (S, S) {
     // a complex division alone squares the modulus, which vanishes at half the range
     let shift = -binary_exponent(kappa.size());
     let reciprocal = (S::one() / kappa.times_power_of_two(shift)).times_power_of_two(shift);

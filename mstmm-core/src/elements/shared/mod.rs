@@ -8,6 +8,8 @@ pub(crate) mod chart_form;
 pub(crate) mod chart_scalar;
 pub(crate) mod compound;
 pub(crate) mod connector;
+pub(crate) mod damped_line;
+pub(crate) mod dissipation;
 pub(crate) mod gauss;
 pub(crate) mod krylov;
 pub(crate) mod line_forms;

@@ -6,6 +6,7 @@ use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::krylov::cosine_and_sinc;
 use crate::elements::shared::line_forms::{half, smaller_sum};
 use crate::elements::shared::uniform_line::LineSection;
+use crate::model::{Ends, State};
 use crate::number::{Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
 use num_traits::Zero;
@@ -23,11 +24,25 @@ impl<S: Scalar> Stretch<S> {
         Stretch::in_freedom(motion, 0)
     }
 
+    /// The motion of a translation path, where Q is the opposite of the force in the line, or of a rotation path.
+    pub(crate) fn of_path(ends: &Ends<S>, is_rotation: bool) -> Self {
+        let of = |state: State<S>| if is_rotation { [state.theta, state.m] } else { [state.y, -state.q] };
+        Stretch { x: ends.x, ends: [of(ends.input), of(ends.output)] }
+    }
+
     /// The motion of a member in a freedom that couples with no other.
     pub(crate) fn in_freedom(motion: &MemberEnds<S>, freedom: usize) -> Self {
         let ends = [0, 1].map(|end| [motion.ends[end].displacements[freedom], motion.ends[end].internal(end)[freedom]]);
         Stretch { x: motion.x, ends }
     }
+}
+
+/// The state of a path with a displacement and the force in a line.
+pub(crate) fn path_state<S: Scalar>([displacement, force]: [S; 2], is_rotation: bool) -> State<S> {
+    if is_rotation {
+        return State { theta: displacement, m: force, ..State::default() };
+    }
+    State { y: displacement, q: -force, ..State::default() }
 }
 
 /// Motions `H u'' = (m λ² + k) u`: of rods, and those of strings and of shafts, which are the same in other letters.
@@ -37,14 +52,19 @@ impl<T: Real> LineSection<T> {
         x.lambda_squared() * self.inertia + S::from_parameter(self.foundation)
     }
 
-    /// The square of the wave number times a length, `ζ² = -(mλ² + k)l²/H`.
-    fn zeta_squared<S: Oscillation<T>>(&self, x: S, length: T) -> S {
-        -self.density(x) * (length * length / self.stiffness)
+    /// The square of the wave number times a length, `ζ² = -(mλ² + k)l²/EA`, given `mλ² + k`.
+    fn zeta_squared<S: Oscillation<T>>(&self, density: S, length: T) -> S {
+        -density * (length * length / self.stiffness)
     }
 
     /// The wave number times the length.
     pub(crate) fn zeta<S: Oscillation<T>>(&self, x: S) -> f64 {
-        self.zeta_squared(x, self.length).size().sqrt()
+        self.zeta_of(self.density(x))
+    }
+
+    /// The wave number times the length, given `mλ² + k`.
+    pub(crate) fn zeta_of<S: Oscillation<T>>(&self, density: S) -> f64 {
+        self.zeta_squared(density, self.length).size().sqrt()
     }
 
     /// The length of the member and its wave number.
@@ -58,25 +78,30 @@ impl<T: Real> LineSection<T> {
     /// In a short member they follow from those at the input end. In a long one each of the two waves `e^{±sx}` is taken from the end from
     /// which it decays, so that no digits are lost at any frequency.
     pub(crate) fn at<S: Oscillation<T>>(&self, motion: &Stretch<S>, distance: T) -> [S; 2] {
-        if self.zeta(motion.x) > 1.0 {
-            return self.of_waves(motion, distance);
+        self.inside_of(self.density(motion.x), &motion.ends, distance)
+    }
+
+    /// Displacement and axial force at a distance, given `mλ² + k` and those at both ends.
+    pub(crate) fn inside_of<S: Oscillation<T>>(&self, density: S, ends: &[[S; 2]; 2], distance: T) -> [S; 2] {
+        if self.zeta_of(density) > 1.0 {
+            return self.of_waves(density, ends, distance);
         }
-        let (cosine, sinc) = cosine_and_sinc(self.zeta_squared(motion.x, distance));
-        let [displacement, force] = motion.ends[0];
-        let inertia = self.density(motion.x) * distance;
+        let (cosine, sinc) = cosine_and_sinc(self.zeta_squared(density, distance));
+        let [displacement, force] = ends[0];
+        let inertia = density * distance;
         [
             cosine * displacement + sinc * force * (distance / self.stiffness),
             cosine * force + sinc * inertia * displacement,
         ]
     }
 
-    fn of_waves<S: Oscillation<T>>(&self, motion: &Stretch<S>, distance: T) -> [S; 2] {
-        let rate = Scalar::sqrt(self.density(motion.x).to_complex() * (T::one() / self.stiffness));
+    fn of_waves<S: Oscillation<T>>(&self, density: S, ends: &[[S; 2]; 2], distance: T) -> [S; 2] {
+        let rate = Scalar::sqrt(density.to_complex() * (T::one() / self.stiffness));
         let mut sum = [Complex::zero(); 2];
         for rate in [rate, -rate] {
             let impedance = rate * self.stiffness;
             let (end, from) = if rate.re <= T::zero() { (0, distance) } else { (1, distance - self.length) };
-            let [displacement, force] = motion.ends[end].map(S::to_complex);
+            let [displacement, force] = ends[end].map(S::to_complex);
             let wave = (displacement + force / impedance) * exponential(rate * from) * T::from_f64(0.5);
             sum = [sum[0] + wave, sum[1] + wave * impedance];
         }

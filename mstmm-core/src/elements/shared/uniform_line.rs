@@ -51,6 +51,13 @@ pub struct LineWaves<S> {
 }
 
 impl<T: Parameter> LineSection<T> {
+    /// The parameters as numbers of another type.
+    #[inline]
+    pub(crate) fn map<S>(self, to: impl Fn(T) -> S) -> LineSection<S> {
+        let LineSection { length, stiffness, inertia, foundation } = self;
+        LineSection { length: to(length), stiffness: to(stiffness), inertia: to(inertia), foundation: to(foundation) }
+    }
+
     /// The line, if products of its parameters are in the range of the type; the names are those of its parameters.
     pub(crate) fn build(self, names: [&'static str; 4]) -> Result<UniformLine<T>, InvalidParameter> {
         let LineSection { length, stiffness, inertia, foundation } = self;
@@ -68,6 +75,15 @@ impl<T: Parameter> LineSection<T> {
             compliance,
         };
         if line.is_in_range() { Ok(line) } else { Err(InvalidParameter::most_extreme(parameters)) }
+    }
+}
+
+impl<S: Scalar> LineSection<S> {
+    /// The line at λ², from its parameters alone.
+    pub(crate) fn waves_at(&self, lambda_squared: S) -> LongitudinalWaves<S> {
+        let LineSection { length, stiffness, inertia, foundation } = *self;
+        let square = (lambda_squared * inertia + foundation) * length * length / stiffness;
+        LongitudinalWaves { square, stiffness: stiffness / length }
     }
 }
 
@@ -108,10 +124,7 @@ impl<T: Parameter> UniformLine<T> {
     #[inline(always)]
     pub(crate) fn square<S: Frequency<T>>(&self, lambda_squared: S) -> S {
         if S::IS_EXTENDED {
-            let LineSection { length, stiffness, inertia, foundation } = self.section;
-            let length = S::from_parameter(length);
-            return (lambda_squared * inertia + S::from_parameter(foundation)) * length * length
-                / S::from_parameter(stiffness);
+            return self.section.map(S::from_parameter).waves_at(lambda_squared).square;
         }
         lambda_squared * self.inertia + S::from_parameter(self.foundation)
     }
@@ -130,20 +143,12 @@ impl<T: Parameter> UniformLine<T> {
     /// The line at a frequency.
     #[inline(always)]
     pub(crate) fn waves<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> LineWaves<S> {
-        let square = self.square(at.lambda_squared);
-        let waves = square.even_waves();
-        let [stiffness, compliance] = self.stiffness_and_compliance();
-        LineWaves { square, cosh: waves.cosh, sinhc: waves.sinhc, stiffness, compliance, exponent: waves.exponent }
+        LineWaves::new(self.square(at.lambda_squared), self.stiffness_and_compliance())
     }
 
     /// The transfer matrix on displacement and force, whose sign is that of `-H y'` in translation, of `H y'` in rotation.
     pub(crate) fn transfer_matrix<S: Frequency<T> + Single>(&self, x: S, is_rotation: bool) -> Matrix2<S> {
-        let LineWaves { square, cosh, sinhc, stiffness, compliance, exponent } =
-            self.waves(&FrequencyPowers::new(x, false));
-        let sign = if is_rotation { S::one() } else { -S::one() };
-        let entries = [cosh, sign * sinhc * compliance, sign * square * sinhc * stiffness, cosh];
-        let [a, b, c, d] = entries.map(|entry| entry.times_power_of_two(exponent));
-        Matrix2::new(a, b, c, d)
+        self.waves(&FrequencyPowers::new(x, false)).transfer_matrix(is_rotation)
     }
 
     /// The waves without their functions.
@@ -153,11 +158,7 @@ impl<T: Parameter> UniformLine<T> {
 
     /// The chart at a frequency, of the displacement in one freedom.
     pub(crate) fn chart<S: Frequency<T> + ChartScalar>(&self, at: &FrequencyPowers<S>, freedom: Freedoms) -> Chart<S> {
-        let waves = self.longitudinal(at.lambda_squared);
-        let unit = unit_of(binary_exponent(waves.unit()));
-        let mut chart = Chart::empty(freedom, Units { displacement: unit, rotation: unit }, Measure::Connector);
-        S::enter_longitudinal(&waves, &mut chart, [0, 1]);
-        chart
+        line_chart(&self.longitudinal(at.lambda_squared), freedom)
     }
 
     /// The derivatives of the dynamic work with respect to length, stiffness, inertia and foundation, given a motion as a member in a
@@ -180,7 +181,33 @@ impl<T: Parameter> UniformLine<T> {
     }
 }
 
+/// The chart of waves along a line, of the displacement in one freedom.
+pub(crate) fn line_chart<S: ChartScalar>(waves: &LongitudinalWaves<S>, freedom: Freedoms) -> Chart<S> {
+    let unit = unit_of(binary_exponent(waves.unit()));
+    let mut chart = Chart::empty(freedom, Units { displacement: unit, rotation: unit }, Measure::Connector);
+    S::enter_longitudinal(waves, &mut chart, [0, 1]);
+    chart
+}
+
+impl<S: Single> LineWaves<S> {
+    /// The transfer matrix on displacement and force, whose sign is that of `-H y'` in translation, of `H y'` in rotation.
+    pub(crate) fn transfer_matrix(&self, is_rotation: bool) -> Matrix2<S> {
+        let LineWaves { square, cosh, sinhc, stiffness, compliance, exponent } = *self;
+        let sign = if is_rotation { S::one() } else { -S::one() };
+        let entries = [cosh, sign * sinhc * compliance, sign * square * sinhc * stiffness, cosh];
+        let [a, b, c, d] = entries.map(|entry| entry.times_power_of_two(exponent));
+        Matrix2::new(a, b, c, d)
+    }
+}
+
 impl<S: Scalar> LineWaves<S> {
+    /// The waves of κ, given `H/l` and its inverse.
+    #[inline(always)]
+    pub(crate) fn new(square: S, [stiffness, compliance]: [S; 2]) -> Self {
+        let waves = square.even_waves();
+        LineWaves { square, cosh: waves.cosh, sinhc: waves.sinhc, stiffness, compliance, exponent: waves.exponent }
+    }
+
     /// The count of the line with both ends held: half waves, `√-κ/π` rounded down to the number whose parity is that of the sign of S. So
     /// both agree however a phase beside a multiple of π is rounded.
     #[inline(always)]

@@ -3,7 +3,7 @@
 use crate::model::SearchError;
 use crate::number::{CONDITION, Dual, Real, USUAL_ERROR, is_extended, is_last, modulus};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::damped::deflation::{meets_any, with_image};
+use crate::search::damped::deflation::meets_any;
 use crate::search::damped::found::{Eigenvalue, Region};
 use crate::search::damped::rectangle::Rectangle;
 use crate::search::damped::session::EigenvalueSearch;
@@ -33,7 +33,7 @@ where
     fn is_close_to_others(&self, root: &Eigenvalue<T>) -> bool {
         let scale = self.scale(root.lambda);
         let (mut nearest, mut next) = (scale, scale);
-        for other in self.known.roots().iter().flat_map(with_image) {
+        for other in self.known.with_images() {
             let distance = modulus(other.lambda - root.lambda);
             if distance.is_zero() {
                 continue;

@@ -3,7 +3,6 @@
 use crate::model::SearchError;
 use crate::number::{Dual, Real, argument, larger, modulus, smaller};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::damped::deflation::{divided, turning};
 use crate::search::damped::found::Eigenvalue;
 use crate::search::damped::growth::Growth;
 use crate::search::damped::point::Point;
@@ -61,13 +60,12 @@ pub(super) struct Polygon<'w, T: Real> {
 }
 
 impl<T: Real> Polygon<'_, T> {
-    /// Whether the contour of a rectangle passes by a root, or its mirror image, within a distance.
-    fn meets(&self, root: &Eigenvalue<T>, distance: T) -> bool {
-        let passes = |lambda| {
-            self.rectangle
-                .is_some_and(|rectangle| rectangle.contains(lambda, distance) && !rectangle.contains(lambda, -distance))
-        };
-        passes(root.lambda) || passes(root.lambda.conj())
+    /// Whether the contour of a rectangle passes by one of some roots within a distance.
+    fn meets(&self, mut roots: impl Iterator<Item = Eigenvalue<T>>, distance: T) -> bool {
+        let Some(rectangle) = self.rectangle else { return false };
+        roots.any(|Eigenvalue { lambda, .. }| {
+            rectangle.contains(lambda, distance) && !rectangle.contains(lambda, -distance)
+        })
     }
 }
 
@@ -121,11 +119,11 @@ where
         let [shortest, longest, next] = polygon.steps.map(|part| size * T::from_f64(part));
         let corners = polygon.corners.iter().copied();
         let known = if polygon.rectangle.is_some() { self.known.roots() } else { &[] };
-        if known.iter().any(|root| polygon.meets(root, shortest)) {
+        if polygon.meets(self.known.with_images(), shortest) {
             return Ok(Traversal::MeetsRoot);
         }
         let angle = polygon.growth.turning(corners.clone())
-            + known.iter().map(|root| turning(root, corners.clone())).sum::<f64>();
+            + known.iter().map(|root| self.known.turning(root, corners.clone())).sum::<f64>();
         let start = self.evaluation.at(first)?;
         let here = self.deflated(&start, polygon);
         let mut traverse =
@@ -153,7 +151,7 @@ where
     /// Δ without its growth and, along a rectangle, with the known roots divided out.
     fn deflated(&self, point: &Point<T>, polygon: &Polygon<'_, T>) -> Point<T> {
         let point = polygon.growth.taken_from(point);
-        if polygon.rectangle.is_some() { divided(&point, self.known.roots()) } else { point }
+        if polygon.rectangle.is_some() { self.known.divided(&point, self.known.roots()) } else { point }
     }
 
     /// Makes a step towards a corner; false if steps become too short.
@@ -209,11 +207,11 @@ where
         }
         traverse.patience = PATIENCE;
         let Some(root) = self.find(&from, rectangle)? else { return Ok(false) };
-        traverse.is_stuck = traverse.polygon.meets(&root, traverse.shortest);
-        traverse.angle += turning(&root, traverse.rest());
-        traverse.here = divided(&traverse.here, &[root]);
+        traverse.is_stuck = traverse.polygon.meets(self.known.with_image(&root), traverse.shortest);
+        traverse.angle += self.known.turning(&root, traverse.rest());
+        traverse.here = self.known.divided(&traverse.here, &[root]);
         // a root that does not explain the rate does not keep steps short
-        if modulus(divided(&from, &[root]).rate) < rate {
+        if modulus(self.known.divided(&from, &[root]).rate) < rate {
             traverse.patience = 0;
         }
         Ok(!traverse.is_stuck)

@@ -9,20 +9,37 @@ use num_complex::Complex;
 pub(super) const ROOM: usize = 256;
 
 /// Certified eigenvalues in the closed upper half plane; each stands for its mirror image, too.
+///
+/// With a loss factor there are no mirror images, and Δ is continued below the real axis, where its roots are those of no motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownRoots<T: Real> {
     roots: List<Eigenvalue<T>, ROOM>,
+    /// Whether `Δ(conj λ) = conj Δ(λ)`.
+    pub(super) have_images: bool,
 }
 
 impl<T: Real> KnownRoots<T> {
     /// The empty list.
-    pub(super) fn new() -> Self {
-        KnownRoots { roots: List::new() }
+    pub(super) fn new(have_images: bool) -> Self {
+        KnownRoots { roots: List::new(), have_images }
     }
 
     /// The roots in the order in which they were found.
     pub(super) fn roots(&self) -> &[Eigenvalue<T>] {
         &self.roots
+    }
+
+    /// The roots and their mirror images.
+    pub(super) fn with_images(&self) -> impl Iterator<Item = Eigenvalue<T>> {
+        self.roots.iter().flat_map(|root| self.with_image(root))
+    }
+
+    /// A root and its mirror image; a real one has none. Not inlined, since each place would take some hundred bytes of firmware.
+    #[inline(never)]
+    pub(super) fn with_image(&self, root: &Eigenvalue<T>) -> impl Iterator<Item = Eigenvalue<T>> + use<T> {
+        let image = Eigenvalue { lambda: root.lambda.conj(), ..*root };
+        let has_image = self.have_images && !root.lambda.im.is_zero();
+        [*root, image].into_iter().take(if has_image { 2 } else { 1 })
     }
 
     /// Whether there is no room for another.
@@ -46,46 +63,41 @@ pub(super) fn meets_any<T: Real>(root: &Eigenvalue<T>, others: &[Eigenvalue<T>])
     others.iter().any(|other| modulus(other.lambda - root.lambda) <= other.error + root.error)
 }
 
-/// A root and its mirror image; a real one has none. Not inlined, since each place would take some hundred bytes of firmware.
-#[inline(never)]
-pub(super) fn with_image<T: Real>(root: &Eigenvalue<T>) -> impl Iterator<Item = Eigenvalue<T>> {
-    let image = Eigenvalue { lambda: root.lambda.conj(), ..*root };
-    [*root, image].into_iter().take(if root.lambda.im.is_zero() { 1 } else { 2 })
-}
-
-/// Δ and its logarithmic derivative with roots and their mirror images divided out.
-pub(super) fn divided<T: Real>(point: &Point<T>, roots: &[Eigenvalue<T>]) -> Point<T> {
-    let mut divisor = Scaled::new(Complex::from(T::one()), 0);
-    let mut rate = point.rate;
-    for root in roots {
-        let from = point.lambda - root.lambda;
-        let (mut factor, mut slope) = (from, Complex::from(T::one()));
-        if !root.lambda.im.is_zero() {
-            let from_image = point.lambda - root.lambda.conj();
-            (factor, slope) = (from * from_image, from + from_image);
+impl<T: Real> KnownRoots<T> {
+    /// Δ and its logarithmic derivative with roots and their mirror images divided out.
+    pub(super) fn divided(&self, point: &Point<T>, roots: &[Eigenvalue<T>]) -> Point<T> {
+        let mut divisor = Scaled::new(Complex::from(T::one()), 0);
+        let mut rate = point.rate;
+        for root in roots {
+            let from = point.lambda - root.lambda;
+            let (mut factor, mut slope) = (from, Complex::from(T::one()));
+            if self.have_images && !root.lambda.im.is_zero() {
+                let from_image = point.lambda - root.lambda.conj();
+                (factor, slope) = (from * from_image, from + from_image);
+            }
+            rate -= slope / factor * T::from_f64(root.multiplicity as f64);
+            // distances are far from the ends of the range: it is enough to normalise the product
+            (0..root.multiplicity).for_each(|_| divisor = Scaled::new(divisor.mantissa() * factor, divisor.exponent()));
         }
-        rate -= slope / factor * T::from_f64(root.multiplicity as f64);
-        // distances are far from the ends of the range: it is enough to normalise the product
-        (0..root.multiplicity).for_each(|_| divisor = Scaled::new(divisor.mantissa() * factor, divisor.exponent()));
+        let is_root = point.is_root || !rate.size().is_finite();
+        Point { lambda: point.lambda, value: point.value.over(divisor), rate, is_root }
     }
-    let is_root = point.is_root || !rate.size().is_finite();
-    Point { lambda: point.lambda, value: point.value.over(divisor), rate, is_root }
-}
 
-/// Growth along a polygon of the argument of the factors that are divided out for a root. Each side sees a root under less
-/// than half a turn.
-pub(super) fn turning<T: Real>(root: &Eigenvalue<T>, polygon: impl Iterator<Item = Complex<T>> + Clone) -> f64 {
-    // lest the product of small or large distances leave the range of the type
-    let unit = |from: Complex<T>| from * T::from_f64(from.size().recip());
-    let mut angle = 0.0;
-    for root in with_image(root) {
-        let mut before: Option<Complex<T>> = None;
-        for direction in polygon.clone().map(|corner| unit(corner - root.lambda)) {
-            if let Some(before) = before.replace(direction) {
-                let turn = direction * before.conj();
-                angle += argument(turn.re.to_f64(), turn.im.to_f64());
+    /// Growth along a polygon of the argument of the factors that are divided out for a root. Each side sees a root under less
+    /// than half a turn.
+    pub(super) fn turning(&self, root: &Eigenvalue<T>, polygon: impl Iterator<Item = Complex<T>> + Clone) -> f64 {
+        // lest the product of small or large distances leave the range of the type
+        let unit = |from: Complex<T>| from * T::from_f64(from.size().recip());
+        let mut angle = 0.0;
+        for root in self.with_image(root) {
+            let mut before: Option<Complex<T>> = None;
+            for direction in polygon.clone().map(|corner| unit(corner - root.lambda)) {
+                if let Some(before) = before.replace(direction) {
+                    let turn = direction * before.conj();
+                    angle += argument(turn.re.to_f64(), turn.im.to_f64());
+                }
             }
         }
+        angle * root.multiplicity as f64
     }
-    angle * root.multiplicity as f64
 }

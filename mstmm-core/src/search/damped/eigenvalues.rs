@@ -31,6 +31,9 @@ impl<Y> Spectrum for Y where
 /// A search whose result is doubtful (sums cancel, roots coincide or nearly do, rounding has widened circles) is made again in
 /// extended precision: double-double for `f64`. Without the feature `judge` wide circles stay.
 ///
+/// Where something has a loss factor, regions lie above the real axis, below which no motion has it, and no eigenvalue has a mirror image. Where
+/// a member has a time c of Kelvin and Voigt, regions keep away from `λ = -1/c`, and so do the first eigenvalues.
+///
 /// A thread of 192 kB is enough, of 768 kB in debug builds.
 pub trait Eigenvalues: System {
     /// Number of eigenvalues in a region, with multiplicity; those on its edges belong to it.
@@ -40,7 +43,7 @@ pub trait Eigenvalues: System {
     /// its contour; [`SearchError::Unresolved`] for roots that cannot be told apart from the contour;
     /// [`SearchError::Capacity`] where more than 256 eigenvalues, of each pair one, had to be found to tell;
     /// [`SearchError::Effort`] where it took too many evaluations; [`SearchError::Zero`] for a model in which something is
-    /// held twice.
+    /// held twice; [`SearchError::LossFactor`] and [`SearchError::Accumulation`] for regions that damping of materials excludes.
     ///
     /// # Source
     /// The argument principle on the pole-free Δ(λ), with steps that the derivative controls; known roots are divided out.

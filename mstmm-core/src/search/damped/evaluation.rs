@@ -1,6 +1,6 @@
 //! Evaluation of Δ on the complex plane: its number is limited, and sums that cancel are noticed.
 
-use crate::model::SearchError;
+use crate::model::{FrequencyEstimates, SearchError};
 use crate::number::{
     Dual, Frequency, Parameter, Real, Scalar, Scaled, UNPROVEN_WIDTH, is_extended, is_last, modulus, refuses_doubt,
 };
@@ -22,17 +22,20 @@ pub(super) struct Evaluation<'a, Y: System + ?Sized> {
     system: &'a Y,
     /// Logarithm to base 2 of a low estimate of the frequencies.
     lowest_exponent: i32,
+    /// Whether Δ is real on the real axis: not with a loss factor.
+    is_real: bool,
     pub(super) evaluations: usize,
     /// Whether sums cancelled.
     pub(super) is_doubtful: bool,
 }
 
 impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
-    pub(super) fn new(system: &'a Y, lowest_exponent: i32) -> Self {
-        Evaluation { system, lowest_exponent, evaluations: 0, is_doubtful: false }
+    pub(super) fn new(system: &'a Y, estimates: &FrequencyEstimates) -> Self {
+        let (lowest_exponent, is_real) = (estimates.lowest_exponent(), !estimates.has_loss());
+        Evaluation { system, lowest_exponent, is_real, evaluations: 0, is_doubtful: false }
     }
 
-    /// Δ and its logarithmic derivative. On the real axis Δ is real, whatever the rounding.
+    /// Δ and its logarithmic derivative. On the real axis Δ is real, whatever the rounding, unless something has a loss factor.
     pub(super) fn at<T>(&mut self, lambda: Complex<T>) -> Result<Point<T>, SearchError>
     where
         T: Real,
@@ -53,7 +56,7 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         if value.size() == 0.0 {
             self.look_for_zeros(lambda)?;
         }
-        let value = if lambda.im.is_zero() { Complex::new(value.re, T::zero()) } else { value };
+        let value = if self.is_real && lambda.im.is_zero() { Complex::new(value.re, T::zero()) } else { value };
         Ok(Point { lambda, value: Scaled::new(value, dual.exponent()), rate, is_root })
     }
 

@@ -4,7 +4,6 @@ use crate::model::SearchError;
 use crate::number::{Dual, NOISE, Real, Scalar, larger, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::contour::{Polygon, Traversal};
-use crate::search::damped::deflation::divided;
 use crate::search::damped::found::Eigenvalue;
 use crate::search::damped::growth::Growth;
 use crate::search::damped::point::Point;
@@ -130,10 +129,11 @@ fn hermite<T: Real>(previous: &Point<T>, here: &Point<T>) -> Option<Complex<T>> 
     Some(t * t * (three - t - t) * chord + t * rest * (rest * start - t * end))
 }
 
-/// Makes parts within a radius of zero exactly zero. A root next to the real axis is real, since complex ones come in pairs.
-fn settled<T: Real>(estimate: Complex<T>, radius: T) -> Complex<T> {
-    let is_real = estimate.im.abs() <= radius;
+/// Makes parts within a radius of zero exactly zero. A root next to the real axis is real where complex ones come in pairs; else one next to
+/// zero is.
+fn settled<T: Real>(estimate: Complex<T>, radius: T, have_images: bool) -> Complex<T> {
     let re = if estimate.re.abs() <= radius { T::zero() } else { estimate.re };
+    let is_real = estimate.im.abs() <= radius && (have_images || re.is_zero());
     Complex::new(re, if is_real { T::zero() } else { estimate.im })
 }
 
@@ -148,11 +148,13 @@ where
         start: &Point<T>,
         rectangle: &Rectangle<T>,
     ) -> Result<Option<Eigenvalue<T>>, SearchError> {
-        let Some(estimate) = self.newton(start, rectangle, true)?.map(Estimate::upper) else { return Ok(None) };
+        let have_images = self.known.have_images;
+        let upper = |estimate: Estimate<T>| if have_images { estimate.upper() } else { estimate };
+        let Some(estimate) = self.newton(start, rectangle, true)?.map(upper) else { return Ok(None) };
         let mut root = self.single(&estimate)?;
         if root.is_none() {
             // in a cluster cubics may end too early
-            let slow = self.newton(&estimate.last, rectangle, false)?.map(Estimate::upper);
+            let slow = self.newton(&estimate.last, rectangle, false)?.map(upper);
             let Some(slow) = slow else { return Ok(None) };
             root = self.certify(&slow)?;
         }
@@ -198,7 +200,7 @@ where
             (sequence.previous, sequence.last) = (Some(here), size);
             let point = self.evaluation.at(lambda)?;
             nearest = Some(point);
-            here = divided(&point, self.known.roots());
+            here = self.known.divided(&point, self.known.roots());
         }
         // steps are slow at a multiple root, and where there is none
         let is_near = sequence.last <= T::from_f64(1e-3) * self.scale(here.lambda);
@@ -234,7 +236,7 @@ where
         let mut centre = estimate.lambda;
         for _ in 0..2 {
             let radius = self.scale(centre) * T::from_f64(RADIUS * self.precision);
-            let lambda = settled(centre, radius);
+            let lambda = settled(centre, radius, self.known.have_images);
             let rim = Complex::new(T::from_f64(RIM.0), T::from_f64(RIM.1)) * radius;
             let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
             let bound = T::from_f64(OFF_CENTRE);
@@ -267,7 +269,7 @@ where
         let scale = self.scale(estimate);
         let mut radius = scale * T::from_f64(RADIUS * self.precision);
         while radius < scale * T::from_f64(LARGEST_RADIUS) {
-            let lambda = settled(estimate, radius);
+            let lambda = settled(estimate, radius, self.known.have_images);
             let corner = |(re, im): (f64, f64)| lambda + Complex::new(T::from_f64(re), T::from_f64(im)) * radius;
             let polygon =
                 Polygon { corners: &OCTAGON.map(corner), steps: STEPS_AROUND, rectangle: None, growth: Growth::none() };

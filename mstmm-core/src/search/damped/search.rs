@@ -2,11 +2,11 @@
 //! them are found is cut in two.
 
 use crate::model::SearchError;
-use crate::number::{Dual, List, Real, larger, modulus};
+use crate::number::{Dual, List, Real, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::circles::belongs;
 use crate::search::damped::contour::{Polygon, Traversal};
-use crate::search::damped::deflation::{ROOM, divided, with_image};
+use crate::search::damped::deflation::ROOM;
 use crate::search::damped::found::{Eigenvalue, EigenvalueList, Region};
 use crate::search::damped::growth::Growth;
 use crate::search::damped::point::Point;
@@ -75,14 +75,14 @@ where
 {
     /// Number of eigenvalues in a closed region.
     pub(super) fn count(&mut self, region: &Region<T>) -> Result<u64, SearchError> {
-        let rectangle = enclosing(region)?;
+        let rectangle = self.enclosing(region)?;
         let exact = rectangle.low == *region.im.start() && rectangle.high == *region.im.end();
         if exact && let Some(roots) = self.counted_in_pieces(&rectangle)? {
             return Ok(roots);
         }
         self.find_in(rectangle)?;
         self.check_circles(Some(region))?;
-        let found = self.known.roots().iter().flat_map(with_image);
+        let found = self.known.with_images();
         Ok(found.filter(|root| belongs(root, region)).map(|root| root.multiplicity).sum())
     }
 
@@ -103,11 +103,11 @@ where
         &mut self,
         region: &Region<T>,
     ) -> Result<EigenvalueList<T, CAP>, SearchError> {
-        let rectangle = enclosing(region)?;
+        let rectangle = self.enclosing(region)?;
         self.find_in(rectangle)?;
         self.check_circles(Some(region))?;
         let mut eigenvalues = List::new();
-        for root in self.known.roots().iter().flat_map(with_image) {
+        for root in self.known.with_images() {
             if belongs(&root, region) {
                 eigenvalues.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
             }
@@ -126,10 +126,19 @@ where
         let wanted = N as u64;
         let mut exponent = self.estimates.lowest_exponent() + 3;
         let (mut radius, mut most) = (T::one().times_power_of_two(exponent), 0);
+        let end = self.end_of_reach();
         loop {
             let next = T::one().times_power_of_two(exponent);
+            if let Some((end, error)) = end
+                && next > end
+            {
+                let eigenvalues = self.within(end)?;
+                let is_enough = number_of(&eigenvalues) >= wanted;
+                let evaluations = self.evaluation.evaluations;
+                return if is_enough { Ok(EigenvalueList { eigenvalues, evaluations }) } else { Err(error) };
+            }
             // `None` where the contour meets a root: then there is one more to find
-            let count = self.counted(square(next))?.map_or(most + 1, |counted| counted.roots);
+            let count = self.counted(self.square(next))?.map_or(most + 1, |counted| counted.roots);
             if count > most {
                 (radius, most) = (next, count);
             }
@@ -139,7 +148,7 @@ where
             // each but the real ones has a mirror image
             if is_last || (is_new && most >= 2 * wanted) {
                 let eigenvalues = self.within(if is_last { radius + radius } else { next })?;
-                let found = eigenvalues.iter().map(|root: &Eigenvalue<T>| root.multiplicity).sum();
+                let found = number_of(&eigenvalues);
                 if found >= wanted {
                     return Ok(EigenvalueList { eigenvalues, evaluations: self.evaluation.evaluations });
                 }
@@ -153,12 +162,13 @@ where
 
     /// The fewest eigenvalues of least modulus, up to a radius, whose multiplicities add up to `N`; all of them if there are fewer.
     fn within<const N: usize>(&mut self, radius: T) -> Result<List<Eigenvalue<T>, N>, SearchError> {
-        let square = square(radius);
+        let square = self.square(radius);
         self.find_in(square)?;
         self.check_circles(None)?;
         let mut found = List::<Eigenvalue<T>, ROOM>::new();
         for &root in self.known.roots() {
-            if root.frequency() <= radius && square.contains(root.lambda, root.error) {
+            let is_upper = root.lambda.im >= T::zero();
+            if is_upper && root.frequency() <= radius && square.contains(root.lambda, root.error) {
                 found.push(root).map_err(|_| SearchError::Capacity { capacity: ROOM })?;
             }
         }
@@ -232,7 +242,7 @@ where
 
     /// Number of known roots in a rectangle.
     fn known_in(&self, rectangle: &Rectangle<T>) -> u64 {
-        let found = self.known.roots().iter().flat_map(with_image);
+        let found = self.known.with_images();
         found.filter(|root| rectangle.contains(root.lambda, T::zero())).map(|root| root.multiplicity).sum()
     }
 
@@ -269,7 +279,7 @@ where
                 return Err(SearchError::Capacity { capacity: ROOM });
             }
             let point = self.evaluation.at(start)?;
-            self.find(&divided(&point, self.known.roots()), rectangle)?;
+            self.find(&self.known.divided(&point, self.known.roots()), rectangle)?;
         }
         Ok(missing(self)? == 0)
     }
@@ -281,27 +291,9 @@ where
     }
 }
 
-/// A rectangle symmetric to the real axis that holds all eigenvalues up to a modulus. It reaches little to the right, since
-/// motions of passive systems do not grow.
-fn square<T: Real>(radius: T) -> Rectangle<T> {
-    Rectangle { left: -radius, right: radius * T::from_f64(0.0625), low: -radius, high: radius }
-}
-
-/// The rectangle to be searched for a region; symmetric to the real axis where the region meets it.
-fn enclosing<T: Real>(region: &Region<T>) -> Result<Rectangle<T>, SearchError> {
-    for range in [&region.re, &region.im] {
-        let (start, end) = (*range.start(), *range.end());
-        let valid = start < end && (end - start).size().is_finite();
-        if !valid {
-            return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
-        }
-    }
-    let (left, right, low, high) = (*region.re.start(), *region.re.end(), *region.im.start(), *region.im.end());
-    if low > T::zero() || high < T::zero() {
-        return Ok(Rectangle { left, right, low, high });
-    }
-    let high = larger(-low, high);
-    Ok(Rectangle { left, right, low: -high, high })
+/// Number of eigenvalues with their multiplicities.
+fn number_of<T: Real>(eigenvalues: &[Eigenvalue<T>]) -> u64 {
+    eigenvalues.iter().map(|root| root.multiplicity).sum()
 }
 
 fn wait<T: Real>(waiting: &mut List<Counted<T>, WAITING>, part: Counted<T>) -> Result<(), SearchError> {

@@ -37,8 +37,8 @@ where
         let smallest = T::one().times_power_of_two(estimates.negligible_exponent());
         let precision = <Y::Parameter as Scalar>::EPSILON;
         EigenvalueSearch {
-            evaluation: Evaluation::new(system, estimates.lowest_exponent()),
-            known: KnownRoots::new(),
+            evaluation: Evaluation::new(system, &estimates),
+            known: KnownRoots::new(!estimates.has_loss()),
             estimates,
             smallest,
             precision,

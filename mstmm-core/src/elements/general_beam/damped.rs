@@ -1,0 +1,140 @@
+//! A general beam with damping of its material and of a medium around it.
+
+use crate::element::{Element, Forms, Inside};
+use crate::elements::general_beam::compound::GeneralCompound;
+use crate::elements::general_beam::constants::{Constants, SectionAt};
+use crate::elements::general_beam::inside::BeamMotion;
+use crate::elements::general_beam::transfer::{BackThrough, Transfer};
+use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
+use crate::elements::shared::bending_chart::units_of_waves;
+use crate::elements::shared::compound::Units;
+use crate::elements::shared::dissipation::Dissipation;
+use crate::model::{EndMotion, Ends, FrequencyEstimates, State};
+use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single};
+use crate::subspace::{Chart, Measure};
+use mstmm_plan::Freedoms;
+use nalgebra::Matrix4;
+
+/// A beam with damping: at λ it is the beam with `EI e`, `kGA e` and `k + c_e λ`, `e = (1 + iη)(1 + cλ)`, whose formulas hold for complex
+/// parameters as for real ones.
+#[derive(Clone, Copy, Debug)]
+pub struct BuiltDampedBeam<T> {
+    pub(super) beam: BuiltGeneralBeam<T>,
+    pub(super) dissipation: Dissipation<T>,
+}
+
+impl<T: Parameter> BuiltDampedBeam<T> {
+    /// The beam at λ, given `e` and `c_e λ`.
+    fn with<S: ComplexFrequency<T>>(&self, factor: S, external: S) -> GeneralBeam<S> {
+        let beam = self.beam.parameters.map(S::from_parameter);
+        GeneralBeam {
+            bending_stiffness: beam.bending_stiffness * factor,
+            shear_flexibility: beam.shear_flexibility / factor,
+            foundation_stiffness: beam.foundation_stiffness + external,
+            ..beam
+        }
+    }
+
+    /// The beam at λ.
+    fn at<S: ComplexFrequency<T>>(&self, lambda: S) -> GeneralBeam<S> {
+        self.with(self.dissipation.factor(lambda), self.dissipation.external(lambda))
+    }
+
+    pub(super) fn estimate(&self, estimates: &mut FrequencyEstimates) {
+        GeneralBeam::estimate(&self.beam, estimates);
+        let GeneralBeam { shear_flexibility, .. } = self.beam.parameters;
+        // where kGA e + T vanishes
+        let share = T::one() + shear_flexibility * self.beam.parameters.tension();
+        self.dissipation.estimate_waves(estimates, share.to_f64());
+    }
+
+    pub(super) fn transfer_matrix<S: ComplexFrequency<T> + Single>(&self, lambda: S) -> Matrix4<S> {
+        let beam = self.at(lambda);
+        Transfer::new(&beam.section(lambda.lambda_squared())).matrix(&beam)
+    }
+
+    pub(super) fn compound<S: ComplexFrequency<T>>(&self, at: &FrequencyPowers<S>) -> GeneralCompound<S> {
+        let beam = self.at(at.x);
+        GeneralCompound::new(
+            beam.section(at.lambda_squared),
+            Units::new(beam.bending_stiffness, S::one() / beam.length),
+        )
+    }
+
+    pub(super) fn back_through<S: ComplexFrequency<T>>(&self, at: &FrequencyPowers<S>) -> BackThrough<S> {
+        let beam = self.at(at.x);
+        BackThrough::new(Transfer::new(&beam.section(at.lambda_squared)), &beam)
+    }
+
+    /// The chart of a beam of a length with its bending at four places, given all freedoms of its ends and the axial impedance.
+    pub(super) fn chart<S: ComplexFrequency<T>>(
+        &self,
+        at: &FrequencyPowers<S>,
+        length: S,
+        freedoms: Freedoms,
+        axial: f64,
+        places: [usize; 4],
+    ) -> Chart<S> {
+        let (units, wave) = units_of_waves(&self.beam.impedances(at.lambda_squared, axial), at.lambda_squared);
+        let mut chart = Chart::empty(freedoms, units, Measure::Member(wave));
+        let (relation, factors) = GeneralBeam { length, ..self.at(at.x) }.relation(at.lambda_squared);
+        relation.enter(&mut chart, places, &factors);
+        chart
+    }
+}
+
+impl<S: Scalar> GeneralBeam<S> {
+    /// The constants of the equations at λ², from the parameters alone.
+    fn section(&self, lambda_squared: S) -> SectionAt<S> {
+        Constants::of(*self).at(lambda_squared)
+    }
+}
+
+impl<T: Real> BuiltDampedBeam<T> {
+    /// The beam at the frequency of a motion.
+    pub(super) fn motion<S: ComplexFrequency<T> + Oscillation<T>>(&self, x: S) -> BeamMotion<T, S> {
+        let (loss, external) = (self.dissipation.factor_of_motion(x), self.dissipation.external(x));
+        let beam = self.with(loss, external);
+        let constants = Constants::of(beam);
+        BeamMotion {
+            beam: self.beam.parameters,
+            x,
+            section: Constants::of(beam.map(S::to_complex)).at(x.lambda_squared().to_complex()),
+            loss,
+            external,
+            sigma: constants.sigma,
+            flexibility: constants.sigma * beam.shear_flexibility,
+        }
+    }
+
+    pub(super) fn interior<S: ComplexFrequency<T> + Oscillation<T>>(&self, x: S) -> Inside {
+        self.motion(x).interior()
+    }
+
+    pub(super) fn state_at<S: ComplexFrequency<T> + Oscillation<T>>(&self, ends: &Ends<S>, distance: f64) -> State<S> {
+        self.motion(ends.x).state_at(ends, T::from_f64(distance))
+    }
+
+    pub(super) fn motion_at<S: ComplexFrequency<T> + Oscillation<T>>(
+        &self,
+        ends: &Ends<S>,
+        distance: f64,
+    ) -> EndMotion<S> {
+        EndMotion::bent(self.state_at(ends, distance))
+    }
+
+    /// The forms of two motions.
+    pub(super) fn forms<S: ComplexFrequency<T> + Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> Forms<S> {
+        let parts = self.motion(first.x).forms(first, (&self.motion(second.x), second));
+        self.dissipation.forms(first.x, parts)
+    }
+
+    /// The derivatives of the dynamic work with respect to the parameters of the beam without damping, and to those of damping: of EI and f
+    /// by what `EI e` and `f/e` do.
+    pub(super) fn gradient<S: ComplexFrequency<T> + Oscillation<T>>(&self, ends: &Ends<S>) -> (GeneralBeam<S>, [S; 3]) {
+        let motion = self.motion(ends.x);
+        let parts = motion.forms(ends, (&motion, ends));
+        let gradient = motion.gradient(ends);
+        (gradient, self.dissipation.gradient(ends.x, [parts.strain, parts.displacement]))
+    }
+}

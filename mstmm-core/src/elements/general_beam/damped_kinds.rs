@@ -1,0 +1,261 @@
+//! Beams with damping, by the parameters that they have.
+
+use crate::element::{
+    BackTransfer, Charted, Element, Energies, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion,
+    MemberWork, PlaneStep, TransferMatrix,
+};
+use crate::elements::general_beam::compound::GeneralCompound;
+use crate::elements::general_beam::damped::BuiltDampedBeam;
+use crate::elements::general_beam::kinds::TimoshenkoBeam;
+use crate::elements::general_beam::transfer::BackThrough;
+use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
+use crate::elements::shared::dissipation::Dissipation;
+use crate::model::{Bending, EndMotion, Ends, FrequencyEstimates, InvalidParameter, State};
+use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
+use crate::subspace::{Chart, Covector, RootCounter, Subspace};
+use mstmm_plan::{Freedoms, Support};
+
+/// Declares beams with damping by the beams that they are without it, and the parameters beside length, stiffness and mass.
+macro_rules! damped_beams {
+    ($(
+        $(#[$doc:meta])*
+        $damped:ident of $kind:ident { $($(#[$field_doc:meta])* $field:ident,)* }
+    )*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $damped<T> {
+            /// Length l \[m\], positive.
+            pub length: T,
+            /// Bending stiffness EI [N m²], positive.
+            pub bending_stiffness: T,
+            /// Mass per length m [kg/m], positive.
+            pub mass_per_length: T,
+            $($(#[$field_doc])* pub $field: T,)*
+            /// Loss factor η of EI and kGA, zero or positive.
+            pub loss_factor: T,
+            /// Time c of Kelvin and Voigt \[s\], zero or positive.
+            pub kelvin_voigt_time: T,
+            /// Damping c_e per length against deflections [N s/m²], zero or positive.
+            pub external_damping: T,
+        }
+
+        impl<T: Copy> $damped<T> {
+            /// The beam without its damping.
+            pub(super) fn undamped(self) -> $kind<T> {
+                let $damped { length, bending_stiffness, mass_per_length, $($field,)* .. } = self;
+                $kind { length, bending_stiffness, mass_per_length, $($field),* }
+            }
+
+            /// A beam with damping, or the derivatives with respect to all of it.
+            pub(super) fn with_damping(beam: $kind<T>, [loss_factor, kelvin_voigt_time, external_damping]: [T; 3]) -> Self {
+                let $kind { length, bending_stiffness, mass_per_length, $($field),* } = beam;
+                $damped {
+                    length, bending_stiffness, mass_per_length, $($field,)* loss_factor, kelvin_voigt_time, external_damping,
+                }
+            }
+        }
+
+        impl<T: Parameter> Element for $damped<T> {
+            type State = Bending;
+            type Built = BuiltDampedBeam<T>;
+            const IS_STRAIGHT: bool = false;
+
+            fn build(self) -> Result<BuiltDampedBeam<T>, InvalidParameter> {
+                let beam: BuiltGeneralBeam<T> = self.undamped().build()?;
+                let $damped { loss_factor, kelvin_voigt_time: time, external_damping: external, .. } = self;
+                let dissipation = Dissipation { loss_factor, time, external };
+                dissipation.check()?;
+                Ok(BuiltDampedBeam { beam, dissipation })
+            }
+
+            fn estimate(built: &BuiltDampedBeam<T>, estimates: &mut FrequencyEstimates) {
+                built.estimate(estimates);
+            }
+        }
+
+        impl<T: Parameter, S: ComplexFrequency<T> + Single> TransferMatrix<S> for $damped<T> {
+            fn transfer_matrix(built: &BuiltDampedBeam<T>, x: S) -> MatrixOf<Self, S> {
+                built.transfer_matrix(x)
+            }
+        }
+
+        impl<T: Parameter, S: ComplexFrequency<T>> PlaneStep<S> for $damped<T> {
+            type Coefficients = GeneralCompound<S>;
+
+            fn coefficients(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>) -> GeneralCompound<S> {
+                built.compound(at)
+            }
+
+            fn step<C: RootCounter<S>>(
+                compound: &GeneralCompound<S>,
+                input: Subspace<S>,
+                counter: &mut C,
+            ) -> Subspace<S> {
+                compound.step(input, counter)
+            }
+
+            fn root<C: RootCounter<S>>(
+                compound: &GeneralCompound<S>,
+                input: Subspace<S>,
+                support: Support,
+                counter: &mut C,
+            ) -> Scaled<S> {
+                compound.root(input, support, counter)
+            }
+        }
+
+        impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> BackTransfer<S> for $damped<T> {
+            type BackCoefficients = BackThrough<S>;
+            const SYMMETRIC: bool = true;
+
+            fn reversed(built: &BuiltDampedBeam<T>) -> BuiltDampedBeam<T> {
+                *built
+            }
+
+            fn back_coefficients(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>) -> BackThrough<S> {
+                built.back_through(at)
+            }
+
+            fn back_transfer(through: &BackThrough<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+                through.back_transfer(covector)
+            }
+        }
+
+        impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> Energies<S> for $damped<T> {
+            type Gradient = $damped<S>;
+
+            fn units(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
+                built.motion(at.x).units()
+            }
+
+            fn mass_form(built: &BuiltDampedBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
+                built.forms(first, second).mass
+            }
+
+            fn stiffness_form(built: &BuiltDampedBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
+                built.forms(first, second).stiffness
+            }
+
+            fn damping_form(built: &BuiltDampedBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
+                built.forms(first, second).damping
+            }
+
+            fn inside(built: &BuiltDampedBeam<T>, x: S) -> Option<Inside> {
+                Some(built.interior(x))
+            }
+
+            fn state_at(built: &BuiltDampedBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
+                built.state_at(ends, distance)
+            }
+
+            fn gradient(built: &BuiltDampedBeam<T>, ends: &Ends<S>) -> $damped<S> {
+                $damped::gradient_of(built, ends)
+            }
+        }
+
+        impl<S: Scalar> $damped<S> {
+            /// The derivatives of the dynamic work of a motion.
+            pub(super) fn gradient_of<T: Real>(built: &BuiltDampedBeam<T>, ends: &Ends<S>) -> Self
+            where
+                S: ComplexFrequency<T> + Oscillation<T>,
+            {
+                let (beam, damping) = built.gradient(ends);
+                $damped::with_damping($kind::of_gradient(beam, &built.beam.parameters), damping)
+            }
+        }
+
+        impl<T: Parameter, S: ComplexFrequency<T>> Charted<S> for $damped<T> {
+            fn chart(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
+                let freedoms = Freedoms::Y.union(Freedoms::RZ);
+                built.chart(at, length, freedoms, f64::INFINITY, [0, 1, 2, 3])
+            }
+        }
+
+        impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberMotion<S> for $damped<T> {
+            fn forms(built: &BuiltDampedBeam<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
+                built.forms(&first.bending(), &second.bending())
+            }
+
+            fn inside(built: &BuiltDampedBeam<T>, x: S) -> Option<Inside> {
+                Some(built.interior(x))
+            }
+
+            fn motion_at(built: &BuiltDampedBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
+                built.motion_at(&motion.bending(), distance)
+            }
+        }
+
+        impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for $damped<T> {
+            type Gradient = $damped<S>;
+
+            fn member_gradient(built: &BuiltDampedBeam<T>, work: &MemberWork<S>) -> $damped<S> {
+                $damped::gradient_of(built, &MemberEnds { x: work.x, ends: work.ends }.bending())
+            }
+        }
+
+        #[cfg(test)]
+        impl crate::elements::laws::Sample for $damped<f64> {
+            /// A beam whose stiffness vanishes far from the frequencies of the laws.
+            fn sample(mut next: impl FnMut() -> f64) -> Self {
+                let beam = $kind::sample(&mut next);
+                $damped::with_damping(beam, [0.2 * next(), 0.005 * next(), 0.5 * next()])
+            }
+
+            fn length(&self) -> f64 {
+                self.length
+            }
+
+            fn halves(self) -> Option<Self> {
+                Some($damped { length: self.length / 2.0, ..self })
+            }
+
+            fn phase(&self, s: f64) -> f64 {
+                // near λ = -1/c the stiffness is a small part of what it is at rest
+                10.0 * self.undamped().phase(s)
+            }
+
+            fn untied(self) -> Self {
+                let damping = [self.loss_factor, self.kelvin_voigt_time, self.external_damping];
+                $damped::with_damping(self.undamped().untied(), damping)
+            }
+
+            fn lossless(self) -> Self {
+                $damped { loss_factor: 0.0, ..self }
+            }
+        }
+    )*};
+}
+
+damped_beams! {
+    /// Uniform beam with damping of its material and of a medium around it, exact at every frequency: a [`GeneralBeam`] with
+    /// `EI (1 + iη)(1 + cλ)`, `kGA (1 + iη)(1 + cλ)` and `k + c_e λ`, which exists at complex frequencies λ only.
+    ///
+    /// The axial force and the foundation have no loss. A loss factor describes motions with `Im λ > 0`; a time of Kelvin and Voigt leaves no
+    /// stiffness at `λ = -1/c`, about which eigenvalues accumulate. Searches refuse regions that meet either.
+    ///
+    /// # Source
+    /// Structural damping by a complex modulus; the viscoelastic solid of Kelvin and Voigt; viscous damping by a medium.
+    DampedBeam of GeneralBeam {
+        /// Shear flexibility `f = 1/(k G A)` [1/N], zero or positive; zero is a beam without shear.
+        shear_flexibility,
+        /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
+        rotary_inertia,
+        /// Axial force N \[N\], positive in tension; greater than `-1/f - G` where f is not zero.
+        axial_force,
+        /// Stiffness k of the foundation per length [N/m²], zero or positive.
+        foundation_stiffness,
+        /// Stiffness G of the shear layer of the foundation \[N\], zero or positive.
+        foundation_shear_stiffness,
+    }
+
+    /// [`TimoshenkoBeam`] with damping of its material and of a medium around it: a [`DampedBeam`] with `f = 1/(k G A)`.
+    ///
+    /// # Source
+    /// That of [`DampedBeam`].
+    DampedTimoshenkoBeam of TimoshenkoBeam {
+        /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal.
+        shear_stiffness,
+        /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
+        rotary_inertia,
+    }
+}

@@ -1,0 +1,78 @@
+//! Where a search for eigenvalues may look: with a loss factor above the real axis alone, and nowhere near the points at which the stiffness of
+//! a member vanishes.
+
+use crate::model::SearchError;
+use crate::number::{Dual, Real, larger};
+use crate::pass::characteristic::{Characteristic, System};
+use crate::search::damped::found::Region;
+use crate::search::damped::rectangle::Rectangle;
+use crate::search::damped::session::EigenvalueSearch;
+use num_complex::Complex;
+
+/// Distance from an essential singularity, as a part of its size, up to which nothing is searched: eigenvalues accumulate about it.
+const NEAR: f64 = 0.02;
+
+/// Share of its sides by which a rectangle may grow where its contour meets a root.
+const GROWTH: f64 = 0.015;
+
+/// Radius of the largest square that keeps away from a singularity at its left, as a part of the distance of that.
+const REACH: f64 = 0.96;
+
+impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+where
+    T: Real,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
+{
+    /// A rectangle symmetric to the real axis that holds all eigenvalues up to a modulus. It reaches little to the right, since
+    /// motions of passive systems do not grow; where eigenvalues have no mirror images it reaches as little below the axis, so that it holds
+    /// those at zero.
+    pub(super) fn square(&self, radius: T) -> Rectangle<T> {
+        let little = radius * T::from_f64(0.0625);
+        let low = if self.known.have_images { -radius } else { -little };
+        Rectangle { left: -radius, right: little, low, high: radius }
+    }
+
+    /// The largest radius of such a rectangle, and the error of a search that would have to go on; `None` where nothing limits it.
+    pub(super) fn end_of_reach(&self) -> Option<(T, SearchError)> {
+        let singularities = self.estimates.singularities()?;
+        Some((T::from_f64(-singularities[0] * REACH), accumulation(singularities)))
+    }
+
+    /// The rectangle to be searched for a region; symmetric to the real axis where the region meets it.
+    pub(super) fn enclosing(&self, region: &Region<T>) -> Result<Rectangle<T>, SearchError> {
+        for range in [&region.re, &region.im] {
+            let (start, end) = (*range.start(), *range.end());
+            let valid = start < end && (end - start).size().is_finite();
+            if !valid {
+                return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
+            }
+        }
+        let (left, right, low, high) = (*region.re.start(), *region.re.end(), *region.im.start(), *region.im.end());
+        let mut rectangle = Rectangle { left, right, low, high };
+        if !(self.known.have_images || low > T::zero()) {
+            return Err(SearchError::LossFactor { im: low.to_f64() });
+        }
+        if low <= T::zero() && high >= T::zero() {
+            rectangle.high = larger(-low, high);
+            rectangle.low = -rectangle.high;
+        }
+        match self.estimates.singularities() {
+            Some(singularities) if comes_near(&rectangle, singularities) => Err(accumulation(singularities)),
+            _ => Ok(rectangle),
+        }
+    }
+}
+
+/// Whether a rectangle, as far as it may grow, comes near a point between two singularities.
+fn comes_near<T: Real>(rectangle: &Rectangle<T>, [first, last]: [f64; 2]) -> bool {
+    let Rectangle { left, right, low, high } = rectangle.grown(GROWTH);
+    let [left, right, low, high] = [left, right, low, high].map(T::to_f64);
+    // of the farthest point in reach
+    let height = -left.max(last) * NEAR;
+    left <= first * (1.0 - NEAR) && right >= last * (1.0 + NEAR) && low <= height && high >= -height
+}
+
+/// The error of a search that comes near singularities.
+fn accumulation([first, last]: [f64; 2]) -> SearchError {
+    SearchError::Accumulation { from: last * (1.0 + NEAR), to: first * (1.0 - NEAR) }
+}
