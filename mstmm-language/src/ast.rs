@@ -179,10 +179,26 @@ impl Element {
         self.parameters.iter().flatten()
     }
 
-    /// The parameters that were left out, which are zero.
+    /// The parameters that were left out, which are zero; without the one that a type of its own has.
     pub(crate) fn omitted(&self) -> impl Iterator<Item = &'static str> {
-        let optional = self.kind.known().map_or(&[][..], |known| known.optional);
-        optional.iter().copied().filter(|name| self.parameters().all(|parameter| parameter.name.unraw() != name))
+        let known = self.kind.known();
+        let (optional, own) = known.map_or((&[][..], None), |known| (known.optional, known.own_type));
+        let is_of_type = move |name: &&str| own.is_none_or(|(parameter, _)| parameter != *name);
+        optional.iter().copied().filter(is_of_type).filter(|name| !self.names(name))
+    }
+
+    /// Whether a parameter is given.
+    fn names(&self, name: &str) -> bool {
+        self.parameters().any(|parameter| parameter.name.unraw() == name)
+    }
+
+    /// The type in `mstmm_core::elements` of an element with a keyword. `check` has refused unknown ones.
+    pub(crate) fn type_name(&self) -> &'static str {
+        let Some(known) = self.kind.known() else { return "Beam" };
+        match known.own_type {
+            Some((parameter, own)) if self.names(parameter) => own,
+            _ => known.type_name,
+        }
     }
 }
 

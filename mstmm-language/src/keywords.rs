@@ -18,6 +18,8 @@ pub(crate) struct Keyword {
     pub(crate) parameters: &'static [&'static str],
     /// Those of the parameters that may be left out, which then are zero.
     pub(crate) optional: &'static [&'static str],
+    /// The one of them that a type of its own has, and that type: an element that does not name it is as fast as ever.
+    pub(crate) own_type: Option<(&'static str, &'static str)>,
 }
 
 const fn element(
@@ -26,7 +28,7 @@ const fn element(
     space: Space,
     parameters: &'static [&'static str],
 ) -> Keyword {
-    Keyword { name, type_name, space, parameters, optional: &[] }
+    Keyword { name, type_name, space, parameters, optional: &[], own_type: None }
 }
 
 #[rustfmt::skip]
@@ -41,7 +43,11 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     element("inertia", "Inertia", Space::Rotation, &["inertia"]),
     element("point_mass", "PointMass", Space::Bending, &["mass", "inertia"]),
     element("elastic_hinge", "ElasticHinge", Space::Bending, &["stiffness_y", "stiffness_theta"]),
-    element("body", "Body", Space::Bending, &["mass", "inertia", "output_x", "centre_x"]),
+    Keyword {
+        optional: &["axial_force"],
+        own_type: Some(("axial_force", "BodyColumn")),
+        ..element("body", "Body", Space::Bending, &["mass", "inertia", "output_x", "centre_x", "axial_force"])
+    },
     element("beam", "Beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length"]),
     element("rayleigh_beam", "RayleighBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "rotary_inertia"]),
     element("timoshenko_beam", "TimoshenkoBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"]),
@@ -79,7 +85,11 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     },
     element("rotational_hinge", "RotationalHinge", Space::Bending, &["stiffness"]),
     element("shear_hinge", "ShearHinge", Space::Bending, &["stiffness"]),
-    element("lever", "Lever", Space::Bending, &["output_x"]),
+    Keyword {
+        optional: &["axial_force"],
+        own_type: Some(("axial_force", "LeverColumn")),
+        ..element("lever", "Lever", Space::Bending, &["output_x", "axial_force"])
+    },
     Keyword {
         optional: &["width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius"],
         ..element("tapered_beam", "TaperedBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius"])

@@ -1,7 +1,6 @@
 //! Names and paths that several emitted items share, and where errors in them are shown.
 
 use crate::ast::{Element, Kind, Model};
-use crate::keywords::element_of;
 use crate::plan::support;
 use crate::spans::emitted_at;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -58,7 +57,7 @@ impl Names {
             Kind::Keyword(keyword) => {
                 let span = self.at(keyword.span());
                 let private = private_at(&self.facade, span);
-                let name = Ident::new(type_of(keyword), span);
+                let name = Ident::new(element.type_name(), span);
                 quote_spanned!(span=> #private::elements::#name)
             }
         }
@@ -128,11 +127,6 @@ fn private_at(facade: &TokenStream, span: Span) -> TokenStream {
     });
     let facade: TokenStream = facade.collect();
     quote_spanned!(span=> #facade::__private)
-}
-
-/// The type in `mstmm_core::elements` behind a keyword. `check` has refused unknown ones.
-fn type_of(keyword: &Ident) -> &'static str {
-    element_of(&keyword.to_string()).map_or("Beam", |element| element.type_name)
 }
 
 /// A name at another place.

@@ -6,17 +6,26 @@ use mstmm_core::elements::{ELEMENTS as OF_CORE, Row};
 #[test]
 fn each_element_of_the_core_has_one_keyword_with_its_state_and_parameters() {
     let mut of_core: Vec<&Row> = OF_CORE.iter().collect();
-    let mut keywords: Vec<&Keyword> = ELEMENTS.iter().collect();
+    let mut keywords: Vec<(&str, &Keyword, Vec<&str>)> = ELEMENTS.iter().flat_map(types).collect();
     of_core.sort_by_key(|row| row.name);
-    keywords.sort_by_key(|keyword| keyword.type_name);
-    let rows: Vec<&str> = keywords.iter().map(|keyword| keyword.type_name).collect();
+    keywords.sort_by_key(|(type_name, ..)| *type_name);
+    let rows: Vec<&str> = keywords.iter().map(|(type_name, ..)| *type_name).collect();
     let names: Vec<&str> = of_core.iter().map(|row| row.name).collect();
     assert_eq!(rows, names, "rows of keywords.rs, and of elements/mod.rs in the core");
-    for (keyword, of_core) in keywords.iter().zip(of_core) {
+    for ((_, keyword, parameters), of_core) in keywords.iter().zip(of_core) {
         assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
-        assert_eq!(keyword.parameters, of_core.parameters, "{}", keyword.name);
+        assert_eq!(parameters, of_core.parameters, "{}", keyword.name);
         assert!(keyword.optional.iter().all(|name| keyword.parameters.contains(name)), "{}", keyword.name);
     }
+}
+
+/// The types behind a keyword with their parameters: its own, and the one that has all parameters.
+fn types(keyword: &Keyword) -> Vec<(&str, &Keyword, Vec<&str>)> {
+    let all = keyword.parameters.to_vec();
+    let Some((own, type_name)) = keyword.own_type else { return vec![(keyword.type_name, keyword, all)] };
+    assert!(keyword.optional.contains(&own), "{}", keyword.name);
+    let others = all.iter().copied().filter(|name| *name != own).collect();
+    vec![(keyword.type_name, keyword, others), (type_name, keyword, all)]
 }
 
 #[test]

@@ -43,6 +43,8 @@ pub(crate) struct Parameter {
 
 /// A scene of one element; its functions take the values of the parameters in order.
 pub(crate) struct Scene {
+    /// Name of the model, which is that of the type in the core.
+    pub(crate) model: &'static str,
     /// Keyword and label.
     pub(crate) element: &'static str,
     pub(crate) parameters: &'static [Parameter],
@@ -98,6 +100,7 @@ macro_rules! scenes {
         /// All scenes.
         pub(crate) const SCENES: &[Scene] = &[$(
             Scene {
+                model: stringify!($model),
                 element: concat!(stringify!($keyword), " 7"),
                 parameters: &[
                     $(Parameter { name: stringify!($parameter), range: Range::$range }),*
@@ -127,6 +130,9 @@ scenes! {
     Beam = fixed -> beam { length: Moderate, bending_stiffness: Moderate, mass_per_length: Moderate } -> free undamped;
     Body = free -> body {
         mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position,
+    } -> free undamped;
+    BodyColumn = free -> body {
+        mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position, axial_force: Position,
     } -> free undamped;
     ElasticHinge = fixed -> elastic_hinge { stiffness_y: Invertible, stiffness_theta: Invertible } -> free undamped;
     Spring = fixed -> spring { stiffness: Invertible } -> free undamped;
@@ -197,6 +203,7 @@ scenes! {
     RotationalHinge = fixed -> rotational_hinge { stiffness: NonNegative } -> free undamped;
     ShearHinge = fixed -> shear_hinge { stiffness: NonNegative } -> free undamped;
     Lever = fixed -> lever { output_x: Position } -> free undamped;
+    LeverColumn = fixed -> lever { output_x: Position, axial_force: Position } -> free undamped;
     TaperedBeam = fixed -> tapered_beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, width_taper: Taper, height_taper: Taper,
         rotary_inertia: TameOrZero, axial_force: Position, rotation_speed: TameOrZero, hub_radius: Position,

@@ -1,6 +1,7 @@
 //! Formulas that several elements share.
 
 pub(crate) mod arm;
+pub(crate) mod axial_force;
 pub(crate) mod back_transfer;
 pub(crate) mod bending_chart;
 pub(crate) mod bending_motion;
