@@ -20,6 +20,7 @@ mod kinds;
 mod members;
 mod motion;
 mod transfer;
+mod under_load;
 mod wave_pair;
 
 pub use kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam};

@@ -3,8 +3,8 @@
 //! They differ in their coordinate, in the names of their stiffness and inertia, and in whether they have a foundation.
 
 use crate::element::{
-    BackTransfer, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork,
-    PlaneStep, TransferMatrix, along_member,
+    BackTransfer, CarriesLoad, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion,
+    MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::line_forms::unit_of;
@@ -45,6 +45,16 @@ macro_rules! state {
     (Rotation, $y:expr, $force:expr) => {
         State { theta: $y, m: $force, ..State::default() }
     };
+}
+
+/// The mass per length of a line; one that turns has no weight.
+macro_rules! weight {
+    (Translation) => {
+        fn mass_per_length(built: &UniformLine<T>) -> S {
+            S::from_parameter(built.section.inertia)
+        }
+    };
+    (Rotation) => {};
 }
 
 /// The freedom of a member in which a line moves: along it, or about z.
@@ -138,6 +148,8 @@ macro_rules! wave_lines {
             }
         }
 
+        impl<T: Real> CarriesLoad for $element<T> {}
+
         impl<T: Real, S: Oscillation<T>> Energies<S> for $element<T> {
             type Gradient = $element<S>;
 
@@ -161,6 +173,12 @@ macro_rules! wave_lines {
                 let [displacement, force] = built.motion().at(&stretch!($space, ends), T::from_f64(distance));
                 state!($space, displacement, force)
             }
+
+            fn load_work(built: &UniformLine<T>, ends: &Ends<S>) -> Option<S> {
+                Some(built.motion().load_work(&stretch!($space, ends)))
+            }
+
+            weight!($space);
 
             fn gradient(built: &UniformLine<T>, ends: &Ends<S>) -> $element<S> {
                 let [length, stiffness, inertia, _foundation] = built.motion().gradient(&stretch!($space, ends));

@@ -95,6 +95,8 @@ pub enum MotionError {
         /// The tolerance that was given.
         tolerance: f64,
     },
+    /// An element on which no load acts all along, or whose weight is not known: a tapered beam, or one of the user's own.
+    NoUniformLoad,
     /// An element without an interior: it has states at its ends only.
     NoInside,
     /// A place outside of an element.
@@ -170,6 +172,7 @@ impl fmt::Display for MotionError {
             MotionError::NotFinite { frequency } => {
                 write!(f, "at the frequency {frequency} the motion is not finite")
             }
+            MotionError::NoUniformLoad => write!(f, "what a load all along an element works is not known of it"),
             _ => self.fmt_question(f),
         }
     }

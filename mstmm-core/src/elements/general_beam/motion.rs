@@ -1,6 +1,6 @@
 //! The motion of a general beam: its back transfer, its energies and their derivatives with respect to its parameters.
 
-use crate::element::{BackTransfer, Energies, Inside as Interior};
+use crate::element::{BackTransfer, CarriesLoad, Energies, Inside as Interior};
 use crate::elements::general_beam::inside::{Inside, section_at};
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
@@ -28,6 +28,8 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for GeneralBeam<T> {
     }
 }
 
+impl<T: Real> CarriesLoad for GeneralBeam<T> {}
+
 impl<T: Real, S: Oscillation<T>> Energies<S> for GeneralBeam<T> {
     type Gradient = GeneralBeam<S>;
 
@@ -51,6 +53,14 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for GeneralBeam<T> {
 
     fn state_at(built: &BuiltGeneralBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
         built.state_at(ends, T::from_f64(distance))
+    }
+
+    fn load_work(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> Option<S> {
+        Some(built.load_work(ends))
+    }
+
+    fn mass_per_length(built: &BuiltGeneralBeam<T>) -> S {
+        S::from_parameter(built.parameters.mass_per_length)
     }
 
     fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> GeneralBeam<S> {

@@ -19,3 +19,4 @@ pub(crate) mod planar_matrix;
 pub(crate) mod rod_motion;
 pub(crate) mod section_gradient;
 pub(crate) mod uniform_line;
+pub(crate) mod uniform_load;

@@ -41,12 +41,12 @@ impl<S: Scalar> Stretch<S> {
 
 impl<T: Real> RodMotion<T> {
     /// The dynamic stiffness of a unit of length, `m λ² + k`.
-    fn density<S: Oscillation<T>>(&self, x: S) -> S {
+    pub(crate) fn density<S: Oscillation<T>>(&self, x: S) -> S {
         x.lambda_squared() * self.mass_per_length + S::from_parameter(self.foundation_stiffness)
     }
 
     /// The square of the wave number times a length, `ζ² = -(mλ² + k)l²/EA`.
-    fn zeta_squared<S: Oscillation<T>>(&self, x: S, length: T) -> S {
+    pub(crate) fn zeta_squared<S: Oscillation<T>>(&self, x: S, length: T) -> S {
         -self.density(x) * (length * length / self.axial_stiffness)
     }
 
