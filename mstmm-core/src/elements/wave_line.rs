@@ -57,6 +57,26 @@ macro_rules! weight {
     (Rotation) => {};
 }
 
+/// What a load along a line between points does to it; a torque along a shaft between points is none.
+macro_rules! under_load {
+    (Translation) => {
+        fn load_work(built: &UniformLine<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
+            Some([built.motion().load_work(&Stretch::of(motion)), S::zero()])
+        }
+
+        fn motion_under_load(
+            built: &UniformLine<T>,
+            motion: &MemberEnds<S>,
+            [load, _]: [S; 2],
+            distance: f64,
+        ) -> EndMotion<S> {
+            let at = built.motion().at_under(&Stretch::of(motion), load, T::from_f64(distance));
+            EndMotion::at_rest().stretched(at)
+        }
+    };
+    (Rotation) => {};
+}
+
 /// The freedom of a member in which a line moves: along it, or about z.
 macro_rules! freedom {
     (Translation) => {
@@ -207,6 +227,9 @@ macro_rules! wave_lines {
                 let inside = built.motion().at(&Stretch::in_freedom(motion, freedom!($space)), T::from_f64(distance));
                 EndMotion::at_rest().in_freedom(freedom!($space), inside)
             }
+
+            under_load!($space);
+            weight!($space);
         }
 
         impl<T: Parameter, S: Frequency<T>> MemberGradient<S> for $element<T> {

@@ -4,7 +4,7 @@ use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::constants::SectionAt;
 use crate::elements::general_beam::inside::{Vector, plus, section_at, times};
 use crate::elements::general_beam::transfer::units_of_states;
-use crate::elements::shared::uniform_load::work;
+use crate::elements::shared::uniform_load::{superposed, work};
 use crate::model::{Ends, State};
 use crate::number::{Oscillation, Real, Scalar, series};
 use num_complex::Complex;
@@ -28,6 +28,12 @@ impl<T: Real> BuiltGeneralBeam<T> {
     /// The work of a load of 1 per length on a motion.
     pub(super) fn load_work<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
         work(ends, [T::zero(), self.parameters.length].map(|distance| self.under_load(ends.x, distance)))
+    }
+
+    /// The state at a distance from the input end under so many times that load.
+    pub(super) fn state_under<S: Oscillation<T>>(&self, ends: &Ends<S>, load: S, distance: T) -> State<S> {
+        let under = [T::zero(), self.parameters.length, distance].map(|distance| self.under_load(ends.x, distance));
+        superposed(ends, load, under, |rest| self.state_at(rest, distance))
     }
 }
 

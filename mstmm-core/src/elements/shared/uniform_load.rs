@@ -18,6 +18,18 @@ pub(crate) fn work<S: Scalar>(ends: &Ends<S>, [input, output]: [State<S>; 2]) ->
     form(&ends.output, &output) - form(&ends.input, &input)
 }
 
+/// A state under so many times a load of 1 per length, given those at both ends: that of a motion without load beside one under the load,
+/// whose states are given at the ends and at the place itself.
+pub(crate) fn superposed<S: Scalar>(
+    ends: &Ends<S>,
+    load: S,
+    [input, output, own]: [State<S>; 3],
+    without_load: impl Fn(&Ends<S>) -> State<S>,
+) -> State<S> {
+    let rest = Ends { x: ends.x, input: ends.input.plus(input, -load), output: ends.output.plus(output, -load) };
+    without_load(&rest).plus(own, load)
+}
+
 impl<T: Real> BendingMotion<T> {
     /// The state of a motion under a load of 1 per length, at a distance from the input end.
     pub(crate) fn under_load<S: Oscillation<T>>(&self, x: S, distance: T) -> State<S> {
@@ -41,6 +53,12 @@ impl<T: Real> BendingMotion<T> {
     pub(crate) fn load_work<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
         work(ends, [T::zero(), self.parameters.length].map(|distance| self.under_load(ends.x, distance)))
     }
+
+    /// The state at a distance from the input end under so many times that load.
+    pub(crate) fn state_under<S: Oscillation<T>>(&self, ends: &Ends<S>, load: S, distance: T) -> State<S> {
+        let under = [T::zero(), self.parameters.length, distance].map(|distance| self.under_load(ends.x, distance));
+        superposed(ends, load, under, |rest| self.state_at(rest, distance))
+    }
 }
 
 impl<T: Real> RodMotion<T> {
@@ -58,5 +76,13 @@ impl<T: Real> RodMotion<T> {
         let [input, output] = [T::zero(), self.length].map(|distance| self.under_load(motion.x, distance));
         let form = |[own, own_force]: [S; 2], [loaded, force]: [S; 2]| own_force * loaded - own * force;
         form(motion.ends[1], output) - form(motion.ends[0], input)
+    }
+
+    /// Displacement and axial force at a distance from the input end under so many times that load.
+    pub(crate) fn at_under<S: Oscillation<T>>(&self, motion: &Stretch<S>, load: S, distance: T) -> [S; 2] {
+        let under = [T::zero(), self.length, distance].map(|distance| self.under_load(motion.x, distance));
+        let plus = |one: [S; 2], other: [S; 2], factor: S| [one[0] + other[0] * factor, one[1] + other[1] * factor];
+        let ends = [0, 1].map(|end| plus(motion.ends[end], under[end], -load));
+        plus(self.at(&Stretch { x: motion.x, ends }, distance), under[2], load)
     }
 }
