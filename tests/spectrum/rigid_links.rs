@@ -1,5 +1,4 @@
 //! Rigid links and bodies under axial force: Euler's link models in closed form, and stiff struts.
-#![expect(clippy::unwrap_used, reason = "a failing search fails the test")]
 
 use mstmm::prelude::*;
 use mstmm::search::{SearchError, critical_loads};

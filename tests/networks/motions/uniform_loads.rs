@@ -1,5 +1,4 @@
 //! Loads along members of frames, and weights, at rest and at any frequency.
-#![expect(clippy::unwrap_used, reason = "a response that fails fails the test")]
 
 mod beside_trees;
 mod cut;

@@ -2,7 +2,7 @@
 
 use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::frequency_response::on_grid;
-use crate::answer::network::spread_load::{loads, on_chart};
+use crate::answer::network::spread_load::loads;
 use crate::answer::network::states::{PlaneStates, check, check_freedom, held_at, offset};
 use crate::answer::response_curve::{Sample, refined};
 use crate::answer::root::Root;
@@ -10,7 +10,8 @@ use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Si
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, motion_under, rounding_under,
+    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, load_on_chart, motion_under,
+    rounding_under,
 };
 use core::ops::RangeInclusive;
 
@@ -141,7 +142,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         };
         let of_member = |member: usize| (member, loads.as_ref()[member]);
         let same = |number: S| number;
-        let own = |member: usize, chart: &_| on_chart((self.system, x), of_member(member), chart, same, same);
+        let own = |member: usize, chart: &_| load_on_chart((self.system, x), of_member(member), chart, same, same);
         let loading = Loading::Acting(load, &own);
         let mut motion = motion_under(self.system, x, &loading);
         let is_sure = |motion: &NetworkMotion<Y, S>| {
@@ -150,8 +151,9 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
                 && agree(rounding_under(self.system, x, &loading, motion))
         };
         if S::HAS_PRECISE && !is_sure(&motion) {
-            let precise =
-                |member: usize, chart: &_| on_chart((self.system, x), of_member(member), chart, S::nearest, S::precise);
+            let precise = |member: usize, chart: &_| {
+                load_on_chart((self.system, x), of_member(member), chart, S::nearest, S::precise)
+            };
             let load = acting_at::<Y, S::Precise>(self.system, self.load.acting)?;
             motion = motion_under(self.system, x.precise(), &Loading::Acting(load, &precise)).rounded(S::nearest);
         }

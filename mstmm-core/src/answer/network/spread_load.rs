@@ -4,8 +4,7 @@ use crate::answer::network::states::PlaneStates;
 use crate::element::{MemberEnds, MemberMotion, VisitMember};
 use crate::model::{EndMotion, MotionError, SpreadLoad};
 use crate::number::{Oscillation, Scalar};
-use crate::pass::network::{PlacedMotions, turned};
-use crate::subspace::{Chart, MOST_VARIABLES};
+use crate::pass::network::{PlacedMotions, load_work, turned};
 use mstmm_plan::Freedoms;
 use num_traits::Zero;
 
@@ -70,48 +69,6 @@ where
     Ok([along, across])
 }
 
-/// What Π of a member grows by with each variable of its chart, under a load along it: the work of the load on the motion in which that
-/// variable is 1 and the others are none, negative. The chart may have numbers of another precision, to which `nearest` and `precise` lead
-/// and lead back.
-pub(super) fn on_chart<Y, S, R>(
-    (system, x): (&Y, S),
-    (member, load): (usize, [S; 2]),
-    chart: &Chart<R>,
-    nearest: impl Fn(R) -> S,
-    precise: impl Fn(S) -> R,
-) -> [R; MOST_VARIABLES]
-where
-    Y: PlacedMotions<S>,
-    S: Oscillation<Y::Parameter>,
-    R: Scalar,
-{
-    let zero = [R::zero(); MOST_VARIABLES];
-    let mut sums = zero;
-    if load.iter().all(|part| part.is_zero()) {
-        return sums;
-    }
-    for place in 0..2 * chart.freedoms.count() {
-        let mut values = zero;
-        values[place] = R::one();
-        let ends = chart.motion(&values, &zero).map(|EndMotion { displacements, forces }| EndMotion {
-            displacements: displacements.map(&nearest),
-            forces: forces.map(&nearest),
-        });
-        sums[place] = -precise(work(system, member, load, MemberEnds { x, ends }));
-    }
-    sums
-}
-
-/// The work of a load along a member on a motion of it.
-fn work<Y, S>(system: &Y, member: usize, load: [S; 2], motion: MemberEnds<S>) -> S
-where
-    Y: PlacedMotions<S>,
-    S: Oscillation<Y::Parameter>,
-{
-    let [along, across] = system.visit_member(member, LoadWork(motion)).flatten().unwrap_or_default();
-    along * load[0] + across * load[1]
-}
-
 impl<Y, S> PlaneStates<'_, Y, S>
 where
     Y: PlacedMotions<S>,
@@ -121,8 +78,9 @@ where
     pub(super) fn work_of(&self, load: SpreadLoad) -> Result<S, MotionError> {
         let loads = loads::<Y, S>(self.system, load)?;
         let members = loads.as_ref().iter().enumerate().take(self.system.sizes()[1]);
-        Ok(members
-            .fold(S::zero(), |sum, (member, load)| sum + work(self.system, member, *load, self.member_ends(member))))
+        Ok(members.fold(S::zero(), |sum, (member, load)| {
+            sum + load_work(self.system, member, *load, self.member_ends(member))
+        }))
     }
 
     /// The load along a member under which this motion is.
@@ -138,16 +96,6 @@ impl<S: Scalar> VisitMember<S> for MassPerLength {
 
     fn member<E: MemberMotion<S>>(self, built: &E::Built) -> S {
         E::mass_per_length(built)
-    }
-}
-
-struct LoadWork<S>(MemberEnds<S>);
-
-impl<S: Scalar> VisitMember<S> for LoadWork<S> {
-    type Output = Option<[S; 2]>;
-
-    fn member<E: MemberMotion<S>>(self, built: &E::Built) -> Option<[S; 2]> {
-        E::load_work(built, &self.0)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Networks: plane structures of members between nodes, with closed loops, evaluated by fronts.
 
+mod chart_load;
 mod drawn;
 mod error;
 mod evaluate;
@@ -17,6 +18,7 @@ mod skeleton;
 mod sketch;
 mod structure;
 
+pub(crate) use chart_load::{load_on_chart, load_work};
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
 pub use evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
