@@ -118,22 +118,6 @@ impl<M> Load<M> {
     /// The weight of the whole model under an acceleration of 1 m/s² towards Y: each element whose deflection is Y is loaded by its mass per
     /// length, each mass and body in its mass centre. For a model on the earth the response is `g` times as large, negative where Y points
     /// upwards.
-    ///
-    /// ```
-    /// use mstmm::motion::Load;
-    /// use mstmm::prelude::*;
-    ///
-    /// system! {
-    ///     /// A cantilever with a mass at its tip.
-    ///     struct Bracket { length: f64, ei: f64, m: f64, mass: f64 }
-    ///     fixed -> beam 1 { length, bending_stiffness: ei, mass_per_length: m } -> point_mass 2 { mass, inertia: 0.0 } -> free;
-    /// }
-    ///
-    /// let bracket = Bracket { length: 2.0, ei: 1e4, m: 3.0, mass: 5.0 }.build()?;
-    /// let sag = bracket.frequency_response(Load::self_weight(), Bracket::point_mass_2.output().deflection())?.at(0.0)?;
-    /// assert!((sag / (3.0 * 16.0 / 8.0 + 5.0 * 8.0 / 3.0) * 1e4 - 1.0).abs() < 1e-14);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub const fn self_weight() -> Self {
         Load::new(Acting::Spread(Spread::Weight))
     }
