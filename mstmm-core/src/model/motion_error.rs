@@ -95,7 +95,8 @@ pub enum MotionError {
         /// The tolerance that was given.
         tolerance: f64,
     },
-    /// An element on which no load acts all along, or whose weight is not known: a tapered beam, or one of the user's own.
+    /// An element on which no load acts all along, or whose weight is not known: a tapered beam, one of the user's own, and between places what
+    /// has a mass on a path of one motion.
     NoUniformLoad,
     /// An element without an interior: it has states at its ends only.
     NoInside,
@@ -172,7 +173,12 @@ impl fmt::Display for MotionError {
             MotionError::NotFinite { frequency } => {
                 write!(f, "at the frequency {frequency} the motion is not finite")
             }
-            MotionError::NoUniformLoad => write!(f, "what a load all along an element works is not known of it"),
+            MotionError::NoUniformLoad => {
+                write!(
+                    f,
+                    "no load acts all along this element, or the weight of an element or of a mass on a path is not known"
+                )
+            }
             _ => self.fmt_question(f),
         }
     }

@@ -74,7 +74,7 @@ where
     Y: PlacedMotions<S>,
     S: Oscillation<Y::Parameter>,
 {
-    /// The work of a load along members on this motion, with that of bodies in a weight.
+    /// The work of a load along members on this motion, without that of the bodies in a weight.
     pub(super) fn work_of(&self, load: SpreadLoad) -> Result<S, MotionError> {
         let loads = loads::<Y, S>(self.system, load)?;
         let members = loads.as_ref().iter().enumerate().take(self.system.sizes()[1]);
