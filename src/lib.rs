@@ -123,10 +123,10 @@ pub mod search {
 /// [`Energies`](element::Energies) in mode shapes, responses and sensitivities.
 pub mod element {
     pub use mstmm_core::{
-        BackTransfer, Bending, Connecting, Coordinate, Covector, Element, Ends, Energies, FrequencyEstimates,
-        FrequencyPowers, Held, Inside, InvalidParameter, Line, MatrixOf, NoCount, ParameterError, Planar, Plane,
-        PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State, StateSpace, Subspace, Support,
-        TransferMatrix, Translation, WittrickWilliams,
+        BackTransfer, Bending, CarriesLoad, Connecting, Coordinate, Covector, Element, Ends, Energies,
+        FrequencyEstimates, FrequencyPowers, Held, Inside, InvalidParameter, Line, MatrixOf, NoCount, ParameterError,
+        Planar, Plane, PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State, StateSpace, Subspace,
+        Support, TransferMatrix, Translation, WittrickWilliams,
     };
 }
 

@@ -5,10 +5,72 @@
 
 pub use mstmm_core::{
     Coordinate, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, EndMotion, EnergyShares, Entry,
-    ExtendedTree, ForceHistory, FrameAnalysis, Label, Load, MemberEnd, MemberLabel, MemberState, ModalAnalysis,
-    MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlaneLoad, PlanePoint, PlaneResponse, PlaneShapes,
-    PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates, Tree,
+    ExtendedTree, ForceHistory, FrameAnalysis, Label, MemberEnd, MemberLabel, MemberState, ModalAnalysis, MotionError,
+    MovingNetwork, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point,
+    Root, Sample, ShapeList, State, SystemStates, Tree,
 };
+
+/// A load on a path: a force or a moment at a point, a load along an element, or the weight of all that moves in Y.
+///
+/// ```
+/// use mstmm::motion::Load;
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     /// A cantilever with a mass at its tip.
+///     struct Bracket { length: f64, ei: f64, m: f64, mass: f64 }
+///     fixed -> beam 1 { length, bending_stiffness: ei, mass_per_length: m } -> point_mass 2 { mass, inertia: 0.0 } -> free;
+/// }
+///
+/// let bracket = Bracket { length: 2.0, ei: 1e4, m: 3.0, mass: 5.0 }.build()?;
+/// let tip = Bracket::point_mass_2.output().deflection();
+///
+/// // under 1 N/m, q l⁴/(8 EI) at rest and more below the first resonance
+/// let loaded = bracket.frequency_response(Bracket::beam_1.uniform_load(), tip)?;
+/// assert!((loaded.at(0.0)? - 2.0_f64.powi(4) / 8e4).abs() < 1e-17);
+/// assert!(loaded.at(10.0)? > loaded.at(0.0)?);
+///
+/// // under its own weight, for each m/s² of acceleration towards Y
+/// let sag = bracket.frequency_response(Load::self_weight(), tip)?.at(0.0)?;
+/// assert!((sag - (3.0 * 16.0 / 8.0 + 5.0 * 8.0 / 3.0) / 1e4).abs() < 1e-16);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::Load;
+
+/// A load on a plane model: a force or a moment at a point, a motion of a support, a load along a member, or the weight of the model.
+///
+/// ```
+/// use mstmm::motion::PlaneLoad;
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     /// A portal with a machine on its girder.
+///     struct Portal { height: f64, span: f64, ea: f64, ei: f64, m: f64, machine: f64 }
+///     fixed at (0.0, 0.0)
+///         -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+///         -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+///         <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- conn d at (span, 0.0);
+///     conn d <- fixed;
+///     conn c -> point_mass 4 { mass: machine };
+/// }
+///
+/// let portal = Portal { height: 3.0, span: 4.0, ea: 1e12, ei: 1e6, m: 20.0, machine: 100.0 }.build()?;
+/// let girder = Portal::planar_beam_2;
+/// let response = portal.frequency_response(girder.uniform_load_y(), girder.input().moment())?;
+///
+/// // the moments at rest, for bars that do not stretch: q l²/(6 (2 + h/l)) at the corners, and q l²/8 less in the middle
+/// let at_rest = response.states(0.0)?;
+/// let corner = 16.0 / (6.0 * (2.0 + 0.75));
+/// for (part, moment) in [(0.0, corner), (0.5, corner - 2.0), (1.0, corner)] {
+///     assert!((at_rest.along(girder, 4.0 * part)?.moment - moment).abs() < 1e-4);
+/// }
+///
+/// // the foot below the machine carries that, a column and half of the girder
+/// let foot = portal.frequency_response(PlaneLoad::self_weight_y(), Portal::conn_d.reaction_y())?;
+/// assert!((foot.at(0.0)? + 100.0 + 60.0 + 40.0).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::PlaneLoad;
 
 /// The shape of a mode: states at all ends of elements and inside of beams, nodes, energies.
 ///

@@ -41,6 +41,7 @@ pub use answer::root::Root;
 pub use answer::sensitivity::Sensitivities;
 pub use answer::states::SystemStates;
 pub use element::back_transfer::BackTransfer;
+pub use element::carries_load::CarriesLoad;
 pub use element::charted::{Charted, MemberChart, MemberElement, MemberVisit};
 pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};

@@ -5,7 +5,7 @@ mod coordinates;
 pub(crate) use coordinates::{Coordinates, place_of, tuple_parts};
 
 use crate::diagnostics::Place;
-use crate::keywords::{Damped, Keyword, LocatedKeyword, element_of, located_of};
+use crate::keywords::{Keyword, LocatedKeyword, Variant, element_of, located_of};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
@@ -183,21 +183,21 @@ impl Element {
         self.parameters().any(|parameter| parameter.name.unraw() == name)
     }
 
-    /// What it is with damping, if it names a parameter of that.
-    fn damped(&self) -> Option<Damped> {
-        self.kind.known()?.damped.filter(|damped| damped.parameters.iter().any(|name| self.gives(name)))
+    /// What it is with parameters that select another type, if it names one.
+    fn variant(&self) -> Option<Variant> {
+        self.kind.known()?.variant.filter(|variant| variant.parameters.iter().any(|name| self.gives(name)))
     }
 
     /// The type in `mstmm_core::elements`; `None` for a type of the user and for a misspelt keyword.
     pub(crate) fn type_name(&self) -> Option<&'static str> {
-        self.damped().map(|damped| damped.type_name).or(self.kind.known().map(|known| known.type_name))
+        self.variant().map(|variant| variant.type_name).or(self.kind.known().map(|known| known.type_name))
     }
 
     /// The parameters of its type that were left out, which are zero.
     pub(crate) fn omitted(&self) -> impl Iterator<Item = &'static str> {
         let optional = self.kind.known().map_or(&[][..], |known| known.optional);
-        let [of_damping, absent] = self.damped().map_or([&[][..]; 2], |damped| [damped.parameters, damped.absent]);
-        let all = optional.iter().chain(of_damping).chain(absent);
+        let [of_variant, absent] = self.variant().map_or([&[][..]; 2], |variant| [variant.parameters, variant.absent]);
+        let all = optional.iter().chain(of_variant).chain(absent);
         all.copied().filter(|name| !self.gives(name))
     }
 }

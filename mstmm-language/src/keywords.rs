@@ -18,16 +18,17 @@ pub(crate) struct Keyword {
     pub(crate) parameters: &'static [&'static str],
     /// Those of the parameters that may be left out, which then are zero.
     pub(crate) optional: &'static [&'static str],
-    /// What it is with damping, if it may have any.
-    pub(crate) damped: Option<Damped>,
+    /// What it is with parameters that select another type, if there are any.
+    pub(crate) variant: Option<Variant>,
 }
 
-/// What the language knows of an element with damping, which is another type: naming a parameter of damping selects it.
+/// What the language knows of an element with damping, or of a rigid link with an axial force: another type, which naming one of its
+/// parameters selects, so that an element that names none is as fast as ever.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Damped {
+pub(crate) struct Variant {
     /// The type in `mstmm_core::elements`.
     pub(crate) type_name: &'static str,
-    /// The parameters of damping; those that are left out are zero.
+    /// The parameters that select it; those of them that are left out are zero.
     pub(crate) parameters: &'static [&'static str],
     /// Parameters of the type that the keyword has not, which are zero.
     pub(crate) absent: &'static [&'static str],
@@ -47,23 +48,28 @@ const fn element(
     space: Space,
     parameters: &'static [&'static str],
 ) -> Keyword {
-    Keyword { name, type_name, space, parameters, optional: &[], damped: None }
+    Keyword { name, type_name, space, parameters, optional: &[], variant: None }
 }
 
 /// A beam that with damping is a general one of a type, without some of its parameters.
 const fn damped(type_name: &'static str, absent: &'static [&'static str], keyword: Keyword) -> Keyword {
-    Keyword { damped: Some(Damped { type_name, parameters: DAMPING, absent }), ..keyword }
+    Keyword { variant: Some(Variant { type_name, parameters: DAMPING, absent }), ..keyword }
 }
 
-/// An element with parameters of damping.
-const fn with_damping(type_name: &'static str, parameters: &'static [&'static str], keyword: Keyword) -> Keyword {
-    Keyword { damped: Some(Damped { type_name, parameters, absent: &[] }), ..keyword }
+/// An element with parameters that select another type.
+const fn with(type_name: &'static str, parameters: &'static [&'static str], keyword: Keyword) -> Keyword {
+    Keyword { variant: Some(Variant { type_name, parameters, absent: &[] }), ..keyword }
+}
+
+/// A rigid link that may have an axial force.
+const fn with_axial_force(type_name: &'static str, keyword: Keyword) -> Keyword {
+    with(type_name, &["axial_force"], keyword)
 }
 
 #[rustfmt::skip]
 pub(crate) const ELEMENTS: &[Keyword] = &[
-    with_damping("DampedSpring", LOSSES, element("spring", "Spring", Space::Translation, &["stiffness"])),
-    with_damping("DampedTorsionSpring", LOSSES, element("torsion_spring", "TorsionSpring", Space::Rotation, &["stiffness"])),
+    with("DampedSpring", LOSSES, element("spring", "Spring", Space::Translation, &["stiffness"])),
+    with("DampedTorsionSpring", LOSSES, element("torsion_spring", "TorsionSpring", Space::Rotation, &["stiffness"])),
     element("damper", "Damper", Space::Translation, &["damping"]),
     element("torsion_damper", "TorsionDamper", Space::Rotation, &["damping"]),
     element("spring_damper", "SpringDamper", Space::Translation, &["stiffness", "damping"]),
@@ -72,7 +78,7 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     element("inertia", "Inertia", Space::Rotation, &["inertia"]),
     element("point_mass", "PointMass", Space::Bending, &["mass", "inertia"]),
     element("elastic_hinge", "ElasticHinge", Space::Bending, &["stiffness_y", "stiffness_theta"]),
-    element("body", "Body", Space::Bending, &["mass", "inertia", "output_x", "centre_x"]),
+    with_axial_force("BodyColumn", element("body", "Body", Space::Bending, &["mass", "inertia", "output_x", "centre_x"])),
     damped("DampedBeam", ABSENT_OF_BEAM, element("beam", "Beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length"])),
     damped("DampedBeam", &["shear_flexibility", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], element("rayleigh_beam", "RayleighBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "rotary_inertia"])),
     damped("DampedTimoshenkoBeam", &[], element("timoshenko_beam", "TimoshenkoBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"])),
@@ -85,15 +91,15 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
         optional: &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"],
         ..element("general_beam", "GeneralBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"])
     }),
-    with_damping("DampedString", &["external_damping"], Keyword {
+    with("DampedString", &["external_damping"], Keyword {
         optional: &["foundation_stiffness"],
         ..element("string", "TautString", Space::Translation, &["length", "tension", "mass_per_length", "foundation_stiffness"])
     }),
-    with_damping("DampedRod", DAMPING, Keyword {
+    with("DampedRod", DAMPING, Keyword {
         optional: &["foundation_stiffness"],
         ..element("rod", "Rod", Space::Translation, &["length", "axial_stiffness", "mass_per_length", "foundation_stiffness"])
     }),
-    with_damping("DampedShaft", DAMPING, element("shaft", "Shaft", Space::Rotation, &["length", "torsional_stiffness", "inertia_per_length"])),
+    with("DampedShaft", DAMPING, element("shaft", "Shaft", Space::Rotation, &["length", "torsional_stiffness", "inertia_per_length"])),
     element("planar_body", "PlanarBody", Space::Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"]),
     damped("PlanarDampedBeam", ABSENT_OF_BEAM, element("planar_beam", "PlanarBeam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"])),
     element("planar_hinge", "PlanarHinge", Space::Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"]),
@@ -110,7 +116,7 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     }),
     element("rotational_hinge", "RotationalHinge", Space::Bending, &["stiffness"]),
     element("shear_hinge", "ShearHinge", Space::Bending, &["stiffness"]),
-    element("lever", "Lever", Space::Bending, &["output_x"]),
+    with_axial_force("LeverColumn", element("lever", "Lever", Space::Bending, &["output_x"])),
     Keyword {
         optional: &["width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius"],
         ..element("tapered_beam", "TaperedBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius"])

@@ -25,4 +25,5 @@ pub mod static_limits;
 #[path = "../support/mod.rs"]
 pub mod support;
 mod tapered_beams;
+mod uniform_loads;
 mod wave_lines;

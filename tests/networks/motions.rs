@@ -14,3 +14,4 @@ mod sensitivities;
 mod sketched;
 mod supports;
 mod trusses;
+mod uniform_loads;

@@ -23,6 +23,7 @@ mod oracles;
 mod planar_chain;
 mod proportional_damping;
 mod random_trees;
+mod rigid_links;
 mod scaled_trees;
 mod stability;
 #[path = "../support/stiffness_matrix/mod.rs"]

@@ -2,7 +2,8 @@
 
 use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::root::is_below_losses;
-use crate::model::{Entry, Load, MotionError};
+use crate::answer::spread_load::{Work, response};
+use crate::model::{Acting, Entry, Load, MotionError, Spread};
 use crate::number::{Oscillation, Scalar};
 use crate::pass::both_ways::Passes;
 use crate::pass::route::{Place, Route};
@@ -16,19 +17,26 @@ const VANISHING: f64 = 4096.0;
 /// A transfer function of a system: an entry of a state per harmonic load of 1 N, or of 1 N m.
 #[derive(Debug)]
 pub struct FrequencyResponse<'a, Y: Planned + ?Sized> {
+    /// The way from the load to the entry; under a load along elements that from a jump at the entry.
     route: Route<'a, Y>,
+    /// A load along elements.
+    spread: Option<Spread>,
 }
 
 impl<Y: Planned + ?Sized> Clone for FrequencyResponse<'_, Y> {
     fn clone(&self) -> Self {
-        FrequencyResponse { route: self.route.clone() }
+        FrequencyResponse { route: self.route.clone(), spread: self.spread }
     }
 }
 
 impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
     pub(crate) fn new(system: &'a Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
-        let (load, entry) = (Place::of_load(system, load)?, Place::of_entry(system, entry)?);
-        Ok(FrequencyResponse { route: Route::new(system, load, entry) })
+        let entry = Place::of_entry(system, entry)?;
+        let (load, spread) = match load.acting {
+            Acting::At(step, coordinate) => (Place::of_load(system, (step, coordinate))?, None),
+            Acting::Spread(spread) => (entry, Some(spread)),
+        };
+        Ok(FrequencyResponse { route: Route::new(system, load, entry), spread })
     }
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.
@@ -61,12 +69,34 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        self.route.value(&self.route.passes(x), x)
+        match self.spread {
+            None => self.route.value(&self.route.passes(x), x),
+            Some(load) => Ok(response(self.route.system, load, self.route.entry, x)?.value),
+        }
     }
 
     /// The response and a size compared with which its rounding is small: the geometric mean of the responses at the load and at the
     /// entry to loads of their own.
     pub(crate) fn sized<S>(&self, x: S) -> Result<Part<S>, MotionError>
+    where
+        Y: Tree<S>,
+        S: Oscillation<Y::Parameter>,
+    {
+        let (value, size) = match self.spread {
+            None => self.to_point(x)?,
+            Some(load) => {
+                let Work { value, size } = response(self.route.system, load, self.route.entry, x)?;
+                (value, size)
+            }
+        };
+        if self.route.system.estimates().has_loss() {
+            return Ok(Part { value, size, mirrored: self.evaluated(-x)? });
+        }
+        Ok(Part::new(value, size))
+    }
+
+    /// The response to a load at a point, and its size.
+    fn to_point<S>(&self, x: S) -> Result<(S, f64), MotionError>
     where
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
@@ -79,11 +109,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         };
         let load = own(self.route.load.step, self.route.load.coordinate.dual());
         let entry = own(self.route.entry.step, self.route.entry.coordinate);
-        let size = value.size().max(load.sqrt() * entry.sqrt());
-        if self.route.system.estimates().has_loss() {
-            return Ok(Part { value, size, mirrored: self.evaluated(-x)? });
-        }
-        Ok(Part::new(value, size))
+        Ok((value, value.size().max(load.sqrt() * entry.sqrt())))
     }
 
     /// The static limit.
@@ -119,7 +145,10 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= VANISHING * S::EPSILON {
             return Ok(None);
         }
-        self.route.value(&rest, S::zero()).map(Some)
+        match self.spread {
+            None => self.route.value(&rest, S::zero()).map(Some),
+            Some(_) => self.evaluated(S::zero()).map(Some),
+        }
     }
 
     /// Writes the responses at the frequencies of `grid` to `values`, each with the bits that [`at`](FrequencyResponse::at) gives it.

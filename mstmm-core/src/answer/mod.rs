@@ -18,4 +18,5 @@ pub(crate) mod repeated_root;
 pub(crate) mod response_curve;
 pub(crate) mod root;
 pub(crate) mod sensitivity;
+pub(crate) mod spread_load;
 pub(crate) mod states;

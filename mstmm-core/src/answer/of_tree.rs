@@ -6,17 +6,23 @@ use crate::answer::modal_response::Superposed;
 use crate::answer::mode_shape::{ModeShape, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
-use crate::model::{Entry, Load, MotionError};
+use crate::model::{Acting, Entry, Load, MotionError, Spread};
 use crate::number::{Real, Single};
 use crate::pass::characteristic::System;
 use crate::pass::route::Place;
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
 use mstmm_plan::Coordinate;
 
+/// On what a load works: a displacement at a point, or those of elements.
+enum Acts {
+    Along(Place),
+    Spread(Spread),
+}
+
 /// The response of a tree.
 pub(crate) struct OfTree<'a, Y: Planned + ?Sized> {
     system: &'a Y,
-    load: Place,
+    load: Acts,
     entry: Place,
     response: FrequencyResponse<'a, Y>,
 }
@@ -24,19 +30,29 @@ pub(crate) struct OfTree<'a, Y: Planned + ?Sized> {
 impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
     pub(crate) fn new(system: &'a Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
         let response = FrequencyResponse::new(system, load, entry)?;
-        let mut load = Place::of_load(system, load)?;
-        // a force does work along the deflection, a moment along the rotation
-        load.coordinate = if load.coordinate == Coordinate::M { Coordinate::Theta } else { Coordinate::Y };
+        let load = match load.acting {
+            Acting::At(step, coordinate) => {
+                let mut place = Place::of_load(system, (step, coordinate))?;
+                // a force does work along the deflection, a moment along the rotation
+                place.coordinate = if coordinate == Coordinate::M { Coordinate::Theta } else { Coordinate::Y };
+                Acts::Along(place)
+            }
+            Acting::Spread(spread) => Acts::Spread(spread),
+        };
         Ok(OfTree { system, load, entry: Place::of_entry(system, entry)?, response })
     }
 
-    /// `φ φ` of a shape.
-    fn product<S: Single>(&self, shape: &ModeShape<'_, Y, S>) -> S
+    /// `φ φ` of a shape: what the load works on it, times the entry.
+    fn product<S: Single>(&self, shape: &ModeShape<'_, Y, S>) -> Result<S, MotionError>
     where
         Y: Tree<S>,
     {
         let at = |place: Place| shape.at(place.step, place.beyond).entry(place.coordinate);
-        at(self.load) * at(self.entry)
+        let work = match self.load {
+            Acts::Along(place) => at(place),
+            Acts::Spread(load) => shape.work_of(load)?.value,
+        };
+        Ok(work * at(self.entry))
     }
 }
 
@@ -52,10 +68,10 @@ where
         add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
     ) -> Result<(), MotionError> {
         if root.multiplicity() <= 1 {
-            return add(self.product(&simple(self.system, simple_root(root)?)?));
+            return add(self.product(&simple(self.system, simple_root(root)?)?)?);
         }
         let shapes = all_shapes::<CAP, _, _, _>(self.system, root)?;
-        shapes.iter().try_for_each(|shape| add(self.product(shape)))
+        shapes.iter().try_for_each(|shape| add(self.product(shape)?))
     }
 
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {

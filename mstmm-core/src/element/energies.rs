@@ -54,6 +54,18 @@ pub trait Energies<S: Scalar>: Element {
         ends.input
     }
 
+    /// The work of a load of 1 per length all along the element on a motion: `∫ Y dx`, of a shaft `∫ Θ dx`; `None` where no such load acts.
+    #[inline]
+    fn load_work(_built: &Self::Built, _ends: &Ends<S>) -> Option<S> {
+        None
+    }
+
+    /// The mass per length of an element on which a uniform load acts; zero where its motion is a rotation.
+    #[inline]
+    fn mass_per_length(_built: &Self::Built) -> S {
+        S::zero()
+    }
+
     /// `∂L/∂p` for each parameter, with the displacements at both ends held.
     fn gradient(built: &Self::Built, ends: &Ends<S>) -> Self::Gradient;
 }

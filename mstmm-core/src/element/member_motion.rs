@@ -66,6 +66,24 @@ pub trait MemberMotion<S: Scalar>: Element {
     fn motion_at(_built: &Self::Built, motion: &MemberEnds<S>, _distance: f64) -> EndMotion<S> {
         motion.ends[1]
     }
+
+    /// The work of loads of 1 per length along the member and across it on a motion, `[∫ u dx, ∫ y dx]`; `None` where no such load acts.
+    #[inline]
+    fn load_work(_built: &Self::Built, _motion: &MemberEnds<S>) -> Option<[S; 2]> {
+        None
+    }
+
+    /// The mass per length; zero of a member without mass.
+    #[inline]
+    fn mass_per_length(_built: &Self::Built) -> S {
+        S::zero()
+    }
+
+    /// The motion of a cross section as [`motion_at`](MemberMotion::motion_at), under loads per length along the member and across it.
+    #[inline]
+    fn motion_under_load(built: &Self::Built, motion: &MemberEnds<S>, _load: [S; 2], distance: f64) -> EndMotion<S> {
+        Self::motion_at(built, motion, distance)
+    }
 }
 
 /// What an answer about motions does with a member, of whatever type.

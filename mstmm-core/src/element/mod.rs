@@ -1,6 +1,7 @@
 //! The traits of elements: transfer matrix, step of the plane method, back transfer and energies.
 
 pub(crate) mod back_transfer;
+pub(crate) mod carries_load;
 pub(crate) mod charted;
 pub(crate) mod energies;
 pub(crate) mod listed;
@@ -13,6 +14,7 @@ pub(crate) mod traits;
 pub(crate) mod visit;
 
 pub(crate) use back_transfer::BackTransfer;
+pub(crate) use carries_load::CarriesLoad;
 pub(crate) use charted::{Charted, MemberChart, MemberElement, MemberVisit, along_member};
 pub(crate) use energies::{Energies, Inside};
 pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};

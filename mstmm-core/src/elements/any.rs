@@ -1,6 +1,8 @@
 //! Elements of any type, for lists of steps.
 
-use crate::element::{Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep};
+use crate::element::{
+    CarriesLoad, Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep,
+};
 use crate::elements::*;
 use crate::model::{Ends, FrequencyEstimates, ParameterError, StateSpace};
 use crate::number::{ComplexFrequency, Frequency, Oscillation, Real, Scalar};
@@ -27,6 +29,8 @@ macro_rules! any_element {
                 }
             }
         )*
+
+        impl<T: Real> CarriesLoad for $name<T> {}
 
         impl<T: Real> ListElement for $name<T> {
             type Parameter = T;

@@ -10,7 +10,10 @@ use levers::{Beside, Levers};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
+mod column;
 mod levers;
+
+pub use column::BodyColumn;
 
 /// Rigid body with one input and one output end in a bending path; small motions, no longitudinal displacement.
 ///

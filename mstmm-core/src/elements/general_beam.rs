@@ -23,6 +23,7 @@ mod kinds;
 mod members;
 mod motion;
 mod transfer;
+mod under_load;
 mod wave_pair;
 
 pub use damped_kinds::{DampedBeam, DampedTimoshenkoBeam};

@@ -1,7 +1,8 @@
-//! Massless rigid link in a bending path.
+//! Massless rigid link in a bending path; the same under an axial force.
 
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::arm::Arm;
+use crate::elements::shared::axial_force::{AxialForce, before_stiffness, stiffened, under_axial_force};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
@@ -93,6 +94,35 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Lever<T> {
     /// The shift of the output end moves what is downstream by Θ: its derivative is the work `Q_O Θ`.
     fn gradient(_built: &Self, ends: &Ends<S>) -> Lever<S> {
         Lever { output_x: ends.output.q * ends.input.theta }
+    }
+}
+
+under_axial_force! {
+    /// Massless rigid link under an axial force N: the limit `EI → ∞` of a beam under that force.
+    ///
+    /// Transfer matrix on `[Y, Θ, M, Q]`: the identity plus b at (Y, Θ) and at (M, Q) and the geometric stiffness `N |b|` at (M, Θ), with
+    /// the output end at b along the path.
+    ///
+    /// # Source
+    /// Eq. (16) of the paper without mass, and the second variation of the work of N.
+    LeverColumn of Lever {
+        /// Position b of the output end from the input end \[m\], of any sign, or zero.
+        output_x,
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for LeverColumn<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        LeverColumn { output_x: next() - 1.0, axial_force: next() - 1.0 }
+    }
+
+    fn halves(self) -> Option<Self> {
+        Some(LeverColumn { output_x: self.output_x / 2.0, ..self })
+    }
+
+    fn untied(self) -> Self {
+        LeverColumn { axial_force: 0.0, ..self }
     }
 }
 

@@ -27,7 +27,7 @@ mod wave_line;
 
 pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
-pub use body::Body;
+pub use body::{Body, BodyColumn};
 pub use damped_spring::{DampedSpring, DampedTorsionSpring};
 pub use damped_wave_line::{DampedRod, DampedShaft, DampedString};
 pub use elastic_hinge::ElasticHinge;
@@ -37,7 +37,7 @@ pub use general_beam::{
     RayleighBeam, TimoshenkoBeam,
 };
 pub use hinge::{RotationalHinge, ShearHinge};
-pub use lever::Lever;
+pub use lever::{Lever, LeverColumn};
 pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 pub use planar_beam::PlanarBeam;
 pub use planar_body::PlanarBody;
@@ -125,6 +125,7 @@ elements! {
         PointMass { mass, inertia }
         ElasticHinge { stiffness_y, stiffness_theta }
         Body { mass, inertia, output_x, centre_x }
+        BodyColumn { mass, inertia, output_x, centre_x, axial_force }
         Beam { length, bending_stiffness, mass_per_length }
         RayleighBeam { length, bending_stiffness, mass_per_length, rotary_inertia }
         TimoshenkoBeam { length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia }
@@ -137,6 +138,7 @@ elements! {
         RotationalHinge { stiffness }
         ShearHinge { stiffness }
         Lever { output_x }
+        LeverColumn { output_x, axial_force }
         TautString { length, tension, mass_per_length, foundation_stiffness }
         Rod { length, axial_stiffness, mass_per_length, foundation_stiffness }
         Shaft { length, torsional_stiffness, inertia_per_length }

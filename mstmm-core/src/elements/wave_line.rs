@@ -3,8 +3,8 @@
 //! They differ in their coordinate, in the names of their stiffness and inertia, and in whether they have a foundation.
 
 use crate::element::{
-    BackTransfer, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
-    MemberWork, PlaneStep, TransferMatrix, along_member,
+    BackTransfer, CarriesLoad, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion,
+    MemberNumbers, MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::line_forms::unit_of;
@@ -42,6 +42,36 @@ macro_rules! along {
     ($space:ident, $ends:expr) => {
         Stretch::of_path($ends, is_rotation!($space))
     };
+}
+
+/// The mass per length of a line; one that turns has no weight.
+macro_rules! weight {
+    (Translation) => {
+        fn mass_per_length(built: &UniformLine<T>) -> S {
+            S::from_parameter(built.section.inertia)
+        }
+    };
+    (Rotation) => {};
+}
+
+/// What a load along a line between points does to it; a torque along a shaft between points is none.
+macro_rules! under_load {
+    (Translation) => {
+        fn load_work(built: &UniformLine<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
+            Some([built.section.load_work(&Stretch::of(motion)), S::zero()])
+        }
+
+        fn motion_under_load(
+            built: &UniformLine<T>,
+            motion: &MemberEnds<S>,
+            [load, _]: [S; 2],
+            distance: f64,
+        ) -> EndMotion<S> {
+            let at = built.section.at_under(&Stretch::of(motion), load, T::from_f64(distance));
+            EndMotion::at_rest().stretched(at)
+        }
+    };
+    (Rotation) => {};
 }
 
 /// The freedom of a member in which a line moves: along it, or about z.
@@ -139,6 +169,8 @@ macro_rules! wave_lines {
             }
         }
 
+        impl<T: Real> CarriesLoad for $element<T> {}
+
         impl<T: Real, S: Oscillation<T>> Energies<S> for $element<T> {
             type Gradient = $element<S>;
 
@@ -161,6 +193,12 @@ macro_rules! wave_lines {
             fn state_at(built: &UniformLine<T>, ends: &Ends<S>, distance: f64) -> State<S> {
                 path_state(built.section.at(&along!($space, ends), T::from_f64(distance)), is_rotation!($space))
             }
+
+            fn load_work(built: &UniformLine<T>, ends: &Ends<S>) -> Option<S> {
+                Some(built.section.load_work(&along!($space, ends)))
+            }
+
+            weight!($space);
 
             fn gradient(built: &UniformLine<T>, ends: &Ends<S>) -> $element<S> {
                 let [length, stiffness, inertia, _foundation] = built.section.gradient(&along!($space, ends));
@@ -189,6 +227,9 @@ macro_rules! wave_lines {
                 let inside = built.section.at(&Stretch::in_freedom(motion, freedom!($space)), T::from_f64(distance));
                 EndMotion::at_rest().in_freedom(freedom!($space), inside)
             }
+
+            under_load!($space);
+            weight!($space);
         }
 
         impl<T: Parameter, S: Frequency<T>> MemberGradient<S> for $element<T> {

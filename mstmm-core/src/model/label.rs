@@ -19,10 +19,28 @@ pub struct Point<M> {
     of: PhantomData<fn() -> M>,
 }
 
-/// A harmonic force or moment of 1 at a point.
+/// A harmonic load of 1: a force or a moment at a point, a load all along an element, or the weight of all that moves in Y.
 pub struct Load<M> {
-    pub(crate) point: Point<M>,
-    pub(crate) coordinate: Coordinate,
+    pub(crate) acting: Acting,
+    of: PhantomData<fn() -> M>,
+}
+
+/// Where a load acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Acting {
+    /// Behind a step, as a jump of Q or M.
+    At(usize, Coordinate),
+    /// Along elements.
+    Spread(Spread),
+}
+
+/// A load that acts along elements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Spread {
+    /// 1 N/m, or 1 N m/m, along the element of a step.
+    Along(usize),
+    /// The weight of all elements under an acceleration of 1 m/s².
+    Weight,
 }
 
 /// An entry of the state at a point.
@@ -58,12 +76,12 @@ impl<M> Point<M> {
 
     /// A force of 1 N in the direction of Y at this point.
     pub const fn force(self) -> Load<M> {
-        Load { point: self, coordinate: Coordinate::Q }
+        Load::new(Acting::At(self.step, Coordinate::Q))
     }
 
     /// A moment of 1 N m in the direction of Θ at this point.
     pub const fn torque(self) -> Load<M> {
-        Load { point: self, coordinate: Coordinate::M }
+        Load::new(Acting::At(self.step, Coordinate::M))
     }
 
     /// The deflection Y \[m\].
@@ -84,6 +102,24 @@ impl<M> Point<M> {
     /// The shear force Q \[N\].
     pub const fn shear(self) -> Entry<M> {
         Entry { point: self, coordinate: Coordinate::Q }
+    }
+}
+
+impl<M> Load<M> {
+    const fn new(acting: Acting) -> Self {
+        Load { acting, of: PhantomData }
+    }
+
+    /// A load of 1 per length along the element of a step.
+    pub(crate) const fn along(step: usize) -> Self {
+        Load::new(Acting::Spread(Spread::Along(step)))
+    }
+
+    /// The weight of the whole model under an acceleration of 1 m/s² towards Y: each element whose deflection is Y is loaded by its mass per
+    /// length, each mass and body in its mass centre. For a model on the earth the response is `g` times as large, negative where Y points
+    /// upwards.
+    pub const fn self_weight() -> Self {
+        Load::new(Acting::Spread(Spread::Weight))
     }
 }
 
@@ -109,5 +145,5 @@ pub(crate) use plain;
 
 plain!(Label<M, E>, step, input);
 plain!(Point<M>, step, beyond);
-plain!(Load<M>, point, coordinate);
+plain!(Load<M>, acting);
 plain!(Entry<M>, point, coordinate);

@@ -17,9 +17,11 @@ pub(crate) use end_motion::EndMotion;
 pub(crate) use ends::Ends;
 pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot, is_size_of_direction};
 pub(crate) use estimates::FrequencyEstimates;
-pub(crate) use label::{Entry, Label, Load, Point, plain};
+pub(crate) use label::{Acting, Entry, Label, Load, Point, Spread, plain};
 pub(crate) use load_error::LoadError;
 pub(crate) use motion_error::MotionError;
-pub(crate) use plane_label::{Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, Tied};
+pub(crate) use plane_label::{
+    Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad, Tied,
+};
 pub(crate) use scaled_state::ScaledState;
 pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};

@@ -97,6 +97,9 @@ pub enum MotionError {
         /// The tolerance that was given.
         tolerance: f64,
     },
+    /// An element on which no load acts all along, or whose weight is not known: a tapered beam, one of the user's own, and between places what
+    /// has a mass on a path of one motion.
+    NoUniformLoad,
     /// An element without an interior: it has states at its ends only.
     NoInside,
     /// A place outside of an element.
@@ -178,6 +181,12 @@ impl fmt::Display for MotionError {
                     "a loss factor describes motions with Im λ > 0, not those in time: ask `frequency_response`, or take "
                 )?;
                 write!(f, "`kelvin_voigt_time`")
+            }
+            MotionError::NoUniformLoad => {
+                write!(
+                    f,
+                    "no load acts all along this element, or the weight of an element or of a mass on a path is not known"
+                )
             }
             _ => self.fmt_question(f),
         }

@@ -23,14 +23,31 @@ pub struct MemberLabel<M, E> {
     of: PhantomData<fn() -> (M, E)>,
 }
 
-/// A harmonic force or moment of 1 at a point of a plane model, or a harmonic motion of 1 of its support.
+/// A harmonic load of 1 on a plane model: a force or a moment at a point, a motion of its support, a load all along a member, or the weight
+/// of all of them.
 pub struct PlaneLoad<M> {
-    pub(crate) site: Site,
-    /// The axis: x, y or the rotation.
-    pub(crate) axis: usize,
-    /// Whether the support moves; else a force or a moment acts.
-    pub(crate) is_motion: bool,
+    pub(crate) acting: PlaneActing,
     of: PhantomData<fn() -> M>,
+}
+
+/// Where a load acts, and along which axis: x, y or the rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PlaneActing {
+    /// A force or a moment at a point.
+    Force(Site, usize),
+    /// A motion of the support of a point.
+    Motion(Site, usize),
+    /// A load along members.
+    Spread(SpreadLoad),
+}
+
+/// A load along members, in x or in y.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct SpreadLoad {
+    /// The member that has 1 N/m of it; all members and bodies have their mass per length, and their mass, where there is none.
+    pub(crate) member: Option<usize>,
+    /// The axis, x or y.
+    pub(crate) axis: usize,
 }
 
 /// What a motion of a plane model is asked for.
@@ -157,17 +174,17 @@ macro_rules! in_global_axes {
 
             /// A force of 1 N along x.
             pub const fn force_x($self) -> PlaneLoad<M> {
-                PlaneLoad { site: $site, axis: 0, is_motion: false, of: PhantomData }
+                PlaneLoad::new(PlaneActing::Force($site, 0))
             }
 
             /// A force of 1 N along y.
             pub const fn force_y($self) -> PlaneLoad<M> {
-                PlaneLoad { site: $site, axis: 1, is_motion: false, of: PhantomData }
+                PlaneLoad::new(PlaneActing::Force($site, 1))
             }
 
             /// A moment of 1 N m, anticlockwise.
             pub const fn torque_z($self) -> PlaneLoad<M> {
-                PlaneLoad { site: $site, axis: 2, is_motion: false, of: PhantomData }
+                PlaneLoad::new(PlaneActing::Force($site, 2))
             }
         }
     };
@@ -181,7 +198,7 @@ impl<M> PlanePoint<M> {
     }
 
     const fn motion(self, axis: usize) -> PlaneLoad<M> {
-        PlaneLoad { site: self.site, axis, is_motion: true, of: PhantomData }
+        PlaneLoad::new(PlaneActing::Motion(self.site, axis))
     }
 
     /// A motion of 1 m of the support along x, which takes with it what it holds.
@@ -215,6 +232,33 @@ impl<M> PlanePoint<M> {
     }
 }
 
+impl<M> PlaneLoad<M> {
+    const fn new(acting: PlaneActing) -> Self {
+        PlaneLoad { acting, of: PhantomData }
+    }
+
+    /// A load of 1 per length along a member.
+    pub(crate) const fn along(member: usize, axis: usize) -> Self {
+        PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: Some(member), axis }))
+    }
+
+    const fn weight(axis: usize) -> Self {
+        PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: None, axis }))
+    }
+
+    /// The weight of the whole model under an acceleration of 1 m/s² along x: each member is loaded by its mass per length, each rigid body
+    /// and point mass in its mass centre.
+    pub const fn self_weight_x() -> Self {
+        PlaneLoad::weight(0)
+    }
+
+    /// The weight of the whole model under an acceleration of 1 m/s² along y, as [`self_weight_x`](PlaneLoad::self_weight_x); on the earth,
+    /// with y upwards, responses are -9.81 times as large.
+    pub const fn self_weight_y() -> Self {
+        PlaneLoad::weight(1)
+    }
+}
+
 impl<M, E> MemberLabel<M, E> {
     /// The index of the member.
     pub(crate) const fn index(self) -> usize {
@@ -240,5 +284,5 @@ impl<M, E> MemberLabel<M, E> {
 plain!(PlanePoint<M>, site);
 plain!(MemberEnd<M>, member, end);
 plain!(MemberLabel<M, E>, member);
-plain!(PlaneLoad<M>, site, axis, is_motion);
+plain!(PlaneLoad<M>, acting);
 plain!(PlaneEntry<M>, quantity);

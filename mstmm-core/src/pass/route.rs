@@ -1,6 +1,6 @@
 //! The route of a motion from a load to an entry of a state, and what arrives there.
 
-use crate::model::{Entry, Load, MotionError};
+use crate::model::{Entry, MotionError};
 use crate::number::{Oscillation, Scaled, Single};
 use crate::pass::both_ways::Passes;
 use crate::pass::characteristic::System;
@@ -32,8 +32,11 @@ pub(crate) struct Place {
 
 impl Place {
     /// The point of a load, with the entry that jumps there: Q or M.
-    pub(crate) fn of_load<Y: Planned + ?Sized>(system: &Y, load: Load<Y::Model>) -> Result<Self, MotionError> {
-        Place::new(system.scheme(), load.point.step, false, load.coordinate)
+    pub(crate) fn of_load<Y: Planned + ?Sized>(
+        system: &Y,
+        (step, coordinate): (usize, Coordinate),
+    ) -> Result<Self, MotionError> {
+        Place::new(system.scheme(), step, false, coordinate)
     }
 
     /// The point of an entry.

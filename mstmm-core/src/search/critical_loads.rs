@@ -141,8 +141,24 @@ impl<T: Real, F> Search<T, F> {
         }
     }
 
-    /// Count and Δ at rest under a factor of the load.
+    /// Count and Δ at rest under a factor of the load; where Δ vanishes, as it does under a critical load that is a round number, under one
+    /// beside it.
     fn sample<Y>(&mut self, factor: T) -> Result<Sample<T>, LoadError>
+    where
+        Y: AtRest + System<Parameter = T>,
+        F: FnMut(T) -> Result<Y, ParameterError>,
+    {
+        let beside = factor + self.room(factor) * T::from_f64(0.5);
+        for factor in [factor, beside] {
+            if let Some(sample) = self.evaluated(factor)? {
+                return Ok(sample);
+            }
+        }
+        Err(SearchError::Zero { points: 1, at: None }.into())
+    }
+
+    /// Count and Δ at rest under a factor of the load; `None` where Δ vanishes.
+    fn evaluated<Y>(&mut self, factor: T) -> Result<Option<Sample<T>>, LoadError>
     where
         Y: AtRest + System<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
@@ -155,16 +171,14 @@ impl<T: Real, F> Search<T, F> {
                 return Err(SearchError::NotANumber { x: at, y: 0.0 }.into());
             }
             if is_clear || !T::HAS_EXTENDED {
-                return Ok(Sample { factor, below, value });
+                return Ok(Some(Sample { factor, below, value }));
             }
         }
         let zero = <T::Extended as Frequency<T>>::from_parameter(T::zero());
         let (below, value, _) = at_rest(&system, zero);
         let mantissa = T::from_f64(value.mantissa().to_f64());
-        if mantissa.is_zero() {
-            return Err(SearchError::Zero { points: 1, at: None }.into());
-        }
-        Ok(Sample { factor, below, value: Scaled::new(mantissa, value.exponent()) })
+        let value = Scaled::new(mantissa, value.exponent());
+        Ok((!mantissa.is_zero()).then_some(Sample { factor, below, value }))
     }
 
     /// The single root of a bracket, confirmed in extended precision where there is one.

@@ -22,23 +22,23 @@ pub(super) fn parameters(element: &Element, known: Option<[&'static [&'static st
     let Some([known, optional]) = known else { return };
     let is_missing = |name: &&str| !given.contains(*name) && !optional.contains(name);
     let mut missing: Vec<&str> = known.iter().copied().filter(is_missing).collect();
-    let damping = element.kind.known().and_then(|row| row.damped).map_or(&[][..], |damped| damped.parameters);
-    let is_unknown = |name: &str| !known.contains(&name) && !damping.contains(&name);
+    let selecting = element.kind.known().and_then(|row| row.variant).map_or(&[][..], |variant| variant.parameters);
+    let is_unknown = |name: &str| !known.contains(&name) && !selecting.contains(&name);
     let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;
     for parameter in element.parameters() {
         let name = parameter.name.unraw().to_string();
         if !is_unknown(&name) {
             continue;
         }
-        let candidates = missing.iter().chain(damping).copied();
+        let candidates = missing.iter().chain(selecting).copied();
         let meant = nearest(candidates, &name).or(missing.first().copied().filter(|_| is_only_one));
         let hint = match meant {
-            _ if DAMPING.contains(&name.as_str()) => advice_on_damping(damping),
+            _ if DAMPING.contains(&name.as_str()) => advice_on_damping(selecting),
             Some(meant) => {
                 missing.retain(|other| *other != meant);
                 format!("did you mean `{meant}`?")
             }
-            None => format!("it has {}", listed(known.iter().chain(damping).copied())),
+            None => format!("it has {}", listed(known.iter().chain(selecting).copied())),
         };
         errors.push(parameter.name.span(), format!("`{}` has no parameter `{name}`: {hint}", element.kind.name()));
     }

@@ -131,6 +131,9 @@ scenes! {
     Body = free -> body {
         mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position,
     } -> free undamped;
+    BodyColumn = free -> body {
+        mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position, axial_force: Position,
+    } -> free undamped;
     ElasticHinge = fixed -> elastic_hinge { stiffness_y: Invertible, stiffness_theta: Invertible } -> free undamped;
     Spring = fixed -> spring { stiffness: Invertible } -> free undamped;
     Damper = fixed -> damper { damping: NonNegative } -> free;
@@ -200,6 +203,7 @@ scenes! {
     RotationalHinge = fixed -> rotational_hinge { stiffness: NonNegative } -> free undamped;
     ShearHinge = fixed -> shear_hinge { stiffness: NonNegative } -> free undamped;
     Lever = fixed -> lever { output_x: Position } -> free undamped;
+    LeverColumn = fixed -> lever { output_x: Position, axial_force: Position } -> free undamped;
     TaperedBeam = fixed -> tapered_beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, width_taper: Taper, height_taper: Taper,
         rotary_inertia: TameOrZero, axial_force: Position, rotation_speed: TameOrZero, hub_radius: Position,

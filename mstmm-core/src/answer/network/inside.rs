@@ -66,8 +66,8 @@ where
 
     /// The motion of a cross section of a member, in its axes.
     fn motion_at(&self, member: usize, distance: f64) -> EndMotion<S> {
-        let motion = self.member_ends(member);
-        self.system.visit_member(member, MotionAt { motion, distance }).unwrap_or(motion.ends[1])
+        let (motion, load) = (self.member_ends(member), self.load_on(member));
+        self.system.visit_member(member, MotionAt { motion, load, distance }).unwrap_or(motion.ends[1])
     }
 
     /// The size of the largest displacement \[m\], of nodes and inside of members.
@@ -149,6 +149,7 @@ impl<S: Scalar> VisitMember<S> for InsideOf<S> {
 
 struct MotionAt<S> {
     motion: MemberEnds<S>,
+    load: Option<[S; 2]>,
     distance: f64,
 }
 
@@ -156,6 +157,9 @@ impl<S: Scalar> VisitMember<S> for MotionAt<S> {
     type Output = EndMotion<S>;
 
     fn member<E: MemberMotion<S>>(self, built: &E::Built) -> EndMotion<S> {
-        E::motion_at(built, &self.motion, self.distance)
+        match self.load {
+            None => E::motion_at(built, &self.motion, self.distance),
+            Some(load) => E::motion_under_load(built, &self.motion, load, self.distance),
+        }
     }
 }

@@ -9,4 +9,5 @@ pub(crate) mod response;
 pub(crate) mod sensitivity;
 pub(crate) mod shape;
 pub(crate) mod sketch;
+pub(crate) mod spread_load;
 pub(crate) mod states;

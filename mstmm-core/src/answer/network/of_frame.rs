@@ -5,10 +5,10 @@ use crate::answer::modal_response::Superposed;
 use crate::answer::network::response::{PlaneResponse, acting_at};
 use crate::answer::network::shape::{PlaneShape, all, simple};
 use crate::answer::root::{Root, simple_root};
-use crate::model::{MotionError, PlaneEntry, PlaneLoad, Quantity};
+use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity};
 use crate::number::Real;
 use crate::pass::characteristic::System;
-use crate::pass::network::{LoadAt, MovingNetwork, Placed, PlaneFrequency};
+use crate::pass::network::{ActingLoad, LoadAt, MovingNetwork, Placed, PlaneFrequency};
 use num_traits::Zero;
 
 /// The response of a plane structure.
@@ -25,7 +25,7 @@ impl<'a, Y: Placed> OfFrame<'a, Y> {
         load: PlaneLoad<Y::Model>,
         entry: PlaneEntry<Y::Model>,
     ) -> Result<Self, MotionError> {
-        if load.is_motion && matches!(entry.quantity, Quantity::Reaction(..)) {
+        if matches!((load.acting, entry.quantity), (PlaneActing::Motion(..), Quantity::Reaction(..))) {
             return Err(MotionError::NotModal);
         }
         Ok(OfFrame { system, load, entry, response: PlaneResponse::new(system, load, entry)? })
@@ -37,11 +37,21 @@ impl<'a, Y: Placed> OfFrame<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        let LoadAt { node, forces, moved } = acting_at::<Y, S>(self.system, self.load)?;
-        let (reactions, zero) = (shape.reactions().as_ref()[node], [S::zero(); 3]);
-        let mut work = S::zero();
-        for (k, moved) in moved.unwrap_or(zero).iter().enumerate() {
-            work += forces[k] * shape.node(node)?[k] - *moved * reactions[k];
+        let load = acting_at::<Y, S>(self.system, self.load.acting)?;
+        let mut work = match load {
+            ActingLoad::Spread(spread) => shape.work_of(spread)?,
+            ActingLoad::At(_) => S::zero(),
+        };
+        for node in 0..self.system.sizes()[0] {
+            let forces = load.on_node(self.system, node).into_iter().flatten();
+            for (force, displacement) in forces.zip(shape.node(node)?) {
+                work += force * displacement;
+            }
+        }
+        if let ActingLoad::At(LoadAt { node, moved: Some(moved), .. }) = load {
+            for (moved, reaction) in moved.iter().zip(shape.reactions().as_ref()[node]) {
+                work -= *moved * reaction;
+            }
         }
         Ok(work * shape.value(self.entry)?)
     }

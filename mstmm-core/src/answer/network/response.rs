@@ -2,14 +2,16 @@
 
 use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::frequency_response::on_grid;
+use crate::answer::network::spread_load::loads;
 use crate::answer::network::states::{PlaneStates, check, check_freedom, held_at, offset};
 use crate::answer::response_curve::{Sample, refined};
 use crate::answer::root::{Root, is_below_losses};
-use crate::model::{MotionError, PlaneEntry, PlaneLoad, Quantity, Site, Tied};
+use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Site, SpreadLoad, Tied};
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    LoadAt, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, motion_under, rounding_under,
+    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, load_on_chart, motion_under,
+    rounding_under,
 };
 use core::ops::RangeInclusive;
 
@@ -43,7 +45,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         load: PlaneLoad<Y::Model>,
         entry: PlaneEntry<Y::Model>,
     ) -> Result<Self, MotionError> {
-        acting_at::<Y, Y::Parameter>(system, load)?;
+        acting_at::<Y, Y::Parameter>(system, load.acting)?;
         check(system, entry)?;
         Ok(PlaneResponse { system, load, entry })
     }
@@ -152,16 +154,27 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        let load = acting_at::<Y, S>(self.system, self.load)?;
-        let mut motion = motion_under(self.system, x, load);
+        let load = acting_at::<Y, S>(self.system, self.load.acting)?;
+        let loads = match load {
+            ActingLoad::Spread(spread) => loads::<Y, S>(self.system, spread)?,
+            ActingLoad::At(_) => Y::per_member([S::zero(); 2]),
+        };
+        let of_member = |member: usize| (member, loads.as_ref()[member]);
+        let same = |number: S| number;
+        let own = |member: usize, chart: &_| load_on_chart((self.system, x), of_member(member), chart, same, same);
+        let loading = Loading::Acting(load, &own);
+        let mut motion = motion_under(self.system, x, &loading);
         let is_sure = |motion: &NetworkMotion<Y, S>| {
             motion.vanished_at.is_none()
                 && motion.rounding <= ROUNDED
-                && agree(rounding_under(self.system, x, load, motion))
+                && agree(rounding_under(self.system, x, &loading, motion))
         };
         if S::HAS_PRECISE && !is_sure(&motion) {
-            let load = acting_at::<Y, S::Precise>(self.system, self.load)?;
-            motion = motion_under(self.system, x.precise(), load).rounded(S::nearest);
+            let precise = |member: usize, chart: &_| {
+                load_on_chart((self.system, x), of_member(member), chart, S::nearest, S::precise)
+            };
+            let load = acting_at::<Y, S::Precise>(self.system, self.load.acting)?;
+            motion = motion_under(self.system, x.precise(), &Loading::Acting(load, &precise)).rounded(S::nearest);
         }
         let frequency = x.modulus();
         if !(x.lambda_squared().size().is_finite() && (motion.vanished_at.is_some() || motion.is_finite())) {
@@ -169,7 +182,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         }
         match motion.vanished_at {
             None => Ok(PlaneStates { system: self.system, x, motion, load: Some(load) }),
-            Some(node) if self.vanishes_elsewhere(x, load) => {
+            Some(node) if self.vanishes_elsewhere(x, &loading) => {
                 Err(MotionError::Mechanism { at: self.system.spot(node as usize) })
             }
             Some(_) => Err(MotionError::Resonance { frequency }),
@@ -178,7 +191,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
 
     /// Whether something vanishes at another frequency, too, far from one: then it does at all.
     #[cold]
-    fn vanishes_elsewhere<S>(&self, x: S, load: LoadAt<S>) -> bool
+    fn vanishes_elsewhere<S>(&self, x: S, load: &Loading<'_, S>) -> bool
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
@@ -210,15 +223,23 @@ fn agree([displacements, forces]: [f64; 2]) -> bool {
 /// A load where it acts: on a node.
 pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
     system: &Y,
-    load: PlaneLoad<Y::Model>,
-) -> Result<LoadAt<S>, MotionError> {
+    load: PlaneActing,
+) -> Result<ActingLoad<S>, MotionError> {
     let mut forces = [S::zero(); 3];
-    check_freedom(load.site, load.axis)?;
-    if load.is_motion {
-        let (node, moved) = held_at(system, load.site.hold(), load.axis)?;
-        return Ok(LoadAt { node, forces, moved: Some(moved) });
-    }
-    let (node, [x, y]) = match load.site {
+    let (site, axis) = match load {
+        PlaneActing::Spread(SpreadLoad { member: Some(member), .. }) if member >= system.sizes()[1] => {
+            return Err(MotionError::NoSuchPoint { index: member });
+        }
+        PlaneActing::Spread(load) => return Ok(ActingLoad::Spread(load)),
+        PlaneActing::Motion(site, axis) => {
+            check_freedom(site, axis)?;
+            let (node, moved) = held_at(system, site.hold(), axis)?;
+            return Ok(ActingLoad::At(LoadAt { node, forces, moved: Some(moved) }));
+        }
+        PlaneActing::Force(site, axis) => (site, axis),
+    };
+    check_freedom(site, axis)?;
+    let (node, [x, y]) = match site {
         Site::Node(node) => (node, [S::zero(); 2]),
         Site::Tied(Tied { node, place, .. }) => (node, offset(system, node, place)),
         Site::End { member, end } => {
@@ -236,7 +257,7 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
     if node >= system.sizes()[0] {
         return Err(MotionError::NoSuchPoint { index: node });
     }
-    forces[load.axis] = S::one();
+    forces[axis] = S::one();
     forces[2] += x * forces[1] - y * forces[0];
-    Ok(LoadAt { node, forces, moved: None })
+    Ok(ActingLoad::At(LoadAt { node, forces, moved: None }))
 }

@@ -1,8 +1,8 @@
 //! What a plane structure does in one motion.
 
-use crate::model::{EndMotion, Hold, MotionError, PlaneEntry, PlanePoint, Quantity, Site, Tied};
+use crate::model::{EndMotion, Hold, MotionError, PlaneEntry, PlanePoint, Quantity, Site, SpreadLoad, Tied};
 use crate::number::{Frequency, Size};
-use crate::pass::network::{LoadAt, NetworkMotion, Placed, longest, moved, size_of_forces, turned};
+use crate::pass::network::{ActingLoad, NetworkMotion, Placed, longest, moved, size_of_forces, turned};
 use mstmm_plan::Freedoms;
 
 /// The displacements and forces of a plane structure in one motion.
@@ -12,7 +12,7 @@ pub struct PlaneStates<'a, Y: Placed, S: Frequency<Y::Parameter>> {
     pub(crate) x: S,
     pub(crate) motion: NetworkMotion<Y, S>,
     /// The load of a response.
-    pub(crate) load: Option<LoadAt<S>>,
+    pub(crate) load: Option<ActingLoad<S>>,
 }
 
 impl<Y: Placed, S: Frequency<Y::Parameter>> Clone for PlaneStates<'_, Y, S> {
@@ -62,6 +62,14 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     pub fn reaction(&self, node: usize) -> Result<[S; 3], MotionError> {
         self.node(node)?;
         Ok(self.reactions().as_ref()[node])
+    }
+
+    /// The load along members under which this motion is.
+    pub(super) fn spread(&self) -> Option<SpreadLoad> {
+        match self.load? {
+            ActingLoad::Spread(load) => Some(load),
+            ActingLoad::At(_) => None,
+        }
     }
 
     /// The node with which a point moves.
@@ -177,9 +185,12 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
                 sum[2] += moment + x * force_y - y * force_x;
             }
         }
-        if let Some(LoadAt { node, forces, .. }) = self.load {
-            for (entry, force) in reactions.as_mut()[node].iter_mut().zip(forces) {
-                *entry -= force;
+        if let Some(load) = self.load {
+            for (node, sum) in reactions.as_mut().iter_mut().enumerate().take(nodes) {
+                let forces = load.on_node(self.system, node);
+                for (entry, force) in sum.iter_mut().zip(forces.into_iter().flatten()) {
+                    *entry -= force;
+                }
             }
         }
         reactions

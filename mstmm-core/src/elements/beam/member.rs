@@ -18,4 +18,21 @@ impl<T: Real, S: Oscillation<T>> MemberMotion<S> for Beam<T> {
         let state = built.motion().state_at(&motion.bending(), T::from_f64(distance));
         EndMotion::bent(state)
     }
+
+    fn load_work(built: &BuiltBeam<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
+        Some([S::zero(), built.motion().load_work(&motion.bending())])
+    }
+
+    fn mass_per_length(built: &BuiltBeam<T>) -> S {
+        S::from_parameter(built.parameters.mass_per_length)
+    }
+
+    fn motion_under_load(
+        built: &BuiltBeam<T>,
+        motion: &MemberEnds<S>,
+        [_, load]: [S; 2],
+        distance: f64,
+    ) -> EndMotion<S> {
+        EndMotion::bent(built.motion().state_under(&motion.bending(), load, T::from_f64(distance)))
+    }
 }

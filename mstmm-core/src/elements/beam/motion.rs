@@ -1,6 +1,6 @@
 //! The motion of a beam: its back transfer, its energies and their derivatives with respect to its parameters.
 
-use crate::element::{BackTransfer, Energies, Inside};
+use crate::element::{BackTransfer, CarriesLoad, Energies, Inside};
 use crate::elements::beam::{Beam, BuiltBeam};
 use crate::elements::shared::back_transfer::BendingBackTransfer;
 use crate::elements::shared::bending_motion::BendingMotion;
@@ -48,6 +48,8 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Beam<T> {
     }
 }
 
+impl<T: Real> CarriesLoad for Beam<T> {}
+
 impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
     type Gradient = Beam<S>;
 
@@ -73,6 +75,14 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
 
     fn state_at(built: &BuiltBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
         built.motion().state_at(ends, T::from_f64(distance))
+    }
+
+    fn load_work(built: &BuiltBeam<T>, ends: &Ends<S>) -> Option<S> {
+        Some(built.motion().load_work(ends))
+    }
+
+    fn mass_per_length(built: &BuiltBeam<T>) -> S {
+        S::from_parameter(built.parameters.mass_per_length)
     }
 
     /// The derivative with respect to the length is constant along the beam, `λ² m Y²/2 - M²/(2 EI) + Θ Q`.

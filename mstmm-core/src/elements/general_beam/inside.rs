@@ -27,7 +27,7 @@ pub(super) struct BeamMotion<T: Real, S> {
 }
 
 /// Y, Θ, M, Q in units of l and EI.
-type Vector<T> = [Complex<T>; 4];
+pub(super) type Vector<T> = [Complex<T>; 4];
 
 /// Growth along the beam, a power of e, up to which states follow from the input end alone.
 const GROWTH: f64 = 2.0;
@@ -149,17 +149,17 @@ impl<T: Real> Inside<T> {
     }
 }
 
-fn plus<T: Real>(first: Vector<T>, second: Vector<T>) -> Vector<T> {
+pub(super) fn plus<T: Real>(first: Vector<T>, second: Vector<T>) -> Vector<T> {
     core::array::from_fn(|k| first[k] + second[k])
 }
 
-fn times<T: Real>(vector: Vector<T>, factor: Complex<T>) -> Vector<T> {
+pub(super) fn times<T: Real>(vector: Vector<T>, factor: Complex<T>) -> Vector<T> {
     vector.map(|entry| entry * factor)
 }
 
 impl<T: Real> SectionAt<Complex<T>> {
     /// The derivative along the beam, times l.
-    fn derivative(&self, [y, theta, m, q]: Vector<T>) -> Vector<T> {
+    pub(super) fn derivative(&self, [y, theta, m, q]: Vector<T>) -> Vector<T> {
         let SectionAt { sigma, tau, g, h, .. } = *self;
         [sigma * theta - tau * q, m, g * theta + sigma * q, h * y]
     }
@@ -167,7 +167,7 @@ impl<T: Real> SectionAt<Complex<T>> {
 
 impl<T: Real> WavePair<Complex<T>> {
     /// κ₁ and κ₂, good to half the digits where they coincide.
-    fn squares(&self) -> [Complex<T>; 2] {
+    pub(super) fn squares(&self) -> [Complex<T>; 2] {
         let (larger, _) = larger_sum(self.sum, Scalar::sqrt(self.square));
         let larger = larger * T::from_f64(0.5);
         [larger, if larger.is_zero() { larger } else { self.product / larger }]

@@ -1,6 +1,6 @@
 //! Beams with some of the parameters of the general beam.
 
-use crate::element::{BackTransfer, Element, Energies, Inside, MatrixOf, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, CarriesLoad, Element, Energies, Inside, MatrixOf, PlaneStep, TransferMatrix};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement, State};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
@@ -117,6 +117,8 @@ macro_rules! kinds {
             }
         }
 
+        impl<T: Real> CarriesLoad for $kind<T> {}
+
         impl<T: Real, S: Oscillation<T>> Energies<S> for $kind<T> {
             type Gradient = $kind<S>;
 
@@ -138,6 +140,14 @@ macro_rules! kinds {
 
             fn state_at(built: &BuiltGeneralBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
                 GeneralBeam::state_at(built, ends, distance)
+            }
+
+            fn load_work(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> Option<S> {
+                <GeneralBeam<T> as Energies<S>>::load_work(built, ends)
+            }
+
+            fn mass_per_length(built: &BuiltGeneralBeam<T>) -> S {
+                <GeneralBeam<T> as Energies<S>>::mass_per_length(built)
             }
 
             fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> $kind<S> {

@@ -1,7 +1,8 @@
 //! General beams between points: along a line, and in the plane, where they stretch as well.
 
 use crate::element::{
-    Charted, Element, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberWork, TransferMatrix,
+    CarriesLoad, Charted, Element, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberWork,
+    TransferMatrix,
 };
 use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
@@ -107,6 +108,23 @@ macro_rules! along_line {
             fn motion_at(built: &BuiltGeneralBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
                 built.motion_at(motion, distance)
             }
+
+            fn load_work(built: &BuiltGeneralBeam<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
+                Some([S::zero(), built.motion(motion.x).load_work(&motion.bending())])
+            }
+
+            fn mass_per_length(built: &BuiltGeneralBeam<T>) -> S {
+                S::from_parameter(built.parameters.mass_per_length)
+            }
+
+            fn motion_under_load(
+                built: &BuiltGeneralBeam<T>,
+                motion: &MemberEnds<S>,
+                [_, load]: [S; 2],
+                distance: f64,
+            ) -> EndMotion<S> {
+                EndMotion::bent(built.motion(motion.x).state_under(&motion.bending(), load, T::from_f64(distance)))
+            }
         }
 
         impl<T: Real, S: Oscillation<T>> MemberGradient<S> for $kind<T> {
@@ -170,6 +188,8 @@ macro_rules! in_plane {
             }
         }
 
+        impl<T: Real> CarriesLoad for $planar<T> {}
+
         impl<T: Real, S: Oscillation<T>> MemberMotion<S> for $planar<T> {
             fn forms(built: &BuiltPlanarGeneralBeam<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
                 let [mass, stiffness] = built.rod.section.forms(&Stretch::of(first), &Stretch::of(second));
@@ -184,6 +204,26 @@ macro_rules! in_plane {
             fn motion_at(built: &BuiltPlanarGeneralBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
                 let stretch = built.rod.section.at(&Stretch::of(motion), T::from_f64(distance));
                 built.bending.motion_at(motion, distance).stretched(stretch)
+            }
+
+            fn load_work(built: &BuiltPlanarGeneralBeam<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
+                let along = built.rod.section.load_work(&Stretch::of(motion));
+                Some([along, built.bending.motion(motion.x).load_work(&motion.bending())])
+            }
+
+            fn mass_per_length(built: &BuiltPlanarGeneralBeam<T>) -> S {
+                S::from_parameter(built.bending.parameters.mass_per_length)
+            }
+
+            fn motion_under_load(
+                built: &BuiltPlanarGeneralBeam<T>,
+                motion: &MemberEnds<S>,
+                [along, across]: [S; 2],
+                distance: f64,
+            ) -> EndMotion<S> {
+                let distance = T::from_f64(distance);
+                let stretch = built.rod.section.at_under(&Stretch::of(motion), along, distance);
+                EndMotion::bent(built.bending.motion(motion.x).state_under(&motion.bending(), across, distance)).stretched(stretch)
             }
         }
 

@@ -1,6 +1,6 @@
 //! The motion of a general beam: its back transfer, its energies and their derivatives with respect to its parameters.
 
-use crate::element::{BackTransfer, Energies, Forms, Inside as Interior};
+use crate::element::{BackTransfer, CarriesLoad, Energies, Forms, Inside as Interior};
 use crate::elements::general_beam::inside::{BeamMotion, Inside};
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
@@ -30,6 +30,8 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for GeneralBeam<T> {
     }
 }
 
+impl<T: Real> CarriesLoad for GeneralBeam<T> {}
+
 impl<T: Real, S: Oscillation<T>> Energies<S> for GeneralBeam<T> {
     type Gradient = GeneralBeam<S>;
 
@@ -51,6 +53,14 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for GeneralBeam<T> {
 
     fn state_at(built: &BuiltGeneralBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
         built.motion(ends.x).state_at(ends, T::from_f64(distance))
+    }
+
+    fn load_work(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> Option<S> {
+        Some(built.motion(ends.x).load_work(ends))
+    }
+
+    fn mass_per_length(built: &BuiltGeneralBeam<T>) -> S {
+        S::from_parameter(built.parameters.mass_per_length)
     }
 
     fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> GeneralBeam<S> {

@@ -1,6 +1,6 @@
 //! A beam in planar motion between its ends: bending and stretching side by side.
 
-use crate::element::{Forms, Inside, MemberEnds, MemberMotion};
+use crate::element::{CarriesLoad, Forms, Inside, MemberEnds, MemberMotion};
 use crate::elements::Beam;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::bending_motion::BendingMotion;
@@ -22,6 +22,8 @@ impl<T: Real> BuiltPlanarBeam<T> {
     }
 }
 
+impl<T: Real> CarriesLoad for PlanarBeam<T> {}
+
 impl<T: Real, S: Oscillation<T>> MemberMotion<S> for PlanarBeam<T> {
     fn forms(built: &BuiltPlanarBeam<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
         let [mass, stiffness] = built.rod().forms(&Stretch::of(first), &Stretch::of(second));
@@ -38,5 +40,24 @@ impl<T: Real, S: Oscillation<T>> MemberMotion<S> for PlanarBeam<T> {
         let distance = T::from_f64(distance);
         let bent = EndMotion::bent(built.bending().state_at(&motion.bending(), distance));
         bent.stretched(built.rod().at(&Stretch::of(motion), distance))
+    }
+
+    fn load_work(built: &BuiltPlanarBeam<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
+        Some([built.rod().load_work(&Stretch::of(motion)), built.bending().load_work(&motion.bending())])
+    }
+
+    fn mass_per_length(built: &BuiltPlanarBeam<T>) -> S {
+        S::from_parameter(built.parameters.mass_per_length)
+    }
+
+    fn motion_under_load(
+        built: &BuiltPlanarBeam<T>,
+        motion: &MemberEnds<S>,
+        [along, across]: [S; 2],
+        distance: f64,
+    ) -> EndMotion<S> {
+        let distance = T::from_f64(distance);
+        let bent = EndMotion::bent(built.bending().state_under(&motion.bending(), across, distance));
+        bent.stretched(built.rod().at_under(&Stretch::of(motion), along, distance))
     }
 }

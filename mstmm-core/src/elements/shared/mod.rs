@@ -1,6 +1,7 @@
 //! Formulas that several elements share.
 
 pub(crate) mod arm;
+pub(crate) mod axial_force;
 pub(crate) mod back_transfer;
 pub(crate) mod bending_chart;
 pub(crate) mod bending_motion;
@@ -20,3 +21,4 @@ pub(crate) mod planar_matrix;
 pub(crate) mod rod_motion;
 pub(crate) mod section_gradient;
 pub(crate) mod uniform_line;
+pub(crate) mod uniform_load;

@@ -48,12 +48,12 @@ pub(crate) fn path_state<S: Scalar>([displacement, force]: [S; 2], is_rotation: 
 /// Motions `H u'' = (m λ² + k) u`: of rods, and those of strings and of shafts, which are the same in other letters.
 impl<T: Real> LineSection<T> {
     /// The dynamic stiffness of a unit of length, `m λ² + k`.
-    fn density<S: Oscillation<T>>(&self, x: S) -> S {
+    pub(crate) fn density<S: Oscillation<T>>(&self, x: S) -> S {
         x.lambda_squared() * self.inertia + S::from_parameter(self.foundation)
     }
 
     /// The square of the wave number times a length, `ζ² = -(mλ² + k)l²/EA`, given `mλ² + k`.
-    fn zeta_squared<S: Oscillation<T>>(&self, density: S, length: T) -> S {
+    pub(crate) fn zeta_squared<S: Oscillation<T>>(&self, density: S, length: T) -> S {
         -density * (length * length / self.stiffness)
     }
 

@@ -1,10 +1,12 @@
 //! Networks: plane structures of members between nodes, with closed loops, evaluated by fronts.
 
+mod chart_load;
 mod drawn;
 mod error;
 mod evaluate;
 mod frame;
 mod frequency;
+mod loading;
 mod member;
 mod motion;
 mod node;
@@ -17,14 +19,16 @@ mod sketch;
 pub(crate) mod stiffness;
 mod structure;
 
+pub(crate) use chart_load::{load_on_chart, load_work};
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
 pub use evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
 pub(crate) use frame::{moved, turned};
 pub use frequency::{MovingNetwork, PlaneFrequency};
+pub(crate) use loading::{ActingLoad, LoadAt, Loading};
 pub use member::{End, Member, Placement};
 pub(crate) use motion::{
-    LoadAt, NetworkMotion, delta, longest, motion_everywhere, motion_under, rounding_under, size_of_forces,
+    NetworkMotion, delta, longest, motion_everywhere, motion_under, rounding_under, size_of_forces,
 };
 pub use node::{Motions, Node};
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};

@@ -1,10 +1,10 @@
 //! The motion of a network under loads: its nodes are eliminated one after the other, and the way back gives what each one does.
 
 use crate::model::EndMotion;
-use crate::number::{Frequency, FrequencyPowers, Real, Scalar, Scaled, Size};
+use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Size};
 use crate::pass::network::evaluate::{Placed, PlacedCharts, eliminate_nodes, front_node, push_members};
-use crate::pass::network::member::Placement;
-use crate::subspace::{Chart, Choice, FrontScalar, Fronts, JoinedEnd, LoadEverywhere, NodeLoad};
+use crate::pass::network::loading::Loading;
+use crate::subspace::{Chart, Choice, FrontScalar, Fronts, JoinedEnd, LoadEverywhere};
 
 /// The motion of a network.
 #[derive(Debug)]
@@ -43,80 +43,24 @@ impl<Y: Placed, S: Scalar> Clone for NetworkMotion<Y, S> {
 
 impl<Y: Placed, S: Scalar> Copy for NetworkMotion<Y, S> {}
 
-/// A harmonic load on one node: forces x and y and a moment on it, or displacements by which its support moves it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LoadAt<S> {
-    pub(crate) node: usize,
-    pub(crate) forces: [S; 3],
-    pub(crate) moved: Option<[S; 3]>,
-}
-
-/// What sets a network in motion.
-enum Loading<S> {
-    At(LoadAt<S>),
-    Everywhere(LoadEverywhere),
-}
-
-impl<S: Scalar> Loading<S> {
-    /// What the load is at a node. A body resists the motion of its support.
-    fn on_node<Y: Placed>(&self, network: &Y, node: usize, at: &FrequencyPowers<S>) -> NodeLoad<S>
-    where
-        S: Frequency<Y::Parameter>,
-    {
-        let load = match self {
-            Loading::Everywhere(load) => return NodeLoad::Everywhere(*load),
-            Loading::At(load) if load.node == node => load,
-            Loading::At(_) => return NodeLoad::Nothing,
-        };
-        let (body, motions) = network.node(node);
-        let mut forces = load.forces;
-        if let Some(moved) = load.moved {
-            for (force, momentum) in forces.iter_mut().zip(body.momentum(moved)) {
-                *force -= at.lambda_squared * momentum;
-            }
-        }
-        NodeLoad::Motions(motions.parts_of(forces))
-    }
-
-    /// By what its support moves a node.
-    fn moved(&self, node: usize) -> Option<[S; 3]> {
-        match self {
-            Loading::At(load) if load.node == node => load.moved,
-            _ => None,
-        }
-    }
-
-    /// By what supports move the ends of a member, along it, across it and of the rotation; what an end does not share with its node is a
-    /// variable of its own, to which a constant more or less is nothing.
-    fn of_ends<T: Real>(&self, placement: &Placement<T>) -> [[S; 3]; 2]
-    where
-        S: Frequency<T>,
-    {
-        [0, 1].map(|end| {
-            let moved = self.moved(placement.node_of(end));
-            moved.map_or([S::zero(); 3], |moved| placement.tied(end, moved))
-        })
-    }
-}
-
 /// The motion under a load, with the errors of its rows.
-pub(crate) fn motion_under<Y, S>(network: &Y, x: S, load: LoadAt<S>) -> NetworkMotion<Y, S>
+pub(crate) fn motion_under<Y, S>(network: &Y, x: S, load: &Loading<'_, S>) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
 {
-    motion(network, &FrequencyPowers::new(x, true), (Choice::Largest, true), &Loading::At(load))
+    motion(network, &FrequencyPowers::new(x, true), (Choice::Largest, true), load)
 }
 
 /// How far the motion under a load is from that with other pivots, its displacements beside the largest and its forces beside the largest:
 /// what differs is rounding. Of a motion that is nearly rigid forces are small differences.
-pub(crate) fn rounding_under<Y, S>(network: &Y, x: S, load: LoadAt<S>, found: &NetworkMotion<Y, S>) -> [f64; 2]
+pub(crate) fn rounding_under<Y, S>(network: &Y, x: S, load: &Loading<'_, S>, found: &NetworkMotion<Y, S>) -> [f64; 2]
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
 {
     let at = FrequencyPowers::new(x, true);
-    let other = motion(network, &at, (Choice::InOrder, false), &Loading::At(load));
+    let other = motion(network, &at, (Choice::InOrder, false), load);
     let difference = other.with(found, |one, other| one - other, S::zero());
     let length = longest(network);
     let forces = found.largest_force(length);
@@ -152,7 +96,7 @@ fn motion<Y, S>(
     network: &Y,
     at: &FrequencyPowers<S>,
     (choice, carries_errors): (Choice, bool),
-    loading: &Loading<S>,
+    loading: &Loading<'_, S>,
 ) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
@@ -161,16 +105,15 @@ where
     let order = network.order();
     let zero = [S::zero(); 3];
     let (mut nodes, mut members) = (Y::per_node(zero), Y::per_member([EndMotion::at_rest(); 2]));
-    if let Loading::At(LoadAt { node, moved: Some(moved), .. }) = loading {
-        nodes.as_mut()[*node] = *moved;
+    for (node, displacements) in nodes.as_mut().iter_mut().enumerate().take(network.sizes()[0]) {
+        *displacements = loading.moved(node).unwrap_or(zero);
     }
     let (work, vanished_at, rounding) = Y::in_way_back(|mut way| {
         way.fronts.choose(choice, carries_errors);
         for &node in order.nodes {
             let moved = |fronts: &mut Fronts<'_, S>, member: usize, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2]| {
-                let moved = loading.of_ends(network.placement(member));
-                if moved.iter().flatten().any(|part| !part.is_zero()) {
-                    S::move_ends(fronts, chart, ends, &moved);
+                if let Some(load) = loading.of_chart(member, network.placement(member), chart) {
+                    S::load_chart(fronts, chart, ends, &load);
                 }
             };
             let objects = order.taken_up[node] + push_members(network, (&order, node), at, &mut way.fronts, moved);
@@ -195,7 +138,8 @@ where
                 if let Some(chart) = network.chart(member, at, placement.length()) {
                     let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
                     let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
-                    members.as_mut()[member] = way.back.member(&chart, &ends, &loading.of_ends(placement));
+                    let (moved, load) = (loading.of_ends(placement), loading.along(member, &chart));
+                    members.as_mut()[member] = way.back.member(&chart, &ends, &moved, &load);
                 }
             }
         }

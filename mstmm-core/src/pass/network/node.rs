@@ -81,12 +81,14 @@ pub struct Motions<T> {
     pub(crate) count: usize,
     /// Whether the last one is the rotation.
     pub(crate) has_rotation: bool,
+    /// Whether it is the motion of a path, which has no place.
+    pub(crate) is_of_path: bool,
 }
 
 impl<T: Parameter> Motions<T> {
     /// No motions.
     pub(crate) fn none() -> Self {
-        Motions { directions: [[T::zero(); 3]; 3], count: 0, has_rotation: false }
+        Motions { directions: [[T::zero(); 3]; 3], count: 0, has_rotation: false, is_of_path: false }
     }
 
     /// The motions of a node.

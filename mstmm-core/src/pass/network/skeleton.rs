@@ -38,7 +38,10 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
             let [mass, inertia, x, y] = numbers.body(index);
             nodes[body.node] = nodes[body.node].and_body(mass, inertia, [x, y]);
         }
-        let motions = nodes.each_ref().map(Motions::of);
+        let mut motions = nodes.each_ref().map(Motions::of);
+        for (motions, node) in motions.iter_mut().zip(&sketch.nodes) {
+            motions.is_of_path = node.place.is_none();
+        }
         let mut placements = [Placement::nowhere(); MEMBERS];
         for (placement, member) in placements.iter_mut().zip(&sketch.members) {
             let ends = member.ends.each_ref().map(|end| joined(sketch, &numbers, end));

@@ -1,5 +1,6 @@
 //! Charts of members: their relations between both ends as an element gives them.
 
+use crate::model::EndMotion;
 use crate::number::{Scalar, Scaled, Size, power_of_two};
 use crate::subspace::front::triangle;
 use crate::subspace::front::units::Units;
@@ -74,6 +75,41 @@ impl<S: Scalar> Chart<S> {
             }
         }
         moved
+    }
+
+    /// The load that displacements c of the ends, in the units of the chart, are: a displacement v becomes `v + c`, so that Π grows by the
+    /// entries `M c`; a force f does work on the motion, `f c`.
+    pub(crate) fn load_of_moved(&self, displacements: &[[S; MOST_FREEDOMS]; 2]) -> [S; MOST_VARIABLES] {
+        let moved = self.moved(displacements);
+        core::array::from_fn(|place| {
+            let displaced = (0..MOST_VARIABLES).filter(|other| !self.is_force(*other));
+            let terms = displaced.map(|other| self.entry(place, other) * moved[other]);
+            let own = if self.is_force(place) { moved[place] } else { S::zero() };
+            terms.fold(own, |sum, term| sum + term)
+        })
+    }
+
+    /// The displacements and forces of both ends, given the values of the variables and what Π grows by with each of them under a load.
+    pub(crate) fn motion(&self, values: &[S; MOST_VARIABLES], load: &[S; MOST_VARIABLES]) -> [EndMotion<S>; 2] {
+        let mut motions = [EndMotion::at_rest(); 2];
+        let mut place = 0;
+        for motion in &mut motions {
+            for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
+                if !self.freedoms.contains(kind) {
+                    continue;
+                }
+                let count = 2 * self.freedoms.count();
+                let terms = (0..count).map(|other| self.entry(place, other) * values[other]);
+                let gradient = terms.fold(load[place], |sum, term| sum + term);
+                let value = values[place];
+                let [displacement, force] = if self.is_force(place) { [-gradient, value] } else { [value, gradient] };
+                let unit = self.units.of(kind.is(Freedoms::RZ));
+                motion.displacements[freedom] = displacement.scaled(power_of_two(unit));
+                motion.forces[freedom] = force.scaled(power_of_two(-unit));
+                place += 1;
+            }
+        }
+        motions
     }
 
     /// Whether a variable is a force.

@@ -125,14 +125,10 @@ impl<S: Scalar> Objects<'_, S> {
         1
     }
 
-    /// Loads the last object, a member whose ends are moved besides what their nodes do, by given displacements along it, across it and of
-    /// the rotation.
-    ///
-    /// A displacement v of its chart becomes `v + c`, so that Π grows by the entries `M c`; a force f does work on the motion, `f c`.
-    pub(super) fn move_ends(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], moved: &[[S; MOST_FREEDOMS]; 2]) {
+    /// Loads the last object, a member, by what Π grows by with each variable of its chart.
+    pub(super) fn load_chart(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], load: &[S; MOST_VARIABLES]) {
         let Start { variable, entry } = self.starts[self.count - 1];
         debug_assert!(self.variables[variable].is_load());
-        let moved = chart.moved(moved);
         let (mut place, mut next) = (0, self.loads);
         for end in ends {
             for kind in Freedoms::SINGLE {
@@ -140,10 +136,7 @@ impl<S: Scalar> Objects<'_, S> {
                     continue;
                 }
                 if end.keeps(chart.is_force(place), kind) {
-                    let displaced = (0..MOST_VARIABLES).filter(|other| !chart.is_force(*other));
-                    let terms = displaced.map(|other| chart.entry(place, other) * moved[other]);
-                    let own = if chart.is_force(place) { moved[place] } else { S::zero() };
-                    self.entries[entry + row(next)] += terms.fold(own, |sum, term| sum + term);
+                    self.entries[entry + row(next)] += load[place];
                     next += 1;
                 }
                 place += 1;

@@ -1,7 +1,7 @@
 //! The memory of fronts, and the numbers that fronts are compiled for.
 
 use crate::number::{Scalar, for_compiled_numbers};
-use crate::subspace::front::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
+use crate::subspace::front::chart::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES};
 use crate::subspace::front::eliminate::Choice;
 use crate::subspace::front::fronts::{FrontNode, Fronts};
 use crate::subspace::front::matrix::Front;
@@ -104,13 +104,13 @@ pub trait FrontScalar: Scalar {
     #[doc(hidden)]
     fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]) -> usize;
 
-    /// Loads the member that was added last, whose ends are moved besides what their nodes do.
+    /// Loads the member that was added last, by what Π grows by with each variable of its chart.
     #[doc(hidden)]
-    fn move_ends(
+    fn load_chart(
         fronts: &mut Fronts<'_, Self>,
         chart: &Chart<Self>,
         ends: &[JoinedEnd<Self>; 2],
-        moved: &[[Self; MOST_FREEDOMS]; 2],
+        load: &[Self; MOST_VARIABLES],
     );
 
     /// Eliminates a node.
@@ -147,13 +147,13 @@ macro_rules! compiled {
             }
 
             $(#[$mark])*
-            fn move_ends(
+            fn load_chart(
                 fronts: &mut Fronts<'_, Self>,
                 chart: &Chart<Self>,
                 ends: &[JoinedEnd<Self>; 2],
-                moved: &[[Self; MOST_FREEDOMS]; 2],
+                load: &[Self; MOST_VARIABLES],
             ) {
-                fronts.objects.move_ends(chart, ends, moved);
+                fronts.objects.load_chart(chart, ends, load);
             }
 
             $(#[$mark])*
@@ -192,11 +192,11 @@ impl<V: crate::number::lanes::Waving> FrontScalar for mstmm_lanes::Lanes<V> {
         0
     }
 
-    fn move_ends(
+    fn load_chart(
         _fronts: &mut Fronts<'_, Self>,
         _chart: &Chart<Self>,
         _ends: &[JoinedEnd<Self>; 2],
-        _moved: &[[Self; MOST_FREEDOMS]; 2],
+        _load: &[Self; MOST_VARIABLES],
     ) {
     }
 

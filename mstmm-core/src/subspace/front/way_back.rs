@@ -233,47 +233,36 @@ impl<S: Scalar> Back<'_, S> {
         of_node
     }
 
-    /// Takes the values of a member from the top, whose ends are moved besides what their nodes do.
+    /// Takes the values of a member from the top, whose ends are moved besides what their nodes do, and which may be loaded.
     pub(crate) fn member(
         &mut self,
         chart: &Chart<S>,
         ends: &[JoinedEnd<S>; 2],
         moved: &[[S; MOST_FREEDOMS]; 2],
+        load: &[S; MOST_VARIABLES],
     ) -> [EndMotion<S>; 2] {
-        // the end, the freedom and the value of each variable of the chart
-        let mut variables = [(0, 0, S::zero()); MOST_VARIABLES];
+        // the end and the freedom of each variable of the chart
+        let mut variables = [(0, Freedoms::NONE); MOST_VARIABLES];
         let mut count = 0;
         for end in [0, 1] {
-            for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
-                if chart.freedoms.contains(kind) {
-                    variables[count] = (end, freedom, S::zero());
-                    count += 1;
-                }
+            for kind in Freedoms::SINGLE.into_iter().filter(|kind| chart.freedoms.contains(*kind)) {
+                variables[count] = (end, kind);
+                count += 1;
             }
         }
-        let variables = &mut variables[..count];
-        for (place, (end, freedom, value)) in variables.iter_mut().enumerate().rev() {
-            if ends[*end].keeps(chart.is_force(place), Freedoms::SINGLE[*freedom]) {
+        let mut values = [S::zero(); MOST_VARIABLES];
+        for (place, (end, kind)) in variables[..count].iter().enumerate().rev() {
+            if ends[*end].keeps(chart.is_force(place), *kind) {
                 self.count -= 1;
-                *value = self.values[self.count];
+                values[place] = self.values[self.count];
             }
         }
-        for (place, ((.., value), moved)) in variables.iter_mut().zip(chart.moved(moved)).enumerate() {
+        for (place, (value, moved)) in values.iter_mut().zip(chart.moved(moved)).enumerate() {
             if !chart.is_force(place) {
                 *value += moved;
             }
         }
-        let mut motions = [EndMotion::at_rest(); 2];
-        for (place, (end, freedom, value)) in variables.iter().enumerate() {
-            let terms = variables.iter().enumerate().map(|(other, (.., value))| chart.entry(place, other) * *value);
-            let gradient = terms.fold(S::zero(), |sum, term| sum + term);
-            let is_rotation = freedom + 1 == MOST_FREEDOMS;
-            let unit = chart.units.of(is_rotation);
-            let [displacement, force] = if chart.is_force(place) { [-gradient, *value] } else { [*value, gradient] };
-            motions[*end].displacements[*freedom] = displacement.scaled(power_of_two(unit));
-            motions[*end].forces[*freedom] = force.scaled(power_of_two(-unit));
-        }
-        motions
+        chart.motion(&values, load)
     }
 }
 

@@ -1,0 +1,111 @@
+//! Loads along members of plane structures.
+
+use crate::answer::network::states::PlaneStates;
+use crate::element::{MemberEnds, MemberMotion, VisitMember};
+use crate::model::{EndMotion, MotionError, SpreadLoad};
+use crate::number::{Oscillation, Scalar};
+use crate::pass::network::{PlacedMotions, load_work, turned};
+use mstmm_plan::Freedoms;
+use num_traits::Zero;
+
+/// The part of a load across a member that is its rounding.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// What a load along members is on each, along it and across it, per length.
+///
+/// # Errors
+/// [`MotionError::NoUniformLoad`] where a member takes none, or a path of one motion has a mass, whose weight has no direction there;
+/// [`MotionError::NoSuchFreedom`] for a direction in which a member does not move.
+pub(super) fn loads<Y, S>(system: &Y, load: SpreadLoad) -> Result<Y::PerMember<[S; 2]>, MotionError>
+where
+    Y: PlacedMotions<S>,
+    S: Oscillation<Y::Parameter>,
+{
+    let [nodes, members] = system.sizes();
+    let mut loads = Y::per_member([S::zero(); 2]);
+    if load.member.is_none() {
+        let has_weight = |node: usize| {
+            let (body, motions) = system.node(node);
+            motions.is_of_path && body.has_body() && !body.mass.is_zero()
+        };
+        if (0..nodes).any(has_weight) {
+            return Err(MotionError::NoUniformLoad);
+        }
+    }
+    for (member, own) in loads.as_mut().iter_mut().enumerate().take(members) {
+        *own = on_member(system, load, member)?;
+    }
+    Ok(loads)
+}
+
+/// A load on a member, along it and across it, per length.
+fn on_member<Y, S>(system: &Y, load: SpreadLoad, member: usize) -> Result<[S; 2], MotionError>
+where
+    Y: PlacedMotions<S>,
+    S: Oscillation<Y::Parameter>,
+{
+    let density = match load.member {
+        Some(loaded) => S::from_f64(if loaded == member { 1.0 } else { 0.0 }),
+        None => system.visit_member(member, MassPerLength).unwrap_or_default(),
+    };
+    if density.is_zero() {
+        return Ok([S::zero(); 2]);
+    }
+    let placement = system.placement(member);
+    let is_straight = placement.axis::<Y::Parameter>(0) == placement.axis(1)
+        && [0, 1].iter().all(|end| !system.node(placement.node_of(*end)).1.is_of_path);
+    let takes_loads = system.visit_member(member, TakesLoads).unwrap_or(false);
+    if !(is_straight && takes_loads) {
+        return Err(MotionError::NoUniformLoad);
+    }
+    let mut direction = [S::zero(); 3];
+    direction[load.axis] = density;
+    let [along, across, _] = turned(direction, placement.axis(0));
+    for (part, freedom) in [(along, Freedoms::X), (across, Freedoms::Y)] {
+        if part.size() > ROUNDING * density.size() && !placement.freedoms.contains(freedom) {
+            return Err(MotionError::NoSuchFreedom { freedom });
+        }
+    }
+    Ok([along, across])
+}
+
+impl<Y, S> PlaneStates<'_, Y, S>
+where
+    Y: PlacedMotions<S>,
+    S: Oscillation<Y::Parameter>,
+{
+    /// The work of a load along members on this motion, without that of the bodies in a weight.
+    pub(super) fn work_of(&self, load: SpreadLoad) -> Result<S, MotionError> {
+        let loads = loads::<Y, S>(self.system, load)?;
+        let members = loads.as_ref().iter().enumerate().take(self.system.sizes()[1]);
+        Ok(members.fold(S::zero(), |sum, (member, load)| {
+            sum + load_work(self.system, member, *load, self.member_ends(member))
+        }))
+    }
+
+    /// The load along a member under which this motion is.
+    pub(super) fn load_on(&self, member: usize) -> Option<[S; 2]> {
+        on_member(self.system, self.spread()?, member).ok().filter(|load| load.iter().any(|part| !part.is_zero()))
+    }
+}
+
+struct MassPerLength;
+
+impl<S: Scalar> VisitMember<S> for MassPerLength {
+    type Output = S;
+
+    fn member<E: MemberMotion<S>>(self, built: &E::Built) -> S {
+        E::mass_per_length(built)
+    }
+}
+
+struct TakesLoads;
+
+impl<S: Scalar> VisitMember<S> for TakesLoads {
+    type Output = bool;
+
+    fn member<E: MemberMotion<S>>(self, built: &E::Built) -> bool {
+        let resting = MemberEnds { x: S::zero(), ends: [EndMotion::at_rest(); 2] };
+        E::load_work(built, &resting).is_some()
+    }
+}
