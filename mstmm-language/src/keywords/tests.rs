@@ -5,36 +5,35 @@ use mstmm_core::elements::{ELEMENTS as OF_CORE, Row};
 
 #[test]
 fn each_element_of_the_core_has_one_keyword_with_its_state_and_parameters() {
-    let is_damped =
-        |row: &&Row| ELEMENTS.iter().filter_map(|row| row.variant).any(|damped| damped.type_name == row.name);
-    let mut of_core: Vec<&Row> = OF_CORE.iter().filter(|row| !is_damped(row)).collect();
+    let is_variant =
+        |row: &&Row| ELEMENTS.iter().filter_map(|row| row.variant).any(|variant| variant.type_name == row.name);
+    let mut of_core: Vec<&Row> = OF_CORE.iter().filter(|row| !is_variant(row)).collect();
     let mut keywords: Vec<&Keyword> = ELEMENTS.iter().collect();
     of_core.sort_by_key(|row| row.name);
-    keywords.sort_by_key(|(type_name, ..)| *type_name);
-    let rows: Vec<&str> = keywords.iter().map(|(type_name, ..)| *type_name).collect();
+    keywords.sort_by_key(|keyword| keyword.type_name);
+    let rows: Vec<&str> = keywords.iter().map(|keyword| keyword.type_name).collect();
     let names: Vec<&str> = of_core.iter().map(|row| row.name).collect();
     assert_eq!(rows, names, "rows of keywords.rs, and of elements/mod.rs in the core");
-    for ((_, keyword, parameters), of_core) in keywords.iter().zip(of_core) {
+    for (keyword, of_core) in keywords.iter().zip(of_core) {
         assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
-        assert_eq!(parameters, of_core.parameters, "{}", keyword.name);
+        assert_eq!(keyword.parameters, of_core.parameters, "{}", keyword.name);
         assert!(keyword.optional.iter().all(|name| keyword.parameters.contains(name)), "{}", keyword.name);
     }
 }
 
-/// With damping an element has the parameters of its keyword, those of damping, and others that are zero.
+/// Another type has the parameters of the keyword, those that select it, and others that are zero.
 #[test]
-fn each_element_with_damping_is_one_of_the_core() {
-    for (keyword, damped) in ELEMENTS.iter().filter_map(|row| Some((row, row.variant?))) {
-        let of_core = OF_CORE.iter().find(|row| row.name == damped.type_name);
-        let of_core = of_core.unwrap_or_else(|| panic!("no `{}` in the core", damped.type_name));
-        let parts = [keyword.parameters, damped.parameters, damped.absent];
+fn each_type_that_parameters_select_is_one_of_the_core() {
+    for (keyword, variant) in ELEMENTS.iter().filter_map(|row| Some((row, row.variant?))) {
+        let of_core = OF_CORE.iter().find(|row| row.name == variant.type_name);
+        let of_core = of_core.unwrap_or_else(|| panic!("no `{}` in the core", variant.type_name));
+        let parts = [keyword.parameters, variant.parameters, variant.absent];
         let mut parameters: Vec<&str> = parts.concat();
         let mut expected = of_core.parameters.to_vec();
         parameters.sort_unstable();
         expected.sort_unstable();
         assert_eq!(parameters, expected, "{}", keyword.name);
         assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
-        assert!(damped.parameters.iter().all(|name| DAMPING.contains(name)), "{}", keyword.name);
     }
 }
 
@@ -42,7 +41,8 @@ fn each_element_with_damping_is_one_of_the_core() {
 fn the_grammar_says_which_elements_have_damping() {
     let grammar = include_str!("../../../docs/grammar.md");
     let (_, section) = grammar.split_once("### Damping of materials").unwrap();
-    for (keyword, damped) in ELEMENTS.iter().filter_map(|row| Some((row, row.variant?))) {
+    let is_damped = |variant: &Variant| variant.parameters.iter().all(|name| DAMPING.contains(name));
+    for (keyword, damped) in ELEMENTS.iter().filter_map(|row| Some((row, row.variant.filter(is_damped)?))) {
         let quoted = format!("`{}`", keyword.name);
         let row = section.lines().find(|line| line.starts_with('|') && line.contains(&quoted));
         let row = row.unwrap_or_else(|| panic!("no row for {quoted} in the table of damping in docs/grammar.md"));
