@@ -60,12 +60,13 @@ pub use elements::{AnyElement, AnyUndamped};
 pub use model::chain_rule::{Chain, ChainRule, Fields, NamedFields};
 pub use model::end_motion::EndMotion;
 pub use model::ends::Ends;
-pub use model::error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot};
+pub use model::error::{InvalidParameter, ParameterError, Requirement};
 pub use model::estimates::FrequencyEstimates;
 pub use model::label::{Entry, Label, Load, Point};
 pub use model::load_error::LoadError;
 pub use model::motion_error::MotionError;
 pub use model::plane_label::{Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
+pub use model::search_error::{SearchError, Spot};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use mstmm_plan::{
     Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support,

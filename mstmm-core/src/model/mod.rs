@@ -10,12 +10,13 @@ pub(crate) mod load_error;
 pub(crate) mod motion_error;
 pub(crate) mod plane_label;
 pub(crate) mod scaled_state;
+pub(crate) mod search_error;
 pub(crate) mod state;
 
 pub(crate) use chain_rule::{Chain, Fields, NamedFields};
 pub(crate) use end_motion::EndMotion;
 pub(crate) use ends::Ends;
-pub(crate) use error::{InvalidParameter, ParameterError, Requirement, SearchError, Spot, is_size_of_direction};
+pub(crate) use error::{InvalidParameter, ParameterError, Requirement, is_size_of_direction};
 pub(crate) use estimates::FrequencyEstimates;
 pub(crate) use label::{Acting, Entry, Label, Load, Point, Spread, plain};
 pub(crate) use load_error::LoadError;
@@ -24,4 +25,5 @@ pub(crate) use plane_label::{
     Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad, Tied,
 };
 pub(crate) use scaled_state::ScaledState;
+pub(crate) use search_error::{SearchError, Spot};
 pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};

@@ -1,6 +1,6 @@
 //! Errors of questions about motions.
 
-use crate::model::error::Spot;
+use crate::model::search_error::Spot;
 use core::fmt;
 use mstmm_plan::{Coordinate, Freedoms};
 
@@ -175,25 +175,28 @@ impl fmt::Display for MotionError {
             MotionError::NotFinite { frequency } => {
                 write!(f, "at the frequency {frequency} the motion is not finite")
             }
-            MotionError::LossFactor => {
-                write!(
-                    f,
-                    "a loss factor describes motions with Im λ > 0, not those in time: ask `frequency_response`, or take "
-                )?;
-                write!(f, "`kelvin_voigt_time`")
-            }
-            MotionError::NoUniformLoad => {
-                write!(
-                    f,
-                    "no load acts all along this element, or the weight of an element or of a mass on a path is not known"
-                )
-            }
+            MotionError::LossFactor | MotionError::NoUniformLoad => self.fmt_limit(f),
             _ => self.fmt_question(f),
         }
     }
 }
 
 impl MotionError {
+    /// What the elements of a system do not tell.
+    fn fmt_limit(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if *self == MotionError::LossFactor {
+            write!(
+                f,
+                "a loss factor describes motions with Im λ > 0, not those in time: ask `frequency_response`, or take "
+            )?;
+            return write!(f, "`kelvin_voigt_time`");
+        }
+        write!(
+            f,
+            "no load acts all along this element, or the weight of an element or of a mass on a path is not known"
+        )
+    }
+
     /// What is wrong with a question, whatever the system.
     fn fmt_question(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {

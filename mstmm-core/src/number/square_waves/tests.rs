@@ -18,11 +18,17 @@ fn plain<S: Scalar>(square: S) -> [S; 2] {
     [cosh, sinhc].map(|value| value.times_power_of_two(exponent))
 }
 
-/// Both functions by doubling the wave number, from a square whose series is short: `C(4κ) = 2C² - 1`, `S(4κ) = C S`.
+/// Both functions by doubling the wave number, from a square whose series is short.
 fn doubled(square: DoubleDouble) -> [DoubleDouble; 2] {
+    let [beyond_one, sinhc] = doubled_beyond_one(square);
+    [wide(1.0) + beyond_one, sinhc]
+}
+
+/// `V = C - 1` and S: `V(4κ) = 2V (V + 2)`, `S(4κ) = (1 + V) S`, in which errors do not grow as those of `2C² - 1` would.
+fn doubled_beyond_one(square: DoubleDouble) -> [DoubleDouble; 2] {
     if square.size() < 1e-3 {
-        let mut terms = [DoubleDouble::from_f64(1.0); 2];
-        let mut sums = terms;
+        let mut terms = [wide(1.0); 2];
+        let mut sums = [wide(0.0), wide(1.0)];
         for k in 1..8 {
             for (parity, (term, sum)) in terms.iter_mut().zip(&mut sums).enumerate() {
                 let n = (2 * k + parity) as f64;
@@ -32,8 +38,8 @@ fn doubled(square: DoubleDouble) -> [DoubleDouble; 2] {
         }
         return sums;
     }
-    let [cosh, sinhc] = doubled(square.times_power_of_two(-2));
-    [(cosh * cosh).times_power_of_two(1) - wide(1.0), cosh * sinhc]
+    let [beyond_one, sinhc] = doubled_beyond_one(square.times_power_of_two(-2));
+    [(beyond_one * (beyond_one + wide(2.0))).times_power_of_two(1), (wide(1.0) + beyond_one) * sinhc]
 }
 
 proptest! {

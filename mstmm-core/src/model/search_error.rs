@@ -1,0 +1,192 @@
+//! What a search cannot do, and where.
+
+use core::fmt;
+
+/// What a point or a member of a network is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spot {
+    /// The node of an index, of a network that is a list.
+    Node(usize),
+    /// The member of an index, of a network that is a list.
+    Member(usize),
+    /// What has a name.
+    Named(&'static str),
+}
+
+impl fmt::Display for Spot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Spot::Node(node) => write!(f, "node {node}"),
+            Spot::Member(member) => write!(f, "member {member}"),
+            Spot::Named(name) => write!(f, "{name}"),
+        }
+    }
+}
+
+/// A search that cannot start or cannot return all it found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SearchError {
+    /// The range is empty, reversed or not finite, or its length is beyond the range of `f64`.
+    Range {
+        /// Start of the range.
+        start: f64,
+        /// End of the range.
+        end: f64,
+    },
+    /// A grid needs at least three points in each direction, and no more than the search has room for.
+    Grid {
+        /// Points asked for.
+        points: usize,
+        /// Largest number of points of this direction.
+        limit: usize,
+    },
+    /// A tolerance must be positive and finite.
+    Tolerance {
+        /// The tolerance that was given.
+        tolerance: f64,
+    },
+    /// The function returned a NaN.
+    NotANumber {
+        /// First coordinate of the point.
+        x: f64,
+        /// Second coordinate of the point; zero in one dimension.
+        y: f64,
+    },
+    /// The function is zero at every point that was tried: it vanishes identically, and every point of the range is a root. A
+    /// degree of freedom is held twice, or a massless one by nothing.
+    Zero {
+        /// Number of points.
+        points: usize,
+        /// Where in a network that shows.
+        at: Option<Spot>,
+    },
+    /// A search on a rectangle did not come to rest.
+    StillMoving {
+        /// First coordinate of the point where it was given up.
+        x: f64,
+        /// Second coordinate of that point.
+        y: f64,
+        /// How often it had moved with cells of one size.
+        moves: usize,
+    },
+    /// The system has fewer roots than were asked for.
+    TooFewRoots {
+        /// How many it has.
+        found: u64,
+    },
+    /// The search was given up: it took too many evaluations for the roots that it found. The region is too large, or too narrow
+    /// beside roots on its edges.
+    Effort {
+        /// Evaluations so far.
+        evaluations: usize,
+        /// Eigenvalues that were found, in the region or close to it, of each pair one.
+        found: usize,
+    },
+    /// Rounding leaves too few digits: counts contradict each other, sums cancel, or a count is asked for at a root itself. Nothing
+    /// is certified, so nothing is returned.
+    Unresolved {
+        /// Frequency near which this happened.
+        near: f64,
+    },
+    /// The system is statically unstable: motions grow, and have no frequency. Their rates are real eigenvalues.
+    Unstable {
+        /// How many motions grow.
+        modes: u64,
+    },
+    /// A region that reaches down to the real axis of λ, of a system in which something has a loss factor: that describes motions with `Im λ > 0`
+    /// alone.
+    LossFactor {
+        /// The lower end of the region [rad/s].
+        im: f64,
+    },
+    /// A region that comes near a λ at which the stiffness of a member of Kelvin and Voigt vanishes: infinitely many eigenvalues accumulate
+    /// there. Fewer than were asked for are nearer to zero.
+    Accumulation {
+        /// Start of the part of the real axis from which searches have to keep away [1/s].
+        from: f64,
+        /// Its end [1/s].
+        to: f64,
+    },
+    /// There are more results than the caller's capacity; none is returned rather than a part of them.
+    Capacity {
+        /// The capacity.
+        capacity: usize,
+    },
+}
+
+impl fmt::Display for SearchError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            SearchError::Range { start, end } => {
+                write!(f, "the search range from {start} to {end} must run upwards and be of finite length")
+            }
+            SearchError::Grid { points, limit } => {
+                write!(f, "a grid of {points} points was asked for; it needs at least 3 and at most {limit}")
+            }
+            SearchError::Tolerance { tolerance } => {
+                write!(f, "the tolerance {tolerance} must be positive and finite")
+            }
+            SearchError::NotANumber { x, y } => {
+                write!(f, "the function is not a number at ({x:e}, {y:e}); where it overflows, search a smaller range")
+            }
+            SearchError::Zero { points, at } => {
+                write!(f, "the function is zero at all {points} points that were tried, far from each other: ")?;
+                write!(f, "something is held twice, or a massless part by nothing")?;
+                at.map_or(Ok(()), |spot| write!(f, ", as shows at {spot}"))
+            }
+            SearchError::StillMoving { x, y, moves } => {
+                write!(f, "the search for a minimum was given up at ({x}, {y}), still moving after {moves} moves")
+            }
+            SearchError::TooFewRoots { found } => {
+                write!(
+                    f,
+                    "the system has no more than {found} of the roots asked for; of each pair of eigenvalues one counts"
+                )
+            }
+            SearchError::Effort { evaluations, found } => {
+                write!(f, "the search was given up after {evaluations} evaluations, with {found} eigenvalues found; ")?;
+                write!(f, "search a smaller region, or one whose edges keep away from eigenvalues")
+            }
+            SearchError::Unresolved { near } => {
+                write!(f, "what is near {near} cannot be certified: too few digits are left there after rounding")
+            }
+            SearchError::Unstable { modes } => {
+                let grow = if modes == 1 { "motion grows" } else { "motions grow" };
+                write!(f, "the system is statically unstable: {modes} {grow} instead of vibrating; ")?;
+                write!(f, "their rates are real eigenvalues, which `eigenvalues` finds")
+            }
+            SearchError::LossFactor { im } => {
+                write!(
+                    f,
+                    "the region reaches down to Im λ = {im}, but a loss factor describes motions with Im λ > 0 alone: "
+                )?;
+                write!(f, "let it begin above zero")
+            }
+            SearchError::Accumulation { from, to } => {
+                write!(
+                    f,
+                    "eigenvalues accumulate between λ = {from} and {to}, where the stiffness of a member of Kelvin and "
+                )?;
+                write!(f, "Voigt vanishes: search regions that keep away from there")
+            }
+            SearchError::Capacity { capacity } => {
+                write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SearchError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn a_range_too_long_for_its_type_is_told_so() {
+        let message = SearchError::Range { start: -1.5e308, end: 1.5e308 }.to_string();
+        assert!(message.contains("finite length"), "{message}");
+    }
+}
