@@ -1,6 +1,7 @@
 //! Uniform loads and weights on the elements of paths, at rest and at any frequency.
 
 mod at_rest;
+mod damped;
 mod series;
 mod superposed;
 mod weights;

@@ -40,7 +40,7 @@ impl<M: Lanewise> SideBySide<M> {
     /// not stand in line. Each has been built alone before.
     #[inline]
     pub(crate) fn new(models: &[Option<&M>; MODELS]) -> Option<Self> {
-        if lanes::<f64, Built<M>>() < MODELS {
+        if !Built::<M>::STANDS_IN_LINE || lanes::<f64, Built<M>>() < MODELS {
             return None;
         }
         let last = models.iter().flatten().last()?;

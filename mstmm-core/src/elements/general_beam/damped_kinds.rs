@@ -1,8 +1,8 @@
 //! Beams with damping, by the parameters that they have.
 
 use crate::element::{
-    BackTransfer, Charted, Element, Energies, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion,
-    MemberWork, PlaneStep, TransferMatrix,
+    BackTransfer, CarriesLoad, Charted, Element, Energies, Forms, Inside, MatrixOf, MemberEnds, MemberGradient,
+    MemberMotion, MemberWork, PlaneStep, TransferMatrix,
 };
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::damped::BuiltDampedBeam;
@@ -148,6 +148,14 @@ macro_rules! damped_beams {
                 built.state_at(ends, distance)
             }
 
+            fn load_work(built: &BuiltDampedBeam<T>, ends: &Ends<S>) -> Option<S> {
+                Some(built.motion(ends.x).load_work(ends))
+            }
+
+            fn mass_per_length(built: &BuiltDampedBeam<T>) -> S {
+                S::from_parameter(built.beam.parameters.mass_per_length)
+            }
+
             fn gradient(built: &BuiltDampedBeam<T>, ends: &Ends<S>) -> $damped<S> {
                 $damped::gradient_of(built, ends)
             }
@@ -183,7 +191,26 @@ macro_rules! damped_beams {
             fn motion_at(built: &BuiltDampedBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
                 built.motion_at(&motion.bending(), distance)
             }
+
+            fn load_work(built: &BuiltDampedBeam<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
+                Some([S::zero(), built.motion(motion.x).load_work(&motion.bending())])
+            }
+
+            fn mass_per_length(built: &BuiltDampedBeam<T>) -> S {
+                S::from_parameter(built.beam.parameters.mass_per_length)
+            }
+
+            fn motion_under_load(
+                built: &BuiltDampedBeam<T>,
+                motion: &MemberEnds<S>,
+                [_, load]: [S; 2],
+                distance: f64,
+            ) -> EndMotion<S> {
+                EndMotion::bent(built.motion(motion.x).state_under(&motion.bending(), load, T::from_f64(distance)))
+            }
         }
+
+        impl<T: Real> CarriesLoad for $damped<T> {}
 
         impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for $damped<T> {
             type Gradient = $damped<S>;
