@@ -72,7 +72,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("mode    f [Hz]   damping [%]   circle [1/s]");
     let roots = vehicle.first_eigenvalues::<5>()?;
     for (mode, root) in roots.iter().enumerate() {
-        let (hertz, damping) = (root.lambda.im / std::f64::consts::TAU, -root.lambda.re / root.lambda.norm());
+        let (hertz, damping) = (root.hertz(), -root.lambda.re / root.lambda.norm());
         println!("{:4} {hertz:9.4} {:13.2} {:14.1e}", mode + 1, 100.0 * damping, root.error);
     }
 

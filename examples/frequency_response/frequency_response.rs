@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for root in &resonances(&system)? {
         let omega = root.lambda.im;
         let value = response.at(Complex::new(0.0, omega))?;
-        let (hertz, ratio, phase) = (omega / std::f64::consts::TAU, root.damping_ratio(), value.arg().to_degrees());
+        let (hertz, ratio, phase) = (root.hertz(), root.damping_ratio(), value.arg().to_degrees());
         println!("{omega:17.4} {hertz:7.1} {ratio:15.6} {:28.4e} {phase:11.2}", value.norm());
     }
     let (samples, file) = (receptance(&system)?, "target/frequency_response.svg");

@@ -11,7 +11,7 @@ use quote::ToTokens;
 use std::collections::BTreeSet;
 use std::fmt;
 use syn::ext::IdentExt;
-use syn::{Attribute, Expr, ExprPath, Ident, ItemStruct, Lit, Local, Path};
+use syn::{Attribute, Expr, ExprPath, Ident, ItemStruct, Lit, Local, Path, Type};
 
 /// A whole model.
 pub(crate) struct Model {
@@ -35,6 +35,8 @@ pub(crate) const NO_SENSITIVITY: &str = "no_sensitivity";
 /// A field of the struct of parameters.
 pub(crate) struct Field<'a> {
     pub(crate) name: &'a Ident,
+    /// Its type, which should be `f64`.
+    pub(crate) kind: &'a Type,
     /// Its `#[cfg(..)]` attributes.
     pub(crate) conditions: Vec<&'a Attribute>,
     /// Whether it has a derivative: it is not marked by `#[no_sensitivity]`.
@@ -48,7 +50,12 @@ impl Model {
             let named =
                 |name: &'static str| field.attrs.iter().filter(move |attribute| attribute.path().is_ident(name));
             let has_derivative = named(NO_SENSITIVITY).next().is_none();
-            Some(Field { name: field.ident.as_ref()?, conditions: named("cfg").collect(), has_derivative })
+            Some(Field {
+                name: field.ident.as_ref()?,
+                kind: &field.ty,
+                conditions: named("cfg").collect(),
+                has_derivative,
+            })
         })
     }
 

@@ -2,8 +2,10 @@
 
 mod derivatives;
 mod fields;
+mod neighbours;
 mod network;
 mod parameters;
+mod selves;
 mod tree;
 mod words;
 

@@ -132,6 +132,25 @@ pub(crate) const SUPPORTS: &[(&str, Support)] = &[
     ("roller", Support::Roller),
 ];
 
+/// What supports are called elsewhere.
+const OTHER_NAMES: &[(&str, &str)] = &[
+    ("clamped", "fixed"),
+    ("clamp", "fixed"),
+    ("encastre", "fixed"),
+    ("built_in", "fixed"),
+    ("hinged", "pinned"),
+    ("hinge", "pinned"),
+    ("simply_supported", "pinned"),
+    ("simple", "pinned"),
+    ("sliding", "guided"),
+    ("slider", "guided"),
+];
+
+/// The support that a word means elsewhere.
+pub(crate) fn meant_support(word: &str) -> Option<&'static str> {
+    OTHER_NAMES.iter().find(|(name, _)| *name == word).map(|(_, support)| *support)
+}
+
 /// The keyword of connections.
 pub(crate) const CONNECTION: &str = "conn";
 

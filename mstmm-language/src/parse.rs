@@ -6,6 +6,7 @@ mod suffix;
 use crate::ast::{Arrow, Model, TransferPath};
 use crate::diagnostics::{Errors, Place};
 use crate::keywords::ALONG;
+use crate::spans::collect_names;
 use proc_macro2::{Group, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::collections::BTreeSet;
 use std::fmt::Display;
@@ -59,19 +60,6 @@ fn recover<T>(input: ParseStream<'_>, parse: fn(ParseStream<'_>) -> Result<T>, e
     }
     let _ = input.parse::<Option<Token![;]>>();
     line
-}
-
-/// All names that occur in the tokens.
-fn collect_names(tokens: TokenStream, names: &mut BTreeSet<String>) {
-    for tree in tokens {
-        match tree {
-            TokenTree::Ident(name) => {
-                names.insert(name.to_string());
-            }
-            TokenTree::Group(group) => collect_names(group.stream(), names),
-            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
-        }
-    }
 }
 
 /// The struct that a model begins with.

@@ -56,6 +56,11 @@ impl<'a> Plan<'a> {
         self.steps.iter().filter(is_use).count()
     }
 
+    /// Whether planar elements of the language stand in it, which take no part in searches.
+    pub(crate) fn is_planar(&self) -> bool {
+        self.elements.iter().any(|element| element.kind.known().is_some_and(|known| known.space == Space::Planar))
+    }
+
     /// Plans a checked tree: depth first from the root, inputs in source order, so that inputs precede outputs.
     pub(crate) fn of(tree: &Tree<'_, 'a>) -> Self {
         let mut plan = Plan { steps: Vec::new(), elements: Vec::new() };

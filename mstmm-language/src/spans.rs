@@ -1,6 +1,7 @@
 //! Places and meanings of tokens: what rustc shows, and what a name refers to.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Span, TokenStream, TokenTree};
+use std::collections::BTreeSet;
 
 /// The span of emitted code.
 ///
@@ -18,4 +19,17 @@ pub(crate) fn emitted_at(facade: &TokenStream, token: Span) -> Span {
 pub(crate) fn origin(span: Span) -> String {
     let text = format!("{span:?}");
     text.split_once(" bytes(").map(|(context, _)| context.to_owned()).unwrap_or(text)
+}
+
+/// All names that occur in the tokens.
+pub(crate) fn collect_names(tokens: TokenStream, names: &mut BTreeSet<String>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Ident(name) => {
+                names.insert(name.to_string());
+            }
+            TokenTree::Group(group) => collect_names(group.stream(), names),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
 }

@@ -20,7 +20,18 @@ const ORDER: &[(&str, &[&str])] = &[
     ("element", &["number", "model", "subspace"]),
     ("elements", &["number", "model", "subspace", "element"]),
     ("pass", &["number", "model", "subspace", "element"]),
-    ("search", &["number", "model", "subspace/count", "pass/characteristic", "pass/at_once", "pass/side_by_side"]),
+    (
+        "search",
+        &[
+            "number",
+            "model",
+            "subspace/count",
+            "pass/characteristic",
+            "pass/searched",
+            "pass/at_once",
+            "pass/side_by_side",
+        ],
+    ),
     ("answer", &["number", "model", "subspace/count", "element", "pass", "search"]),
 ];
 

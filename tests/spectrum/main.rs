@@ -36,4 +36,5 @@ mod tapered_beams;
 mod tree_corners;
 #[path = "../support/undamped_models.rs"]
 mod undamped_models;
+mod vectors;
 mod wave_lines;

@@ -2,9 +2,10 @@
 
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::root::Root;
-use crate::model::MotionError;
-use crate::number::{List, Oscillation, Real, Scalar};
+use crate::model::{MotionError, turns};
+use crate::number::{List, Oscillation, Real, Scalar, sort_by};
 use crate::pass::tree::{Planned, Tree};
+use crate::search::ClosedRange;
 use core::ops::RangeInclusive;
 
 /// Number of intervals of a curve before it is refined.
@@ -23,6 +24,13 @@ pub struct Sample<T, S> {
     is_settled: bool,
 }
 
+impl<T: Real, S> Sample<T, S> {
+    /// Frequency `ω/2π` [Hz].
+    pub fn hertz(&self) -> T {
+        turns::hertz(self.omega)
+    }
+}
+
 impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
     /// The response over a range of ω [rad/s], refined where it bends: between two samples it differs from the straight line at
     /// the middle by no more than `tolerance` times the largest of the three.
@@ -37,7 +45,7 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
     /// finite; [`MotionError::Tolerance`] for a tolerance that is not positive; else as [`at`](FrequencyResponse::at).
     pub fn curve<const CAP: usize, S>(
         &self,
-        range: RangeInclusive<Y::Parameter>,
+        range: impl ClosedRange<Y::Parameter>,
         roots: &[impl Root<Y::Parameter, Frequency = S>],
         tolerance: f64,
     ) -> Result<List<Sample<Y::Parameter, S>, CAP>, MotionError>
@@ -45,7 +53,7 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
         Y: Tree<S>,
         S: Oscillation<Y::Parameter>,
     {
-        refined(|x| self.at(x), &range, roots, tolerance)
+        refined(|x| self.at(x), &range.closed(), roots, tolerance)
     }
 }
 
@@ -109,7 +117,7 @@ where
             return Ok(());
         }
         self.samples.push(sample).map_err(|_| MotionError::Capacity { capacity: CAP })?;
-        self.samples.sort_by(|a, b| a.omega < b.omega);
+        sort_by(self.samples.as_mut_slice(), |a, b| a.omega < b.omega);
         Ok(())
     }
 

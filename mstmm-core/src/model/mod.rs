@@ -12,6 +12,7 @@ pub(crate) mod plane_label;
 pub(crate) mod scaled_state;
 pub(crate) mod search_error;
 pub(crate) mod state;
+pub(crate) mod turns;
 
 pub(crate) use chain_rule::{Chain, Fields, NamedFields};
 pub(crate) use end_motion::EndMotion;

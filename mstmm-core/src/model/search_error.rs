@@ -72,8 +72,10 @@ pub enum SearchError {
     },
     /// The system has fewer roots than were asked for.
     TooFewRoots {
-        /// How many it has.
+        /// How many it has; of each pair of eigenvalues one counts.
         found: u64,
+        /// How many were asked for.
+        wanted: u64,
     },
     /// The search was given up: it took too many evaluations for the roots that it found. The region is too large, or too narrow
     /// beside roots on its edges.
@@ -138,11 +140,10 @@ impl fmt::Display for SearchError {
             SearchError::StillMoving { x, y, moves } => {
                 write!(f, "the search for a minimum was given up at ({x}, {y}), still moving after {moves} moves")
             }
-            SearchError::TooFewRoots { found } => {
-                write!(
-                    f,
-                    "the system has no more than {found} of the roots asked for; of each pair of eigenvalues one counts"
-                )
+            SearchError::TooFewRoots { found, wanted } => {
+                let frequencies = if found == 1 { "frequency" } else { "frequencies" };
+                write!(f, "the system has {found} {frequencies}, {wanted} were asked for; ")?;
+                write!(f, "of each pair of eigenvalues one counts")
             }
             SearchError::Effort { evaluations, found } => {
                 write!(f, "the search was given up after {evaluations} evaluations, with {found} eigenvalues found; ")?;

@@ -40,19 +40,6 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
         last
     }
 
-    /// Sorts by insertion; `before` tells whether one value stands strictly before another.
-    #[inline]
-    pub(crate) fn sort_by(&mut self, before: impl Fn(&V, &V) -> bool) {
-        let values = &mut self.values[..self.length];
-        for end in 1..values.len() {
-            let mut place = end;
-            while place > 0 && before(&values[place], &values[place - 1]) {
-                values.swap(place, place - 1);
-                place -= 1;
-            }
-        }
-    }
-
     /// The values, to be changed or put in order.
     #[inline]
     pub(crate) fn as_mut_slice(&mut self) -> &mut [V] {
@@ -63,6 +50,18 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
     #[inline]
     pub(crate) fn reverse(&mut self) {
         self.as_mut_slice().reverse();
+    }
+}
+
+/// Sorts by insertion; `before` tells whether one value stands strictly before another.
+#[inline]
+pub(crate) fn sort_by<V>(values: &mut [V], before: impl Fn(&V, &V) -> bool) {
+    for end in 1..values.len() {
+        let mut place = end;
+        while place > 0 && before(&values[place], &values[place - 1]) {
+            values.swap(place, place - 1);
+            place -= 1;
+        }
     }
 }
 

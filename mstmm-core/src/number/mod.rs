@@ -22,6 +22,7 @@ pub(crate) mod partials;
 pub(crate) mod scalar;
 pub(crate) mod scaled;
 pub(crate) mod square_waves;
+pub(crate) mod store;
 #[cfg(test)]
 pub(crate) mod tolerance;
 pub(crate) mod truth;
@@ -38,7 +39,7 @@ pub(crate) use doubt::{
 pub(crate) use dual::Dual;
 pub(crate) use exponent::{binary_exponent, power_of_two};
 pub(crate) use exponentials::{exponential, phi_1, phi_2};
-pub(crate) use fixed_list::List;
+pub(crate) use fixed_list::{List, sort_by};
 pub(crate) use floats::{argument, elementary};
 pub(crate) use frequency::{
     ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, Oscillation, Parameter, Real, RealFrequency, larger,
@@ -50,6 +51,7 @@ pub(crate) use packed::{InLanes, Packed, Parameters, Task, run};
 pub(crate) use partials::Partials;
 pub(crate) use scalar::{Scalar, Single, series, twice};
 pub(crate) use scaled::{Magnitude, Scaled};
+pub(crate) use store::Store;
 #[cfg(test)]
 pub(crate) use tolerance::assert_close;
 pub(crate) use truth::{Size, Truth};

@@ -11,6 +11,7 @@ pub(crate) mod overall;
 pub(crate) mod phase;
 pub(crate) mod planned_list;
 pub(crate) mod route;
+pub(crate) mod searched;
 pub(crate) mod side_by_side;
 pub(crate) mod state_recovery;
 pub(crate) mod step_list;

@@ -2,8 +2,9 @@
 
 use crate::element::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit};
 use crate::model::{Chain, Ends, Fields, FrequencyEstimates, Label, Point};
-use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
+use crate::number::{Frequency, FrequencyPowers, InLanes, Scalar, Scaled};
 use crate::pass::characteristic::{Characteristic, System};
+use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 use crate::pass::tree::{Planned, Tree};
 use crate::subspace::RootCounter;
@@ -163,6 +164,13 @@ where
         self.list.pass(x, counter)
     }
 }
+
+impl<E: ListElement<Parameter: InLanes>, const STEPS: usize> Undamped for PlannedList<'_, E, STEPS> where
+    Self: RealPasses
+{
+}
+
+impl<E: ListElement, const STEPS: usize> Spectrum for PlannedList<'_, E, STEPS> where Self: ComplexPasses {}
 
 impl<E: ListElement, const STEPS: usize> Planned for PlannedList<'_, E, STEPS> {
     type Model = InList;

@@ -2,9 +2,10 @@
 
 use crate::element::{ListElement, ListStepping, PlaneStep, VisitStep};
 use crate::model::FrequencyEstimates;
-use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
+use crate::number::{Frequency, FrequencyPowers, InLanes, Scalar, Scaled};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::inlining::into_root;
+use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::subspace::{Connecting, RootCounter, Subspace, connection};
 use core::fmt;
 use mstmm_plan::{Space, Support};
@@ -226,6 +227,10 @@ where
         Scaled::new(S::zero(), 0) // `new` has refused lists without a root
     }
 }
+
+impl<E: ListElement<Parameter: InLanes>> Undamped for StepList<'_, E> where Self: RealPasses {}
+
+impl<E: ListElement> Spectrum for StepList<'_, E> where Self: ComplexPasses {}
 
 /// Takes a subspace through an element.
 struct Through<'a, S, C> {

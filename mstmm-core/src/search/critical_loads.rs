@@ -3,8 +3,10 @@
 use crate::model::{LoadError, ParameterError, SearchError};
 use crate::number::{Frequency, List, Parameter, Real, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
+use crate::search::closed_range::ClosedRange;
+use crate::search::room::add;
 use crate::subspace::WittrickWilliams;
-use core::ops::{Deref, RangeInclusive};
+use core::ops::Deref;
 
 /// Half the relative width of a certified interval, in units of eps, as that of a frequency.
 const HALF_WIDTH: f64 = 16.0;
@@ -68,10 +70,10 @@ impl<Y> AtRest for Y where
 /// # Source
 /// Wittrick and Williams for buckling: the count of clamped elements and of signs at ω = 0.
 pub fn critical_loads<const CAP: usize, Y: AtRest>(
-    factors: RangeInclusive<Y::Parameter>,
+    factors: impl ClosedRange<Y::Parameter>,
     build: impl FnMut(Y::Parameter) -> Result<Y, ParameterError>,
 ) -> Result<CriticalLoads<Y::Parameter, CAP>, LoadError> {
-    let (start, end) = (*factors.start(), *factors.end());
+    let (start, end) = factors.closed().into_inner();
     let is_range = start < end && start.size().is_finite() && end.size().is_finite();
     if !is_range {
         return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() }.into());
@@ -114,7 +116,7 @@ impl<T: Real, F> Search<T, F> {
         Y: AtRest + System<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
     {
-        let mut found = List::new();
+        let mut found = List::<_, CAP>::new();
         let mut lower = self.sample(start)?;
         let mut waiting = List::<Sample<T>, WAITING>::new();
         let mut upper = self.sample(end)?;
@@ -134,7 +136,7 @@ impl<T: Real, F> Search<T, F> {
                 continue;
             };
             if let Some(root) = root {
-                found.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
+                add(&mut found, root)?;
             }
             let Some(next) = waiting.pop() else { return Ok(CriticalLoads(found)) };
             (lower, upper) = (upper, next);

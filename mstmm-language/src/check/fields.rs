@@ -28,7 +28,7 @@ pub(super) fn fields(item: &ItemStruct, errors: &mut Errors) {
                     let message = "`#[no_sensitivity]` takes no arguments: a formula takes its field as a plain number";
                     errors.add(syn::Error::new_spanned(attribute, message));
                 }
-                if !matches!(&field.ty, Type::Path(path) if path.path.is_ident("f64")) {
+                if !is_number(&field.ty) {
                     let message = "a field of a model is an `f64`: compute anything else in a `let` line";
                     errors.add(syn::Error::new_spanned(&field.ty, message));
                 }
@@ -40,6 +40,11 @@ pub(super) fn fields(item: &ItemStruct, errors: &mut Errors) {
             errors.push(fields.span(), message);
         }
     }
+}
+
+/// Whether a type is `f64`.
+pub(super) fn is_number(kind: &Type) -> bool {
+    matches!(kind, Type::Path(path) if path.path.is_ident("f64"))
 }
 
 /// The attributes that take a field out of sensitivities.

@@ -1,6 +1,7 @@
 //! Rules of the graph: it is a tree of transfer paths, and every arrow leads to the one root.
 
 use super::is_doubtful;
+use super::neighbours::masses_on_beams;
 use crate::ast::Model;
 use crate::diagnostics::{Errors, Place};
 use crate::topology::{Graph, Vertex};
@@ -34,6 +35,7 @@ fn check_graph(graph: &Graph<'_>, errors: &mut Errors) -> Option<usize> {
             errors.push(place, format!("`{}` {fault}", vertex.name()));
         }
     }
+    masses_on_beams(graph, errors);
     find_root(graph, &is_clear, errors)
 }
 
@@ -93,16 +95,32 @@ fn connection_fault(graph: &Graph<'_>, index: usize) -> Option<(Place, &'static 
         }
         [_] => None,
         [.., last] => Some(match outputs.iter().rev().find(|&&edge| graph.is_in_a_loop(edge)) {
-            Some(edge) => (
-                graph.edges[*edge].place,
-                "has two outputs, and this one is part of a closed loop: a model is a tree of paths, cut the loop open",
-            ),
+            Some(edge) => (graph.edges[*edge].place, loop_fault(graph, outputs.as_slice())),
             None => (
                 graph.edges[*last].place,
                 "has two outputs, but every arrow leads to the one root: turn the arrows of one of the two paths round",
             ),
         }),
     }
+}
+
+/// The fault of the outputs of a connection, some of which are parts of a loop.
+fn loop_fault(graph: &Graph<'_>, outputs: &[usize]) -> &'static str {
+    // what leads from this connection to another one, by an element alone
+    let sides = |name: &str| {
+        outputs.iter().map(|&edge| graph.edges[edge].to).find_map(|vertex| match &graph.vertices[vertex] {
+            Vertex::Element(element) if element.kind.name() == name => graph.output(vertex),
+            _ => None,
+        })
+    };
+    let are_beside = |[one, other]: [&str; 2]| sides(one).is_some_and(|end| sides(other) == Some(end));
+    if are_beside(["spring", "damper"]) {
+        return "leads by a spring and a dashpot to the same connection: write both as one, `spring_damper`";
+    }
+    if are_beside(["torsion_spring", "torsion_damper"]) {
+        return "leads by a spring and a dashpot to the same connection: write both as one, `torsion_spring_damper`";
+    }
+    "has two outputs, and this one is part of a closed loop: a model is a tree of paths, cut the loop open"
 }
 
 /// Whether a connection has supports around it and nothing else but, perhaps, another connection behind it.

@@ -1,10 +1,10 @@
 //! Rules that need no graph: keywords, labels, and the parts of an element.
 
-use super::{fields, listed, parameters};
+use super::{fields, listed, parameters, selves};
 use crate::ast::{Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, is_element, located_of, nearest, support_of,
+    ALONG, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, is_element, located_of, meant_support, nearest, support_of,
 };
 use crate::topology::Vertex;
 use syn::Ident;
@@ -15,6 +15,7 @@ const NEEDS_PLACES: &str = "stands in models whose points have places: say where
 /// Checks each field and each node by itself. What a node of a model with locations may be depends on their dimension.
 pub(crate) fn words(model: &Model, errors: &mut Errors) {
     fields::fields(&model.parameters, errors);
+    selves::selves(model, errors);
     let is_tree = !model.is_located();
     for node in model.nodes() {
         match node {
@@ -76,7 +77,8 @@ pub(super) fn check_support(keyword: &Ident, supports: &[&str], errors: &mut Err
         errors.push(keyword.span(), format!("`{text}` needs a label and parameters, `{text} 1 {{ .. }}`"));
         return;
     }
-    let hint = match (apart(&text), nearest(supports.iter().copied(), &text)) {
+    let meant = meant_support(&text).or_else(|| nearest(supports.iter().copied(), &text));
+    let hint = match (apart(&text), meant) {
         (Some(apart), _) => format!("put a space before the label, `{apart}`"),
         (None, Some(name)) => format!("did you mean `{name}`?"),
         (None, None) => format!("the supports are {}", listed(supports.iter().copied())),

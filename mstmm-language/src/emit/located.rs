@@ -8,7 +8,7 @@ mod sensitivity;
 mod sketch;
 mod system;
 
-use super::{Names, labels, parameters};
+use super::{Names, fields, labels, parameters, searched};
 use crate::ast::Model;
 use crate::check::Derivatives;
 use crate::skeleton::{Member, Skeleton, What};
@@ -42,6 +42,8 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
     let motions = system::motions(skeleton, &names);
     let overall = overall::overall(skeleton, &names);
     let system = system::system(skeleton, &names);
+    let searched = searched::searched(&names);
+    let unused = fields::unused(model, &names);
     Ok(quote_spanned! {names.here=>
         #parameters
         #definition
@@ -58,6 +60,8 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
             #motions
             #overall
             #sensitivity
+            #searched
+            #unused
         };
     })
 }

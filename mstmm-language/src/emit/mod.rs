@@ -1,11 +1,13 @@
 //! Emits the code of a plan. Nothing is decided here.
 
 mod evaluate;
+mod fields;
 mod labels;
 mod layout;
 mod located;
 mod names;
 mod pass;
+mod searched;
 mod sensitivity;
 mod system;
 mod tree;
@@ -34,6 +36,9 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
     let constants = tree::labels(model, plan, &names);
     let planned = tree::planned(model, plan, &names);
     let tree = tree::tree(plan, &names);
+    let unused = fields::unused(model, &names);
+    // one message for a planar path that is searched, rather than one for each number that searches use
+    let searched = if plan.is_planar() { TokenStream::new() } else { searched::searched(&names) };
     quote_spanned! {names.here=>
         #parameters
         #system
@@ -46,6 +51,8 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
             #characteristic
             #planned
             #tree
+            #unused
+            #searched
         };
     }
 }

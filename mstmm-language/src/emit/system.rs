@@ -1,5 +1,6 @@
 //! Emits the built system and `build()`.
 
+use super::fields::bindings;
 use super::sensitivity::member;
 use super::{Names, element_field, first_of_each_type};
 use crate::ast::{Element, Field, Model, Parameter};
@@ -146,9 +147,7 @@ pub(super) fn build_functions(model: &Model, doc: [&str; 2], body: &TokenStream,
 fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let (name, lets) = (&model.parameters.ident, &model.lets);
-    let bindings = model
-        .fields()
-        .map(|Field { name, conditions, .. }| quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;));
+    let bindings = bindings(model, names);
     let kept = values_of_fields(model, keeps_fields, names);
     let numbers: Vec<_> = plan.elements.iter().flat_map(|element| element.parameters()).collect();
     let (count, numbers) = (numbers.len(), numbers.into_iter().map(|parameter| number(parameter, names)));
@@ -161,7 +160,7 @@ fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
             type Numbers = [::core::primitive::f64; #count];
 
             fn numbers(&self) -> [::core::primitive::f64; #count] {
-                #(#bindings)*
+                #bindings
                 #(#lets)*
                 [#(#numbers),*]
             }

@@ -7,6 +7,7 @@ mod derivatives;
 mod editors;
 mod grammar;
 mod graph;
+mod meant;
 mod network;
 mod words;
 

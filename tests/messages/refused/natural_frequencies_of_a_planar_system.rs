@@ -9,10 +9,5 @@ system! {
 fn main() {
     let system = Frame { length: 1.0, ea: 1.0, ei: 1.0, m: 1.0 }.build().unwrap();
     let _ = system.first_frequencies::<1>();
-//                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
-//                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
-//                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
-//                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
-//                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
-//                 ^^^^^^^^^^^^^^^^^ planar elements have `overall_matrix` and `overall_determinant` only
+//                 ^^^^^^^^^^^^^^^^^ search that for roots by `fmin1d`
 }

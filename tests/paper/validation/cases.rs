@@ -4,7 +4,7 @@ use mstmm::element::{FrequencyEstimates, ParameterError, RootCounter, Support};
 use mstmm::elements::{Beam, Mass, Spring};
 use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::number::{Frequency, Scaled};
-use mstmm::search::{Characteristic, System};
+use mstmm::search::{Characteristic, System, Undamped};
 
 /// Steps of a list.
 pub(crate) type Sequence = Vec<ListStep<AnyUndamped<f64>>>;
@@ -27,6 +27,8 @@ impl System for Steps {
         self.list().estimates()
     }
 }
+
+impl Undamped for Steps {}
 
 impl<S: Frequency<f64>> Characteristic<S> for Steps {
     fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {

@@ -20,7 +20,7 @@ fn has_beams(tree: &Tree) -> bool {
 /// Counts the refusal of a search for so many undamped frequencies, and says whether the model asks for it.
 fn refused(error: SearchError, wanted: u64, model: &Stiffness, tally: &mut Tally, tree: &Tree) {
     match error {
-        SearchError::TooFewRoots { found } => {
+        SearchError::TooFewRoots { found, .. } => {
             let all = if has_beams(tree) { None } else { model.count_below(HIGHEST.into()) };
             match all {
                 Some(all) => tally.entry(all == found && all < wanted, &("too few", found, all, tree)),
@@ -85,7 +85,7 @@ pub(crate) fn first_eigenvalues<const N: usize>(tree: &Tree, model: &Stiffness, 
     match list.first_eigenvalues::<N>() {
         Ok(found) => tally.verdicts(&model.judge_discs(&found), &tree),
         Err(error) => {
-            if let SearchError::TooFewRoots { found } = error {
+            if let SearchError::TooFewRoots { found, .. } = error {
                 let all = if has_beams(tree) { None } else { model.eigenvalues_within(HIGHEST) };
                 // each but the real ones has a mirror image
                 let are_all = |&all: &u64| found < N as u64 && found <= all && all <= 2 * found;

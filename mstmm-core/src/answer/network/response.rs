@@ -13,7 +13,7 @@ use crate::pass::network::{
     ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, load_on_chart, motion_under,
     rounding_under,
 };
-use core::ops::RangeInclusive;
+use crate::search::ClosedRange;
 
 /// The difference of motions with other pivots, beside the largest displacement and beside the largest force, beyond which they are computed
 /// in extended precision.
@@ -122,7 +122,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     /// [`MotionError::Tolerance`] for a tolerance that is not positive; else as [`at`](PlaneResponse::at).
     pub fn curve<const CAP: usize, S>(
         &self,
-        range: RangeInclusive<Y::Parameter>,
+        range: impl ClosedRange<Y::Parameter>,
         roots: &[impl Root<Y::Parameter, Frequency = S>],
         tolerance: f64,
     ) -> Result<List<Sample<Y::Parameter, S>, CAP>, MotionError>
@@ -130,7 +130,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        refined(|x| self.at(x), &range, roots, tolerance)
+        refined(|x| self.at(x), &range.closed(), roots, tolerance)
     }
 
     /// All displacements and forces at a frequency.

@@ -2,7 +2,7 @@
 
 use crate::element::{MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
 use crate::model::{FrequencyEstimates, is_size_of_direction};
-use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single};
+use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
 use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
@@ -10,6 +10,7 @@ use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::overall::PlacedTransfers;
 use crate::pass::network::stiffness::{StiffnessMember, StiffnessModel, StiffnessNode};
+use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
 use core::fmt::Debug;
 use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
@@ -318,4 +319,18 @@ where
     fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
         network_pass::<WIDTH, _, _, _>(self, x, counter)
     }
+}
+
+impl<E, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Undamped for Network<'_, E, WIDTH, NODES, MEMBERS>
+where
+    E: MemberElement<Parameter: InLanes>,
+    Self: RealPasses,
+{
+}
+
+impl<E, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Spectrum for Network<'_, E, WIDTH, NODES, MEMBERS>
+where
+    E: MemberElement,
+    Self: ComplexPasses,
+{
 }

@@ -1,7 +1,7 @@
 //! The circles of the eigenvalues that a search found: which are doubtful, and which cannot be told apart.
 
 use crate::model::SearchError;
-use crate::number::{CONDITION, Dual, Real, USUAL_ERROR, is_extended, is_last, modulus};
+use crate::number::{CONDITION, Dual, Real, Store, USUAL_ERROR, is_extended, is_last, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::deflation::meets_any;
 use crate::search::damped::found::{Eigenvalue, Region};
@@ -9,9 +9,10 @@ use crate::search::damped::rectangle::Rectangle;
 use crate::search::damped::session::EigenvalueSearch;
 use num_complex::Complex;
 
-impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+impl<'a, T, Y, K> EigenvalueSearch<'a, Y, T, K>
 where
     T: Real,
+    K: Store<Eigenvalue<T>>,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// Whether the result is doubtful: sums cancelled, circles are wide, or roots are so close to others that rounding moves them

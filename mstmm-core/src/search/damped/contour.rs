@@ -1,7 +1,7 @@
 //! The argument principle: how many eigenvalues a contour encloses.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Real, argument, larger, modulus, smaller};
+use crate::number::{Dual, Real, Store, argument, larger, modulus, smaller};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::found::Eigenvalue;
 use crate::search::damped::growth::Growth;
@@ -103,9 +103,10 @@ impl<T: Real> Traverse<'_, T> {
     }
 }
 
-impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+impl<'a, T, Y, K> EigenvalueSearch<'a, Y, T, K>
 where
     T: Real,
+    K: Store<Eigenvalue<T>>,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// Growth of the argument of Δ along a polygon. Every point of the traversal is shown to `visit`.

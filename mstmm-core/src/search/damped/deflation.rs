@@ -1,27 +1,27 @@
 //! Deflation: known eigenvalues are divided out of Δ. The rest is smooth where all roots nearby are known.
 
-use crate::number::{List, Real, Scalar, Scaled, argument, modulus};
+use crate::model::SearchError;
+use crate::number::{Real, Scalar, Scaled, Store, argument, modulus};
 use crate::search::damped::found::Eigenvalue;
 use crate::search::damped::point::Point;
+use crate::search::room::add;
+use core::marker::PhantomData;
 use num_complex::Complex;
-
-/// Room for the eigenvalues of a search while it runs.
-pub(super) const ROOM: usize = 256;
 
 /// Certified eigenvalues in the closed upper half plane; each stands for its mirror image, too.
 ///
 /// With a loss factor there are no mirror images, and Δ is continued below the real axis, where its roots are those of no motion.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct KnownRoots<T: Real> {
-    roots: List<Eigenvalue<T>, ROOM>,
+pub(super) struct KnownRoots<T, K> {
+    roots: K,
+    number: PhantomData<T>,
     /// Whether `Δ(conj λ) = conj Δ(λ)`.
     pub(super) have_images: bool,
 }
 
-impl<T: Real> KnownRoots<T> {
+impl<T: Real, K: Store<Eigenvalue<T>>> KnownRoots<T, K> {
     /// The empty list.
     pub(super) fn new(have_images: bool) -> Self {
-        KnownRoots { roots: List::new(), have_images }
+        KnownRoots { roots: K::empty(), number: PhantomData, have_images }
     }
 
     /// The roots in the order in which they were found.
@@ -36,7 +36,7 @@ impl<T: Real> KnownRoots<T> {
 
     /// A root and its mirror image; a real one has none. Not inlined, since each place would take some hundred bytes of firmware.
     #[inline(never)]
-    pub(super) fn with_image(&self, root: &Eigenvalue<T>) -> impl Iterator<Item = Eigenvalue<T>> + use<T> {
+    pub(super) fn with_image(&self, root: &Eigenvalue<T>) -> impl Iterator<Item = Eigenvalue<T>> + use<T, K> {
         let image = Eigenvalue { lambda: root.lambda.conj(), ..*root };
         let has_image = self.have_images && !root.lambda.im.is_zero();
         [*root, image].into_iter().take(if has_image { 2 } else { 1 })
@@ -44,12 +44,12 @@ impl<T: Real> KnownRoots<T> {
 
     /// Whether there is no room for another.
     pub(super) fn is_full(&self) -> bool {
-        self.roots.len() == ROOM
+        self.roots.is_full()
     }
 
-    /// Adds an eigenvalue, or gives it back if there is no room.
-    pub(super) fn push(&mut self, root: Eigenvalue<T>) -> Result<(), Eigenvalue<T>> {
-        self.roots.push(root)
+    /// Adds an eigenvalue, or says for how many there is room.
+    pub(super) fn push(&mut self, root: Eigenvalue<T>) -> Result<(), SearchError> {
+        add(&mut self.roots, root)
     }
 
     /// Whether the circle of an eigenvalue meets that of a known one.
@@ -63,7 +63,7 @@ pub(super) fn meets_any<T: Real>(root: &Eigenvalue<T>, others: &[Eigenvalue<T>])
     others.iter().any(|other| modulus(other.lambda - root.lambda) <= other.error + root.error)
 }
 
-impl<T: Real> KnownRoots<T> {
+impl<T: Real, K: Store<Eigenvalue<T>>> KnownRoots<T, K> {
     /// Δ and its logarithmic derivative with roots and their mirror images divided out.
     pub(super) fn divided(&self, point: &Point<T>, roots: &[Eigenvalue<T>]) -> Point<T> {
         let mut divisor = Scaled::new(Complex::from(T::one()), 0);

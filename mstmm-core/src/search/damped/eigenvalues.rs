@@ -1,30 +1,13 @@
 //! Eigenvalues in regions of the complex plane: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar};
+use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar, Store};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::damped::found::{Eigenvalue, EigenvalueList, Region};
+use crate::pass::searched::Spectrum;
+use crate::search::damped::found::{Eigenvalue, EigenvalueList, Found, Region};
 use crate::search::damped::session::EigenvalueSearch;
+use crate::search::room::add;
 use num_complex::Complex;
-
-/// A system that can be searched for eigenvalues: it has Δ and its derivative in the precision of the parameters and in extended
-/// precision.
-///
-/// Every system without planar elements is one.
-pub trait Spectrum:
-    System
-    + Characteristic<Dual<Complex<<Self as System>::Parameter>>>
-    + Characteristic<Dual<Complex<<<Self as System>::Parameter as Real>::Extended>>>
-{
-}
-
-impl<Y> Spectrum for Y where
-    Y: System
-        + Characteristic<Dual<Complex<<Y as System>::Parameter>>>
-        + Characteristic<Dual<Complex<<<Y as System>::Parameter as Real>::Extended>>>
-        + ?Sized
-{
-}
 
 /// The certified searches of damped systems; undamped ones have them, too.
 ///
@@ -51,12 +34,12 @@ pub trait Eigenvalues: System {
     where
         Self: Spectrum,
     {
-        let (plain, asks_extended) = searched(self, |search| search.count(&region));
+        let (plain, asks_extended) = searched::<_, _, Known<_>, _>(self, |search| search.count(&region));
         if !asks_extended {
             return plain;
         }
         let region = region.map(exactly);
-        searched::<Self, ExtendedOf<Self>, _>(self, |search| search.count(&region)).0
+        searched::<Self, ExtendedOf<Self>, Known<_>, _>(self, |search| search.count(&region)).0
     }
 
     /// Every eigenvalue in a region, each certified, with multiplicity: by ascending imaginary part.
@@ -71,11 +54,47 @@ pub trait Eigenvalues: System {
     where
         Self: Spectrum,
     {
-        judged(self, |search| search.in_region(&region), |search| search.in_region(&region.clone().map(exactly)))
+        in_region::<_, Known<_>, List<_, CAP>>(self, region).map(EigenvalueList::from)
+    }
+
+    /// Every eigenvalue in a region, as [`eigenvalues`](Eigenvalues::eigenvalues) finds them, in a vector, which holds as many as there
+    /// are; the search itself has room for as many, too.
+    ///
+    /// ```
+    /// use mstmm_core::elements::{Mass, SpringDamper};
+    /// use mstmm_core::search::{Eigenvalues, Region};
+    /// use mstmm_core::{AnyElement, ListStep, StepList, Support};
+    ///
+    /// let steps = [
+    ///     ListStep::Tip(Support::Fixed),
+    ///     ListStep::Element(AnyElement::try_from(SpringDamper { stiffness: 25.0_f64, damping: 6.0 })?),
+    ///     ListStep::Element(Mass { mass: 1.0 }.try_into()?),
+    ///     ListStep::Root(Support::Free),
+    /// ];
+    /// let found = StepList::new(&steps)?.eigenvalues_in(Region { re: -5.0..=0.0, im: -10.0..=10.0 })?;
+    /// // λ² + 6 λ + 25 = 0
+    /// assert_eq!(found.iter().map(|root| root.lambda.im.round()).collect::<Vec<_>>(), [-4.0, 4.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As `count_in`, but for its limit of 256; [`SearchError::Capacity`] only where memory ends.
+    #[cfg(feature = "std")]
+    fn eigenvalues_in(
+        &self,
+        region: Region<Self::Parameter>,
+    ) -> Result<std::vec::Vec<Eigenvalue<Self::Parameter>>, SearchError>
+    where
+        Self: Spectrum,
+    {
+        use std::vec::Vec;
+        in_region::<_, Vec<_>, Vec<_>>(self, region).map(|found| found.eigenvalues)
     }
 
     /// The eigenvalues of least modulus in the closed upper half plane, by ascending modulus: the fewest entries whose
     /// multiplicities add up to at least `N`, up to 256.
+    ///
+    /// A rigid body at rest has `λ = 0` twice, so each rigid-body mode is two eigenvalues, where it is one of the natural frequencies.
     ///
     /// # Errors
     /// [`SearchError::TooFewRoots`] if the system has no more than it says; [`SearchError::Capacity`] for an `N` beyond 256; else
@@ -84,48 +103,77 @@ pub trait Eigenvalues: System {
     where
         Self: Spectrum,
     {
-        judged(self, |search| search.first(), |search| search.first())
+        if N > ROOM {
+            return Err(SearchError::Capacity { capacity: ROOM });
+        }
+        judged::<_, Known<_>, List<_, N>>(self, |search| search.first(), |search| search.first())
+            .map(EigenvalueList::from)
     }
 }
 
 /// The extended precision of a system's parameters.
 type ExtendedOf<Y> = <<Y as System>::Parameter as Real>::Extended;
 
-/// A list of eigenvalues, or the error of a search for them.
-type Found<T, const CAP: usize> = Result<EigenvalueList<T, CAP>, SearchError>;
+/// Room for the eigenvalues of a search while it runs.
+const ROOM: usize = 256;
+
+/// The eigenvalues of a search while it runs.
+type Known<T> = List<Eigenvalue<T>, ROOM>;
+
+/// The result of a search that collects eigenvalues in a list of type `L`.
+type Searched<L> = Result<Found<L>, SearchError>;
+
+/// A list of the same kind in extended precision.
+type Extended<L, Y> = <L as Store<Eigenvalue<<Y as System>::Parameter>>>::Of<Eigenvalue<ExtendedOf<Y>>>;
 
 /// A number in extended precision.
 fn exactly<T: Real>(number: T) -> T::Extended {
     <T::Extended as Frequency<T>>::from_parameter(number)
 }
 
+/// Every eigenvalue in a region; the search keeps those that it knows in a list of type `K`.
+fn in_region<Y, K, L>(system: &Y, region: Region<Y::Parameter>) -> Searched<L>
+where
+    Y: Spectrum + ?Sized,
+    K: Store<Eigenvalue<Y::Parameter>>,
+    L: Store<Eigenvalue<Y::Parameter>>,
+{
+    let exact = region.clone().map(exactly);
+    judged::<_, K, L>(system, |search| search.in_region(&region), |search| search.in_region(&exact))
+}
+
 /// The result of a search, or where that is doubtful the result in extended precision.
-fn judged<Y: Spectrum + ?Sized, const CAP: usize>(
+fn judged<Y, K, L>(
     system: &Y,
-    plain: impl FnOnce(&mut EigenvalueSearch<'_, Y, Y::Parameter>) -> Found<Y::Parameter, CAP>,
-    judge: impl FnOnce(&mut EigenvalueSearch<'_, Y, ExtendedOf<Y>>) -> Found<ExtendedOf<Y>, CAP>,
-) -> Found<Y::Parameter, CAP> {
+    plain: impl FnOnce(&mut EigenvalueSearch<'_, Y, Y::Parameter, K>) -> Searched<L>,
+    judge: impl FnOnce(&mut EigenvalueSearch<'_, Y, ExtendedOf<Y>, Extended<K, Y>>) -> Searched<Extended<L, Y>>,
+) -> Searched<L>
+where
+    Y: Spectrum + ?Sized,
+    K: Store<Eigenvalue<Y::Parameter>>,
+    L: Store<Eigenvalue<Y::Parameter>>,
+{
     let (found, asks_extended) = searched(system, plain);
     if !asks_extended {
         return found;
     }
     let plain = found.map_or(0, |found| found.evaluations);
     let judged = searched(system, judge).0?;
-    let mut eigenvalues = List::new();
-    for root in &judged {
+    let mut eigenvalues = L::empty();
+    for root in judged.eigenvalues.iter() {
         let plainly = |x: ExtendedOf<Y>| <Y::Parameter as Scalar>::from_f64(x.to_f64());
         let lambda = Complex::new(plainly(root.lambda.re), plainly(root.lambda.im));
-        let root = Eigenvalue { lambda, error: plainly(root.error), multiplicity: root.multiplicity };
-        eigenvalues.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
+        add(&mut eigenvalues, Eigenvalue { lambda, error: plainly(root.error), multiplicity: root.multiplicity })?;
     }
-    Ok(EigenvalueList { eigenvalues, evaluations: plain + judged.evaluations })
+    Ok(Found { eigenvalues, evaluations: plain + judged.evaluations })
 }
 
 /// Runs a search, and tells whether it has to be repeated in extended precision. Not inlined, so that its memory is freed.
 #[inline(never)]
-fn searched<'a, Y, T, R>(system: &'a Y, run: impl FnOnce(&mut EigenvalueSearch<'a, Y, T>) -> R) -> (R, bool)
+fn searched<'a, Y, T, K, R>(system: &'a Y, run: impl FnOnce(&mut EigenvalueSearch<'a, Y, T, K>) -> R) -> (R, bool)
 where
     T: Real,
+    K: Store<Eigenvalue<T>>,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     let mut search = EigenvalueSearch::new(system);
@@ -167,5 +215,9 @@ mod tests {
         assert_eq!((overdamped.logarithmic_decrement(), overdamped.decay_time()), (f64::INFINITY, 1.0 / 3.0));
         assert_eq!((rest.logarithmic_decrement(), rest.damping_ratio()), (0.0, 0.0));
         assert_eq!(eigenvalue(-0.0, 2.0).decay_time(), f64::INFINITY);
+        for still in [overdamped, rest] {
+            assert_eq!((still.hertz(), still.rpm(), still.period()), (0.0, 0.0, f64::INFINITY));
+        }
+        assert_eq!(eigenvalue(-0.1, -2.0).period(), eigenvalue(-0.1, 2.0).period());
     }
 }

@@ -1,5 +1,6 @@
 //! Regions of the complex plane, and eigenvalues that were found in them.
 
+use crate::model::turns;
 use crate::number::{List, Real, modulus};
 use core::ops::{Deref, RangeInclusive};
 use num_complex::Complex;
@@ -39,6 +40,28 @@ impl<T: Real> Eigenvalue<T> {
         modulus(self.lambda)
     }
 
+    /// Frequency `|Im λ|/2π` [Hz] of the damped motion; 0 where λ is real and the motion does not oscillate.
+    ///
+    /// ```
+    /// use mstmm_core::{Complex, search::Eigenvalue};
+    ///
+    /// let root = Eigenvalue { lambda: Complex::new(-0.3, std::f64::consts::TAU * 25.0), ..Eigenvalue::default() };
+    /// assert_eq!((root.hertz(), root.rpm(), root.period()), (25.0, 1500.0, 0.04));
+    /// ```
+    pub fn hertz(&self) -> T {
+        turns::hertz(self.lambda.im.abs())
+    }
+
+    /// Speed of a shaft `30 |Im λ|/π` [1/min] that turns once in a period.
+    pub fn rpm(&self) -> T {
+        turns::rpm(self.lambda.im.abs())
+    }
+
+    /// Period `2π/|Im λ|` \[s\] of the damped motion; infinite where λ is real and the motion does not oscillate.
+    pub fn period(&self) -> T {
+        turns::period(self.lambda.im.abs())
+    }
+
     /// Damping ratio `-Re λ/|λ|`: 0 undamped, 1 critical (λ real); 0 for λ = 0.
     pub fn damping_ratio(&self) -> T {
         let modulus = self.frequency();
@@ -61,6 +84,12 @@ impl<T: Real> Eigenvalue<T> {
     }
 }
 
+/// What a search found, and the number of evaluations that it took.
+pub(super) struct Found<L> {
+    pub(super) eigenvalues: L,
+    pub(super) evaluations: usize,
+}
+
 /// Eigenvalues and the number of evaluations they took; dereferences to a slice.
 ///
 /// An evaluation is one pass; each pass of these searches also gives the derivative and counts as two.
@@ -68,6 +97,12 @@ impl<T: Real> Eigenvalue<T> {
 pub struct EigenvalueList<T: Real, const CAP: usize> {
     pub(super) eigenvalues: List<Eigenvalue<T>, CAP>,
     pub(super) evaluations: usize,
+}
+
+impl<T: Real, const CAP: usize> From<Found<List<Eigenvalue<T>, CAP>>> for EigenvalueList<T, CAP> {
+    fn from(found: Found<List<Eigenvalue<T>, CAP>>) -> Self {
+        EigenvalueList { eigenvalues: found.eigenvalues, evaluations: found.evaluations }
+    }
 }
 
 impl<T: Real, const CAP: usize> EigenvalueList<T, CAP> {

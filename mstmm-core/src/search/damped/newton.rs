@@ -1,7 +1,7 @@
 //! Newton's method for one eigenvalue, with known ones divided out, and the circle that certifies it.
 
 use crate::model::SearchError;
-use crate::number::{Dual, NOISE, Real, Scalar, larger, modulus};
+use crate::number::{Dual, NOISE, Real, Scalar, Store, larger, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::contour::{Polygon, Traversal};
 use crate::search::damped::found::Eigenvalue;
@@ -137,9 +137,10 @@ fn settled<T: Real>(estimate: Complex<T>, radius: T, have_images: bool) -> Compl
     Complex::new(re, if is_real { T::zero() } else { estimate.im })
 }
 
-impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+impl<'a, T, Y, K> EigenvalueSearch<'a, Y, T, K>
 where
     T: Real,
+    K: Store<Eigenvalue<T>>,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// Finds and certifies an unknown root near a point at which known ones are divided out; from then on it is known.

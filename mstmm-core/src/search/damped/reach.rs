@@ -2,9 +2,9 @@
 //! a member vanishes.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Real, larger};
+use crate::number::{Dual, Real, Store, larger};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::damped::found::Region;
+use crate::search::damped::found::{Eigenvalue, Region};
 use crate::search::damped::rectangle::Rectangle;
 use crate::search::damped::session::EigenvalueSearch;
 use num_complex::Complex;
@@ -18,9 +18,10 @@ const GROWTH: f64 = 0.015;
 /// Radius of the largest square that keeps away from a singularity at its left, as a part of the distance of that.
 const REACH: f64 = 0.96;
 
-impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+impl<'a, T, Y, K> EigenvalueSearch<'a, Y, T, K>
 where
     T: Real,
+    K: Store<Eigenvalue<T>>,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// A rectangle symmetric to the real axis that holds all eigenvalues up to a modulus. It reaches little to the right, since

@@ -2,16 +2,16 @@
 //! them are found is cut in two.
 
 use crate::model::SearchError;
-use crate::number::{Dual, List, Real, modulus};
+use crate::number::{Dual, List, Real, Store, modulus, sort_by};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::circles::belongs;
 use crate::search::damped::contour::{Polygon, Traversal};
-use crate::search::damped::deflation::ROOM;
-use crate::search::damped::found::{Eigenvalue, EigenvalueList, Region};
+use crate::search::damped::found::{Eigenvalue, Found, Region};
 use crate::search::damped::growth::Growth;
 use crate::search::damped::point::Point;
 use crate::search::damped::rectangle::Rectangle;
 use crate::search::damped::session::EigenvalueSearch;
+use crate::search::room::add;
 use num_complex::Complex;
 
 /// Room for rectangles that wait: each is at most cut about 64 times.
@@ -68,9 +68,10 @@ impl<T: Real> Starts<T> {
     }
 }
 
-impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+impl<'a, T, Y, K> EigenvalueSearch<'a, Y, T, K>
 where
     T: Real,
+    K: Store<Eigenvalue<T>>,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// Number of eigenvalues in a closed region.
@@ -99,30 +100,27 @@ where
     }
 
     /// All eigenvalues in a closed region.
-    pub(super) fn in_region<const CAP: usize>(
-        &mut self,
-        region: &Region<T>,
-    ) -> Result<EigenvalueList<T, CAP>, SearchError> {
+    pub(super) fn in_region<L>(&mut self, region: &Region<T>) -> Result<Found<L>, SearchError>
+    where
+        L: Store<Eigenvalue<T>>,
+    {
         let rectangle = self.enclosing(region)?;
         self.find_in(rectangle)?;
         self.check_circles(Some(region))?;
-        let mut eigenvalues = List::new();
+        let mut eigenvalues = L::empty();
         for root in self.known.with_images() {
             if belongs(&root, region) {
-                eigenvalues.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
+                add(&mut eigenvalues, root)?;
             }
         }
-        eigenvalues.sort_by(|a: &Eigenvalue<T>, b| {
+        sort_by(eigenvalues.values(), |a, b| {
             (a.lambda.im < b.lambda.im) || (a.lambda.im == b.lambda.im && a.lambda.re < b.lambda.re)
         });
-        Ok(EigenvalueList { eigenvalues, evaluations: self.evaluation.evaluations })
+        Ok(Found { eigenvalues, evaluations: self.evaluation.evaluations })
     }
 
     /// The eigenvalues of least modulus in the closed upper half plane.
-    pub(super) fn first<const N: usize>(&mut self) -> Result<EigenvalueList<T, N>, SearchError> {
-        if N > ROOM {
-            return Err(SearchError::Capacity { capacity: ROOM });
-        }
+    pub(super) fn first<const N: usize>(&mut self) -> Result<Found<List<Eigenvalue<T>, N>>, SearchError> {
         let wanted = N as u64;
         let mut exponent = self.estimates.lowest_exponent() + 3;
         let (mut radius, mut most) = (T::one().times_power_of_two(exponent), 0);
@@ -135,7 +133,7 @@ where
                 let eigenvalues = self.within(end)?;
                 let is_enough = number_of(&eigenvalues) >= wanted;
                 let evaluations = self.evaluation.evaluations;
-                return if is_enough { Ok(EigenvalueList { eigenvalues, evaluations }) } else { Err(error) };
+                return if is_enough { Ok(Found { eigenvalues, evaluations }) } else { Err(error) };
             }
             // `None` where the contour meets a root: then there is one more to find
             let count = self.counted(self.square(next))?.map_or(most + 1, |counted| counted.roots);
@@ -150,10 +148,10 @@ where
                 let eigenvalues = self.within(if is_last { radius + radius } else { next })?;
                 let found = number_of(&eigenvalues);
                 if found >= wanted {
-                    return Ok(EigenvalueList { eigenvalues, evaluations: self.evaluation.evaluations });
+                    return Ok(Found { eigenvalues, evaluations: self.evaluation.evaluations });
                 }
                 if is_last {
-                    return Err(SearchError::TooFewRoots { found });
+                    return Err(SearchError::TooFewRoots { found, wanted });
                 }
             }
             exponent += 1;
@@ -165,19 +163,19 @@ where
         let square = self.square(radius);
         self.find_in(square)?;
         self.check_circles(None)?;
-        let mut found = List::<Eigenvalue<T>, ROOM>::new();
+        let mut found = K::empty();
         for &root in self.known.roots() {
             let is_upper = root.lambda.im >= T::zero();
             if is_upper && root.frequency() <= radius && square.contains(root.lambda, root.error) {
-                found.push(root).map_err(|_| SearchError::Capacity { capacity: ROOM })?;
+                add(&mut found, root)?;
             }
         }
-        found.sort_by(|a: &Eigenvalue<T>, b| a.frequency() < b.frequency());
+        sort_by(found.values(), |a, b| a.frequency() < b.frequency());
         let (mut eigenvalues, mut settled) = (List::new(), 0);
-        for root in &found {
+        for root in found.iter() {
             if settled < N as u64 {
                 settled += root.multiplicity;
-                eigenvalues.push(*root).map_err(|_| SearchError::Capacity { capacity: N })?;
+                add(&mut eigenvalues, *root)?;
             }
         }
         Ok(eigenvalues)
@@ -273,10 +271,10 @@ where
             if self.is_tiny(rectangle) {
                 let (lambda, error) = (rectangle.centre(), rectangle.size());
                 let root = Eigenvalue { lambda, error, multiplicity };
-                return self.known.push(root).map(|()| true).map_err(|_| SearchError::Capacity { capacity: ROOM });
+                return self.known.push(root).map(|()| true);
             }
             if self.known.is_full() {
-                return Err(SearchError::Capacity { capacity: ROOM });
+                return Err(SearchError::Capacity { capacity: self.known.roots().len() });
             }
             let point = self.evaluation.at(start)?;
             self.find(&self.known.divided(&point, self.known.roots()), rectangle)?;

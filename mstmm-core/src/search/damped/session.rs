@@ -1,7 +1,7 @@
 //! The state of a search for eigenvalues.
 
 use crate::model::FrequencyEstimates;
-use crate::number::{Dual, Real, Scalar, larger, modulus};
+use crate::number::{Dual, Real, Scalar, Store, larger, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::deflation::KnownRoots;
 use crate::search::damped::evaluation::Evaluation;
@@ -16,10 +16,10 @@ const BLUR: f64 = 64.0;
 const NEAR: f64 = 8.0;
 
 /// A search in progress.
-pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized, T: Real> {
+pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized, T: Real, K> {
     pub(super) evaluation: Evaluation<'a, Y>,
     /// The eigenvalues found so far, wherever they lie.
-    pub(super) known: KnownRoots<T>,
+    pub(super) known: KnownRoots<T, K>,
     pub(super) estimates: FrequencyEstimates,
     /// Frequencies up to this size count as zero.
     pub(super) smallest: T,
@@ -27,9 +27,10 @@ pub(super) struct EigenvalueSearch<'a, Y: System + ?Sized, T: Real> {
     pub(super) precision: f64,
 }
 
-impl<'a, T, Y> EigenvalueSearch<'a, Y, T>
+impl<'a, T, Y, K> EigenvalueSearch<'a, Y, T, K>
 where
     T: Real,
+    K: Store<Eigenvalue<T>>,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     pub(super) fn new(system: &'a Y) -> Self {

@@ -2,8 +2,8 @@
 
 use crate::model::SearchError;
 use crate::number::{List, Magnitude};
+use crate::search::closed_range::ClosedRange;
 use crate::search::minima::grid::{Grid, HALVINGS_TO_SHOW_A_ROOT, MAX_POINTS, Minima};
-use core::ops::RangeInclusive;
 
 /// A local minimum on an interval.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -50,11 +50,11 @@ pub struct Minimum1d {
 /// ```
 pub fn fmin1d<const CAP: usize, V: Into<Magnitude>>(
     mut function: impl FnMut(f64) -> V,
-    range: RangeInclusive<f64>,
+    range: impl ClosedRange<f64>,
     points: usize,
     tolerance: f64,
 ) -> Result<Minima<Minimum1d, CAP>, SearchError> {
-    let grid = Grid::new(&range, points, MAX_POINTS, tolerance)?;
+    let grid = Grid::new(&range.closed(), points, MAX_POINTS, tolerance)?;
     let mut evaluations = 0;
     let mut evaluate = |x: f64| {
         evaluations += 1;
@@ -239,6 +239,7 @@ fn refine(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use core::ops::RangeInclusive;
     use proptest::prelude::*;
 
     fn search(f: impl FnMut(f64) -> f64, range: RangeInclusive<f64>) -> Minima<Minimum1d, 8> {

@@ -3,7 +3,7 @@
 use crate::model::SearchError;
 use crate::number::{Dual, Frequency, Real};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::undamped::found::FrequencyList;
+use crate::search::undamped::found::NaturalFrequency;
 use crate::search::undamped::sampling::Isolation;
 
 /// Widest interval that is confirmed, in certified widths: a wider one is narrowed by a search.
@@ -16,9 +16,9 @@ where
     Y: System<Parameter = P> + Characteristic<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
 {
     /// Whether the roots of a list, and no others, are counted in their intervals: in a range, or from zero on.
-    pub(super) fn confirms<const CAP: usize>(
+    pub(super) fn confirms(
         &mut self,
-        list: &FrequencyList<P, CAP>,
+        list: &[NaturalFrequency<P>],
         range: Option<[T; 2]>,
     ) -> Result<bool, SearchError> {
         let (from, to) = match range {

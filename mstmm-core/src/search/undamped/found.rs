@@ -1,5 +1,6 @@
 //! Natural frequencies that were found.
 
+use crate::model::turns;
 use crate::number::{List, Real};
 use core::fmt;
 use core::ops::Deref;
@@ -19,11 +20,37 @@ pub struct NaturalFrequency<T = f64> {
 }
 
 impl<T: Real> NaturalFrequency<T> {
-    /// Frequency in Hz, ω/2π.
+    /// Frequency `ω/2π` [Hz].
+    ///
+    /// ```
+    /// use mstmm_core::search::NaturalFrequency;
+    ///
+    /// let root = NaturalFrequency { omega: std::f64::consts::TAU * 25.0, ..NaturalFrequency::default() };
+    /// assert_eq!((root.hertz(), root.rpm(), root.period()), (25.0, 1500.0, 0.04));
+    /// ```
     #[inline]
     pub fn hertz(&self) -> T {
-        self.omega * T::from_f64(core::f64::consts::TAU.recip())
+        turns::hertz(self.omega)
     }
+
+    /// Speed of a shaft `30 ω/π` [1/min] that turns once in a period.
+    #[inline]
+    pub fn rpm(&self) -> T {
+        turns::rpm(self.omega)
+    }
+
+    /// Period `2π/ω` \[s\]; infinite for ω = 0, a motion of rigid bodies, which never comes back.
+    #[inline]
+    pub fn period(&self) -> T {
+        turns::period(self.omega)
+    }
+}
+
+/// What a search found, and the number of evaluations that it took.
+pub(super) struct Found<L> {
+    pub(super) frequencies: L,
+    pub(super) evaluations: usize,
+    pub(super) extended: usize,
 }
 
 /// Frequencies in ascending order and the number of evaluations they took; dereferences to a slice.
@@ -34,6 +61,14 @@ pub struct FrequencyList<T, const CAP: usize> {
     pub(super) frequencies: List<NaturalFrequency<T>, CAP>,
     pub(super) evaluations: usize,
     pub(super) extended: usize,
+}
+
+impl<T, const CAP: usize> From<Found<List<NaturalFrequency<T>, CAP>>> for FrequencyList<T, CAP> {
+    #[inline]
+    fn from(found: Found<List<NaturalFrequency<T>, CAP>>) -> Self {
+        let Found { frequencies, evaluations, extended } = found;
+        FrequencyList { frequencies, evaluations, extended }
+    }
 }
 
 impl<T, const CAP: usize> FrequencyList<T, CAP> {

@@ -4,13 +4,13 @@
 
 use crate::number::{List, Scalar};
 use crate::pass::at_once::Block;
+use crate::pass::searched::Undamped;
 use crate::pass::side_by_side::{Built, Lanewise, MODELS, SideBySide};
 use crate::search::undamped::approach::{Approaches, GoesOn, PerRoot};
 use crate::search::undamped::certificate::Sides;
 use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
 use crate::search::undamped::interpolation::{Point, Sample};
 use crate::search::undamped::sampling::Isolation;
-use crate::search::undamped::searched::Undamped;
 use crate::search::undamped::together::{BEYOND, TRIES};
 use crate::subspace::Purpose;
 use core::f64::consts::PI;

@@ -1,9 +1,10 @@
 //! Isolation of roots by counts: brackets that hold a known number of roots, split until each is settled.
 
 use crate::model::SearchError;
-use crate::number::{Dual, List, Real, TOUCHING};
+use crate::number::{Dual, List, Real, Store, TOUCHING};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
+use crate::search::room::add;
+use crate::search::undamped::found::{Found, NaturalFrequency};
 use crate::search::undamped::sampling::{Isolation, Sample, ZERO_EXPONENT, middle};
 
 /// Upper ends of brackets that wait: each split adds one, and a bracket is halved at most about 64 times.
@@ -19,13 +20,13 @@ where
 {
     /// All frequencies of a range.
     #[inline]
-    pub(super) fn in_range<const CAP: usize>(
+    pub(super) fn in_range<L: Store<NaturalFrequency<T>>>(
         &mut self,
         start: T,
         end: T,
-    ) -> Result<FrequencyList<T, CAP>, SearchError> {
+    ) -> Result<Found<L>, SearchError> {
         let [first, last] = self.enclosing(start, end)?;
-        let mut found = List::new();
+        let mut found = L::empty();
         let mut lower = self.sample(first)?;
         let bottom = lower;
         if start.is_zero() {
@@ -41,16 +42,15 @@ where
                 Self::push(&mut found, Some(root))?;
             }
         }
-        self.complete(found.as_mut_slice(), &bottom, &lower)?;
-        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations, extended: self.extended })
+        self.complete(found.values(), &bottom, &lower)?;
+        Ok(Found { frequencies: found, evaluations: self.evaluations, extended: self.extended })
     }
 
-    /// The lowest frequencies.
+    /// The lowest frequencies: entries whose multiplicities add up to so many.
     #[inline]
-    pub(super) fn first<const N: usize>(&mut self) -> Result<FrequencyList<T, N>, SearchError> {
-        let wanted = N as u64;
+    pub(super) fn first<L: Store<NaturalFrequency<T>>>(&mut self, wanted: u64) -> Result<Found<L>, SearchError> {
         let estimates = self.estimates;
-        let mut found = List::new();
+        let mut found = L::empty();
         let mut lower = self.sample(self.just_above_zero)?;
         Self::push(&mut found, self.rigid_body_modes(lower.below))?;
         let (bottom, mut settled) = (lower, lower.below);
@@ -60,7 +60,7 @@ where
         let mut highest = lower;
         while highest.below < wanted {
             if !estimates.is_continuous() && exponent > estimates.highest_exponent() + ZERO_EXPONENT {
-                return Err(SearchError::TooFewRoots { found: highest.below });
+                return Err(SearchError::TooFewRoots { found: highest.below, wanted });
             }
             highest = self.sample(T::one().times_power_of_two(exponent))?;
             Self::wait(&mut waiting, highest)?;
@@ -73,8 +73,8 @@ where
             settled += root.multiplicity;
             Self::push(&mut found, Some(root))?;
         }
-        self.complete(found.as_mut_slice(), &bottom, &lower)?;
-        Ok(FrequencyList { frequencies: found, evaluations: self.evaluations, extended: self.extended })
+        self.complete(found.values(), &bottom, &lower)?;
+        Ok(Found { frequencies: found, evaluations: self.evaluations, extended: self.extended })
     }
 
     /// Counts the roots that intervals hold beyond the first and the last sample of a search, where a pair that rounding cannot tell
@@ -138,13 +138,13 @@ where
 
     /// Adds a root, if there is one.
     #[inline]
-    pub(super) fn push<const CAP: usize>(
-        found: &mut List<NaturalFrequency<T>, CAP>,
+    pub(super) fn push<L: Store<NaturalFrequency<T>>>(
+        found: &mut L,
         root: Option<NaturalFrequency<T>>,
     ) -> Result<(), SearchError> {
         let Some(root) = root else { return Ok(()) };
         // intervals that overlap hold their roots together
-        if let Some(last) = found.as_mut_slice().last_mut()
+        if let Some(last) = found.values().last_mut()
             && last.upper > root.lower
             && !last.omega.is_zero()
         {
@@ -152,7 +152,7 @@ where
             (last.upper, last.multiplicity) = (root.upper, last.multiplicity + root.multiplicity);
             return Ok(());
         }
-        found.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })
+        add(found, root)
     }
 
     #[inline]

@@ -11,7 +11,6 @@ pub(crate) mod natural;
 mod network_samples;
 pub(crate) mod polish;
 pub(crate) mod sampling;
-pub(crate) mod searched;
 pub(crate) mod stability;
 pub(crate) mod sweep;
 pub(crate) mod together;

@@ -1,11 +1,13 @@
 //! Natural frequencies of undamped systems: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar, Scaled, refuses_doubt};
+use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar, Scaled, Store, refuses_doubt};
 use crate::pass::characteristic::{Characteristic, System, count_and_value};
-use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
+use crate::pass::searched::Undamped;
+use crate::search::closed_range::ClosedRange;
+use crate::search::room::add;
+use crate::search::undamped::found::{Found, FrequencyList, NaturalFrequency};
 use crate::search::undamped::sampling::Isolation;
-use crate::search::undamped::searched::Undamped;
 use crate::search::undamped::stability::check_stability;
 use crate::search::undamped::together::Together;
 use crate::subspace::WittrickWilliams;
@@ -98,22 +100,53 @@ pub trait NaturalFrequencies: System {
     #[inline]
     fn natural_frequencies<const CAP: usize>(
         &self,
-        range: RangeInclusive<Self::Parameter>,
+        range: impl ClosedRange<Self::Parameter>,
     ) -> Result<FrequencyList<Self::Parameter, CAP>, SearchError>
     where
         Self: Undamped,
     {
-        let mut plain = Isolation::<Self, Self::Parameter>::new(self);
-        plain.check_stability()?;
-        if let Some(found) = Together::new(&mut plain).and_then(|together| together.in_range(&range)) {
-            return Ok(found);
-        }
-        let found = plain.in_range(*range.start(), *range.end());
-        judged(self, found, plain.is_doubtful, Some(range))
+        in_range::<_, List<_, CAP>>(self, range.closed()).map(FrequencyList::from)
+    }
+
+    /// Every natural frequency in a range [rad/s], as [`natural_frequencies`](NaturalFrequencies::natural_frequencies) finds them, in a
+    /// vector, which holds as many as there are.
+    ///
+    /// ```
+    /// use mstmm_core::elements::{Mass, Spring};
+    /// use mstmm_core::search::NaturalFrequencies;
+    /// use mstmm_core::{AnyUndamped, ListStep, StepList, Support};
+    ///
+    /// // a hundred masses between springs: ω = 2 sin(kπ/201) for odd k
+    /// let mut steps = vec![ListStep::Tip(Support::Fixed)];
+    /// for _ in 0..100 {
+    ///     steps.push(ListStep::Element(AnyUndamped::try_from(Spring { stiffness: 1.0_f64 })?));
+    ///     steps.push(ListStep::Element(Mass { mass: 1.0 }.try_into()?));
+    /// }
+    /// steps.push(ListStep::Root(Support::Free));
+    /// let found = StepList::new(&steps)?.frequencies_in(0.0..=1.0)?;
+    /// let expected = (1..=200).step_by(2).map(|k| 2.0 * (f64::from(k) * std::f64::consts::PI / 402.0).sin());
+    /// assert_eq!(found.len(), expected.filter(|omega| *omega <= 1.0).count());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`natural_frequencies`](NaturalFrequencies::natural_frequencies); [`SearchError::Capacity`] only where memory ends.
+    #[cfg(feature = "std")]
+    fn frequencies_in(
+        &self,
+        range: impl ClosedRange<Self::Parameter>,
+    ) -> Result<std::vec::Vec<NaturalFrequency<Self::Parameter>>, SearchError>
+    where
+        Self: Undamped,
+    {
+        in_range::<_, std::vec::Vec<_>>(self, range.closed()).map(|found| found.frequencies)
     }
 
     /// The lowest natural frequencies, rigid-body modes at ω = 0 included: the fewest entries whose multiplicities add up
-    /// to at least `N`.
+    /// to at least `N`, a number known at compile time, `first_frequencies::<3>()`.
+    ///
+    /// A rigid-body mode counts once here; each rigid-body mode is two eigenvalues of
+    /// [`first_eigenvalues`](crate::search::Eigenvalues::first_eigenvalues).
     ///
     /// # Errors
     /// [`SearchError::TooFewRoots`] if the system has no more than it says; else as `natural_frequencies`.
@@ -122,17 +155,85 @@ pub trait NaturalFrequencies: System {
     where
         Self: Undamped,
     {
-        let mut plain = Isolation::<Self, Self::Parameter>::new(self);
-        plain.check_stability()?;
-        if let Some(found) = Together::new(&mut plain).and_then(Together::first) {
-            return Ok(found);
-        }
-        let found = plain.first();
-        judged(self, found, plain.is_doubtful, None)
+        first::<_, List<_, N>>(self, N as u64).map(FrequencyList::from)
+    }
+
+    /// The lowest natural frequencies, as [`first_frequencies`](NaturalFrequencies::first_frequencies) finds them, where their number n
+    /// is known when the program runs: the fewest entries whose multiplicities add up to at least n.
+    ///
+    /// ```
+    /// use mstmm_core::elements::Beam;
+    /// use mstmm_core::search::NaturalFrequencies;
+    /// use mstmm_core::{AnyUndamped, ListStep, StepList, Support};
+    ///
+    /// let beam = Beam { length: 1.0_f64, bending_stiffness: 1.0, mass_per_length: 1.0 };
+    /// let steps = [
+    ///     ListStep::Tip(Support::Pinned),
+    ///     ListStep::Element(AnyUndamped::try_from(beam)?),
+    ///     ListStep::Root(Support::Pinned),
+    /// ];
+    /// let found = StepList::new(&steps)?.frequencies("20".parse()?)?;
+    /// assert!((found[19].omega.sqrt() / (20.0 * std::f64::consts::PI) - 1.0).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`first_frequencies`](NaturalFrequencies::first_frequencies); [`SearchError::Capacity`] only where memory ends.
+    #[cfg(feature = "std")]
+    fn frequencies(&self, n: usize) -> Result<std::vec::Vec<NaturalFrequency<Self::Parameter>>, SearchError>
+    where
+        Self: Undamped,
+    {
+        first::<_, std::vec::Vec<_>>(self, n as u64).map(|found| found.frequencies)
     }
 }
 
 impl<Y: System + ?Sized> NaturalFrequencies for Y {}
+
+/// The result of a search that collects frequencies in a list of type `L`.
+type Searched<L> = Result<Found<L>, SearchError>;
+
+/// Every frequency in a range.
+#[inline]
+fn in_range<Y, L>(system: &Y, range: RangeInclusive<Y::Parameter>) -> Searched<L>
+where
+    Y: Undamped + ?Sized,
+    L: Store<NaturalFrequency<Y::Parameter>>,
+{
+    let mut plain = Isolation::<Y, Y::Parameter>::new(system);
+    plain.check_stability()?;
+    if let Some(found) = Together::new(&mut plain).and_then(|together| together.in_range(&range)) {
+        return Ok(found);
+    }
+    let (start, end) = range.into_inner();
+    let found = plain.in_range(start, end);
+    judged(system, found, plain.is_doubtful, Sought::Range([start, end]))
+}
+
+/// The lowest frequencies, so many of them.
+#[inline]
+fn first<Y, L>(system: &Y, wanted: u64) -> Searched<L>
+where
+    Y: Undamped + ?Sized,
+    L: Store<NaturalFrequency<Y::Parameter>>,
+{
+    let mut plain = Isolation::<Y, Y::Parameter>::new(system);
+    plain.check_stability()?;
+    if let Some(found) = Together::new(&mut plain).and_then(|together| together.first(wanted)) {
+        return Ok(found);
+    }
+    let found = plain.first(wanted);
+    judged(system, found, plain.is_doubtful, Sought::Lowest(wanted))
+}
+
+/// What a search is asked for.
+#[derive(Clone, Copy)]
+enum Sought<T> {
+    /// All frequencies between two ends.
+    Range([T; 2]),
+    /// So many of the lowest.
+    Lowest(u64),
+}
 
 /// Relative distance on both sides of a frequency at which counts are taken, in square roots of eps. Where several paths share a
 /// frequency, rounding may move counts to the other side within a tenth of it.
@@ -195,45 +296,49 @@ where
 /// The result of a search in a range or of the lowest frequencies. Where it is doubtful, extended precision confirms it by counts, or
 /// searches anew.
 #[inline]
-fn judged<Y: Undamped + ?Sized, const CAP: usize>(
-    system: &Y,
-    found: Result<FrequencyList<Y::Parameter, CAP>, SearchError>,
-    is_doubtful: bool,
-    range: Option<RangeInclusive<Y::Parameter>>,
-) -> Result<FrequencyList<Y::Parameter, CAP>, SearchError> {
+fn judged<Y, L>(system: &Y, found: Searched<L>, is_doubtful: bool, sought: Sought<Y::Parameter>) -> Searched<L>
+where
+    Y: Undamped + ?Sized,
+    L: Store<NaturalFrequency<Y::Parameter>>,
+{
     if !is_doubtful {
         return found;
     }
     if !Y::Parameter::HAS_EXTENDED {
-        let near = |list: FrequencyList<Y::Parameter, CAP>| list.first().map_or(0.0, |root| root.omega.to_f64());
+        let near = |list: Found<L>| list.frequencies.first().map_or(0.0, |root| root.omega.to_f64());
         let refused = |list| {
             if refuses_doubt::<Y::Parameter>() { Err(SearchError::Unresolved { near: near(list) }) } else { Ok(list) }
         };
         return found.and_then(refused);
     }
     let mut judge = Isolation::<Y, <Y::Parameter as Real>::Extended>::new(system);
-    let range = range.map(|range| [*range.start(), *range.end()].map(Frequency::from_parameter));
+    let range = match sought {
+        Sought::Range(ends) => Some(ends.map(Frequency::from_parameter)),
+        Sought::Lowest(_) => None,
+    };
     // those of the search before
     let mut plain = 0;
-    if let Ok(found) = &found {
+    if let Ok(found) = found {
         judge.evaluations = found.evaluations;
         plain = found.evaluations - found.extended;
         // where counts fail, a search says why
-        if judge.confirms(found, range).unwrap_or(false) {
+        if judge.confirms(&found.frequencies, range).unwrap_or(false) {
             let (evaluations, extended) = (judge.evaluations, judge.evaluations - plain);
-            return Ok(FrequencyList { evaluations, extended, ..*found });
+            return Ok(Found { evaluations, extended, ..found });
         }
     }
-    let judged = match range {
-        Some([start, end]) => judge.in_range::<CAP>(start, end)?,
-        None => judge.first()?,
+    let judged: Found<L::Of<NaturalFrequency<<Y::Parameter as Real>::Extended>>> = match sought {
+        Sought::Range(ends) => {
+            let [start, end] = ends.map(Frequency::from_parameter);
+            judge.in_range(start, end)?
+        }
+        Sought::Lowest(wanted) => judge.first(wanted)?,
     };
-    let mut frequencies = List::new();
-    for root in &judged {
+    let mut frequencies = L::empty();
+    for root in judged.frequencies.iter() {
         let [omega, lower, upper] = [root.omega, root.lower, root.upper].map(|x| Scalar::from_f64(x.to_f64()));
-        let root = NaturalFrequency { omega, lower, upper, multiplicity: root.multiplicity };
-        frequencies.push(root).map_err(|_| SearchError::Capacity { capacity: CAP })?;
+        add(&mut frequencies, NaturalFrequency { omega, lower, upper, multiplicity: root.multiplicity })?;
     }
     let evaluations = judged.evaluations;
-    Ok(FrequencyList { frequencies, evaluations, extended: evaluations - plain })
+    Ok(Found { frequencies, evaluations, extended: evaluations - plain })
 }

@@ -1,6 +1,6 @@
 //! The samples of a window of a network, between which no more than one root is left.
 
-use crate::number::{Dual, InLanes, List, Real};
+use crate::number::{Dual, InLanes, List, Real, sort_by};
 use crate::pass::at_once::{InBlocks, MOST};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::together::Together;
@@ -34,7 +34,7 @@ where
                 }
             }
             self.sample(count, Purpose::Counts)?;
-            self.samples.sort_by(|one, other| one.point.s < other.point.s);
+            sort_by(self.samples.as_mut_slice(), |one, other| one.point.s < other.point.s);
             if self.samples.windows(2).any(|pair| pair[1].below < pair[0].below) {
                 return None;
             }

@@ -3,8 +3,8 @@
 use crate::model::SearchError;
 use crate::number::{Dual, Growth, Real, Scalar, Single, refuses_doubt};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
+use crate::pass::searched::Undamped;
 use crate::search::undamped::sampling::Isolation;
-use crate::search::undamped::searched::Undamped;
 use crate::subspace::WittrickWilliams;
 use num_traits::{One, Zero};
 

@@ -1,12 +1,12 @@
 //! Sweeps: the lowest frequencies of many models of one topology.
 
 use crate::model::{ParameterError, SearchError};
+use crate::pass::searched::Undamped;
 use crate::pass::side_by_side::{Lanewise, MODELS};
 use crate::search::undamped::found::FrequencyList;
 use crate::search::undamped::in_step::InStep;
 use crate::search::undamped::natural::NaturalFrequencies;
 use crate::search::undamped::sampling::Isolation;
-use crate::search::undamped::searched::Undamped;
 use core::fmt;
 
 /// Why a model of a sweep has no certified frequencies.

@@ -3,12 +3,12 @@
 //! Evaluations that do not wait for each other share the lanes of a vector. What does not hold here, since roots coincide, sums cancel
 //! or waves have to be scaled, is left to the search that goes from root to root.
 
-use crate::number::{Dual, InLanes, List, Real};
+use crate::number::{Dual, InLanes, List, Real, Store};
 use crate::pass::at_once::{Block, InBlocks, MOST, lanes};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::approach::{Approaches, GoesOn, ROOTS};
 use crate::search::undamped::certificate::Sides;
-use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
+use crate::search::undamped::found::{Found, NaturalFrequency};
 use crate::search::undamped::interpolation::{Point, Sample};
 use crate::search::undamped::sampling::Isolation;
 use crate::subspace::Purpose;
@@ -64,9 +64,9 @@ where
     }
 
     /// The lowest frequencies, if all of them are certified.
-    pub(super) fn first<const N: usize>(mut self) -> Option<FrequencyList<T, N>> {
-        let wanted = N as f64;
-        let mut found = List::new();
+    pub(super) fn first<L: Store<NaturalFrequency<T>>>(mut self, wanted: u64) -> Option<Found<L>> {
+        let wanted = wanted as f64;
+        let mut found = L::empty();
         let zero = self.single.just_above_zero;
         let (mut from, mut below) = (root(zero), 0.0);
         while below < wanted {
@@ -79,18 +79,21 @@ where
             let last = self.samples.last()?;
             (from, below) = (last.point.s, last.below);
         }
-        Some(FrequencyList { frequencies: found, evaluations: self.single.evaluations, extended: self.single.extended })
+        Some(Found { frequencies: found, evaluations: self.single.evaluations, extended: self.single.extended })
     }
 
     /// The frequencies of a range, if all of them are certified.
-    pub(super) fn in_range<const CAP: usize>(mut self, range: &RangeInclusive<T>) -> Option<FrequencyList<T, CAP>> {
+    pub(super) fn in_range<L>(mut self, range: &RangeInclusive<T>) -> Option<Found<L>>
+    where
+        L: Store<NaturalFrequency<T>>,
+    {
         let (start, end) = (*range.start(), *range.end());
         let [mut from, last] = self.single.enclosing(start, end).ok()?.map(root);
         if from >= last {
             // nothing but what is zero
             return None;
         }
-        let mut found = List::<NaturalFrequency<T>, CAP>::new();
+        let mut found = L::empty();
         let mut is_first = start.is_zero();
         while from < last {
             let roots = ((last - from) * self.waves / PI + BEYOND).min(ROOTS_PER_WINDOW);
@@ -103,15 +106,15 @@ where
             from = self.samples.last()?.point.s;
         }
         // a root in the margin may not meet the range
-        let mut frequencies = List::new();
+        let mut frequencies = L::empty();
         for root in found.iter().filter(|root| root.upper >= start && root.lower <= end) {
-            frequencies.push(*root).ok()?;
+            frequencies.append(*root).ok()?;
         }
-        Some(FrequencyList { frequencies, evaluations: self.single.evaluations, extended: self.single.extended })
+        Some(Found { frequencies, evaluations: self.single.evaluations, extended: self.single.extended })
     }
 
     /// The entry of frequencies that are zero, if there are any.
-    fn push_rigid_body_modes<const N: usize>(&self, found: &mut List<NaturalFrequency<T>, N>) -> Option<()> {
+    fn push_rigid_body_modes<L: Store<NaturalFrequency<T>>>(&self, found: &mut L) -> Option<()> {
         let modes = self.single.rigid_body_modes(self.samples.first()?.below as u64);
         Isolation::<Y, T>::push(found, modes).ok()
     }
@@ -167,7 +170,7 @@ where
     }
 
     /// Finds the roots of the window below a number of them.
-    fn roots<const N: usize>(&mut self, wanted: f64, found: &mut List<NaturalFrequency<T>, N>) -> Option<()> {
+    fn roots<L: Store<NaturalFrequency<T>>>(&mut self, wanted: f64, found: &mut L) -> Option<()> {
         let most = if Y::IS_NETWORK { MOST / 3 } else { ROOTS };
         let mut lower = 0;
         while lower + 1 < self.samples.len() {
@@ -189,19 +192,19 @@ where
             // lanes that would be idle take a third point of each root; roots of networks start from anywhere in their brackets
             let vectors = |points: usize| (points * brackets.len()).div_ceil(self.lanes);
             if Y::IS_NETWORK || vectors(3) == vectors(2) {
-                self.polish::<3, N>(&brackets, found)?;
+                self.polish::<3, L>(&brackets, found)?;
             } else {
-                self.polish::<2, N>(&brackets, found)?;
+                self.polish::<2, L>(&brackets, found)?;
             }
         }
         Some(())
     }
 
     /// Takes the roots of some brackets to their last digits, with so many points each in a round.
-    fn polish<const POINTS: usize, const N: usize>(
+    fn polish<const POINTS: usize, L: Store<NaturalFrequency<T>>>(
         &mut self,
         brackets: &[usize],
-        found: &mut List<NaturalFrequency<T>, N>,
+        found: &mut L,
     ) -> Option<()>
     where
         Approaches<POINTS>: GoesOn,
@@ -240,10 +243,10 @@ where
 
     /// Certifies the roots of all approaches by the counts on both sides; where these are not between them, once more from the zero
     /// of Δ beside them.
-    fn certify<const POINTS: usize, const N: usize>(
+    fn certify<const POINTS: usize, L: Store<NaturalFrequency<T>>>(
         &mut self,
         approaches: &Approaches<POINTS>,
-        found: &mut List<NaturalFrequency<T>, N>,
+        found: &mut L,
     ) -> Option<()> {
         let mut roots = [NaturalFrequency::<T>::default(); ROOTS];
         for (root, estimate) in roots.iter_mut().zip(&approaches.estimate) {
@@ -285,7 +288,7 @@ where
             if root.multiplicity == 0 || self.single.may_have_moved(root, found.last()) {
                 return None;
             }
-            found.push(*root).ok()?;
+            found.append(*root).ok()?;
         }
         Some(())
     }

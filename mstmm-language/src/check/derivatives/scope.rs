@@ -1,5 +1,6 @@
 //! The names that a formula can refer to.
 
+use super::super::fields::is_number;
 use super::Dependence;
 use crate::ast::Model;
 use crate::spans::origin;
@@ -21,7 +22,9 @@ impl Scope {
             let index = scope.fields.len();
             scope.fields.push(field.name.to_string());
             let number = Dependence::Number(BTreeSet::from([index]));
-            scope.bind(field.name, if field.has_derivative { number } else { Dependence::None });
+            // what is no number was refused as a field
+            let depends = field.has_derivative && is_number(field.kind);
+            scope.bind(field.name, if depends { number } else { Dependence::None });
         }
         scope
     }

@@ -1,8 +1,9 @@
 //! Emits the numbers of a model with locations: coordinates, directions, masses, parameters.
 
 use super::super::Names;
+use super::super::fields::bindings;
 use super::super::system::{number, number_of};
-use crate::ast::{Element, Field, Model, Parameter, place_of};
+use crate::ast::{Element, Model, Parameter, place_of};
 use crate::skeleton::{Skeleton, What};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote_spanned};
@@ -13,9 +14,7 @@ use syn::ext::IdentExt;
 pub(super) fn numbers(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let (name, lets) = (&model.parameters.ident, &model.lets);
-    let bindings = model
-        .fields()
-        .map(|Field { name, conditions, .. }| quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;));
+    let bindings = bindings(model, names);
     let mut numbers = Vec::new();
     numbers.extend(geometry(skeleton).map(|entry| match entry {
         Some(Number::Part(part)) => coordinate(part, names),
@@ -30,7 +29,7 @@ pub(super) fn numbers(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> 
             type Numbers = [::core::primitive::f64; #count];
 
             fn numbers(&self) -> [::core::primitive::f64; #count] {
-                #(#bindings)*
+                #bindings
                 #(#lets)*
                 [#(#numbers),*]
             }

@@ -1,0 +1,22 @@
+//! Angular frequencies in turns: hertz, turns per minute, periods.
+
+use crate::number::Real;
+use core::f64::consts::{FRAC_1_PI, TAU};
+
+/// ω/2π [Hz].
+#[inline]
+pub(crate) fn hertz<T: Real>(omega: T) -> T {
+    omega * T::from_f64(TAU.recip())
+}
+
+/// 30 ω/π [1/min].
+#[inline]
+pub(crate) fn rpm<T: Real>(omega: T) -> T {
+    omega * T::from_f64(30.0 * FRAC_1_PI)
+}
+
+/// 2π/ω \[s\], infinite at rest.
+#[inline]
+pub(crate) fn period<T: Real>(omega: T) -> T {
+    if omega.is_zero() { T::from_f64(f64::INFINITY) } else { T::from_f64(TAU) / omega }
+}
