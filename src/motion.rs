@@ -5,9 +5,9 @@
 
 pub use mstmm_core::{
     Coordinate, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, EndMotion, EnergyShares, Entry,
-    ExtendedTree, ForceHistory, FrameAnalysis, Label, MemberEnd, MemberLabel, MemberState, ModalAnalysis, MotionError,
-    MovingNetwork, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point,
-    Root, Sample, ShapeList, State, SystemStates, Tree,
+    ExtendedTree, ForceHistory, FrameAnalysis, Label, MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis,
+    MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates,
+    Planned, Point, Root, Sample, ShapeList, State, SystemStates, Tree, mac,
 };
 
 /// A load on a path: a force or a moment at a point, a load along an element, or the weight of all that moves in Y.

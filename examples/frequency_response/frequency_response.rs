@@ -1,8 +1,10 @@
-//! How a damped beam responds to a harmonic force: static deflection, resonances, and a plot.
+//! How a damped beam responds to a harmonic force: static deflection, resonances, and a plot; `--uff FILE` and `--csv FILE` write the
+//! response for other programs.
 
 use mstmm::prelude::*;
+use mstmm_files::{Direction, Dof, Function, write_response, write_uff58};
 use plotters::prelude::*;
-use std::error::Error;
+use std::{env, error::Error, fs::File};
 
 system! {
     /// Simply supported beam with a spring, a damped oscillator and a torsion spring (section 4.5 of the paper).
@@ -61,6 +63,24 @@ fn draw(samples: &Samples, file: &str) -> Result<(), Box<dyn Error>> {
     Ok(area.present()?)
 }
 
+/// Writes the response to the files that the command line names.
+pub fn write(samples: &Samples, arguments: &[String]) -> Result<(), Box<dyn Error>> {
+    for pair in arguments.chunks(2) {
+        let [format, file] = pair else { return Err(format!("{} needs a file", pair[0]).into()) };
+        match format.as_str() {
+            "--uff" => {
+                let spring = Dof { node: 2, direction: Direction::Y };
+                let head = Function::receptance("simply supported beam, at its spring", spring, spring);
+                write_uff58(File::create(file)?, &head, samples.iter().copied())?;
+            }
+            "--csv" => write_response(File::create(file)?, samples.iter().copied())?,
+            other => return Err(format!("`{other}` is neither --uff nor --csv").into()),
+        }
+        println!("the response is written to {file}");
+    }
+    Ok(())
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let system = steel_bar().build()?;
     let response = system.frequency_response(Beam::conn_2.force(), Beam::conn_2.deflection())?;
@@ -76,5 +96,5 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all("target")?;
     draw(&samples, file)?;
     println!("\n{} samples of the response are drawn in {file}", samples.len());
-    Ok(())
+    write(&samples, &env::args().skip(1).collect::<Vec<_>>())
 }

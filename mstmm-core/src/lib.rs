@@ -24,6 +24,7 @@ mod subspace;
 pub use answer::energy_shares::EnergyShares;
 pub use answer::force_history::ForceHistory;
 pub use answer::frequency_response::FrequencyResponse;
+pub use answer::mac::{MacError, mac};
 pub use answer::many_frequencies::ManyFrequencies;
 pub use answer::modal_response::ModalResponse;
 pub use answer::mode_shape::{ModeShape, ShapeList};

@@ -37,7 +37,9 @@ const ORDER: &[(&str, &[&str])] = &[
 
 /// The sources of all crates that are published.
 fn sources() -> Vec<Source> {
-    ["mstmm-plan", "mstmm-core", "mstmm-lanes", "mstmm-language", "mstmm-macros", "."].map(Source::of).into()
+    ["mstmm-plan", "mstmm-core", "mstmm-files", "mstmm-lanes", "mstmm-language", "mstmm-macros", "."]
+        .map(Source::of)
+        .into()
 }
 
 fn core() -> Source {

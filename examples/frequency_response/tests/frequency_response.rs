@@ -46,6 +46,25 @@ fn the_frequency_response_is_that_of_a_bare_beam_with_springs() {
     }
 }
 
+/// Both files hold every sample, and the table its digits.
+#[test]
+fn the_response_is_written_for_other_programs() {
+    let [uff, csv] = ["response.uff", "response.csv"].map(|name| Path::new(FOLDER).join(name).display().to_string());
+    let samples = samples();
+    let arguments = ["--uff", &uff, "--csv", &csv].map(str::to_owned);
+    frequency_response::write(&samples, &arguments).unwrap();
+    let [uff, csv] = [uff, csv].map(|file| std::fs::read_to_string(file).unwrap());
+    // a head of thirteen lines and a mark at the end; a line of names
+    assert_eq!((uff.lines().count(), csv.lines().count()), (samples.len() + 14, samples.len() + 1));
+    let (response, row) = (expected(), csv.lines().nth(100).unwrap());
+    let fields: Vec<f64> = row.split(',').map(|field| field.parse().unwrap()).collect();
+    assert_close(fields[2], response(fields[1]).re, 1e-9);
+    for wrong in [&["--uff"][..], &["--xls", "file"]] {
+        let wrong: Vec<String> = wrong.iter().map(|word| (*word).to_owned()).collect();
+        assert!(frequency_response::write(&samples, &wrong).is_err(), "{wrong:?}");
+    }
+}
+
 #[test]
 #[ignore = "long: .ci/long"]
 fn the_program_prints_the_resonances_and_draws_the_curve() {

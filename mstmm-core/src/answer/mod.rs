@@ -7,6 +7,7 @@ pub(crate) mod energy_shares;
 pub(crate) mod force_history;
 pub(crate) mod frequency_response;
 pub(crate) mod interior;
+pub(crate) mod mac;
 pub(crate) mod many_frequencies;
 pub(crate) mod misfit;
 pub(crate) mod modal_response;

@@ -19,24 +19,25 @@ fn unused_fields(model: &Model) -> Vec<&Ident> {
     names.filter(|name| !used.contains(&name.to_string()) && !name.unraw().to_string().starts_with('_')).collect()
 }
 
-/// `let length = self.length;` for each field that a formula may use.
+/// `let length = self.length;` for each field.
 pub(super) fn bindings(model: &Model, names: &Names) -> TokenStream {
     let unused = unused_fields(model);
-    let fields = model.fields().map(|Field { name, conditions, .. }| match unused.contains(&name) {
-        false => quote_spanned!(names.here=> #(#conditions)* let #name = self.#name;),
+    let fields = model.fields().map(|Field { name, conditions, .. }| {
         // rustc need not say again what the macro says
-        true => quote_spanned!(names.here=> #(#conditions)* let _ = self.#name;),
+        let silence = unused.contains(&name).then(|| quote_spanned!(names.here=> #(#conditions)* let _ = #name;));
+        quote_spanned!(names.here=> #(#conditions)* let #name = self.#name; #silence)
     });
     quote_spanned!(names.here=> #(#fields)*)
 }
 
-/// A warning at each field that no formula uses; the one way to give one from a macro is the use of something deprecated.
+/// A warning at each field that no formula uses: the one of rustc about what is deprecated, to which a macro
+/// can give words and a place.
 pub(super) fn unused(model: &Model, names: &Names) -> TokenStream {
     let unused = unused_fields(model);
     let warnings =
         model.fields().filter(|field| unused.contains(&field.name)).map(|Field { name, conditions, .. }| {
             let span = names.at(name.span());
-            let note = format!("no parameter uses `{}`: remove the field, or write `_{0}`", name.unraw());
+            let note = format!("no parameter uses `{0}`: remove the field, or call it `_{0}`", name.unraw());
             let unused = Ident::new("unused_field", span);
             quote_spanned! {span=>
                 #(#conditions)*

@@ -553,4 +553,16 @@ const _: () = {
             )
         }
     }
+    #[automatically_derived]
+    impl<T> mstmm::__private::search::Undamped for DampedMassSystem<T>
+    where
+        T: mstmm::__private::Real + mstmm::__private::InLanes,
+        Self: mstmm::__private::search::RealPasses,
+    {}
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::search::Spectrum
+    for DampedMassSystem<T>
+    where
+        Self: mstmm::__private::search::ComplexPasses,
+    {}
 };

@@ -645,4 +645,15 @@ const _: () = {
             chain.finish()
         }
     }
+    #[automatically_derived]
+    impl<T> mstmm::__private::search::Undamped for MastSystem<T>
+    where
+        T: mstmm::__private::Real + mstmm::__private::InLanes,
+        Self: mstmm::__private::search::RealPasses,
+    {}
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::search::Spectrum for MastSystem<T>
+    where
+        Self: mstmm::__private::search::ComplexPasses,
+    {}
 };

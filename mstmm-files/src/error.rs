@@ -1,0 +1,64 @@
+//! What cannot be written, and why.
+
+use std::io;
+
+/// A file that could not be written, or not as its format asks.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FileError {
+    /// The file refuses.
+    #[error("the file cannot be written: {0}")]
+    Io(#[from] io::Error),
+    /// A table refuses.
+    #[error("the table cannot be written: {0}")]
+    Csv(#[from] csv::Error),
+    /// There are no samples.
+    #[error("there are no samples: a function has at least one")]
+    Empty,
+    /// A number is not finite.
+    #[error("row {row} has a number that is not finite")]
+    NotFinite {
+        /// The sample or the mode, from 0 on.
+        row: usize,
+    },
+    /// A frequency is negative.
+    #[error("sample {row} is at {omega} rad/s, but frequencies of a response are not negative")]
+    Negative {
+        /// The sample, from 0 on.
+        row: usize,
+        /// Its frequency [rad/s].
+        omega: f64,
+    },
+    /// Frequencies do not grow, or are equal in the digits of the format.
+    #[error("sample {row} is at {hertz} Hz, not above the one before it in the eight digits that the format has")]
+    Order {
+        /// The sample, from 0 on.
+        row: usize,
+        /// Its frequency [Hz].
+        hertz: f64,
+    },
+    /// A number has more digits in its exponent than the format.
+    #[error("{value:e} does not fit into its columns, whose exponents have two digits")]
+    Columns {
+        /// The number.
+        value: f64,
+    },
+    /// A text is longer than its columns, or has characters that are not printable ASCII.
+    #[error("`{text}` must be printable ASCII of at most {columns} characters")]
+    Text {
+        /// The text.
+        text: String,
+        /// How many characters there is room for.
+        columns: usize,
+    },
+    /// A shape has another number of values than there are points.
+    #[error("the shape of mode {row} has {values} values for {points} points")]
+    Shape {
+        /// The mode, from 0 on.
+        row: usize,
+        /// Its values.
+        values: usize,
+        /// The points.
+        points: usize,
+    },
+}

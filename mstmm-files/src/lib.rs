@@ -1,0 +1,15 @@
+#![doc = include_str!("../README.md")]
+#![forbid(unsafe_code)]
+
+mod error;
+mod fields;
+mod function;
+mod modes;
+mod response;
+mod uff58;
+
+pub use error::FileError;
+pub use function::{Axis, Direction, Dof, Function, Quantity};
+pub use modes::{Mode, write_modes};
+pub use response::write_response;
+pub use uff58::write_uff58;

@@ -1,0 +1,86 @@
+//! Modes as tables.
+
+use crate::error::FileError;
+use crate::fields::number;
+use mstmm_core::Complex;
+use mstmm_core::search::{Eigenvalue, NaturalFrequency};
+use std::io::Write;
+
+/// The columns of a root.
+const COLUMNS: [&str; 7] =
+    ["mode", "frequency_hz", "damping_ratio", "real_1_per_s", "imaginary_rad_per_s", "error_rad_per_s", "multiplicity"];
+
+/// A mode: its root, natural frequency or eigenvalue, and its shape at points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    root: Eigenvalue,
+    shape: Vec<Complex<f64>>,
+}
+
+/// A natural frequency is the eigenvalue `iω`; its error is the farther end of its interval.
+impl From<NaturalFrequency> for Mode {
+    fn from(root: NaturalFrequency) -> Self {
+        let error = (root.upper - root.omega).max(root.omega - root.lower);
+        let lambda = Complex::new(0.0, root.omega);
+        Mode { root: Eigenvalue { lambda, error, multiplicity: root.multiplicity }, shape: Vec::new() }
+    }
+}
+
+impl From<Eigenvalue> for Mode {
+    fn from(root: Eigenvalue) -> Self {
+        Mode { root, shape: Vec::new() }
+    }
+}
+
+impl Mode {
+    /// The mode with its shape at points, real or complex.
+    #[must_use]
+    pub fn with_shape<V: Into<Complex<f64>>>(self, shape: impl IntoIterator<Item = V>) -> Self {
+        Mode { shape: shape.into_iter().map(Into::into).collect(), ..self }
+    }
+}
+
+/// Writes modes as CSV, a row per mode, with all digits: its number from 1 on, the frequency in Hz, the damping ratio, both parts of its
+/// eigenvalue, the radius of its certificate, its multiplicity, and both parts of its shape at each of the points.
+///
+/// ```
+/// use mstmm_files::{Mode, write_modes};
+/// use mstmm_core::search::NaturalFrequency;
+///
+/// let root = NaturalFrequency { omega: 2.0, lower: 1.75, upper: 2.25, multiplicity: 1 };
+/// let mut file = Vec::new();
+/// write_modes(&mut file, &["tip"], [Mode::from(root).with_shape([0.5])])?;
+/// let file = String::from_utf8(file)?;
+/// assert!(file.starts_with("mode,frequency_hz,"));
+/// assert_eq!(file.lines().nth(1), Some("1,0.3183098861837907,0.0,0.0,2.0,0.25,1,0.5,0.0"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`FileError::Shape`] for a shape with another number of values than there are points, [`FileError::NotFinite`] for numbers that are not
+/// finite, and a writer that fails. A system may have no modes.
+pub fn write_modes<M: Into<Mode>>(
+    writer: impl Write,
+    points: &[&str],
+    modes: impl IntoIterator<Item = M>,
+) -> Result<(), FileError> {
+    let mut table = csv::Writer::from_writer(writer);
+    let of_points = points.iter().flat_map(|point| [format!("{point}_real"), format!("{point}_imaginary")]);
+    table.write_record(COLUMNS.iter().map(|column| (*column).to_owned()).chain(of_points))?;
+    for (row, mode) in modes.into_iter().enumerate() {
+        let Mode { root, shape } = mode.into();
+        if shape.len() != points.len() {
+            return Err(FileError::Shape { row, values: shape.len(), points: points.len() });
+        }
+        let numbers = [root.hertz(), root.damping_ratio(), root.lambda.re, root.lambda.im, root.error];
+        let shape = || shape.iter().flat_map(|value| [value.re, value.im]);
+        if !numbers.into_iter().chain(shape()).all(f64::is_finite) {
+            return Err(FileError::NotFinite { row });
+        }
+        let texts = |numbers: &[f64]| numbers.iter().copied().map(number).collect::<Vec<_>>();
+        let shape: Vec<f64> = shape().collect();
+        let fields = [vec![(row + 1).to_string()], texts(&numbers), vec![root.multiplicity.to_string()], texts(&shape)];
+        table.write_record(fields.concat())?;
+    }
+    Ok(table.flush()?)
+}
