@@ -33,6 +33,7 @@
 //! | all natural frequencies of a range, the first n; how many are below ω | [`natural_frequencies`], [`first_frequencies`], [`count_below`] |
 //! | whether it is statically stable: how many of its motions grow | [`unstable_modes`] |
 //! | all eigenvalues of a region, the first n; how many are in it | [`eigenvalues`], [`first_eigenvalues`], [`count_in`] |
+//! | the same in vectors, where numbers are known when the program runs | [`frequencies`], [`frequencies_in`], [`eigenvalues_in`] |
 //! | the shape of a mode: states anywhere, nodes, energies | [`mode_shape`], [`mode_shapes`] |
 //! | the response to a harmonic load, at rest too, on grids and curves | [`frequency_response`] |
 //! | the response in time to an impulse, a step, a history of forces | [`modal_response`] |
@@ -44,10 +45,15 @@
 //! | a tree whose size is known when the program runs; such a frame | [`list`]; [`network`] |
 //! | what stands where in such a frame, for drawings | [`sketch`] |
 //! | an element of one's own | [`element`] |
+//! | how far a shape agrees with a measured one | [`mac`](motion::mac) |
+//! | responses and modes as files for other programs | the package `mstmm-files` |
 //!
 //! [`natural_frequencies`]: search::NaturalFrequencies::natural_frequencies
 //! [`first_frequencies`]: search::NaturalFrequencies::first_frequencies
 //! [`count_below`]: search::NaturalFrequencies::count_below
+//! [`frequencies`]: search::NaturalFrequencies::frequencies
+//! [`frequencies_in`]: search::NaturalFrequencies::frequencies_in
+//! [`eigenvalues_in`]: search::Eigenvalues::eigenvalues_in
 //! [`unstable_modes`]: search::NaturalFrequencies::unstable_modes
 //! [`eigenvalues`]: search::Eigenvalues::eigenvalues
 //! [`first_eigenvalues`]: search::Eigenvalues::first_eigenvalues
