@@ -1,6 +1,6 @@
 //! Whatever is killed, the same commands again end with the bytes of one run.
 
-use crate::{bytes, folder, names, shard, succeeds};
+use crate::{bytes, folder, names, shard, starts, succeeds};
 use std::path::Path;
 use std::time::{Duration, Instant};
 use std::{fs, thread};
@@ -26,7 +26,7 @@ fn a_share_that_was_killed_is_solved_by_the_same_command() {
         succeeds(shard(MODELS, one_run, number));
     }
 
-    let mut killed = shard(MODELS, interrupted, "0/2").spawn().unwrap();
+    let mut killed = starts(shard(MODELS, interrupted, "0/2"));
     wait_for_temporary(interrupted);
     killed.kill().unwrap();
     assert!(!killed.wait().unwrap().success(), "it had ended before");
@@ -52,7 +52,7 @@ fn a_share_that_was_killed_is_solved_by_the_same_command() {
 fn two_processes_with_one_share_leave_one_part() {
     let (alone, both) = (folder(), folder());
     succeeds(shard(2048, alone.path(), "1/4"));
-    let processes: Vec<_> = (0..2).map(|_| shard(2048, both.path(), "1/4").spawn().unwrap()).collect();
+    let processes: Vec<_> = (0..2).map(|_| starts(shard(2048, both.path(), "1/4"))).collect();
     for mut process in processes {
         assert!(process.wait().unwrap().success());
     }

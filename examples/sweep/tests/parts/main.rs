@@ -12,7 +12,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use std::fs::{self, File};
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use sweep::part;
 use tempfile::TempDir;
 
@@ -27,13 +27,18 @@ fn sweep(arguments: &[&str]) -> Command {
     for name in ["ID", "COUNT", "MIN", "MAX"] {
         command.env_remove(format!("SLURM_ARRAY_TASK_{name}"));
     }
-    command.args(arguments).stdout(Stdio::null());
+    command.args(arguments);
     command
 }
 
 /// The program over so many models, for one share.
 fn shard(models: u64, folder: &Path, shard: &str) -> Command {
     sweep(&[&models.to_string(), "--out", folder.to_str().unwrap(), "--shard", shard])
+}
+
+/// A program that runs, silently.
+fn starts(mut command: Command) -> Child {
+    command.stdout(Stdio::null()).spawn().unwrap()
 }
 
 /// What a program prints that succeeds.
