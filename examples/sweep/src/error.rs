@@ -26,7 +26,7 @@ pub enum PartError {
     },
     /// The tasks of an array are not all shares of a sweep.
     #[error(
-        "--shard slurm: task {index} is one of {count} from {first} to {last}, which may be some shares of more; \
+        "--shard slurm: task {index} is one of {count}, the last of which is {last}, not {count} - 1: these may be some shares of more; \
          write --shard $SLURM_ARRAY_TASK_ID/N, with N for their number"
     )]
     PartialArray {
@@ -34,8 +34,6 @@ pub enum PartError {
         index: u64,
         /// Number of tasks.
         count: u64,
-        /// The first task.
-        first: u64,
         /// The last task.
         last: u64,
     },

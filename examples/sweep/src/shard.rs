@@ -51,10 +51,10 @@ impl Shard {
             value.parse::<u64>().map_err(|_| PartError::BadVariable { name, value })
         };
         let (index, count) = (number("SLURM_ARRAY_TASK_ID")?, number("SLURM_ARRAY_TASK_COUNT")?);
-        let (first, last) = (number("SLURM_ARRAY_TASK_MIN")?, number("SLURM_ARRAY_TASK_MAX")?);
-        let is_whole = first == 0 && last.checked_add(1) == Some(count);
-        let shard = Shard::new(index, count).filter(|_| is_whole);
-        shard.ok_or(PartError::PartialArray { index, count, first, last })
+        let last = number("SLURM_ARRAY_TASK_MAX")?;
+        // as many tasks as there are numbers from 0 to the last
+        let shard = Shard::new(index, count).filter(|_| last == count - 1);
+        shard.ok_or(PartError::PartialArray { index, count, last })
     }
 }
 

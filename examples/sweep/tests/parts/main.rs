@@ -24,7 +24,7 @@ fn folder() -> TempDir {
 /// The program, outside of Slurm.
 fn sweep(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_sweep"));
-    for name in ["ID", "COUNT", "MIN", "MAX"] {
+    for name in ["ID", "COUNT", "MAX"] {
         command.env_remove(format!("SLURM_ARRAY_TASK_{name}"));
     }
     command.args(arguments);
