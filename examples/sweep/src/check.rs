@@ -6,14 +6,14 @@ use crate::part;
 use crate::shard::Shard;
 use std::path::Path;
 
-/// Numbers of the shares without a part, in order. How many there should be is what the first part says.
+/// Numbers of the shards without a part, in order. How many there should be is what the first part says.
 ///
 /// # Errors
 /// There is no folder, it has no part, or one of another sweep.
 pub fn missing(folder: &Path) -> Result<Vec<u64>, PartError> {
     let parts = part::all(folder)?;
     let label = Label::sized_as(parts.first().ok_or_else(|| PartError::NoParts(folder.to_owned()))?)?;
-    // what is no part of any share is one of another sweep, too
+    // what is no part of any shard is one of another sweep, too
     parts.iter().try_for_each(|part| label.check(part, None))?;
     let mut missing = Vec::new();
     for shard in (0..label.shards).filter_map(|index| Shard::new(index, label.shards)) {

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 /// Why there is no part, or none that can be taken.
 #[derive(Debug, thiserror::Error)]
 pub enum PartError {
-    /// A share that is none.
+    /// A shard that is none.
     #[error("--shard is \"{0}\", but must be I/N with I from 0 to N - 1, or slurm")]
     BadShard(String),
     /// A variable that Slurm gives to each task of an array is not there.
@@ -24,9 +24,9 @@ pub enum PartError {
         /// Its value.
         value: String,
     },
-    /// The tasks of an array are not all shares of a sweep.
+    /// The tasks of an array are not all shards of a sweep.
     #[error(
-        "--shard slurm: task {index} is one of {count}, the last of which is {last}, not {count} - 1: these may be some shares of more; \
+        "--shard slurm: task {index} is one of {count}, the last of which is {last}, not {count} - 1: these may be some shards of more; \
          write --shard $SLURM_ARRAY_TASK_ID/N, with N for their number"
     )]
     PartialArray {

@@ -50,10 +50,10 @@ impl Label {
         entries.map(|(key, value)| KeyValue::new(key.to_owned(), value)).collect()
     }
 
-    /// Holds a file to be a part of this sweep, of that share if one is given.
+    /// Holds a file to be a part of this sweep, of that shard if one is given.
     ///
     /// # Errors
-    /// It is of another sweep or share, or cannot be read.
+    /// It is of another sweep or shard, or cannot be read.
     pub(crate) fn check(&self, path: &Path, shard: Option<Shard>) -> Result<(), PartError> {
         let found = Found::of(path)?;
         let of_shard = shard.map(|shard| self.of_shard(shard));

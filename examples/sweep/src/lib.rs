@@ -1,4 +1,4 @@
-//! A sweep: the first frequencies of many models, on all cores of one machine or in shares on many, into Parquet files.
+//! A sweep: the first frequencies of many models, on all cores of one machine or in shards on many, into Parquet files.
 
 pub mod check;
 mod error;

@@ -15,9 +15,9 @@ Certified frequencies of many models, into Parquet files.
 
 sweep [MODELS]                       all models, a million if not said otherwise, into target/sweep.parquet
 sweep [MODELS] --out FOLDER          into FOLDER/part-000000.parquet, unless it is there
-sweep [MODELS] --out FOLDER --shard I/N      share I of N, from 0, into FOLDER/part-00000I.parquet
-sweep [MODELS] --out FOLDER --shard slurm    the share of a task of a Slurm array whose tasks are all shares
-sweep --check FOLDER                 the shares without a part, as --array=3,7-9, with status 1; nothing and 0 if there are none";
+sweep [MODELS] --out FOLDER --shard I/N      shard I of N, from 0, into FOLDER/part-00000I.parquet
+sweep [MODELS] --out FOLDER --shard slurm    the shard of a task of a Slurm array whose tasks are all shards
+sweep --check FOLDER                 the shards without a part, as --array=3,7-9, with status 1; nothing and 0 if there are none";
 
 /// The file of a sweep that is not divided.
 const FILE: &str = "target/sweep.parquet";
@@ -98,7 +98,7 @@ impl Task {
     }
 }
 
-/// Solves the models of a share, into a file.
+/// Solves the models of a shard, into a file.
 fn solve(path: &Path, models: u64, shard: Shard) -> Result<(), Box<dyn Error>> {
     let (begin, range) = (Instant::now(), shard.models(models));
     let count = range.end - range.start;

@@ -1,4 +1,4 @@
-//! Parts of a sweep: a folder has one file for each share.
+//! Parts of a sweep: a folder has one file for each shard.
 
 use crate::error::PartError;
 use crate::label::Label;
@@ -6,12 +6,12 @@ use crate::shard::Shard;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The name of the part of a share.
+/// The name of the part of a shard.
 pub fn name(index: u64) -> String {
     format!("part-{index:06}.parquet")
 }
 
-/// The part of a share that is there already, if it is; without it a new one may join the parts of the folder.
+/// The part of a shard that is there already, if it is; without it a new one may join the parts of the folder.
 ///
 /// # Errors
 /// There is no folder, or it has a part of another sweep.

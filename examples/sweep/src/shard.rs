@@ -1,4 +1,4 @@
-//! Shares of a sweep.
+//! Shards of a sweep.
 
 use crate::error::PartError;
 use crate::solve::TASK;
@@ -6,7 +6,7 @@ use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
-/// A share of a sweep: one of so many, about equal ones.
+/// A shard of a sweep: one of so many, about equal ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     index: u64,
@@ -14,10 +14,10 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// The only share of a sweep that is not divided.
+    /// The only shard of a sweep that is not divided.
     pub const WHOLE: Self = Shard { index: 0, count: 1 };
 
-    /// Share `index` of `count`, counted from zero, if there is one.
+    /// Shard `index` of `count`, counted from zero, if there is one.
     pub fn new(index: u64, count: u64) -> Option<Self> {
         (index < count).then_some(Shard { index, count })
     }
@@ -27,12 +27,12 @@ impl Shard {
         self.index
     }
 
-    /// The number of shares.
+    /// The number of shards.
     pub fn count(self) -> u64 {
         self.count
     }
 
-    /// Its models, of a sweep of so many: whole tasks, in order. It has none where there are more shares than tasks.
+    /// Its models, of a sweep of so many: whole tasks, in order. It has none where there are more shards than tasks.
     pub fn models(self, models: u64) -> Range<u64> {
         let tasks = u128::from(models.div_ceil(TASK));
         // no more than the number of tasks, which is a `u64`
@@ -41,10 +41,10 @@ impl Shard {
         start(self.index)..start(self.index + 1)
     }
 
-    /// The share of a task of a Slurm array, whose tasks are all shares, from the variables of its environment.
+    /// The shard of a task of a Slurm array, whose tasks are all shards, from the variables of its environment.
     ///
     /// # Errors
-    /// There is no such variable, it is not a number, or the array is a part of another one: it does not say how many shares there are.
+    /// There is no such variable, it is not a number, or the array is a part of another one: it does not say how many shards there are.
     pub fn of_slurm(variable: impl Fn(&str) -> Option<String>) -> Result<Self, PartError> {
         let number = |name: &'static str| {
             let value = variable(name).ok_or(PartError::NoVariable { name })?;

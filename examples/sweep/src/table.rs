@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// Models that are solved before they are written.
 const BLOCK: u64 = 1 << 16;
 
-/// Solves the models of a share, writes their rows in order into a file that is there whole or not at all, and counts those without
+/// Solves the models of a shard, writes their rows in order into a file that is there whole or not at all, and counts those without
 /// a certified list, which have an error in place of frequencies.
 ///
 /// # Errors

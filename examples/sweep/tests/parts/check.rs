@@ -12,7 +12,7 @@ fn check(folder: &Path) -> Command {
 }
 
 #[test]
-fn missing_shares_are_an_array() {
+fn missing_shards_are_an_array() {
     let folder = folder();
     assert_eq!(
         refused(check(folder.path()), folder.path()),

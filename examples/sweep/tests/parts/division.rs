@@ -1,19 +1,19 @@
-//! Shares have all models of a sweep, each once, and the same answers in any division.
+//! Shards have all models of a sweep, each once, and the same answers in any division.
 
 use crate::{folder, rows_of, shard, succeeds};
 use sweep::model::model;
 use sweep::{Shard, part};
 
 #[test]
-fn shares_follow_each_other_and_are_about_equal() {
+fn shards_follow_each_other_and_are_about_equal() {
     for models in [0, 1, 255, 256, 257, 10_000, 123_456_789_012, u64::MAX] {
         for count in [1, 2, 3, 7, 100, 1001] {
-            let shares = (0..count).map(|index| Shard::new(index, count).unwrap().models(models));
+            let shards = (0..count).map(|index| Shard::new(index, count).unwrap().models(models));
             let (mut end, mut sizes) = (0, Vec::new());
-            for share in shares {
-                assert_eq!(share.start, end);
-                sizes.push(share.end - share.start);
-                end = share.end;
+            for shard in shards {
+                assert_eq!(shard.start, end);
+                sizes.push(shard.end - shard.start);
+                end = shard.end;
             }
             assert_eq!(end, models);
             // whole tasks of 256 models, but for the last one

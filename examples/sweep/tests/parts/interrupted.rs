@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 use std::{fs, thread};
 use sweep::part;
 
-/// So many that a share takes a second or more.
+/// So many that a shard takes a second or more.
 const MODELS: u64 = if cfg!(debug_assertions) { 1 << 13 } else { 1 << 21 };
 
-/// Waits until the temporary file of the first share is there.
+/// Waits until the temporary file of the first shard is there.
 fn wait_for_temporary(folder: &Path) {
     let begin = Instant::now();
     while !names(folder).iter().any(|name| name.starts_with(".part-000000.")) {
@@ -19,7 +19,7 @@ fn wait_for_temporary(folder: &Path) {
 }
 
 #[test]
-fn a_share_that_was_killed_is_solved_by_the_same_command() {
+fn a_shard_that_was_killed_is_solved_by_the_same_command() {
     let (one_run, interrupted) = (folder(), folder());
     let (one_run, interrupted) = (one_run.path(), interrupted.path());
     for number in ["0/2", "1/2"] {
@@ -49,7 +49,7 @@ fn a_share_that_was_killed_is_solved_by_the_same_command() {
 
 /// As where a scheduler takes a machine for dead that is not.
 #[test]
-fn two_processes_with_one_share_leave_one_part() {
+fn two_processes_with_one_shard_leave_one_part() {
     let (alone, both) = (folder(), folder());
     succeeds(shard(2048, alone.path(), "1/4"));
     let processes: Vec<_> = (0..2).map(|_| starts(shard(2048, both.path(), "1/4"))).collect();

@@ -31,7 +31,7 @@ fn sweep(arguments: &[&str]) -> Command {
     command
 }
 
-/// The program over so many models, for one share.
+/// The program over so many models, for one shard.
 fn shard(models: u64, folder: &Path, shard: &str) -> Command {
     sweep(&[&models.to_string(), "--out", folder.to_str().unwrap(), "--shard", shard])
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use sweep::{Label, Shard, model, part, table};
 
 #[test]
-fn shares_that_are_none() {
+fn shards_that_are_none() {
     let folder = folder();
     for wrong in ["5/4", "4/4", "0/0", "-1/4", "1", "1/", "a/4", "1/4/2", "Slurm", ""] {
         let message = refused(shard(1000, folder.path(), wrong), folder.path());

@@ -1,4 +1,4 @@
-//! The share of a task of a Slurm array.
+//! The shard of a task of a Slurm array.
 
 use crate::{bytes, folder, names, refused, shard, succeeds};
 use std::path::Path;
@@ -15,7 +15,7 @@ fn task(folder: &Path, values: [&str; 3]) -> Command {
 }
 
 #[test]
-fn a_task_has_the_share_of_its_number() {
+fn a_task_has_the_shard_of_its_number() {
     let (by_slurm, by_hand) = (folder(), folder());
     succeeds(task(by_slurm.path(), ["2", "3", "2"]));
     succeeds(shard(1000, by_hand.path(), "2/3"));
@@ -44,7 +44,7 @@ fn variables_that_are_missing_or_no_numbers() {
     assert!(names(folder.path()).is_empty());
 }
 
-/// What is left of an array, submitted again, has fewer tasks than the sweep has shares.
+/// What is left of an array, submitted again, has fewer tasks than the sweep has shards.
 #[test]
 fn a_part_of_an_array() {
     let folder = folder();
@@ -54,7 +54,7 @@ fn a_part_of_an_array() {
             refused(task(folder.path(), values), folder.path()),
             format!(
                 "sweep: --shard slurm: task {task_id} is one of {count}, the last of which is {last}, not {count} - 1: \
-                 these may be some shares of more; write --shard $SLURM_ARRAY_TASK_ID/N, with N for their number\n"
+                 these may be some shards of more; write --shard $SLURM_ARRAY_TASK_ID/N, with N for their number\n"
             )
         );
     }
