@@ -1,86 +1,119 @@
-//! The first three frequencies of a million models, on all cores, into a Parquet file.
+//! The command line of the sweep.
 
 use indicatif::ProgressBar;
-use mstmm::prelude::*;
-use mstmm::search::SweepError;
-use parquet::data_type::DoubleType;
-use parquet::file::{properties::WriterProperties, writer::SerializedFileWriter};
-use rayon::prelude::*;
-use std::{env, error::Error, fs, iter, path::Path, time::Instant};
+use lexopt::Arg::{Long, Short, Value};
+use lexopt::{Parser, ValueExt};
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+use std::{env, fs};
+use sweep::{Label, Shard, check, model, part, table};
 
-system! {
-    /// Beam on two supports with a spring to the ground and a mass (section 4.3 of the paper); ω in units of sqrt(EI/(m l⁴)).
-    #[derive(Clone, Copy, Debug)]
-    pub struct SpringAndMass { spring_at: f64, mass_at: f64, stiffness: f64, mass: f64 }
+const USAGE: &str = "\
+Certified frequencies of many models, into Parquet files.
 
-    pinned -> beam 1 { length: spring_at, bending_stiffness: 1.0, mass_per_length: 1.0 }
-           -> conn 2 -> beam 4 { length: mass_at - spring_at, bending_stiffness: 1.0, mass_per_length: 1.0 }
-           -> conn 5 -> beam 7 { length: 1.0 - mass_at, bending_stiffness: 1.0, mass_per_length: 1.0 }
-           -> pinned;
-    conn 2 <- spring 3 { stiffness } <- fixed;
-    conn 5 <- mass 6 { mass } <- free;
+sweep [MODELS]                       all models, a million if not said otherwise, into target/sweep.parquet
+sweep [MODELS] --out FOLDER          into FOLDER/part-000000.parquet, unless it is there
+sweep [MODELS] --out FOLDER --shard I/N      shard I of N, from 0, into FOLDER/part-00000I.parquet
+sweep [MODELS] --out FOLDER --shard slurm    the shard of a task of a Slurm array whose tasks are all shards
+sweep --check FOLDER                 the shards without a part, as --array=3,7-9, with status 1; nothing and 0 if there are none";
+
+/// The file of a sweep that is not divided.
+const FILE: &str = "target/sweep.parquet";
+
+/// What the program is asked to do.
+enum Task {
+    Help,
+    Check(PathBuf),
+    /// One file, as new.
+    File {
+        models: u64,
+    },
+    /// A part, unless it is there.
+    Part {
+        models: u64,
+        folder: PathBuf,
+        shard: Shard,
+    },
 }
 
-/// Parameters, then frequencies.
-const SCHEMA: &str = "message sweep { required double spring_at; required double mass_at; required double stiffness;
-    required double mass; required double omega_1; required double omega_2; required double omega_3; }";
-/// Models that are solved before they are written.
-const BLOCK: u64 = 1 << 16;
-/// Models that a thread solves in a row.
-const ROW: usize = 256;
-
-/// A model of the sweep: points that fill the ranges evenly, by steps of irrational numbers.
-pub fn model(index: u64) -> SpringAndMass {
-    let part = |step: f64| (index as f64 * step).fract();
-    let (spring_at, mass_at) = (0.05 + 0.40 * part(2_f64.sqrt()), 0.55 + 0.40 * part(3_f64.sqrt()));
-    SpringAndMass { spring_at, mass_at, stiffness: 1.0 + 99.0 * part(5_f64.sqrt()), mass: part(7_f64.sqrt()) }
-}
-
-/// Rows of the file; an error where there is no certified list of frequencies.
-pub fn rows(models: &[SpringAndMass]) -> impl Iterator<Item = Result<[f64; 7], SweepError>> {
-    models.iter().first_frequencies::<3>().zip(models).map(|(roots, model)| {
-        let roots = roots?;
-        let omegas = roots.iter().flat_map(|root| iter::repeat_n(root.omega, root.multiplicity as usize));
-        let mut row = [model.spring_at, model.mass_at, model.stiffness, model.mass, 0.0, 0.0, 0.0];
-        row[4..].iter_mut().zip(omegas).for_each(|(place, omega)| *place = omega);
-        Ok(row)
-    })
-}
-
-/// Solves as many models, writes their rows in order, and counts those without a certified list, which are left out.
-pub fn sweep(count: u64, file: &Path, progress: &ProgressBar) -> Result<u64, Box<dyn Error>> {
-    let schema = parquet::schema::parser::parse_message_type(SCHEMA)?.into();
-    // no two numbers are equal: a dictionary would not shorten the file
-    let properties = WriterProperties::builder().set_dictionary_enabled(false).build().into();
-    let mut writer = SerializedFileWriter::new(fs::File::create(file)?, schema, properties)?;
-    let mut errors = 0;
-    for start in (0..count).step_by(BLOCK as usize) {
-        let block = start..count.min(start + BLOCK);
-        let models: Vec<_> = block.clone().map(model).collect();
-        let rows: Vec<_> = models.par_chunks(ROW).flat_map_iter(|models| rows(models).map(Result::ok)).collect();
-        errors += rows.iter().filter(|row| row.is_none()).count() as u64;
-        let (mut group, mut index) = (writer.next_row_group()?, 0);
-        while let Some(mut column) = group.next_column()? {
-            let values: Vec<f64> = rows.iter().flatten().map(|row| row[index]).collect();
-            column.typed::<DoubleType>().write_batch(&values, None, None)?;
-            column.close()?;
-            index += 1;
+impl Task {
+    fn parse(mut parser: Parser) -> Result<Self, Box<dyn Error>> {
+        let (mut models, mut folder, mut shard, mut checked) = (None, None, None, None);
+        while let Some(argument) = parser.next()? {
+            match argument {
+                Short('h') | Long("help") => return Ok(Task::Help),
+                Long("out") => folder = Some(PathBuf::from(parser.value()?)),
+                Long("check") => checked = Some(PathBuf::from(parser.value()?)),
+                Long("shard") => {
+                    let text = parser.value()?.string()?;
+                    let of_slurm = || Shard::of_slurm(|name| env::var(name).ok());
+                    shard = Some(if text == "slurm" { of_slurm() } else { text.parse() }?);
+                }
+                Value(text) if models.is_none() => {
+                    let text = text.string()?;
+                    let number =
+                        text.parse().map_err(|_| format!("MODELS is \"{text}\", but must be a whole number"))?;
+                    models = Some(number);
+                }
+                other => return Err(other.unexpected().into()),
+            }
         }
-        group.close()?;
-        progress.inc(block.end - block.start);
+        let million = models.unwrap_or(1_000_000);
+        match (checked, folder, shard, models) {
+            (Some(folder), None, None, None) => Ok(Task::Check(folder)),
+            (Some(_), ..) => Err("--check FOLDER stands alone: what there should be is written in the parts".into()),
+            (None, Some(folder), shard, _) => {
+                Ok(Task::Part { models: million, folder, shard: shard.unwrap_or(Shard::WHOLE) })
+            }
+            (None, None, Some(shard), _) => Err(format!("--shard {shard} needs --out FOLDER for its part").into()),
+            (None, None, None, _) => Ok(Task::File { models: million }),
+        }
     }
-    writer.close()?;
-    Ok(errors)
+
+    fn run(self) -> Result<ExitCode, Box<dyn Error>> {
+        match self {
+            Task::Help => println!("{USAGE}"),
+            Task::Check(folder) => {
+                let missing = check::missing(&folder)?;
+                if !missing.is_empty() {
+                    println!("--array={}", check::array(&missing));
+                    return Ok(ExitCode::FAILURE);
+                }
+            }
+            Task::File { models } => {
+                let path = Path::new(FILE);
+                path.parent().map_or(Ok(()), fs::create_dir_all)?;
+                solve(path, models, Shard::WHOLE)?;
+            }
+            Task::Part { models, folder, shard } => {
+                match part::find(&folder, &Label::new(models, shard.count()), shard)? {
+                    Some(part) => println!("{} is there already", part.display()),
+                    None => solve(&folder.join(part::name(shard.index())), models, shard)?,
+                }
+            }
+        }
+        Ok(ExitCode::SUCCESS)
+    }
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let count = env::args().nth(1).map_or(Ok(1_000_000), |text| text.parse())?;
-    fs::create_dir_all("target")?;
-    let (file, begin) = (Path::new("target/sweep.parquet"), Instant::now());
+/// Solves the models of a shard, into a file.
+fn solve(path: &Path, models: u64, shard: Shard) -> Result<(), Box<dyn Error>> {
+    let (begin, range) = (Instant::now(), shard.models(models));
+    let count = range.end - range.start;
     // the bar is shown on a terminal alone
-    let errors = sweep(count, file, &ProgressBar::new(count))?;
+    let progress = ProgressBar::new(count);
+    let errors = table::write(path, &Label::new(models, shard.count()), shard, model::model, &progress)?;
     let (seconds, cores) = (begin.elapsed().as_secs_f64(), rayon::current_num_threads());
-    println!("{} of {count} models with three certified frequencies each, in {}", count - errors, file.display());
+    println!("{} of {count} models with three certified frequencies each, in {}", count - errors, path.display());
     println!("{seconds:.2} s, {:.0} models per second and core", count as f64 / seconds / cores as f64);
     Ok(())
+}
+
+fn main() -> ExitCode {
+    Task::parse(Parser::from_env()).and_then(Task::run).unwrap_or_else(|error| {
+        eprintln!("sweep: {error}");
+        ExitCode::from(2)
+    })
 }

@@ -1,21 +1,19 @@
 //! The file holds what the models give, in their order.
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
-#[path = "../src/main.rs"]
-#[expect(dead_code, reason = "the program's main")]
-pub mod main;
-
 use indicatif::ProgressBar;
-use main::{model, rows, sweep};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use std::f64::consts::PI;
 use std::fs::File;
 use std::path::Path;
+use sweep::model::model;
+use sweep::{Label, Shard, rows, table};
 
-/// The row of a model.
+/// Parameters and frequencies of a model.
 fn row(index: u64) -> [f64; 7] {
-    rows(&[model(index)]).next().unwrap().unwrap()
+    let row = rows(&[model(index)]).pop().unwrap();
+    [&row.parameters[..], &row.omegas.unwrap()].concat().try_into().unwrap()
 }
 
 /// The rows of a file, block after block.
@@ -29,7 +27,8 @@ fn rows_of(file: &Path) -> Vec<[f64; 7]> {
 #[test]
 fn the_file_reads_back_as_the_models_in_their_order() {
     let (count, file) = (70_001, Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep.parquet"));
-    assert_eq!(sweep(count, &file, &ProgressBar::hidden()).unwrap(), 0);
+    let label = Label::new(count, 1);
+    assert_eq!(table::write(&file, &label, Shard::WHOLE, model, &ProgressBar::hidden()).unwrap(), 0);
     let rows = rows_of(&file);
     assert_eq!(rows.len() as u64, count);
     for index in (0..count).step_by(997).chain([65_535, 65_536, 70_000]) {
