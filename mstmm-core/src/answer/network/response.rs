@@ -167,6 +167,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         let is_sure = |motion: &NetworkMotion<Y, S>| {
             motion.vanished_at.is_none()
                 && motion.rounding <= ROUNDED
+                && motion.gap <= AGREEING[0] * motion.size()
                 && agree(rounding_under(self.system, x, &loading, motion))
         };
         if S::HAS_PRECISE && !is_sure(&motion) {

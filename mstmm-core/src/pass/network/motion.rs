@@ -1,10 +1,12 @@
 //! The motion of a network under loads: its nodes are eliminated one after the other, and the way back gives what each one does.
 
 use crate::model::EndMotion;
-use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Size};
+use crate::number::{Frequency, FrequencyPowers, Real, Scalar, Scaled, Size};
 use crate::pass::network::evaluate::{Placed, PlacedCharts, eliminate_nodes, front_node, push_members};
 use crate::pass::network::loading::Loading;
+use crate::pass::network::member::Placement;
 use crate::subspace::{Chart, Choice, FrontScalar, Fronts, JoinedEnd, LoadEverywhere};
+use mstmm_plan::Freedoms;
 
 /// The motion of a network.
 #[derive(Debug)]
@@ -19,6 +21,9 @@ pub(crate) struct NetworkMotion<Y: Placed, S: Scalar> {
     pub(crate) vanished_at: Option<u32>,
     /// The largest part of the row of a pivot that rounding may be, where errors are carried along.
     pub(crate) rounding: f64,
+    /// The largest distance of the end of a member from its node where the two are joined, where errors are carried along: what a chart
+    /// makes of the forces that were found is rounding away from what the node does.
+    pub(crate) gap: f64,
 }
 
 /// Δ of a network.
@@ -108,6 +113,7 @@ where
     for (node, displacements) in nodes.as_mut().iter_mut().enumerate().take(network.sizes()[0]) {
         *displacements = loading.moved(node).unwrap_or(zero);
     }
+    let mut gap = 0.0_f64;
     let (work, vanished_at, rounding) = Y::in_way_back(|mut way| {
         way.fronts.choose(choice, carries_errors);
         for &node in order.nodes {
@@ -136,10 +142,15 @@ where
                     continue;
                 }
                 if let Some(chart) = network.chart(member, at, placement.length()) {
-                    let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
-                    let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
+                    let joins = [0, 1].map(|end| order.incidence.node(2 * member + end));
+                    let ends = placement.joined(joins, joins.map(|node| network.node(node).1));
                     let (moved, load) = (loading.of_ends(placement), loading.along(member, &chart));
-                    members.as_mut()[member] = way.back.member(&chart, &ends, &moved, &load);
+                    let motions = way.back.member(&chart, &ends, &moved, &load);
+                    if carries_errors {
+                        let of_nodes = [0, 1].map(|end| nodes.as_ref()[placement.node_of(end)]);
+                        gap = gap.max(gap_of(placement, &motions, &of_nodes));
+                    }
+                    members.as_mut()[member] = motions;
                 }
             }
         }
@@ -147,7 +158,22 @@ where
         let [row, error] = total.smallest_row;
         (-way.back.kept.form, total.vanished_at, S::EPSILON * error / row)
     });
-    NetworkMotion { nodes, members, work, vanished_at, rounding }
+    NetworkMotion { nodes, members, work, vanished_at, rounding, gap }
+}
+
+/// How far the ends of a member are from their nodes in the displacements that they share.
+fn gap_of<T: Real, S: Frequency<T>>(placement: &Placement<T>, ends: &[EndMotion<S>; 2], nodes: &[[S; 3]; 2]) -> f64 {
+    let of_end = |end: usize| {
+        let tied = placement.tied(end, nodes[end]);
+        let differences = [0, 1, 2].map(|freedom| (ends[end].displacements[freedom] - tied[freedom]).size().first());
+        let is_shared = |kind| placement.freedoms.contains(kind) && !placement.released(end).contains(kind);
+        Freedoms::SINGLE
+            .into_iter()
+            .zip(differences)
+            .filter(|(kind, _)| is_shared(*kind))
+            .fold(0.0, |gap, (_, one)| one.max(gap))
+    };
+    of_end(0).max(of_end(1))
 }
 
 impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
@@ -169,7 +195,7 @@ impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
                 forces: three(one[end].forces, other[end].forces),
             });
         }
-        NetworkMotion { nodes, members, work, vanished_at: self.vanished_at, rounding: self.rounding }
+        NetworkMotion { nodes, members, work, vanished_at: self.vanished_at, rounding: self.rounding, gap: self.gap }
     }
 
     /// The motion under so many times the load.

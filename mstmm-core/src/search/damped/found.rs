@@ -46,7 +46,7 @@ impl<T: Real> Eigenvalue<T> {
     /// use mstmm_core::{Complex, search::Eigenvalue};
     ///
     /// let root = Eigenvalue { lambda: Complex::new(-0.3, std::f64::consts::TAU * 25.0), ..Eigenvalue::default() };
-    /// assert_eq!((root.hertz(), root.rpm(), root.period()), (25.0, 1500.0, 0.04));
+    /// assert_eq!((root.hertz(), root.rpm().round(), root.period()), (25.0, 1500.0, 0.04));
     /// ```
     pub fn hertz(&self) -> T {
         turns::hertz(self.lambda.im.abs())

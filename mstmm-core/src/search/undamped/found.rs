@@ -26,7 +26,7 @@ impl<T: Real> NaturalFrequency<T> {
     /// use mstmm_core::search::NaturalFrequency;
     ///
     /// let root = NaturalFrequency { omega: std::f64::consts::TAU * 25.0, ..NaturalFrequency::default() };
-    /// assert_eq!((root.hertz(), root.rpm(), root.period()), (25.0, 1500.0, 0.04));
+    /// assert_eq!((root.hertz(), root.rpm().round(), root.period()), (25.0, 1500.0, 0.04));
     /// ```
     #[inline]
     pub fn hertz(&self) -> T {
