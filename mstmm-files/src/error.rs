@@ -34,7 +34,7 @@ pub enum FileError {
     Order {
         /// The sample, from 0 on.
         row: usize,
-        /// Its frequency [Hz].
+        /// Its frequency in hertz.
         hertz: f64,
     },
     /// A number has more digits in its exponent than the format.

@@ -3,7 +3,7 @@
 use crate::number::Real;
 use core::f64::consts::{FRAC_1_PI, TAU};
 
-/// ω/2π [Hz].
+/// ω/2π in hertz.
 #[inline]
 pub(crate) fn hertz<T: Real>(omega: T) -> T {
     omega * T::from_f64(TAU.recip())

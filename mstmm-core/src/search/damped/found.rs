@@ -40,7 +40,7 @@ impl<T: Real> Eigenvalue<T> {
         modulus(self.lambda)
     }
 
-    /// Frequency `|Im λ|/2π` [Hz] of the damped motion; 0 where λ is real and the motion does not oscillate.
+    /// Frequency `|Im λ|/2π` in hertz of the damped motion; 0 where λ is real and the motion does not oscillate.
     ///
     /// ```
     /// use mstmm_core::{Complex, search::Eigenvalue};

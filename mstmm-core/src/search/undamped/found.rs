@@ -20,7 +20,7 @@ pub struct NaturalFrequency<T = f64> {
 }
 
 impl<T: Real> NaturalFrequency<T> {
-    /// Frequency `ω/2π` [Hz].
+    /// Frequency `ω/2π` in hertz.
     ///
     /// ```
     /// use mstmm_core::search::NaturalFrequency;
