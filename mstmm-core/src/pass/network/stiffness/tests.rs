@@ -104,6 +104,30 @@ fn joints_bodies_and_lines() {
     compare(&nodes, &members, &frequencies(0.7, 1.0917, 80));
 }
 
+/// A braced bay whose members leave rotations, a displacement along and one across to themselves, at nodes that move and at rest.
+#[test]
+fn members_that_do_not_share_all_freedoms() {
+    let holds = Support::Fixed.holds();
+    let nodes = [
+        Node::at([0.0, 0.0]).held(holds),
+        Node::at([0.0, 3.0]),
+        Node::at([2.0, 3.0]).with_body(500.0, 40.0, [2.0, 3.4]),
+        Node::at([4.0, 3.0]),
+        Node::at([4.0, 0.0]).held(holds),
+    ];
+    let turning = |node: usize| End::of(node).releasing(Freedoms::RZ);
+    let members: [Member<Any>; 7] = [
+        Member::new(turning(0), 1, section()),
+        Member::new(1, turning(2), section()),
+        Member::new(2, End::of(3).releasing(Freedoms::X), section()),
+        Member::new(End::of(3).releasing(Freedoms::Y), 4, section()),
+        Member::new(turning(1), turning(3), section()),
+        Member::new(turning(4), turning(1).at([0.0, 2.7]), section()),
+        Member::new(End::of(4).releasing(Freedoms::Y.union(Freedoms::RZ)), 2, section()),
+    ];
+    compare(&nodes, &members, &frequencies(0.7, 1.0917, 80));
+}
+
 #[test]
 fn members_between_points_at_rest_and_rings() {
     let holds = Support::Fixed.holds();
