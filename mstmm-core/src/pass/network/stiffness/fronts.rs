@@ -6,7 +6,7 @@ use crate::pass::network::stiffness::total::StiffnessTotal;
 use crate::pass::network::stiffness::waves::Bending;
 
 /// Row of a pivot beside its error in units of rounding, up to which rounding may decide its sign.
-const DOUBTFUL: f64 = 2.0;
+const DOUBTFUL: f64 = 8.0;
 
 /// The displacements of a node, or the forces of a rigid joint, in a front.
 #[derive(Clone, Copy, Debug)]
