@@ -132,7 +132,7 @@ where
             let (value, other) = (lower.mantissa(), upper.over_power(lower.exponent()));
             let share: f64 = (value / (value - other)).to_f64();
             omega = start + (end - start) * T::from_f64(share);
-            if !(f64::abs(share) < NEARBY) {
+            if f64::abs(share) >= NEARBY || share.is_nan() {
                 return None;
             }
         }
