@@ -19,8 +19,12 @@ const logarithmic = (range) => {
 const rooted = (range) => {
   const root = (value) => Math.sign(value) * Math.sqrt(Math.abs(value));
   const [from, to] = range.map(root);
-  const lines = [-20, -10, -5, -2, -1, -0.5, -0.1, 0].filter((value) => value >= range[0]);
-  return { place: (value) => (root(value) - from) / (to - from), lines };
+  const place = (value) => (root(value) - from) / (to - from);
+  const lines = [0];
+  for (const value of [-0.1, -0.2, -0.5, -1, -2, -5, -10, -20]) {
+    if (place(value) >= 0 && place(lines.at(-1)) - place(value) > 0.13) lines.push(value);
+  }
+  return { place, lines };
 };
 
 class Chart {

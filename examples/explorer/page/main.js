@@ -11,6 +11,9 @@ async function unpacked(base64) {
 /** Turns per second that the first mode is shown at; others by the square root of their frequency. */
 const TURNS = 0.5;
 
+/** For so many frames a new model is solved again and again: browsers compile well what has run often. */
+const WARM = 40;
+
 async function start() {
   const engine = await startEngine(await unpacked(MODEL));
   const part = (id) => document.getElementById(id);
@@ -28,7 +31,7 @@ async function start() {
 
   function choose(model) {
     const { sliders, about } = engine.models[model];
-    Object.assign(state, { model, values: sliders.map(({ start }) => start), mode: 0, active: 0, isNew: true, tabled: 0 });
+    Object.assign(state, { model, values: sliders.map(({ start }) => start), mode: 0, active: 0, isNew: true, tabled: 0, warm: WARM });
     took.length = 0;
     models.show(engine.models.map(({ name }) => name), model);
     part("about").textContent = about;
@@ -60,8 +63,8 @@ async function start() {
   }
 
   function frame(now) {
-    const { isNew } = state;
-    state.isNew = false;
+    const isNew = state.isNew || state.warm > 0;
+    Object.assign(state, { isNew: false, warm: state.warm - 1 });
     if (isNew) show();
     const { model, values, active, answer } = state;
     if (answer) {

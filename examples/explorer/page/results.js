@@ -27,23 +27,26 @@ function table(title, about, head, rows) {
   return element("div", [element("h2", [title]), scroll, note]);
 }
 
+/** A frequency, with the number of roots that lie there, if there are several. */
+const named = (omega, multiplicity) => `${readable(omega * HERTZ, 6)}${multiplicity > 1 ? ` × ${multiplicity}` : ""}`;
+
 /** Shows the roots of an answer; tables change only as fast as they can be read. */
 function showResults(section, { frequencies, eigenvalues }) {
   const tables = [];
   if (eigenvalues.length > 0) {
     const rows = eigenvalues.map(({ re, im, error, ratio, multiplicity }) => [
-      readable(im * HERTZ, 6), `${readable(100 * ratio, 4)} %`, [re.toFixed(13).replace("-", "−"), element("span", [` + ${im.toFixed(13)} i`])],
-      readable(error, 2), String(multiplicity),
+      named(im, multiplicity), `${readable(100 * ratio, 4)} %`, [re.toFixed(13).replace("-", "−"), element("span", [` + ${im.toFixed(13)} i`])],
+      readable(error, 2),
     ]);
     tables.push(table("Eigenvalues", "Each lies in the disc of that radius about λ: the argument of Δ turns once around it.",
-      ["f [Hz]", "damping", "λ [1/s]", "radius", "roots"], rows));
+      ["f [Hz]", "damping", "λ [1/s]", "radius"], rows));
   }
   const rows = frequencies.map(({ omega, lower, upper, multiplicity }) => {
     const [same, low, high] = interval(lower, upper);
-    return [readable(omega * HERTZ, 6), [same, element("em", [`${low} to ${high}`])], readable((upper - lower) / omega, 2), String(multiplicity)];
+    return [named(omega, multiplicity), [same, element("em", [`${low} to ${high}`])], readable((upper - lower) / omega, 2)];
   });
   const title = eigenvalues.length > 0 ? "Natural frequencies without any damping" : "Natural frequencies";
-  tables.push(table(title, "Each lies between two numbers that differ in their last digits: the count of natural frequencies below them differs by the roots.",
-    ["f [Hz]", "ω [rad/s]", "width / ω", "roots"], rows));
+  tables.push(table(title, "Each lies between two numbers that differ in their last digits: the count of natural frequencies below them differs by one, or by what stands behind the frequency.",
+    ["f [Hz]", "ω [rad/s]", "width / ω"], rows));
   section.replaceChildren(...tables);
 }

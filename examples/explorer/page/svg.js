@@ -16,15 +16,18 @@ class Canvas {
     ({ clientWidth: this.width, clientHeight: this.height } = host);
   }
 
-  /** The element of a key, made when it is first asked for, with attributes. */
+  /** The element of a key, made when it is first asked for, with attributes: those that are as before are left alone. */
   keep(key, tag, attributes, text) {
     let element = this.kept.get(key);
     if (!element) {
       element = document.createElementNS(this.svg.namespaceURI, tag);
       this.svg.append(element);
+      element.known = {};
       this.kept.set(key, element);
     }
-    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    for (const [name, value] of Object.entries(attributes)) {
+      if (element.known[name] !== value) element.setAttribute(name, (element.known[name] = value));
+    }
     if (text !== undefined && element.textContent !== text) element.textContent = text;
     this.used?.add(key);
     return element;

@@ -45,8 +45,8 @@ system! {
 /// How many roots are shown.
 const MODES: usize = 5;
 
-/// In how many pieces the response is drawn between two roots.
-const SAMPLES: u32 = 18;
+/// In how many pieces the response is drawn between two roots at least, and how many more there are for all the range.
+const PIECES: [f64; 2] = [6.0, 30.0];
 
 /// The beams with both ends, in the order of the path.
 type Beams = [(MemberLabel<Portal, PlanarBeam<f64>>, [[f64; 2]; 2]); 4];
@@ -88,16 +88,17 @@ impl Portal {
         (0..2).try_for_each(|_| shown.moved(Complex::default(), Complex::default()))
     }
 
-    /// The response at the machine from rest to a little beyond the last root. Each gap between roots has as many samples, denser near
-    /// the roots, where the response is infinite: while roots move, samples move with them.
+    /// The response at the machine from rest to a little beyond the last root, with samples that are denser near the roots, where it is
+    /// infinite: while roots move, samples move with them.
     fn show_response(system: &PortalSystem, roots: &[NaturalFrequency], shown: &Shown) -> Result<(), Problem> {
         let machine = Portal::conn_machine;
         let response = system.frequency_response(machine.force_y(), machine.displacement_y())?;
         let mut from = 0.0;
-        let ends = roots.iter().map(|root| root.omega).chain(roots.last().map(|root| 1.1 * root.omega));
-        for to in ends {
-            for k in 0..=SAMPLES {
-                let [near, far] = [f64::from(k), f64::from(SAMPLES - k)].map(|steps| steps * steps);
+        let last = roots.last().map_or(0.0, |root| 1.1 * root.omega);
+        for to in roots.iter().map(|root| root.omega).chain(once(last)) {
+            let pieces = (PIECES[0] + PIECES[1] * (to - from) / last) as u32;
+            for k in 0..=pieces {
+                let [near, far] = [f64::from(k), f64::from(pieces - k)].map(|steps| steps * steps);
                 let omega = from + (to - from) * (near / (near + far));
                 if let Ok(value) = response.at(omega) {
                     shown.response.push(&[omega, value, 0.0])?;
