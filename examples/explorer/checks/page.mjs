@@ -11,7 +11,7 @@ const [file, executablePath, folder] = process.argv.slice(2);
 const inPage = readFileSync(new URL("in_page.js", import.meta.url), "utf8");
 const faults = [];
 
-const browser = await puppeteer.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu"] });
+const browser = await puppeteer.launch({ executablePath, args: ["--no-sandbox"] });
 const page = await browser.newPage();
 page.on("console", (message) => faults.push(`console: ${message.text()}`));
 page.on("pageerror", (error) => faults.push(`error: ${error.message}`));

@@ -130,7 +130,8 @@ impl Explored for Bridge {
     const NAME: &'static str = "Footbridge with a tuned mass damper";
     const ABOUT: &'static str = "A mass on a spring and a dashpot calms the first mode of a footbridge. \
         Tuned well, it splits one high peak into two low ones.";
-    const RESPONSE: [&'static str; 2] = ["Deflection where the damper hangs, under a force there", "without the damper"];
+    const RESPONSE: [&'static str; 2] =
+        ["Deflection where the damper hangs, under a force there", "without the damper"];
     const SLIDERS: &'static [Slider<Self>] = &[
         Slider {
             label: "Mass of the damper",

@@ -18,7 +18,16 @@ macro_rules! files {
 const PAGE: &str = include_str!("../page/page.html");
 
 const FILES: [(&str, &str); 10] = files![
-    "style.css", "engine.js", "svg.js", "chart.js", "drawing.js", "response.js", "roots.js", "results.js", "controls.js", "main.js",
+    "style.css",
+    "engine.js",
+    "svg.js",
+    "chart.js",
+    "drawing.js",
+    "response.js",
+    "roots.js",
+    "results.js",
+    "controls.js",
+    "main.js",
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -32,7 +41,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let file = target.join("explorer/explorer.html");
     fs::create_dir_all(target.join("explorer"))?;
     fs::write(&file, &page)?;
-    println!("{} kB, of which the module takes {} kB unpacked: {}", page.len() / 1000, module.len() / 1000, file.canonicalize()?.display());
+    println!(
+        "{} kB, of which the module takes {} kB unpacked: {}",
+        page.len() / 1000,
+        module.len() / 1000,
+        file.canonicalize()?.display()
+    );
     Ok(())
 }
 
@@ -45,7 +59,10 @@ fn compiled(target: &Path) -> Result<PathBuf, Box<dyn Error>> {
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .status()?;
     if !status.success() {
-        return Err(format!("the library does not compile for {TARGET}: `rustup target add {TARGET}` installs what it needs").into());
+        return Err(format!(
+            "the library does not compile for {TARGET}: `rustup target add {TARGET}` installs what it needs"
+        )
+        .into());
     }
     Ok(target.join(TARGET).join("explorer/explorer.wasm"))
 }
@@ -58,7 +75,9 @@ fn page(module: &[u8]) -> Result<String, Box<dyn Error>> {
     let mut page = put(PAGE, r#"<script src="model.wasm"></script>"#, &script(&module))?;
     for (name, text) in FILES {
         page = match name.strip_suffix(".css") {
-            Some(_) => put(&page, &format!(r#"<link rel="stylesheet" href="{name}">"#), &format!("<style>\n{text}</style>"))?,
+            Some(_) => {
+                put(&page, &format!(r#"<link rel="stylesheet" href="{name}">"#), &format!("<style>\n{text}</style>"))?
+            }
             None => put(&page, &format!(r#"<script src="{name}"></script>"#), &script(text))?,
         };
     }

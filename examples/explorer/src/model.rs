@@ -81,7 +81,12 @@ pub const MODELS: [Listed; 2] = [Listed::new::<Bridge>(), Listed::new::<Portal>(
 
 fn describe_model<M: Explored>(out: &mut dyn Write) -> fmt::Result {
     let [response, bare] = M::RESPONSE;
-    write!(out, r#"{{"name":"{}","about":"{}","response":"{response}","bare":"{bare}","sliders":["#, M::NAME, M::ABOUT)?;
+    write!(
+        out,
+        r#"{{"name":"{}","about":"{}","response":"{response}","bare":"{bare}","sliders":["#,
+        M::NAME,
+        M::ABOUT
+    )?;
     for (k, slider) in M::SLIDERS.iter().enumerate() {
         out.write_str(if k == 0 { "" } else { "," })?;
         slider.describe(out)?;

@@ -81,10 +81,7 @@ impl Portal {
             }
         }
         let machine = Portal::conn_machine;
-        shown.moved(
-            shape.value(machine.displacement_x())?.into(),
-            shape.value(machine.displacement_y())?.into(),
-        )?;
+        shown.moved(shape.value(machine.displacement_x())?.into(), shape.value(machine.displacement_y())?.into())?;
         (0..2).try_for_each(|_| shown.moved(Complex::default(), Complex::default()))
     }
 
@@ -114,7 +111,10 @@ impl Explored for Portal {
     const NAME: &'static str = "Portal frame with a machine";
     const ABOUT: &'static str = "Put the machine in the middle and move the stiffness of the columns: frequencies of symmetric and of \
         antisymmetric modes cross. With the machine beside the middle they turn away from each other.";
-    const RESPONSE: [&'static str; 2] = ["Vertical deflection of the machine under a force on it: infinite at natural frequencies, since nothing is damped", ""];
+    const RESPONSE: [&'static str; 2] = [
+        "Vertical deflection of the machine under a force on it: infinite at natural frequencies, since nothing is damped",
+        "",
+    ];
     const SLIDERS: &'static [Slider<Self>] = &[
         Slider {
             label: "Place of the machine",

@@ -94,9 +94,9 @@ impl Shown {
     /// # Errors
     /// [`Problem::Full`] for too many.
     pub fn take_frequencies(&self, found: &[NaturalFrequency]) -> Result<(), Problem> {
-        found.iter().try_for_each(|root| {
-            self.frequencies.push(&[root.omega, root.lower, root.upper, root.multiplicity as f64])
-        })
+        found
+            .iter()
+            .try_for_each(|root| self.frequencies.push(&[root.omega, root.lower, root.upper, root.multiplicity as f64]))
     }
 
     /// Takes eigenvalues.

@@ -23,9 +23,6 @@ impl<M> Slider<M> {
     /// Writes the slider as JSON, without its field.
     pub(crate) fn describe(&self, out: &mut dyn Write) -> fmt::Result {
         let Slider { label, unit: (unit, _), range: [min, max], step, start, .. } = self;
-        write!(
-            out,
-            r#"{{"label":"{label}","unit":"{unit}","min":{min},"max":{max},"step":{step},"start":{start}}}"#
-        )
+        write!(out, r#"{{"label":"{label}","unit":"{unit}","min":{min},"max":{max},"step":{step},"start":{start}}}"#)
     }
 }
