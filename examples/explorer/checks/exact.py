@@ -12,7 +12,7 @@ EI = M * PACE**2
 
 def determinant(values, damped):
     """(1 + Y/F D) sin βl with the deflection Y of a pinned beam under a force F where the damper of stiffness D hangs."""
-    mass, stiffness, damping, place, span, ratio = values
+    damping, stiffness, mass, place, span, ratio = values
     # as the sliders' numbers become those of the model, rounded to doubles
     stiffness, place, ratio = mpf(stiffness * 1e3), mpf(place * 0.01), mpf(ratio * 0.01)
     air = 2 * ratio * M * PACE * (pi / mpf(span)) ** 2 if damped else 0

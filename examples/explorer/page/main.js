@@ -68,7 +68,7 @@ async function start() {
     if (isNew) show();
     const { model, values, active, answer } = state;
     if (answer) {
-      if (roots.follow(model, values, active) || isNew) {
+      if (roots.follow(model, values, active, isNew ? 1 : 5) || isNew) {
         roots.draw(answer, engine.models[model].sliders[active], values[active], state.mode);
       }
       if (state.plays) state.phase += ((now - (state.last ?? now)) / 1e3) * turns(state) * 2 * Math.PI;

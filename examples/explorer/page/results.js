@@ -35,7 +35,7 @@ function showResults(section, { frequencies, eigenvalues }) {
   const tables = [];
   if (eigenvalues.length > 0) {
     const rows = eigenvalues.map(({ re, im, error, ratio, multiplicity }) => [
-      named(im, multiplicity), `${readable(100 * ratio, 4)} %`, [re.toFixed(13).replace("-", "−"), element("span", [` + ${im.toFixed(13)} i`])],
+      named(im, multiplicity), `${readable(100 * ratio, 4)} %`, [`${re.toFixed(13).replace("-", "−")} `, element("span", [`+ ${im.toFixed(13)} i`])],
       readable(error, 2),
     ]);
     tables.push(table("Eigenvalues", "Each lies in the disc of that radius about λ: the argument of Δ turns once around it.",
@@ -46,7 +46,7 @@ function showResults(section, { frequencies, eigenvalues }) {
     return [named(omega, multiplicity), [same, element("em", [`${low} to ${high}`])], readable((upper - lower) / omega, 2)];
   });
   const title = eigenvalues.length > 0 ? "Natural frequencies without any damping" : "Natural frequencies";
-  tables.push(table(title, "Each lies between two numbers that differ in their last digits: the count of natural frequencies below them differs by one, or by what stands behind the frequency.",
+  tables.push(table(title, "Each lies between two numbers with the coloured digits at their ends: counts say that one more frequency is below the second than below the first.",
     ["f [Hz]", "ω [rad/s]", "width / ω"], rows));
   section.replaceChildren(...tables);
 }

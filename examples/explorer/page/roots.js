@@ -1,9 +1,8 @@
 // Where the roots are, and where they go as the slider that was touched last moves: in the complex plane, or against that slider.
 "use strict";
 
-/** How many values of the slider the ways of roots are followed at, and for how many milliseconds of a frame. */
+/** How many values of the slider the ways of roots are followed at. */
 const STEPS = 64;
-const PER_FRAME = 4;
 
 class RootsChart {
   constructor(figure, engine) {
@@ -13,12 +12,12 @@ class RootsChart {
     this.key = "";
   }
 
-  /** Follows the roots a little further along the slider; whether there is something new. */
-  follow(model, values, active) {
+  /** Follows the roots further along the slider, for so many milliseconds; whether there is something new. */
+  follow(model, values, active, milliseconds) {
     const key = JSON.stringify([model, active, values.map((value, k) => (k === active ? 0 : value))]);
     if (key !== this.key) [this.key, this.way] = [key, []];
     const { min, max } = this.engine.models[model].sliders[active];
-    const end = performance.now() + PER_FRAME;
+    const end = performance.now() + milliseconds;
     const before = this.way.length;
     while (this.way.length <= STEPS && performance.now() < end) {
       const value = min + ((max - min) * this.way.length) / STEPS;
@@ -71,7 +70,7 @@ class RootsChart {
   ratioLine(ratio, { reMin, imMax }) {
     const slope = ratio / Math.sqrt(1 - ratio * ratio);
     const end = Math.min(imMax, -reMin / slope);
-    const points = Array.from({ length: 25 }, (_, k) => [(-slope * end * k) / 24, (end * k) / 24]);
+    const points = Array.from({ length: 25 }, (_, k) => (k / 24) ** 2 * end).map((im) => [-slope * im, im]);
     this.chart.line(`ratio${ratio}`, "bare", points);
     const at = 0.93 * end;
     this.chart.words(`ratioText${ratio}`, [-slope * at, at], `${100 * ratio} %`, 6);

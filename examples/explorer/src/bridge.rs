@@ -134,12 +134,12 @@ impl Explored for Bridge {
         ["Deflection where the damper hangs, under a force there", "without the damper"];
     const SLIDERS: &'static [Slider<Self>] = &[
         Slider {
-            label: "Mass of the damper",
-            unit: ("kg", 1.0),
-            range: [20.0, 2000.0],
+            label: "Damping of its dashpot",
+            unit: ("N s/m", 1.0),
+            range: [0.0, 6000.0],
             step: 10.0,
-            start: 360.0,
-            field: |bridge| &mut bridge.mass,
+            start: 760.0,
+            field: |bridge| &mut bridge.damping,
         },
         Slider {
             label: "Stiffness of its spring",
@@ -150,12 +150,12 @@ impl Explored for Bridge {
             field: |bridge| &mut bridge.stiffness,
         },
         Slider {
-            label: "Damping of its dashpot",
-            unit: ("N s/m", 1.0),
-            range: [0.0, 6000.0],
+            label: "Mass of the damper",
+            unit: ("kg", 1.0),
+            range: [20.0, 2000.0],
             step: 10.0,
-            start: 760.0,
-            field: |bridge| &mut bridge.damping,
+            start: 360.0,
+            field: |bridge| &mut bridge.mass,
         },
         Slider {
             label: "Where it hangs",
@@ -174,7 +174,7 @@ impl Explored for Bridge {
             field: |bridge| &mut bridge.span,
         },
         Slider {
-            label: "Damping ratio of the bridge alone",
+            label: "Damping ratio of the bridge",
             unit: ("%", 0.01),
             range: [0.1, 3.0],
             step: 0.05,

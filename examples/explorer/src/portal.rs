@@ -117,7 +117,7 @@ impl Explored for Portal {
     ];
     const SLIDERS: &'static [Slider<Self>] = &[
         Slider {
-            label: "Place of the machine",
+            label: "Machine at",
             unit: ("% of the span", 0.01),
             range: [5.0, 95.0],
             step: 0.5,
@@ -149,7 +149,7 @@ impl Explored for Portal {
             field: |portal| &mut portal.span,
         },
         Slider {
-            label: "Stiffness of the columns",
+            label: "Stiffness of columns",
             unit: ("× the girder’s", 1.0),
             range: [0.1, 10.0],
             step: 0.05,

@@ -47,9 +47,9 @@ fn distance(bridge: &Bridge, lambda: Complex<f64>) -> f64 {
 fn bridges_have_the_roots_and_the_response_of_their_closed_form() {
     let shown = Shown::new();
     for values in [
-        [360.0, 55.2, 760.0, 50.0, 24.0, 0.5],
-        [900.0, 90.0, 300.0, 31.5, 20.0, 2.0],
-        [100.0, 30.0, 0.0, 12.0, 33.0, 0.1],
+        [760.0, 55.2, 360.0, 50.0, 24.0, 0.5],
+        [300.0, 90.0, 900.0, 31.5, 20.0, 2.0],
+        [0.0, 30.0, 100.0, 12.0, 33.0, 0.1],
     ] {
         let bridge = Bridge::at(values);
         MODELS[0].show(&values, &shown).unwrap();
