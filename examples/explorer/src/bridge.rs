@@ -75,8 +75,8 @@ impl Bridge {
         PACE * (PI / self.span) * (PI / self.span)
     }
 
-    /// Motions that decay to a tenth in a bit more than half a period of the first mode or slower, up to a multiple of its frequency:
-    /// the second mode of the bridge alone is at 4.
+    /// Motions that take more than 0.6 periods of the first mode to decay to a tenth, up to a multiple of its frequency; the second mode
+    /// of the bridge alone is at 4.
     fn region(&self, multiple: f64) -> Region {
         let first = self.bare_frequency();
         Region { re: -0.6 * first..=0.02 * first, im: 0.0..=multiple * first }
@@ -85,7 +85,7 @@ impl Bridge {
     /// Draws the bridge, and the damper below it.
     fn draw(&self, shown: &Shown) -> Result<(), Problem> {
         let Bridge { span, place, .. } = *self;
-        let [joint, hanging] = [[place * span, 0.0], [place * span, -0.12 * span]];
+        let [joint, hanging] = [[place * span, 0.0], [place * span, -0.16 * span]];
         shown.draw(Kind::Beam, stations(place * span).map(|x| [x, 0.0]))?;
         shown.draw(Kind::Beam, stations((1.0 - place) * span).map(|x| [place * span + x, 0.0]))?;
         shown.draw(Kind::Spring, [joint, hanging])?;

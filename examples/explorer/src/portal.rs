@@ -109,28 +109,28 @@ impl Portal {
 
 impl Explored for Portal {
     const NAME: &'static str = "Portal frame with a machine";
-    const ABOUT: &'static str = "Put the machine in the middle and move the stiffness of the columns: frequencies of symmetric and of \
-        antisymmetric modes cross. With the machine beside the middle they turn away from each other.";
+    const ABOUT: &'static str = "With the machine in the middle, frequencies of symmetric and of antisymmetric modes cross while the span \
+        changes. With the machine beside the middle they turn away from each other.";
     const RESPONSE: [&'static str; 2] = [
         "Vertical deflection of the machine under a force on it: infinite at natural frequencies, since nothing is damped",
         "",
     ];
     const SLIDERS: &'static [Slider<Self>] = &[
         Slider {
+            label: "Span",
+            unit: ("m", 1.0),
+            range: [1.5, 8.0],
+            step: 0.05,
+            start: 4.0,
+            field: |portal| &mut portal.span,
+        },
+        Slider {
             label: "Machine at",
             unit: ("% of the span", 0.01),
             range: [5.0, 95.0],
             step: 0.5,
-            start: 35.0,
+            start: 44.0,
             field: |portal| &mut portal.place,
-        },
-        Slider {
-            label: "Mass of the machine",
-            unit: ("kg", 1.0),
-            range: [0.0, 1000.0],
-            step: 5.0,
-            start: 200.0,
-            field: |portal| &mut portal.machine,
         },
         Slider {
             label: "Height",
@@ -141,16 +141,16 @@ impl Explored for Portal {
             field: |portal| &mut portal.height,
         },
         Slider {
-            label: "Span",
-            unit: ("m", 1.0),
-            range: [1.5, 8.0],
-            step: 0.05,
-            start: 4.0,
-            field: |portal| &mut portal.span,
+            label: "Mass of the machine",
+            unit: ("kg", 1.0),
+            range: [0.0, 1000.0],
+            step: 5.0,
+            start: 200.0,
+            field: |portal| &mut portal.machine,
         },
         Slider {
             label: "Stiffness of columns",
-            unit: ("× the girder’s", 1.0),
+            unit: ("× girder", 1.0),
             range: [0.1, 10.0],
             step: 0.05,
             start: 1.0,

@@ -83,7 +83,7 @@ fn the_portal_has_the_exact_frequencies() {
     let cases: Value = serde_json::from_str(include_str!("../../../tests/data/frames.json")).unwrap();
     let exact: Vec<f64> = cases["portal"]["wanted"]["omega"].as_array().unwrap().iter().map(number).collect();
     let shown = Shown::new();
-    MODELS[1].show(&[35.0, 0.0, 2.0, 2.0, 1.0], &shown).unwrap();
+    MODELS[1].show(&[2.0, 35.0, 2.0, 0.0, 1.0], &shown).unwrap();
     let found: Vec<[f64; 4]> = rows(&shown.frequencies);
     assert_eq!(found.len(), 5);
     for ([omega, ..], exact) in found.iter().zip(exact) {
@@ -145,7 +145,7 @@ fn every_slider_can_go_from_end_to_end() {
 fn a_problem_is_told_and_leaves_nothing_to_show() {
     let shown = Shown::new();
     MODELS[1].show(&[], &shown).unwrap();
-    let problem = MODELS[1].show(&[35.0, 200.0, 3.0, 4.0, -1.0], &shown).unwrap_err();
+    let problem = MODELS[1].show(&[4.0, 35.0, 3.0, 200.0, -1.0], &shown).unwrap_err();
     assert_eq!(problem.to_string(), "planar_beam 1: bending_stiffness is -1000000, but must be positive and finite");
     assert!(shown.tables().iter().all(|(_, _, table)| table.place().1 == 0));
     assert_eq!(Portal::at([]).machine, 200.0);
