@@ -1,9 +1,11 @@
 //! What each question to a plane frame costs, in evaluations of Δ, in one run: a portal of three beams, and the portal of the example with
-//! a hinge, a machine and a brace; and what a certified search takes on each instruction set. Prints Markdown tables.
+//! a hinge, a machine and a brace; what an evaluation of a portal and of a ring costs for each kind of number; and what a certified search
+//! takes on each instruction set. Prints Markdown tables.
 //!
 //! `cargo bench --bench frames`
 
 use mstmm::motion::{PlaneEntry, PlaneLoad};
+use mstmm::number::{DoubleDouble, Dual};
 use mstmm::prelude::*;
 use mstmm_lanes::InstructionSet;
 use std::hint::black_box;
@@ -35,6 +37,18 @@ system! {
         <- pinned;
     conn girder -> rigid_body 6 { mass: machine, inertia: 40.0, centre: (2.0, 3.4) };
     conn b -> spring 7 { stiffness: brace } -> conn foot;
+}
+
+system! {
+    /// A ring of four beams on the ground by a pin and a spring: a closed loop.
+    struct Ring { ea: f64, ei: f64, m: f64 }
+    conn a
+        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
+        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
+        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn d at (6.0, 0.0)
+        -> planar_beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a;
+    conn d <- spring 5 { stiffness: ea } <- fixed at (6.0, -1.0);
+    pinned -> conn a at (0.0, 0.0);
 }
 
 /// Time of one call in ns, of so many calls.
@@ -78,8 +92,48 @@ macro_rules! rows {
     }};
 }
 
+/// What the standard library takes for sine, cosine and exponential of the bending and sine and cosine of the stretching of two different
+/// beams, as the portal and the ring have them, in ns.
+fn functions(calls: u32) -> f64 {
+    let [bending, stretching] = black_box([(47.1_f64 / 5.25e6).sqrt().sqrt(), (47.1_f64 / 1.26e9).sqrt()]);
+    let of_beam = |length: f64, omega: f64| {
+        let (z, x) = (bending * omega.sqrt() * length, stretching * omega * length);
+        z.sin() + z.cos() + z.exp() + x.sin() + x.cos()
+    };
+    let both = |k: f64| black_box([4.0, 6.0].map(|length| of_beam(length, 20.0 + k)));
+    (0..ROUNDS).map(|_| nanoseconds(calls, both)).fold(f64::INFINITY, f64::min)
+}
+
+/// A row of evaluations of Δ by fronts: the least time over rounds for each kind of number, in times of the standard functions.
+macro_rules! evaluations {
+    ($name:literal, $system:expr) => {{
+        let system = $system;
+        let omega = |k: f64| 20.0 + k;
+        let least = |call: &dyn Fn(f64)| (0..ROUNDS).map(|_| nanoseconds(400, call)).fold(f64::INFINITY, f64::min);
+        let standard = functions(400);
+        let times = [
+            least(&|k| {
+                black_box(Characteristic::<f64>::characteristic(&system, omega(k)));
+            }),
+            least(&|k| {
+                black_box(Characteristic::<Dual<f64>>::characteristic(&system, Dual::variable(omega(k))));
+            }),
+            least(&|k| {
+                black_box(system.characteristic(Complex::new(-0.1 * omega(k), omega(k))));
+            }),
+            least(&|k| {
+                black_box(system.characteristic(DoubleDouble::from(omega(k))));
+            }),
+        ];
+        let [real, dual, complex, extended] = times.map(|time| time / standard);
+        println!("| {} | {standard:.0} | {real:.1} | {dual:.1} | {complex:.1} | {extended:.0} |", $name);
+    }};
+}
+
 /// The search for ten frequencies of a portal on each instruction set: the least time over rounds.
 fn print_searches(portal: &PlainSystem) -> Result<(), Failure> {
+    let standard = functions(400);
+    println!("\nSine, cosine and exponential of its two kinds of beams: {standard:.0} ns");
     println!(
         "\n| instruction set | evaluations | ten certified frequencies [µs] | of that an evaluation of a beam [ns] |"
     );
@@ -102,5 +156,9 @@ fn main() -> Result<(), Failure> {
     rows!("plain", Plain, plain.clone(), Plain::conn_b.force_x(), Plain::planar_beam_1.input().moment());
     let workshop = Workshop { ea: 4e8, ei: 1e6, m: 20.0, brace: 2e6, machine: 500.0 }.build()?;
     rows!("workshop", Workshop, workshop, Workshop::conn_b.force_x(), Workshop::planar_beam_1.input().moment());
+    println!("\n| Δ by fronts | sin, cos, exp [ns] | real | dual | complex | double-double |");
+    println!("|---|---|---|---|---|---|");
+    evaluations!("portal", plain.clone());
+    evaluations!("ring", Ring { ea: 1.26e9, ei: 5.25e6, m: 47.1 }.build()?);
     print_searches(&plain)
 }

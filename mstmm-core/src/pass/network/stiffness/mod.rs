@@ -4,9 +4,9 @@
 //! and take its counts where rounding cannot have decided the sign of a pivot; all else goes by fronts.
 
 mod block;
-mod compiled;
 mod fronts;
 mod in_front;
+mod joined;
 mod model;
 mod pass;
 mod released;

@@ -2,9 +2,9 @@
 
 use crate::element::MemberNumbers;
 use crate::number::{FrequencyPowers, Scalar, Size};
-use crate::pass::network::stiffness::compiled::StiffnessScalar;
 use crate::pass::network::stiffness::fronts::StiffnessFronts;
 use crate::pass::network::stiffness::in_front::InFront;
+use crate::pass::network::stiffness::joined::Joins;
 use crate::pass::network::stiffness::model::StiffnessModel;
 use crate::pass::network::stiffness::released::OwnStiffness;
 use crate::pass::network::stiffness::waves::{BeamWaves, Line, line};
@@ -12,7 +12,7 @@ use mstmm_plan::Freedoms;
 
 /// Eliminates all nodes at a frequency. None where memory ends or a member is not known.
 #[inline(always)]
-pub(super) fn eliminate_all<S: StiffnessScalar>(
+pub(super) fn eliminate_all<S: Joins>(
     model: &StiffnessModel<'_>,
     fronts: &mut StiffnessFronts<'_, S>,
     omega: S,
@@ -36,7 +36,7 @@ fn ties(model: &StiffnessModel<'_>, member: usize) -> Option<[usize; 2]> {
 
 /// Eliminates a node with all members that its elimination cuts.
 #[inline(always)]
-fn eliminate_node<'a, S: StiffnessScalar>(
+fn eliminate_node<'a, S: Joins>(
     model: &'a StiffnessModel<'_>,
     fronts: &mut StiffnessFronts<'_, S>,
     (at, waves): (&FrequencyPowers<S>, &mut BeamWaves<'a, S>),
@@ -93,7 +93,7 @@ fn eliminate_ties<S: Scalar>(
 
 /// Adds a member.
 #[inline(always)]
-fn add_member<'a, S: StiffnessScalar>(
+fn add_member<'a, S: Joins>(
     model: &'a StiffnessModel<'_>,
     fronts: &mut StiffnessFronts<'_, S>,
     (at, waves): (&FrequencyPowers<S>, &mut BeamWaves<'a, S>),
@@ -140,12 +140,7 @@ fn add_member<'a, S: StiffnessScalar>(
 
 /// Adds a line.
 #[inline(always)]
-fn add_line<S: StiffnessScalar>(
-    fronts: &mut StiffnessFronts<'_, S>,
-    waves: &Line<S>,
-    freedom: usize,
-    in_front: InFront<'_>,
-) {
+fn add_line<S: Joins>(fronts: &mut StiffnessFronts<'_, S>, waves: &Line<S>, freedom: usize, in_front: InFront<'_>) {
     fronts.total.include(waves);
     if in_front.member.is_shared {
         fronts.add_line(waves.stiffness, freedom, in_front);
