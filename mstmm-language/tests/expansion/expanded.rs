@@ -553,6 +553,52 @@ const _: () = {
             )
         }
     }
+    const NAMES: &[(&::core::primitive::str, &::core::primitive::str); 7usize] = &[
+        ("fixed", ""),
+        ("spring 1", "spring"),
+        ("fixed", ""),
+        ("damper 3", "damper"),
+        ("conn 2", ""),
+        ("mass 4", "mass"),
+        ("free", ""),
+    ];
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::DrawnTree for DampedMassSystem<T> {
+        fn name(&self, step: ::core::primitive::usize) -> mstmm::__private::Spot {
+            mstmm::__private::Spot::Named(NAMES[step].0)
+        }
+        fn kind(
+            &self,
+            step: ::core::primitive::usize,
+        ) -> &'static ::core::primitive::str {
+            NAMES[step].1
+        }
+        fn extent(
+            &self,
+            step: ::core::primitive::usize,
+        ) -> ::core::option::Option<mstmm::__private::Extent> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        <mstmm::__private::elements::Spring<
+                            T,
+                        > as mstmm::__private::Element>::extent(&self.element_1)
+                    }
+                    3usize => {
+                        <mstmm::__private::elements::Damper<
+                            T,
+                        > as mstmm::__private::Element>::extent(&self.element_3)
+                    }
+                    5usize => {
+                        <mstmm::__private::elements::Mass<
+                            T,
+                        > as mstmm::__private::Element>::extent(&self.element_4)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+    }
     #[automatically_derived]
     impl<T> mstmm::__private::search::Undamped for DampedMassSystem<T>
     where
