@@ -61,6 +61,7 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
     svg.assign("width", width);
     svg.assign("height", height);
     svg.assign("role", "img");
+    svg.assign("aria-label", if drawing.motion.is_some() { "a model in motion" } else { "a model" });
     svg.assign("data-scale", drawing.figure.scale);
     svg.assign("data-origin", pair(drawing.figure.origin));
     if let Some((_, reach)) = &drawing.motion {
