@@ -4,6 +4,7 @@ use crate::diagram::{Diagram, Force, diagrams};
 use crate::error::DrawingError;
 use crate::figure::Figure;
 use crate::motion::{Motion, forces};
+use crate::shape::private::Moved;
 use crate::shape::{Number, Shape};
 use crate::sketched::Sketched;
 use crate::sketched::private::Figured;
@@ -44,6 +45,7 @@ impl<M> Drawing<M> {
     }
 
     /// The drawing with a motion over it: a mode shape, or of a frame the states of a response. Where the reader's settings allow, it moves.
+    /// A mode has no sign: it is drawn with its largest displacement upwards, or to the right; a response is drawn as it is.
     ///
     /// # Errors
     /// [`DrawingError::Motion`] where the motion is not known, [`DrawingError::MotionNotFinite`] where it is not finite.
@@ -55,7 +57,7 @@ impl<M> Drawing<M> {
             ends.clone().fold(f64::NEG_INFINITY, f64::max) - ends.fold(f64::INFINITY, f64::min)
         };
         let height = (REACH * extent(0).max(extent(1))).clamp(LEAST_REACH, MOST_REACH);
-        let (largest, phase) = motion.largest();
+        let (largest, phase) = phase_of(&motion, shape);
         let reach = Some(height / largest).filter(|reach| reach.is_finite()).unwrap_or(0.0);
         self.motion = Some((motion, Number::from_polar(reach, -phase)));
         Ok(self)
@@ -66,7 +68,8 @@ impl<M> Drawing<M> {
     /// # Errors
     /// As [`mode`](Drawing::mode); [`DrawingError::NoForce`] where no member has such a force, or all are zero.
     pub fn forces(mut self, shape: &impl Shape<M>, force: Force) -> Result<Self, DrawingError> {
-        let values = forces(&self.figure, shape, force)?;
+        let (_, phase) = phase_of(&Motion::of(&self.figure, shape)?, shape);
+        let values = forces(&self.figure, shape, force, Number::from_polar(1.0, -phase))?;
         let (diagrams, scale) =
             diagrams(&self.figure, force, &values).ok_or(DrawingError::NoForce { force: force.name() })?;
         self.force = Some((force, diagrams, scale));
@@ -80,4 +83,10 @@ impl<M> Drawing<M> {
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), DrawingError> {
         Ok(std::fs::write(path, self.to_string())?)
     }
+}
+
+/// The largest displacement of a motion, and the phase at which it is drawn: of a mode that in which it is upwards, or to the right.
+fn phase_of<M, S: Moved<M>>(motion: &Motion, _shape: &S) -> (f64, f64) {
+    let (largest, phase) = motion.largest();
+    (largest, if S::IS_MODE { phase } else { 0.0 })
 }

@@ -13,6 +13,9 @@ const MOST_SAMPLES: usize = 768;
 /// Part of the largest value of a member by which its line may be beside the curve.
 const BESIDE: f64 = 1.0 / 250.0;
 
+/// Part by which rounding may make one of two displacements larger than the other.
+const ALIKE: f64 = 1e-6;
+
 /// The displacements of a motion.
 #[derive(Debug)]
 pub(crate) struct Motion {
@@ -49,16 +52,15 @@ impl Motion {
         Ok(Motion { anchors, curves })
     }
 
-    /// The largest displacement, and its phase: that of its larger part, zero where all parts are in phase.
+    /// The size of the largest displacement, the first of several, and the phase of its larger part.
     pub(crate) fn largest(&self) -> (f64, f64) {
         let anchors = self.anchors.iter().map(|[x, y, _]| [*x, *y]);
         let curves = self.curves.iter().flatten().map(|(_, displacement)| *displacement);
         let size = |[x, y]: [Number; 2]| x.norm().hypot(y.norm());
-        let larger = |best, next| if size(next) > size(best) { next } else { best };
+        let larger = |best, next| if size(next) > (1.0 + ALIKE) * size(best) { next } else { best };
         let largest = anchors.chain(curves).fold([Number::default(); 2], larger);
         let [x, y] = largest;
-        let phase = if x.norm() > y.norm() { x.arg() } else { y.arg() };
-        (size(largest), if self.is_complex() { phase } else { 0.0 })
+        (size(largest), if x.norm() > (1.0 + ALIKE) * y.norm() { x.arg() } else { y.arg() })
     }
 
     /// Whether parts move out of phase.
@@ -118,11 +120,12 @@ pub(crate) fn sampled<M, const N: usize>(
     Ok(sections)
 }
 
-/// A force along each part, its real part: at parts of its length; empty of a part without one.
+/// A force along each part, the real part of it times a number: at parts of its length; empty of a part without one.
 pub(crate) fn forces<M>(
     figure: &Figure<M>,
     shape: &impl Shape<M>,
     force: Force,
+    turn: Number,
 ) -> Result<Vec<Vec<[f64; 2]>>, DrawingError> {
     let mut found = Vec::new();
     for part in &figure.parts {
@@ -131,7 +134,7 @@ pub(crate) fn forces<M>(
             None => Vec::new(),
         };
         let values: Vec<[f64; 2]> =
-            sections.iter().map(|(at, section)| [*at, section.forces[force.index()].re]).collect();
+            sections.iter().map(|(at, section)| [*at, (section.forces[force.index()] * turn).re]).collect();
         if values.iter().flatten().any(|value| !value.is_finite()) {
             return Err(DrawingError::MotionNotFinite { name: part.name.clone() });
         }

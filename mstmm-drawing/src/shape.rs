@@ -26,6 +26,9 @@ pub(crate) mod private {
 
     /// A motion that can be asked about anchors and members.
     pub trait Moved<M> {
+        /// Whether its sign, or its phase, says nothing: that of a mode shape, and not of a response.
+        const IS_MODE: bool = false;
+
         /// The displacement of an anchor along x and y, and its rotation.
         fn at(&self, moves: &Moves<M>) -> Result<[Number; 3], MotionError>;
 
@@ -101,6 +104,8 @@ where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
+    const IS_MODE: bool = true;
+
     fn at(&self, moves: &Moves<<Y as Placed>::Model>) -> Result<[Number; 3], MotionError> {
         private::Moved::at(&**self, moves)
     }
@@ -143,6 +148,8 @@ where
     Y: Tree<S>,
     S: Oscillation<Y::Parameter> + Single,
 {
+    const IS_MODE: bool = true;
+
     fn at(&self, moves: &Moves<Y::Model>) -> Result<[Number; 3], MotionError> {
         private::Moved::at(&**self, moves)
     }

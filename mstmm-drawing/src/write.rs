@@ -67,12 +67,12 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
     svg.assign("data-scale", drawing.figure.scale);
     svg.assign("data-origin", pair(drawing.figure.origin));
     if let Some((_, reach)) = &drawing.motion {
-        svg.assign("data-reach", reach.norm());
-        svg.assign("data-phase", reach.arg());
+        svg.assign("data-reach", of_motion(reach.norm()));
+        svg.assign("data-phase", of_motion(reach.arg()));
     }
     if let Some((force, _, scale)) = &drawing.force {
         svg.assign("data-force", force.name());
-        svg.assign("data-force-scale", *scale);
+        svg.assign("data-force-scale", of_motion(*scale));
     }
     let mut style = Element::new("style");
     style.append(Text::new(include_str!("style.css")));
@@ -232,6 +232,12 @@ fn animation(moments: Vec<String>, is_complex: bool) -> Element {
         animate.assign("keySplines", "0.364 0 0.636 1;0.364 0 0.636 1");
     }
     animate
+}
+
+/// A number of a motion as an attribute, without the digits that follow from the rounding of a root.
+fn of_motion(value: f64) -> String {
+    let rounded = format!("{value:.9e}");
+    rounded.parse::<f64>().map_or(rounded, |value| (value + 0.0).to_string())
 }
 
 /// A place or a direction as an attribute.

@@ -17,13 +17,18 @@ fn part<'a>(all: &'a [Shown], name: &str) -> &'a Shown {
     all.iter().find(|shown| shown.name == name).unwrap()
 }
 
+/// The unit of an undamped motion on the paper, with the sign that it has there.
+fn reach(picture: &Picture) -> f64 {
+    picture.number("data-reach") * picture.number("data-phase").cos()
+}
+
 /// Compares the line of a member with displacements at parts of its length, in the model.
 fn check_line(picture: &Picture, name: &str, displacement: impl Fn(f64) -> [f64; 2]) {
     let (rest, mode) = (picture.shown("rest"), picture.shown("still"));
     let straight = &part(&rest, name).paths[0];
     let (from, to) = (straight[0], straight[straight.len() - 1]);
     let line = &part(&mode, name).paths[0];
-    let reach = picture.number("data-reach");
+    let reach = reach(picture);
     assert!(line.len() >= 25, "{name}: {} points", line.len());
     for (index, point) in line.iter().enumerate() {
         let part = index as f64 / (line.len() - 1) as f64;
@@ -60,7 +65,7 @@ fn lines_of_frames_are_the_shape_along_their_members() {
         ];
         let (rest, mode) = (picture.shown("rest"), picture.shown("still"));
         let [before, after] = [&rest, &mode].map(|all| part(all, "rigid_body 6").paths[2][0]);
-        let reach = picture.number("data-reach");
+        let reach = reach(&picture);
         assert!((after[0] - before[0] - reach * (x - 0.4 * turn)).abs() < DIGIT);
         assert!((after[1] - before[1] + reach * y).abs() < DIGIT);
         // the brace ends where its points are
@@ -94,7 +99,7 @@ fn lines_of_the_systems_of_the_paper_are_their_shapes() {
         let (rest, mode) = (picture.shown("rest"), picture.shown("still"));
         let [before, after] = [&rest, &mode].map(|all| part(all, "body 2").paths[2][0]);
         let centre = end.y + model.eccentricity * end.theta;
-        assert!((before[1] - after[1] - picture.number("data-reach") * centre).abs() < DIGIT);
+        assert!((before[1] - after[1] - reach(&picture) * centre).abs() < DIGIT);
     }
     let model = models::two_spans();
     let system = model.build().unwrap();
@@ -109,7 +114,7 @@ fn lines_of_the_systems_of_the_paper_are_their_shapes() {
     check_tree(&picture, &shape, &beams);
     let moved = |name: &str, number: usize| {
         let [before, after] = ["rest", "still"].map(|class| part(&picture.shown(class), name).paths[0][number]);
-        (before[1] - after[1]) / picture.number("data-reach")
+        (before[1] - after[1]) / reach(&picture)
     };
     let tolerance = DIGIT / picture.number("data-reach");
     assert!((moved("mass 6", 0) - shape.state(models::TwoSpans::mass_6.output()).y).abs() < tolerance);
