@@ -64,6 +64,43 @@ pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStr
     }
 }
 
+/// `impl DrawnTree`: the names of the steps, and the extents of the elements.
+pub(super) fn drawn(plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let of_steps = plan.steps.iter().map(|step| match step {
+        Step::Tip(keyword) | Step::Root { support: keyword, .. } => keyword.to_string(),
+        Step::Element { element, .. } => element.to_string(),
+        Step::Connection { connection, .. } => connection.to_string(),
+    });
+    // what is no element is told elsewhere
+    let bounds = bounds("Element", plan, names);
+    let extents = plan.elements.iter().enumerate().map(|(index, element)| {
+        let (steps, field) = (plan.steps_of(index), element_field(element, names));
+        let kind = names.element_as(element, "Element");
+        quote_spanned!(names.here=> #(#steps)|* => #kind::extent(&self.#field),)
+    });
+    let (index, some) =
+        (quote_spanned!(names.here=> ::core::primitive::usize), quote_spanned!(names.here=> ::core::option::Option));
+    quote_spanned! {names.here=>
+        #[automatically_derived]
+        impl<#parameter: #private::Real> #private::DrawnTree for #system<#parameter>
+        where
+            #(#bounds),*
+        {
+            fn name(&self, step: #index) -> #private::Spot {
+                #private::Spot::Named([#(#of_steps),*][step])
+            }
+
+            fn extent(&self, step: #index) -> #some<#private::Extent> {
+                #some::Some(match step {
+                    #(#extents)*
+                    _ => return #some::None,
+                })
+            }
+        }
+    }
+}
+
 /// `impl Tree<S>`: a visit per element.
 pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, frequency, .. } = names;

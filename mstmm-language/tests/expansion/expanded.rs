@@ -554,6 +554,52 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::DrawnTree for DampedMassSystem<T>
+    where
+        mstmm::__private::elements::Damper<T>: mstmm::__private::Element,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Element,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Element,
+    {
+        fn name(&self, step: ::core::primitive::usize) -> mstmm::__private::Spot {
+            mstmm::__private::Spot::Named(
+                [
+                    "fixed",
+                    "spring 1",
+                    "fixed",
+                    "damper 3",
+                    "conn 2",
+                    "mass 4",
+                    "free",
+                ][step],
+            )
+        }
+        fn extent(
+            &self,
+            step: ::core::primitive::usize,
+        ) -> ::core::option::Option<mstmm::__private::Extent> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        <mstmm::__private::elements::Spring<
+                            T,
+                        > as mstmm::__private::Element>::extent(&self.element_1)
+                    }
+                    3usize => {
+                        <mstmm::__private::elements::Damper<
+                            T,
+                        > as mstmm::__private::Element>::extent(&self.element_3)
+                    }
+                    5usize => {
+                        <mstmm::__private::elements::Mass<
+                            T,
+                        > as mstmm::__private::Element>::extent(&self.element_4)
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+    }
+    #[automatically_derived]
     impl<T> mstmm::__private::search::Undamped for DampedMassSystem<T>
     where
         T: mstmm::__private::Real + mstmm::__private::InLanes,

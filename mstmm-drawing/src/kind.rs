@@ -1,0 +1,71 @@
+//! Which symbol stands for an element, by its keyword or by the name of its type.
+
+use crate::vector::Vector;
+
+/// The symbol of an element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Kind {
+    Beam {
+        on_foundation: bool,
+    },
+    Rod,
+    Line,
+    Shaft,
+    Body,
+    Lever,
+    PointMass,
+    Mass,
+    Inertia,
+    Spring,
+    Damper,
+    SpringDamper,
+    TorsionSpring,
+    TorsionDamper,
+    Pin,
+    /// With the direction on the paper in which it slides.
+    Slider(Vector),
+    ElasticHinge,
+    /// What joins a path to a point, without extent.
+    Tie,
+    /// An element of the user's own.
+    Other,
+}
+
+impl Kind {
+    /// The symbol behind a keyword, such as `planar_beam`, or the name of a type, such as `PlanarBeam`.
+    pub(crate) fn of(word: &str) -> Kind {
+        let word = word.replace('_', "").to_lowercase();
+        let has = |part: &str| word.contains(part);
+        let torsion = has("torsion");
+        match word.as_str() {
+            "tie" => Kind::Tie,
+            // of a list, whatever it ties
+            "pin" | "rotationalhinge" | "joint" => Kind::Pin,
+            "slider" | "shearhinge" => Kind::Slider([0.0, 1.0]),
+            "string" | "tautstring" | "dampedstring" => Kind::Line,
+            "rod" | "dampedrod" => Kind::Rod,
+            "shaft" | "dampedshaft" => Kind::Shaft,
+            "mass" => Kind::Mass,
+            "inertia" => Kind::Inertia,
+            "pointmass" => Kind::PointMass,
+            "lever" | "levercolumn" => Kind::Lever,
+            _ if has("beam") => Kind::Beam { on_foundation: has("foundation") },
+            _ if has("body") => Kind::Body,
+            _ if has("hinge") => Kind::ElasticHinge,
+            _ if has("damper") && torsion && !has("spring") => Kind::TorsionDamper,
+            _ if has("spring") && torsion => Kind::TorsionSpring,
+            _ if has("damper") && has("spring") => Kind::SpringDamper,
+            _ if has("damper") => Kind::Damper,
+            _ if has("spring") => Kind::Spring,
+            _ => Kind::Other,
+        }
+    }
+
+    /// Whether it has no extent along its path.
+    pub(crate) fn is_at_a_point(self) -> bool {
+        matches!(
+            self,
+            Kind::PointMass | Kind::Mass | Kind::Inertia | Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge | Kind::Tie
+        )
+    }
+}
