@@ -75,6 +75,7 @@ pub mod motion;
 
 pub use mstmm_core::Complex;
 
+/// [language]: macro@crate::system
 #[doc = include_str!("../docs/elements.md")]
 pub use mstmm_core::elements;
 
@@ -152,6 +153,7 @@ pub mod list {
     };
 }
 
+/// [emitted]: crate::system#what-is-emitted
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
     pub use mstmm_core::{
