@@ -13,6 +13,10 @@ struct Certificates;
 struct Damping;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/finite_elements.md")]
+struct FiniteElements;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/first_model.md")]
 struct FirstModel;
 
