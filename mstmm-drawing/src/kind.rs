@@ -1,7 +1,9 @@
 //! Which symbol stands for an element, by its keyword or by the name of its type.
 
+use crate::vector::Vector;
+
 /// The symbol of an element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Kind {
     Beam {
         on_foundation: bool,
@@ -20,7 +22,8 @@ pub(crate) enum Kind {
     TorsionSpring,
     TorsionDamper,
     Pin,
-    Slider,
+    /// With the direction on the paper in which it slides.
+    Slider(Vector),
     ElasticHinge,
     /// What joins a path to a point, without extent.
     Tie,
@@ -36,8 +39,9 @@ impl Kind {
         let torsion = has("torsion");
         match word.as_str() {
             "tie" => Kind::Tie,
-            "pin" => Kind::Pin,
-            "slider" | "shearhinge" => Kind::Slider,
+            // of a list, whatever it ties
+            "pin" | "rotationalhinge" | "joint" => Kind::Pin,
+            "slider" | "shearhinge" => Kind::Slider([0.0, 1.0]),
             "string" | "tautstring" | "dampedstring" => Kind::Line,
             "rod" | "dampedrod" => Kind::Rod,
             "shaft" | "dampedshaft" => Kind::Shaft,
@@ -47,7 +51,7 @@ impl Kind {
             "lever" | "levercolumn" => Kind::Lever,
             _ if has("beam") => Kind::Beam { on_foundation: has("foundation") },
             _ if has("body") => Kind::Body,
-            _ if has("hinge") || word == "joint" => Kind::ElasticHinge,
+            _ if has("hinge") => Kind::ElasticHinge,
             _ if has("damper") && torsion && !has("spring") => Kind::TorsionDamper,
             _ if has("spring") && torsion => Kind::TorsionSpring,
             _ if has("damper") && has("spring") => Kind::SpringDamper,
@@ -61,7 +65,7 @@ impl Kind {
     pub(crate) fn is_at_a_point(self) -> bool {
         matches!(
             self,
-            Kind::PointMass | Kind::Mass | Kind::Inertia | Kind::Pin | Kind::Slider | Kind::ElasticHinge | Kind::Tie
+            Kind::PointMass | Kind::Mass | Kind::Inertia | Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge | Kind::Tie
         )
     }
 }

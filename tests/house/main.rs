@@ -41,7 +41,7 @@ const ORDER: &[(&str, &[&str])] = &[
 
 /// The sources of all crates that are published.
 fn sources() -> Vec<Source> {
-    ["mstmm-plan", "mstmm-core", "mstmm-files", "mstmm-lanes", "mstmm-language", "mstmm-macros", "."]
+    ["mstmm-plan", "mstmm-core", "mstmm-drawing", "mstmm-files", "mstmm-lanes", "mstmm-language", "mstmm-macros", "."]
         .map(Source::of)
         .into()
 }

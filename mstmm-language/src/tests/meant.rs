@@ -41,23 +41,11 @@ fn states_that_do_not_fit_are_errors_of_the_language() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed -> beam 1 { length: l, bending_stiffness: l, mass_per_length: l } -> spring 2 { stiffness: l } -> pinned;
-                                                                                ^^ an arrow joins equal states
-                                                                                | only: put a connection
-                                                                                | between these two elements,
-                                                                                | `-> conn .. ->`, where the
-                                                                                | path goes on with fewer
-                                                                                | states
-                                                                                                                ^^^^^^
-                                                                                                                | a
-                                                                                                                | translation
-                                                                                                                | path
-                                                                                                                | ends
-                                                                                                                | in
-                                                                                                                | `fixed`
-                                                                                                                | or
-                                                                                                                | `free`
-                                                                                                                | only
+        pinned -> spring 1 { stiffness: l } -> beam 2 { length: l, bending_stiffness: l, mass_per_length: l } -> free;
+        ^^^^^^ a translation path ends in `fixed` or `free` only
+                                            ^^ an arrow joins equal states only: put a connection with a free
+                                            | tip between these two elements, `-> conn .. ->` and `free ->
+                                            | conn ..`
         ",
     );
     let own = "struct M { l: f64 } fixed -> beam 1 { length: l, bending_stiffness: l, mass_per_length: l } -> a::B 2 {} -> pinned;";

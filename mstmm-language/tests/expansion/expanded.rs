@@ -556,7 +556,12 @@ const _: () = {
         ("free", ""),
     ];
     #[automatically_derived]
-    impl<T: mstmm::__private::Real> mstmm::__private::DrawnTree for DampedMassSystem<T> {
+    impl<T: mstmm::__private::Real> mstmm::__private::DrawnTree for DampedMassSystem<T>
+    where
+        mstmm::__private::elements::Damper<T>: mstmm::__private::Element,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Element,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Element,
+    {
         fn name(&self, step: ::core::primitive::usize) -> mstmm::__private::Spot {
             mstmm::__private::Spot::Named(NAMES[step].0)
         }
