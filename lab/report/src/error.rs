@@ -27,6 +27,9 @@ pub enum ReportError {
     /// The paper's data cannot be read or its examples not be solved.
     #[error("the paper's examples: {0}")]
     Paper(Box<dyn std::error::Error>),
+    /// |Δ| has too few finite values for a trend.
+    #[error("|Δ| has too few finite values for a trend")]
+    NoTrend,
     /// A method without a place in the legend.
     #[error("the report has no style for the method `{0}`")]
     UnknownMethod(String),

@@ -1,6 +1,7 @@
 //! All that the page shows.
 
-use crate::data::digits::{self, Digits};
+use crate::data::counts::{Counts, counts};
+use crate::data::digits::{self, Digits, OverStiffness};
 use crate::data::landscapes::{Landscapes, landscapes};
 use crate::data::shapes::{Shapes, shapes};
 use crate::data::tables::{Table, tables};
@@ -36,17 +37,18 @@ impl Extent {
 pub struct Measurements {
     pub(crate) runs: Vec<Run>,
     pub(crate) tables: Vec<Table>,
+    pub(crate) counts: Counts,
     pub(crate) landscapes: Landscapes,
     pub(crate) shapes: Vec<Shapes>,
     pub(crate) digits_of_modes: Vec<Digits>,
-    pub(crate) digits_of_stiffness: Vec<Digits>,
+    pub(crate) digits_of_stiffness: OverStiffness,
     pub(crate) elements: OverElements,
     pub(crate) roots: OverRoots,
 }
 
 impl Measurements {
     /// Number of steps that [`take`](Measurements::take) tells of.
-    pub const STEPS: u64 = 6;
+    pub const STEPS: u64 = 7;
 
     /// Measures all that the runs do not tell, and says what is next before each step.
     ///
@@ -55,6 +57,8 @@ impl Measurements {
     pub fn take(runs: Vec<Run>, extent: &Extent, mut next: impl FnMut(&'static str)) -> Result<Self, ReportError> {
         next("tables of the paper");
         let tables = tables()?;
+        next("counts");
+        let counts = counts(extent.samples)?;
         next("landscapes");
         let landscapes = landscapes(extent.samples)?;
         next("mode shapes");
@@ -66,6 +70,6 @@ impl Measurements {
         let elements = over_elements(&extent.elements)?;
         next("cost of roots");
         let roots = over_roots(extent.roots)?;
-        Ok(Measurements { runs, tables, landscapes, shapes, digits_of_modes, digits_of_stiffness, elements, roots })
+        Ok(Measurements { runs, tables, counts, landscapes, shapes, digits_of_modes, digits_of_stiffness, elements, roots })
     }
 }

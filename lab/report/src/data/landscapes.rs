@@ -1,5 +1,6 @@
-//! |Δ| of the examples in the ranges of the paper's searches, and the roots in them.
+//! |Δ| of the examples over its trend, in the ranges of the paper's searches, and the roots in them.
 
+use super::trend::without_trend;
 use crate::error::ReportError;
 use mstmm::number::{Frequency, InLanes, Scaled};
 use mstmm::prelude::*;
@@ -11,20 +12,22 @@ use std::ops::RangeInclusive;
 
 /// Room for the roots in a range.
 const CAPACITY: usize = 32;
-/// Distances from a root, as shares of the range, at which the pit around it is sampled.
-const PIT: [f64; 5] = [1e-5, 1e-4, 5e-4, 1e-3, 2e-3];
+/// Distances from a root, as shares of the range, at which the pit around it is sampled: down to what no picture shows any more.
+const PIT: [f64; 8] = [1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 5e-4, 1e-3, 2e-3];
+/// Half of the width of the damped example's map as a share of its height, so that its scales can be equal.
+const HALF_WIDTH: f64 = 0.36;
 
 /// |Δ| of an undamped example.
 #[derive(Clone, Debug)]
 pub(crate) struct Landscape {
     pub(crate) id: String,
-    /// ω [rad/s] and log₁₀ |Δ|.
+    /// ω [rad/s] and log₁₀ of |Δ| over its trend.
     pub(crate) samples: Vec<(f64, f64)>,
     /// Certified frequencies [rad/s].
     pub(crate) roots: Vec<f64>,
 }
 
-/// |Δ| of the damped example, sampled in rows of equal Im λ.
+/// |Δ| of the damped example over its trend, sampled in rows of equal Im λ.
 #[derive(Clone, Debug)]
 pub(crate) struct HeatMap {
     pub(crate) id: String,
@@ -32,8 +35,10 @@ pub(crate) struct HeatMap {
     pub(crate) im: RangeInclusive<f64>,
     /// Samples along Re λ.
     pub(crate) columns: usize,
-    /// log₁₀ |Δ|.
+    /// log₁₀ of |Δ| over its trend.
     pub(crate) values: Vec<f64>,
+    /// Real and imaginary parts of the paper's search.
+    pub(crate) searched: [RangeInclusive<f64>; 2],
     /// Certified eigenvalues [1/s].
     pub(crate) roots: Vec<Complex<f64>>,
 }
@@ -78,20 +83,24 @@ where
     }
     omegas.retain(|omega| *omega >= start && range.contains(omega));
     omegas.sort_by(f64::total_cmp);
-    let values = logarithms(system, &omegas)?;
+    let places: Vec<_> = omegas.iter().map(|&omega| Complex::new(0.0, omega)).collect();
+    let values = without_trend(&places, &logarithms(system, &omegas)?)?;
     let samples = omegas.into_iter().zip(values).collect();
     Ok(Landscape { id: id.to_owned(), samples, roots })
 }
 
+/// The eigenvalues lie along the imaginary axis in a rectangle so slender that each pit would fill its width: the map is wider.
 fn in_rectangle(id: &str, [omega, delta]: [RangeInclusive<f64>; 2], points: usize) -> Result<HeatMap, ReportError> {
     let system = damped_oscillator().build()?;
-    let (re, im) = (-delta.end()..=-delta.start(), omega);
-    let found = system.eigenvalues::<CAPACITY>(Region { re: re.clone(), im: im.clone() })?;
-    // the eigenvalues lie along the imaginary axis
-    let rows = even(&im, 2 * points).map(|im| even(&re, points / 2).map(move |re| Complex::new(re, im)));
-    let values = logarithms(&system, &rows.flatten().collect::<Vec<_>>())?;
+    let searched = [-delta.end()..=-delta.start(), omega.clone()];
+    let found = system.eigenvalues::<CAPACITY>(Region { re: searched[0].clone(), im: omega.clone() })?;
+    let half = HALF_WIDTH * (omega.end() - omega.start());
+    let (re, im) = (-half..=half, omega);
+    let rows = even(&im, points).map(|im| even(&re, points).map(move |re| Complex::new(re, im)));
+    let places: Vec<_> = rows.flatten().collect();
+    let values = without_trend(&places, &logarithms(&system, &places)?)?;
     let roots = found.iter().map(|root| root.lambda).collect();
-    Ok(HeatMap { id: id.to_owned(), re, im, columns: points / 2, values, roots })
+    Ok(HeatMap { id: id.to_owned(), re, im, columns: points, values, searched, roots })
 }
 
 /// Points from end to end of a range.

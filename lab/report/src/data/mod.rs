@@ -1,6 +1,8 @@
 //! What the page shows besides the runs: computed here, drawn elsewhere.
 
+pub(crate) mod counts;
 pub(crate) mod digits;
 pub(crate) mod landscapes;
 pub(crate) mod shapes;
 pub(crate) mod tables;
+mod trend;

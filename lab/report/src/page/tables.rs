@@ -29,22 +29,31 @@ fn example(Table { example, solved }: &Table) -> Markup {
                 (solution.method) ": " (solution.evaluations) " evaluations. "
             }
         }
-        div class="scroll" {
-            table {
-                thead {
-                    tr {
-                        th { "quantity" } th { "mode" } th { "printed" }
-                        @for solution in &solved.solutions { th { "computed" br; (solution.method) } }
-                        th { "exact" }
-                        @for solution in &solved.solutions { th { "error of" br; (solution.method) } }
-                    }
-                }
-                tbody {
-                    @for column in &example.columns {
-                        @for mode in 0..column.printed.len() { (row(column, mode, &values(column, mode, solved))) }
-                    }
+        (scrolling(html! {
+            thead {
+                tr {
+                    th { "mode" } th { "printed" }
+                    @for solution in &solved.solutions { th { "computed" br; (solution.method) } }
+                    th { "exact" }
+                    @for solution in &solved.solutions { th { "error of" br; (solution.method) } }
                 }
             }
+            tbody {
+                @for column in &example.columns {
+                    tr class="group" { th colspan=(3 + 2 * solved.solutions.len()) { (symbol(column.symbol())) } }
+                    @for mode in 0..column.printed.len() { (row(column, mode, &values(column, mode, solved))) }
+                }
+            }
+        }))
+    }
+}
+
+/// A table that scrolls sideways where it is too wide, and says so: its first column stays.
+pub(super) fn scrolling(content: Markup) -> Markup {
+    html! {
+        div class="wide" {
+            p class="hint" aria-hidden="true" { "scroll sideways for more columns →" }
+            div class="scroll" tabindex="0" { table { (content) } }
         }
     }
 }
@@ -59,7 +68,7 @@ fn row(column: &Column, mode: usize, values: &[Option<Value>]) -> Markup {
     let exact = column.exact[mode];
     html! {
         tr {
-            td { @if mode == 0 { (symbol(column.symbol())) } } td { (mode + 1) } td { (column.printed[mode]) }
+            td { (mode + 1) } td { (column.printed[mode]) }
             @for value in values {
                 td { @match value { Some(value) => (format!("{value:.DIGITS$}")), None => "not found" } }
             }

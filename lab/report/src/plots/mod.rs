@@ -1,5 +1,6 @@
 //! The plots, each from its data.
 
+pub(crate) mod cells;
 mod curves;
 pub(crate) mod digits;
 pub(crate) mod error_time;
@@ -7,3 +8,4 @@ pub(crate) mod growth;
 pub(crate) mod heat_map;
 pub(crate) mod landscape;
 pub(crate) mod shapes;
+pub(crate) mod staircase;
