@@ -1,0 +1,40 @@
+//! The portal's figures: right here, sensible elsewhere, and shown in the guide as they are.
+#![expect(clippy::unwrap_used, clippy::panic, reason = "files that are not as they should be fail the test")]
+
+use frames_beside::{EXACT, Figures, hertz};
+
+const PAGE: &str = include_str!("../../../docs/guide/finite_elements.md");
+
+/// Exact stiffnesses with forty digits know the same ten.
+#[test]
+fn the_portal_has_the_exact_frequencies() {
+    let found = hertz().unwrap();
+    assert_eq!(found.len(), EXACT.len());
+    for (found, exact) in found.iter().zip(EXACT) {
+        assert!((found / exact - 1.0).abs() < 4.0 * f64::EPSILON, "{found} is not {exact}");
+    }
+}
+
+/// Both programs have the same elements, so that they agree with each other mesh by mesh, and come closer by the square of the mesh.
+#[test]
+fn recorded_figures_are_those_of_one_portal() {
+    let figures = Figures::recorded().unwrap();
+    let [here, opensees, pynite] = figures.programs.as_slice() else { panic!("{figures:?}") };
+    assert!(here.runs[0].error() < 4.0 * f64::EPSILON);
+    for (one, other) in opensees.runs.iter().zip(&pynite.runs) {
+        assert_eq!(one.elements, other.elements);
+        for (one, other) in one.hertz.iter().zip(&other.hertz) {
+            assert!((one / other - 1.0).abs() < 1e-8, "{one} is not {other}");
+        }
+    }
+    for pair in opensees.runs.windows(2) {
+        let order = (pair[0].error() / pair[1].error()).ln() / (pair[1].elements as f64 / pair[0].elements as f64).ln();
+        assert!(1.8 < order, "{order}");
+    }
+}
+
+#[test]
+fn the_guide_shows_the_recorded_figures() {
+    let figures = Figures::recorded().unwrap();
+    assert!(PAGE.contains(&figures.markdown()) && PAGE.contains(&figures.origin()), "{}", figures.markdown());
+}
