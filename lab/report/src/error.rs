@@ -18,6 +18,12 @@ pub enum ReportError {
     /// A list of steps is refused.
     #[error(transparent)]
     List(#[from] mstmm::list::ListError),
+    /// A frame is refused.
+    #[error(transparent)]
+    Network(#[from] mstmm::network::NetworkError),
+    /// Other programs cannot be measured.
+    #[error(transparent)]
+    Frames(#[from] frames_beside::BesideError),
     /// A search fails.
     #[error(transparent)]
     Search(#[from] mstmm::search::SearchError),

@@ -2,8 +2,10 @@
 
 use crate::data::counts::{Counts, counts};
 use crate::data::digits::{self, Digits, OverStiffness};
+use crate::data::frames::{Frames, frames};
 use crate::data::landscapes::{Landscapes, landscapes};
 use crate::data::shapes::{Shapes, shapes};
+use crate::data::storeys::over_storeys;
 use crate::data::tables::{Table, tables};
 use crate::error::ReportError;
 use crate::growth::{ELEMENTS, OverElements, OverRoots, over_elements, over_roots};
@@ -20,15 +22,22 @@ pub struct Extent {
     pub stiffness: Vec<i32>,
     /// Numbers of elements.
     pub elements: Vec<usize>,
+    /// Numbers of storeys.
+    pub storeys: Vec<usize>,
     /// The largest mode number at which times are taken.
     pub roots: usize,
+    /// Whether other programs are run where they are there; else recorded figures are shown.
+    pub programs: bool,
 }
+
+/// Numbers of storeys in the report.
+const STOREYS: [usize; 7] = [1, 2, 5, 10, 20, 50, 100];
 
 impl Extent {
     /// What the report shows.
     pub fn full() -> Self {
         let (modes, stiffness) = (digits::mode_numbers(), (-15..=15).collect());
-        Extent { samples: 141, modes, stiffness, elements: ELEMENTS.to_vec(), roots: 1000 }
+        Extent { samples: 141, modes, stiffness, elements: ELEMENTS.to_vec(), storeys: STOREYS.to_vec(), roots: 1000, programs: true }
     }
 }
 
@@ -44,11 +53,13 @@ pub struct Measurements {
     pub(crate) digits_of_stiffness: OverStiffness,
     pub(crate) elements: OverElements,
     pub(crate) roots: OverRoots,
+    pub(crate) storeys: OverElements,
+    pub(crate) frames: Frames,
 }
 
 impl Measurements {
     /// Number of steps that [`take`](Measurements::take) tells of.
-    pub const STEPS: u64 = 7;
+    pub const STEPS: u64 = 9;
 
     /// Measures all that the runs do not tell, and says what is next before each step.
     ///
@@ -70,6 +81,22 @@ impl Measurements {
         let elements = over_elements(&extent.elements)?;
         next("cost of roots");
         let roots = over_roots(extent.roots)?;
-        Ok(Measurements { runs, tables, counts, landscapes, shapes, digits_of_modes, digits_of_stiffness, elements, roots })
+        next("storeys");
+        let storeys = over_storeys(&extent.storeys)?;
+        next("frames by other programs");
+        let frames = frames(extent.programs)?;
+        Ok(Measurements {
+            runs,
+            tables,
+            counts,
+            landscapes,
+            shapes,
+            digits_of_modes,
+            digits_of_stiffness,
+            elements,
+            roots,
+            storeys,
+            frames,
+        })
     }
 }

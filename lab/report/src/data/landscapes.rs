@@ -1,6 +1,6 @@
 //! |Δ| of the examples over its trend, in the ranges of the paper's searches, and the roots in them.
 
-use super::trend::without_trend;
+use super::trend::less_trend;
 use crate::error::ReportError;
 use mstmm::number::{Frequency, InLanes, Scaled};
 use mstmm::prelude::*;
@@ -74,18 +74,17 @@ fn on_line<Y>(id: &str, system: &Y, range: RangeInclusive<f64>, points: usize) -
 where
     Y: Undamped + System<Parameter = f64>,
 {
-    let (start, length) = (*range.start(), range.end() - range.start());
+    let length = range.end() - range.start();
     let found = system.natural_frequencies::<CAPACITY>(range.clone())?;
     let roots: Vec<f64> = found.iter().map(|root| root.omega).collect();
-    let mut omegas: Vec<f64> = even(&range, points).collect();
-    for root in &roots {
-        omegas.extend(PIT.iter().flat_map(|share| [root - share * length, root + share * length]));
-    }
-    omegas.retain(|omega| *omega >= start && range.contains(omega));
-    omegas.sort_by(f64::total_cmp);
+    let around = |root: f64| PIT.iter().flat_map(move |share| [root - share * length, root + share * length]);
+    let pits = roots.iter().flat_map(|&root| around(root)).filter(|omega| range.contains(omega));
+    let omegas: Vec<f64> = even(&range, points).chain(pits).collect();
     let places: Vec<_> = omegas.iter().map(|&omega| Complex::new(0.0, omega)).collect();
-    let values = without_trend(&places, &logarithms(system, &omegas)?)?;
-    let samples = omegas.into_iter().zip(values).collect();
+    // pits are no part of the trend
+    let values = less_trend(&places, &logarithms(system, &omegas, f64::abs)?, points)?;
+    let mut samples: Vec<(f64, f64)> = omegas.into_iter().zip(values).collect();
+    samples.sort_by(|one, other| one.0.total_cmp(&other.0));
     Ok(Landscape { id: id.to_owned(), samples, roots })
 }
 
@@ -98,7 +97,7 @@ fn in_rectangle(id: &str, [omega, delta]: [RangeInclusive<f64>; 2], points: usiz
     let (re, im) = (-half..=half, omega);
     let rows = even(&im, points).map(|im| even(&re, points).map(move |re| Complex::new(re, im)));
     let places: Vec<_> = rows.flatten().collect();
-    let values = without_trend(&places, &logarithms(&system, &places)?)?;
+    let values = less_trend(&places, &logarithms(&system, &places, Complex::norm)?, places.len())?;
     let roots = found.iter().map(|root| root.lambda).collect();
     Ok(HeatMap { id: id.to_owned(), re, im, columns: points, values, searched, roots })
 }
@@ -110,12 +109,12 @@ fn even(range: &RangeInclusive<f64>, points: usize) -> impl Iterator<Item = f64>
 }
 
 /// log₁₀ |Δ| at many frequencies.
-fn logarithms<S, Y>(system: &Y, frequencies: &[S]) -> Result<Vec<f64>, SearchError>
+fn logarithms<S, Y>(system: &Y, frequencies: &[S], modulus: fn(S) -> f64) -> Result<Vec<f64>, SearchError>
 where
     S: Frequency<f64> + InLanes,
     Y: InBlocks<S> + System<Parameter = f64>,
 {
     let mut values = vec![Scaled::new(S::zero(), 0); frequencies.len()];
     system.characteristics(frequencies, &mut values)?;
-    Ok(values.iter().map(|value| value.mantissa().size().log10() + value.exponent() as f64 * LOG10_2).collect())
+    Ok(values.iter().map(|value| modulus(value.mantissa()).log10() + value.exponent() as f64 * LOG10_2).collect())
 }

@@ -2,7 +2,9 @@
 
 pub(crate) mod counts;
 pub(crate) mod digits;
+pub(crate) mod frames;
 pub(crate) mod landscapes;
 pub(crate) mod shapes;
+pub(crate) mod storeys;
 pub(crate) mod tables;
 mod trend;

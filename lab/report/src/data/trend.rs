@@ -5,7 +5,7 @@ use mstmm::Complex;
 use nalgebra::{Matrix3, Vector3};
 
 /// Where the power of the trend has its pole, below the origin, as a share of the largest |λ|: |Δ| is finite at rest.
-const BELOW: f64 = 0.01;
+const BELOW: f64 = 0.05;
 
 /// Of what log₁₀ of the trend is made: a constant, √(−iλ), by which the waves of beams grow along the imaginary axis, and log λ, for
 /// powers of λ in front of them.
@@ -17,11 +17,11 @@ fn growth(lambda: Complex<f64>, scale: f64) -> Vector3<f64> {
     Vector3::new(1.0, wave.re, (lambda / scale + Complex::new(0.0, BELOW)).norm().log10())
 }
 
-/// log₁₀ |Δ| less its trend, the combination of the three that fits best to all finite values.
-pub(crate) fn without_trend(places: &[Complex<f64>], values: &[f64]) -> Result<Vec<f64>, ReportError> {
+/// log₁₀ |Δ| less its trend, the combination of the three that fits best to so many of the first values.
+pub(crate) fn less_trend(places: &[Complex<f64>], values: &[f64], fitted: usize) -> Result<Vec<f64>, ReportError> {
     let scale = places.iter().map(|place| place.norm()).fold(f64::MIN_POSITIVE, f64::max);
     let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    let finite = places.iter().zip(values).filter(|(_, value)| value.is_finite());
+    let finite = places.iter().zip(values).take(fitted).filter(|(_, value)| value.is_finite());
     for (&place, &value) in finite {
         let row = growth(place, scale);
         matrix += row * row.transpose();
@@ -42,11 +42,11 @@ mod tests {
         let places: Vec<_> = (1..400).map(|n| Complex::new(0.0, f64::from(n * n))).collect();
         let value = |place: &Complex<f64>| (place.im.sqrt()) * LOG10_E + 3.0;
         let values: Vec<f64> = places.iter().map(value).collect();
-        assert!(without_trend(&places, &values).unwrap().iter().all(|rest| rest.abs() < 1e-9));
+        assert!(less_trend(&places, &values, values.len()).unwrap().iter().all(|rest| rest.abs() < 1e-9));
     }
 
     #[test]
     fn a_single_place_has_no_trend() {
-        assert!(without_trend(&[Complex::new(0.0, 1.0)], &[1.0]).is_err());
+        assert!(less_trend(&[Complex::new(0.0, 1.0)], &[1.0], 1).is_err());
     }
 }

@@ -1,6 +1,7 @@
 //! The page.
 
 mod figures;
+mod frames;
 mod proof;
 mod summary;
 mod tables;
@@ -20,12 +21,13 @@ const STYLE: &str = include_str!("style.css");
 /// # Errors
 /// [`ReportError`] where a picture cannot be drawn.
 pub fn page(measurements: &Measurements) -> Result<String, ReportError> {
-    let Measurements { runs, tables, counts, landscapes, shapes, .. } = measurements;
+    let Measurements { runs, tables, counts, landscapes, shapes, frames, storeys, .. } = measurements;
     let dark = format!("@media (prefers-color-scheme: dark) {{ {} }}", dark_rules());
     let sections = [
         ("proof", "A list with its proof", proof::section(counts)?),
         ("summary", "How much faster", summary::section(runs)?),
         ("error-time", "Error against run time", figures::error_time(runs)?),
+        ("frames", "Frames beside finite elements", frames::section(frames, storeys)?),
         ("landscapes", "|Δ| and its roots", figures::landscapes(landscapes)?),
         ("shapes", "Mode shapes", figures::shapes(shapes)?),
         ("digits", "Digits kept", figures::digits(measurements)?),

@@ -1,6 +1,6 @@
 //! How much faster the certified search is, as a table and in words.
 
-use super::tables::scrolling;
+use super::tables::{beside, scrolling};
 use super::text::{error, time};
 use crate::error::ReportError;
 use crate::method::{METHODS, Method};
@@ -38,7 +38,7 @@ fn rows(runs: &[Run]) -> Vec<Row<'_>> {
 /// The table with what it means, and what a rival does better.
 pub(super) fn section(runs: &[Run]) -> Result<Markup, ReportError> {
     let [own, other] = [CERTIFIED_ERROR, RIVAL_ERROR].map(error);
-    Ok(html! {
+    let lead = html! {
         p {
             "The time in which the certified search finds all wanted roots of a scene to a relative " (own) " or better, and how many \
             times as long each rival takes to a relative " (other) ": the median of " (ROUNDS) " rounds, and under it the least and the \
@@ -46,12 +46,13 @@ pub(super) fn section(runs: &[Run]) -> Result<Markup, ReportError> {
             not run. The certified search proves that no root is missing. Its \
             rivals prove nothing: they are given matrices assembled beforehand, and grids and dimensions chosen with the roots known."
         }
-        (scrolling(html! {
-            thead { tr { th { "scene" } th { (CERTIFIED) } @for method in rivals(runs) { th { (method.name) } } } }
-            tbody { @for row in rows(runs) { (table_row(&row)) } }
-        }))
         ul { @for sentence in sentences(runs) { li { (sentence) } } }
-    })
+    };
+    let table = scrolling(html! {
+        thead { tr { th { "scene" } th { (CERTIFIED) } @for method in rivals(runs) { th { (method.name) } } } }
+        tbody { @for row in rows(runs) { (table_row(&row)) } }
+    });
+    Ok(beside(lead, table))
 }
 
 fn table_row(row: &Row<'_>) -> Markup {

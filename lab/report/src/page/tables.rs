@@ -48,6 +48,11 @@ fn example(Table { example, solved }: &Table) -> Markup {
     }
 }
 
+/// A table beside what is said about it.
+pub(super) fn beside(lead: Markup, table: Markup) -> Markup {
+    html! { div class="beside" { div class="lead" { (lead) } (table) } }
+}
+
 /// A table that scrolls sideways where it is too wide, and says so: its first column stays.
 pub(super) fn scrolling(content: Markup) -> Markup {
     html! {

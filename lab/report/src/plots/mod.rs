@@ -4,6 +4,7 @@ pub(crate) mod cells;
 mod curves;
 pub(crate) mod digits;
 pub(crate) mod error_time;
+pub(crate) mod frames;
 pub(crate) mod growth;
 pub(crate) mod heat_map;
 pub(crate) mod landscape;

@@ -32,7 +32,7 @@ pub(crate) fn svg(staircase: &Staircase) -> Result<String, ReportError> {
 /// N around a frequency, each decade of the distance with the same width.
 pub(crate) fn magnified(magnified: &Magnified) -> Result<String, ReportError> {
     panel(|area| {
-        let x = Axis::magnifying("relative distance from ω", -1, &[-14, -9, -4]);
+        let x = Axis::magnifying("relative distance from ω", -1, &[-12, -8, -4]);
         let y = steps(magnified.samples.iter().map(|sample| sample.1));
         let mut chart = axes(area, &x, &y)?;
         for ends in &magnified.intervals {
@@ -77,13 +77,14 @@ fn interval(chart: &mut Chart<'_, '_>, [start, end]: [f64; 2]) -> Drawn {
     Ok(())
 }
 
-/// Says what the bands are, where there is room: left of the middle and above the steps.
+/// Says what the bands are, where there is room: beside a single one, between two.
 fn name(area: &Area<'_>, chart: &Chart<'_, '_>, x: &Axis, magnified: &Magnified) -> Drawn {
-    let first = magnified.intervals.iter().map(|ends| x.place(ends[0])).fold(f64::INFINITY, f64::min);
+    let (text, at, gap, anchor) = match magnified.intervals.as_slice() {
+        [ends] => ("certified interval", ends[0], -8 * UNIT, HPos::Right),
+        _ => ("certified intervals", 0.0, 0, HPos::Center),
+    };
     let (left, top) = area.get_base_pixel();
-    let (column, row) = chart.backend_coord(&(first, chart.y_range().end));
-    let text = if magnified.intervals.len() > 1 { "certified intervals" } else { "certified interval" };
-    let place = (column - left - 8 * UNIT, row - top + 4 * UNIT);
-    area.draw(&Text::new(text, place, style(INK, TEXT, HPos::Right, VPos::Top)))?;
+    let (column, row) = chart.backend_coord(&(x.place(at), chart.y_range().end));
+    area.draw(&Text::new(text, (column - left + gap, row - top + 4 * UNIT), style(INK, TEXT, anchor, VPos::Top)))?;
     Ok(())
 }
