@@ -4,10 +4,10 @@
 //! `Footbridge::conn_2`.
 
 pub use mstmm_core::{
-    Coordinate, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, EndMotion, EnergyShares, Entry,
-    ExtendedTree, ForceHistory, FrameAnalysis, Label, MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis,
-    MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates,
-    Planned, Point, Root, Sample, ShapeList, State, SystemStates, Tree, mac,
+    Coordinate, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree,
+    EndMotion, EnergyShares, Entry, ExtendedTree, Extent, ForceHistory, FrameAnalysis, Label, MacError, MemberEnd,
+    MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlanePoint,
+    PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates, Tree, mac,
 };
 
 /// A load on a path: a force or a moment at a point, a load along an element, or the weight of all that moves in Y.
@@ -245,3 +245,28 @@ pub use mstmm_core::PlaneShape;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub use mstmm_core::Sketch;
+
+/// What a built tree is made of, and where its paths join.
+///
+/// ```
+/// use mstmm::motion::DrawnPart;
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     /// A cantilever with a spring under its tip.
+///     struct Held { length: f64, ei: f64, m: f64, stiffness: f64 }
+///     fixed -> beam 1 { length, bending_stiffness: ei, mass_per_length: m } -> conn tip -> free;
+///     conn tip <- spring 2 { stiffness } <- fixed;
+/// }
+/// # impl Held { fn steel() -> Self { Held { length: 2.0, ei: 1e4, m: 3.0, stiffness: 5e3 } } }
+///
+/// let held = Held::steel().build()?;
+/// let steps: Vec<_> = held.sketch().steps().collect();
+/// let names: Vec<_> = steps.iter().map(|step| step.name.to_string()).collect();
+/// assert_eq!(names, ["fixed", "beam 1", "fixed", "spring 2", "conn tip", "free"]);
+/// assert_eq!(steps[4].inputs, [1, 3]);
+/// let DrawnPart::Element { kind, extent } = steps[1].part else { return Err("no element".into()) };
+/// assert_eq!((kind, extent.output), ("beam", [2.0, 0.0]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::TreeSketch;

@@ -21,3 +21,4 @@ pub(crate) mod root;
 pub(crate) mod sensitivity;
 pub(crate) mod spread_load;
 pub(crate) mod states;
+pub(crate) mod tree_sketch;

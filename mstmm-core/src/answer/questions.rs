@@ -7,10 +7,12 @@ use crate::answer::of_tree::OfTree;
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::{Sensitivities, sensitivities};
+use crate::answer::tree_sketch::TreeSketch;
 use crate::element::ListElement;
 use crate::model::{Chain, Entry, Load, MotionError};
 use crate::number::{Frequency, Oscillation};
 use crate::pass::characteristic::System;
+use crate::pass::drawn_tree::DrawnTree;
 use crate::pass::step_list::StepList;
 use crate::pass::tree::{ExtendedTree, Planned};
 
@@ -24,6 +26,16 @@ pub(crate) type MeaningOf<Y, R> =
 /// A thread of 192 kB is enough, of 768 kB in debug builds; for a response at one frequency 128 and 384. What a list needs, its
 /// [`PlannedList`](crate::PlannedList) says.
 pub trait ModalAnalysis: System {
+    /// What stands in which path: supports, elements and connections with their names, the lengths of beams and the arms of bodies.
+    ///
+    /// Planar elements between supports have it, too.
+    fn sketch(&self) -> TreeSketch<'_, Self>
+    where
+        Self: DrawnTree,
+    {
+        TreeSketch { system: self }
+    }
+
     /// The shape of a simple root, exact at any mode number: states at all ends of elements and at any point of a beam.
     ///
     /// Planes are carried from the tips to the root and from the root to the tips. They meet in the shape, which is taken at the

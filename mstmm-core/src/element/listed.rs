@@ -1,7 +1,7 @@
 //! Elements of any type in one, as lists of steps hold them.
 
 use crate::element::visit::{Visit, VisitStep};
-use crate::model::{Ends, FrequencyEstimates};
+use crate::model::{Ends, Extent, FrequencyEstimates};
 use crate::number::{Real, Scalar};
 use mstmm_plan::Space;
 
@@ -23,6 +23,16 @@ pub trait ListElement {
 
     /// Space of the states at both ends.
     fn space(&self) -> Space;
+
+    /// The name of its type, for drawings.
+    fn name(&self) -> &'static str {
+        "element"
+    }
+
+    /// Where its output end is from its input end, for drawings.
+    fn extent(&self) -> Extent {
+        Extent::default()
+    }
 
     /// Names of the parameters, in the order of the fields.
     fn parameters(&self) -> &'static [&'static str];

@@ -1,7 +1,7 @@
 //! An element, its transfer matrix and its step of the plane method.
 
 use crate::element::member_numbers::MemberNumbers;
-use crate::model::{FrequencyEstimates, InvalidParameter, ParameterError, StateSpace};
+use crate::model::{Extent, FrequencyEstimates, InvalidParameter, ParameterError, StateSpace};
 use crate::number::{FrequencyPowers, Scalar, Scaled, Single};
 use crate::subspace::{Connecting, RootCounter, Subspace};
 use core::fmt;
@@ -48,6 +48,12 @@ pub trait Element: Sized {
     /// Adds the element's stiffnesses and masses to the estimates from which searches take their first steps.
     #[inline]
     fn estimate(_built: &Self::Built, _bounds: &mut FrequencyEstimates) {}
+
+    /// Where its output end is from its input end, for drawings; no answer depends on it.
+    #[inline]
+    fn extent(_built: &Self::Built) -> Extent {
+        Extent::default()
+    }
 
     /// The numbers from which its dynamic stiffness as a member follows, for searches that evaluate networks at many frequencies at once.
     #[doc(hidden)]

@@ -4,7 +4,7 @@ use crate::element::{
     CarriesLoad, Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep,
 };
 use crate::elements::*;
-use crate::model::{Ends, FrequencyEstimates, ParameterError, StateSpace};
+use crate::model::{Ends, Extent, FrequencyEstimates, ParameterError, StateSpace};
 use crate::number::{ComplexFrequency, Frequency, Oscillation, Real, Scalar};
 use mstmm_plan::Space;
 
@@ -45,6 +45,18 @@ macro_rules! any_element {
             fn space(&self) -> Space {
                 match self {
                     $($name::$element(_) => <$element<T> as Element>::State::SPACE,)*
+                }
+            }
+
+            fn name(&self) -> &'static str {
+                match self {
+                    $($name::$element(_) => stringify!($element),)*
+                }
+            }
+
+            fn extent(&self) -> Extent {
+                match self {
+                    $($name::$element(built) => <$element<T> as Element>::extent(built),)*
                 }
             }
 

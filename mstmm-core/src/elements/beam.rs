@@ -3,7 +3,7 @@
 use crate::element::{BendingNumbers, Element, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::bending_matrix;
-use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::model::{Bending, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Size, Truth, WaveProducts, twice};
 use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
@@ -90,6 +90,10 @@ impl<T: Parameter> Element for Beam<T> {
         estimates.length(l);
         estimates.mass(m * l);
         estimates.moment_of_inertia(m * l * l * l);
+    }
+
+    fn extent(built: &BuiltBeam<T>) -> Extent {
+        Extent::along(built.parameters.length.to_f64())
     }
 
     fn member_numbers(built: &BuiltBeam<T>) -> MemberNumbers {

@@ -3,7 +3,7 @@
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::arm::Arm;
 use crate::elements::shared::line_forms::half;
-use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single};
 use crate::subspace::{Connecting, Covector, Plane, RootCounter, Subspace};
 use levers::{Beside, Levers};
@@ -88,6 +88,11 @@ impl<T: Parameter> Element for Body<T> {
         estimates.lever(output.length.to_f64());
         estimates.lever(centre.length.to_f64());
         estimates.moment_of_inertia((built.central_inertia + built.mass * centre.length * centre.length).to_f64());
+    }
+
+    fn extent(built: &BuiltBody<T>) -> Extent {
+        let [output, centre] = [built.levers.output, built.levers.centre].map(|arm| [arm.length.to_f64(), 0.0]);
+        Extent { output, centre: Some(centre) }
     }
 }
 

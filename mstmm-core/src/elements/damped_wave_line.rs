@@ -13,7 +13,9 @@ use crate::elements::shared::line_forms::unit_of;
 use crate::elements::shared::line_step::through_waves;
 use crate::elements::shared::rod_motion::{Stretch, path_state};
 use crate::elements::shared::uniform_line::{LineSection, LineWaves, line_chart};
-use crate::model::{EndMotion, Ends, FrequencyEstimates, InvalidParameter, Rotation, State, StateSpace, Translation};
+use crate::model::{
+    EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, Rotation, State, StateSpace, Translation,
+};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::subspace::{Chart, Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Space};
@@ -81,6 +83,10 @@ macro_rules! damped_wave_lines {
 
             fn estimate(built: &DampedLine<T>, estimates: &mut FrequencyEstimates) {
                 built.estimate(estimates, [FrequencyEstimates::$stiffness_estimate, FrequencyEstimates::$inertia_estimate]);
+            }
+
+            fn extent(built: &DampedLine<T>) -> Extent {
+                Extent::along(built.line.section.length.to_f64())
             }
         }
 

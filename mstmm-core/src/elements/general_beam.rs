@@ -2,7 +2,7 @@
 
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::Units;
-use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::model::{Bending, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Truth};
 use crate::subspace::{RootCounter, Subspace};
 use compound::GeneralCompound;
@@ -116,6 +116,10 @@ impl<T: Parameter> Element for GeneralBeam<T> {
         estimates.mass(m * l);
         estimates.moment_of_inertia(m * l * l * l);
         estimates.moment_of_inertia(r * l);
+    }
+
+    fn extent(built: &BuiltGeneralBeam<T>) -> Extent {
+        Extent::along(built.parameters.length.to_f64())
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::arm::Arm;
 use crate::elements::shared::axial_force::{AxialForce, before_stiffness, stiffened, under_axial_force};
-use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
 use nalgebra::Matrix4;
@@ -31,6 +31,10 @@ impl<T: Parameter> Element for Lever<T> {
 
     fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
         estimates.lever(built.output_x.to_f64());
+    }
+
+    fn extent(built: &Self) -> Extent {
+        Extent::along(built.output_x.to_f64())
     }
 }
 

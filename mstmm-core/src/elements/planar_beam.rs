@@ -3,7 +3,7 @@
 use crate::element::{BendingNumbers, Element, LineNumbers, MemberNumbers, TransferMatrix};
 use crate::elements::shared::krylov::{bending_matrix, cosine_and_sinc};
 use crate::elements::shared::planar_matrix::planar_matrix;
-use crate::model::{FrequencyEstimates, InvalidParameter, Planar, Requirement};
+use crate::model::{Extent, FrequencyEstimates, InvalidParameter, Planar, Requirement};
 use crate::number::{Frequency, Parameter, Single};
 use nalgebra::{Matrix2, Matrix6};
 
@@ -84,6 +84,10 @@ impl<T: Parameter> Element for PlanarBeam<T> {
         estimates.length(l);
         estimates.mass(m * l);
         estimates.moment_of_inertia(m * l * l * l);
+    }
+
+    fn extent(built: &BuiltPlanarBeam<T>) -> Extent {
+        Extent::along(built.parameters.length.to_f64())
     }
 
     fn member_numbers(built: &BuiltPlanarBeam<T>) -> MemberNumbers {

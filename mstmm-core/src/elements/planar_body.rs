@@ -1,7 +1,7 @@
 //! Rigid body in planar motion.
 
 use crate::element::{Element, TransferMatrix};
-use crate::model::{InvalidParameter, Planar, Requirement};
+use crate::model::{Extent, InvalidParameter, Planar, Requirement};
 use crate::number::{Frequency, Parameter, Single};
 use nalgebra::Matrix6;
 
@@ -50,6 +50,11 @@ impl<T: Parameter> Element for PlanarBody<T> {
         let about_centre = self.mass * self.centre_x * self.centre_x + self.mass * self.centre_y * self.centre_y;
         Requirement::at_least(about_centre, "mass * (centre_x² + centre_y²)").check("inertia", self.inertia)?;
         Ok(self)
+    }
+
+    fn extent(built: &Self) -> Extent {
+        let output = [built.output_x, built.output_y].map(T::to_f64);
+        Extent { output, centre: Some([built.centre_x, built.centre_y].map(T::to_f64)) }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::element::{Element, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::Units;
-use crate::model::{Bending, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::model::{Bending, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single};
 use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
@@ -114,6 +114,10 @@ impl<T: Parameter> Element for TaperedBeam<T> {
             estimates.moment_of_inertia(m * l * l * l);
             estimates.moment_of_inertia(profile.rotary_at(end) * l);
         }
+    }
+
+    fn extent(built: &BuiltTaperedBeam<T>) -> Extent {
+        Extent::along(built.parameters.length.to_f64())
     }
 }
 

@@ -11,7 +11,7 @@ use crate::elements::shared::line_forms::unit_of;
 use crate::elements::shared::line_step::through_waves;
 use crate::elements::shared::rod_motion::{Stretch, path_state};
 use crate::elements::shared::uniform_line::{LineSection, LineWaves, UniformLine};
-use crate::model::{EndMotion, Ends, FrequencyEstimates, InvalidParameter, Rotation, State, Translation};
+use crate::model::{EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, Rotation, State, Translation};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::subspace::{Chart, Covector, RootCounter, Subspace};
 use mstmm_plan::Coordinate;
@@ -126,6 +126,10 @@ macro_rules! wave_lines {
 
             fn estimate(built: &UniformLine<T>, estimates: &mut FrequencyEstimates) {
                 built.estimate(estimates, [FrequencyEstimates::$stiffness_estimate, FrequencyEstimates::$inertia_estimate]);
+            }
+
+            fn extent(built: &UniformLine<T>) -> Extent {
+                Extent::along(built.section.length.to_f64())
             }
 
             fn member_numbers(built: &UniformLine<T>) -> MemberNumbers {

@@ -125,16 +125,16 @@ impl<M> Load<M> {
 
 /// Copies and prints a value whatever the model is.
 macro_rules! plain {
-    ($name:ident<M $(, $other:ident $(: $bound:ident)?)?>, $($field:ident),*) => {
-        impl<M $(, $other $(: $bound)?)?> Clone for $name<M $(, $other)?> {
+    ($name:ident<$($life:lifetime,)? M $(, $other:ident $(: $bound:ident)?)?>, $($field:ident),*) => {
+        impl<$($life,)? M $(, $other $(: $bound)?)?> Clone for $name<$($life,)? M $(, $other)?> {
             fn clone(&self) -> Self {
                 *self
             }
         }
 
-        impl<M $(, $other $(: $bound)?)?> Copy for $name<M $(, $other)?> {}
+        impl<$($life,)? M $(, $other $(: $bound)?)?> Copy for $name<$($life,)? M $(, $other)?> {}
 
-        impl<M $(, $other $(: $bound)?)?> core::fmt::Debug for $name<M $(, $other)?> {
+        impl<$($life,)? M $(, $other $(: $bound)?)?> core::fmt::Debug for $name<$($life,)? M $(, $other)?> {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 f.debug_struct(stringify!($name))$(.field(stringify!($field), &self.$field))*.finish()
             }

@@ -9,6 +9,8 @@ pub enum Spot {
     Node(usize),
     /// The member of an index, of a network that is a list.
     Member(usize),
+    /// The step of an index, of a tree that is a list.
+    Step(usize),
     /// What has a name.
     Named(&'static str),
 }
@@ -18,6 +20,7 @@ impl fmt::Display for Spot {
         match self {
             Spot::Node(node) => write!(f, "node {node}"),
             Spot::Member(member) => write!(f, "member {member}"),
+            Spot::Step(step) => write!(f, "step {step}"),
             Spot::Named(name) => write!(f, "{name}"),
         }
     }

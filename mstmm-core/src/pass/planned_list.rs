@@ -116,7 +116,7 @@ fn note_inputs<E>(steps: &[ListStep<E>], inputs: &mut [usize]) {
 }
 
 impl<E: ListElement, const STEPS: usize> PlannedList<'_, E, STEPS> {
-    fn element(&self, step: usize) -> Option<&E> {
+    pub(super) fn element(&self, step: usize) -> Option<&E> {
         match self.list.steps.get(step) {
             Some(ListStep::Element(element)) => Some(element),
             _ => None,

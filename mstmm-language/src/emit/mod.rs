@@ -36,6 +36,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
     let constants = tree::labels(model, plan, &names);
     let planned = tree::planned(model, plan, &names);
     let tree = tree::tree(plan, &names);
+    let drawn = tree::drawn(plan, &names);
     let unused = fields::unused(model, &names);
     // one message for a planar path that is searched, rather than one for each number that searches use
     let searched = if plan.is_planar() { TokenStream::new() } else { searched::searched(&names) };
@@ -51,6 +52,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
             #characteristic
             #planned
             #tree
+            #drawn
             #unused
             #searched
         };

@@ -64,6 +64,44 @@ pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStr
     }
 }
 
+/// `impl DrawnTree`: the names of the steps, the keywords and the extents of the elements.
+pub(super) fn drawn(plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let of_steps = plan.steps.iter().map(|step| match step {
+        Step::Tip(keyword) | Step::Root { support: keyword, .. } => [keyword.to_string(), String::new()],
+        Step::Element { element, .. } => [element.to_string(), element.kind.name().to_string()],
+        Step::Connection { connection, .. } => [connection.to_string(), String::new()],
+    });
+    let of_steps = of_steps.map(|[name, kind]| quote_spanned!(names.here=> (#name, #kind)));
+    let count = plan.steps.len();
+    let extents = plan.elements.iter().enumerate().map(|(index, element)| {
+        let (steps, field, kind) =
+            (plan.steps_of(index), element_field(element, names), names.element_as(element, "Element"));
+        quote_spanned!(names.here=> #(#steps)|* => #kind::extent(&self.#field),)
+    });
+    quote_spanned! {names.here=>
+        const NAMES: &[(&::core::primitive::str, &::core::primitive::str); #count] = &[#(#of_steps),*];
+
+        #[automatically_derived]
+        impl<#parameter: #private::Real> #private::DrawnTree for #system<#parameter> {
+            fn name(&self, step: ::core::primitive::usize) -> #private::Spot {
+                #private::Spot::Named(NAMES[step].0)
+            }
+
+            fn kind(&self, step: ::core::primitive::usize) -> &'static ::core::primitive::str {
+                NAMES[step].1
+            }
+
+            fn extent(&self, step: ::core::primitive::usize) -> ::core::option::Option<#private::Extent> {
+                ::core::option::Option::Some(match step {
+                    #(#extents)*
+                    _ => return ::core::option::Option::None,
+                })
+            }
+        }
+    }
+}
+
 /// `impl Tree<S>`: a visit per element.
 pub(super) fn tree(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, frequency, .. } = names;

@@ -3,7 +3,7 @@
 use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::body::Body;
 use crate::elements::shared::axial_force::{AxialForce, before_stiffness, stiffened, under_axial_force};
-use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
+use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
 use nalgebra::Matrix4;

@@ -10,7 +10,7 @@ use crate::elements::general_beam::kinds::TimoshenkoBeam;
 use crate::elements::general_beam::transfer::BackThrough;
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::dissipation::Dissipation;
-use crate::model::{Bending, EndMotion, Ends, FrequencyEstimates, InvalidParameter, State};
+use crate::model::{Bending, EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, State};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
 use crate::subspace::{Chart, Covector, RootCounter, Subspace};
 use mstmm_plan::{Freedoms, Support};
@@ -70,6 +70,10 @@ macro_rules! damped_beams {
 
             fn estimate(built: &BuiltDampedBeam<T>, estimates: &mut FrequencyEstimates) {
                 built.estimate(estimates);
+            }
+
+            fn extent(built: &BuiltDampedBeam<T>) -> Extent {
+                GeneralBeam::extent(&built.beam)
             }
         }
 

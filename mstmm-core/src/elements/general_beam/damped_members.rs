@@ -10,7 +10,7 @@ use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::damped_line::DampedLine;
 use crate::elements::shared::planar_matrix::planar_matrix;
 use crate::elements::shared::rod_motion::Stretch;
-use crate::model::{EndMotion, FrequencyEstimates, InvalidParameter, Planar};
+use crate::model::{EndMotion, Extent, FrequencyEstimates, InvalidParameter, Planar};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::subspace::Chart;
 use mstmm_plan::Freedoms;
@@ -87,6 +87,10 @@ macro_rules! in_plane {
 
             fn estimate(built: &BuiltPlanarDampedBeam<T>, estimates: &mut FrequencyEstimates) {
                 built.estimate(estimates);
+            }
+
+            fn extent(built: &BuiltPlanarDampedBeam<T>) -> Extent {
+                Extent::along(built.rod.line.section.length.to_f64())
             }
         }
 

@@ -2,7 +2,7 @@
 
 use crate::element::{BackTransfer, CarriesLoad, Element, Energies, Inside, MatrixOf, PlaneStep, TransferMatrix};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
-use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement, State};
+use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement, State};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::Support;
@@ -62,6 +62,10 @@ macro_rules! kinds {
 
             fn estimate(built: &BuiltGeneralBeam<T>, estimates: &mut FrequencyEstimates) {
                 GeneralBeam::estimate(built, estimates);
+            }
+
+            fn extent(built: &BuiltGeneralBeam<T>) -> Extent {
+                GeneralBeam::extent(built)
             }
         }
 

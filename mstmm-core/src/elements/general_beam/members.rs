@@ -13,7 +13,7 @@ use crate::elements::shared::planar_matrix::planar_matrix;
 use crate::elements::shared::rod_motion::Stretch;
 use crate::elements::shared::section_gradient::SectionGradient;
 use crate::elements::shared::uniform_line::{LineSection, UniformLine};
-use crate::model::{EndMotion, FrequencyEstimates, InvalidParameter, Planar};
+use crate::model::{EndMotion, Extent, FrequencyEstimates, InvalidParameter, Planar};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::subspace::{Chart, Measure};
 use mstmm_plan::Freedoms;
@@ -173,6 +173,10 @@ macro_rules! in_plane {
 
             fn estimate(built: &BuiltPlanarGeneralBeam<T>, estimates: &mut FrequencyEstimates) {
                 built.estimate(estimates);
+            }
+
+            fn extent(built: &BuiltPlanarGeneralBeam<T>) -> Extent {
+                GeneralBeam::extent(&built.bending)
             }
         }
 

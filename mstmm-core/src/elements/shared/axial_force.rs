@@ -72,6 +72,10 @@ macro_rules! under_axial_force {
                 <$rigid<T> as Element>::estimate(&built.0, estimates);
                 estimates.torsional_stiffness((built.1.force * built.1.output_x).abs().to_f64());
             }
+
+            fn extent(built: &Self::Built) -> Extent {
+                <$rigid<T> as Element>::extent(&built.0)
+            }
         }
 
         impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for $column<T> {

@@ -1,0 +1,18 @@
+//! How an element of a path reaches from one end to the other, for drawings.
+
+/// Where an element has its output end and its mass centre, seen from its input end: x along the arrow, y a quarter of a turn on from there,
+/// in \[m\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extent {
+    /// The output end; zero of an element without extent, such as a spring.
+    pub output: [f64; 2],
+    /// The mass centre of a rigid body.
+    pub centre: Option<[f64; 2]>,
+}
+
+impl Extent {
+    /// The extent of an element that reaches so far along its arrow.
+    pub fn along(length: f64) -> Self {
+        Extent { output: [length, 0.0], centre: None }
+    }
+}

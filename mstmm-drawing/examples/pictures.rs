@@ -1,0 +1,42 @@
+//! Writes the pictures of the documents: the systems of the paper, and the portal with its first mode.
+
+#[path = "../../examples/portal.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example of its own")]
+mod portal;
+
+use mstmm::prelude::*;
+use mstmm_drawing::{Drawing, Force};
+use paper::models;
+use std::error::Error;
+use std::path::Path;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/pictures");
+    for (name, picture) in pictures()? {
+        let path = folder.join(format!("{name}.svg"));
+        std::fs::write(&path, picture)?;
+        println!("docs/pictures/{name}.svg");
+    }
+    Ok(())
+}
+
+/// The names of the pictures, and what they show.
+pub(crate) fn pictures() -> Result<Vec<(&'static str, String)>, Box<dyn Error>> {
+    let system = portal::steel().build()?;
+    let first = system.mode_shape(&system.first_frequencies::<1>()?[0])?;
+    let tip_body = models::light_tip_body().build()?;
+    let restrained_beam = models::restrained_beam().build()?;
+    let spring_and_mass = models::spring_and_mass().build()?;
+    let two_spans = models::two_spans().build()?;
+    let damped_oscillator = models::damped_oscillator().build()?;
+    Ok(vec![
+        ("portal", Drawing::of(&system)?.to_string()),
+        ("portal_mode", Drawing::of(&system)?.mode(&first)?.to_string()),
+        ("portal_moment", Drawing::of(&system)?.forces(&first, Force::Moment)?.to_string()),
+        ("tip_body", Drawing::of(&tip_body)?.to_string()),
+        ("restrained_beam", Drawing::of(&restrained_beam)?.to_string()),
+        ("spring_and_mass", Drawing::of(&spring_and_mass)?.to_string()),
+        ("two_spans", Drawing::of(&two_spans)?.to_string()),
+        ("damped_oscillator", Drawing::of(&damped_oscillator)?.to_string()),
+    ])
+}

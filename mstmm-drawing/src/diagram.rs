@@ -1,0 +1,123 @@
+//! Diagrams of internal forces.
+
+use crate::figure::{Figure, Inside};
+use crate::kind::Kind;
+use crate::labels::Wanted;
+use crate::vector::{Vector, between, direction, plus};
+
+/// An internal force of beams.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Force {
+    /// The axial force, tension positive, drawn to the side of the local y.
+    Axial,
+    /// The shear force `Q = M'`, drawn to the side of the local y where it is positive.
+    Shear,
+    /// The bending moment `M = EI Θ'`, drawn on the side on which the beam is stretched.
+    Moment,
+}
+
+/// The largest ordinate on the paper.
+const HEIGHT: f64 = 44.0;
+
+/// Part of the largest value of all below which a largest value of a member is not written.
+const WRITTEN: f64 = 0.02;
+
+/// Distance of a written value from the end of its member, as a part of that.
+const BESIDE: f64 = 0.08;
+
+/// Number of lines across the diagram of a member.
+const LINES: usize = 12;
+
+impl Force {
+    /// Its place among the forces of a section.
+    pub(crate) fn index(self) -> usize {
+        match self {
+            Force::Axial => 0,
+            Force::Shear => 1,
+            Force::Moment => 2,
+        }
+    }
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Force::Axial => "axial force",
+            Force::Shear => "shear force",
+            Force::Moment => "moment",
+        }
+    }
+
+    /// Whether a part has it.
+    pub(crate) fn acts_in<M>(self, kind: Kind, inside: &Inside<M>) -> bool {
+        let is_beam = matches!(kind, Kind::Beam { .. });
+        match inside {
+            Inside::Member(..) => is_beam || (self == Force::Axial && kind == Kind::Rod),
+            Inside::Element { .. } => is_beam && self != Force::Axial,
+        }
+    }
+
+    /// The way on the paper in which its positive values are drawn, along an element in some direction.
+    fn way(self, along: Vector) -> Vector {
+        // local y, a quarter of a turn on from local x; the paper has y downwards
+        let [x, y] = [along[1], -along[0]];
+        match self {
+            Force::Axial | Force::Shear => [x, y],
+            Force::Moment => [-x, -y],
+        }
+    }
+}
+
+/// The diagram of a part.
+pub(crate) struct Diagram {
+    pub(crate) part: usize,
+    /// Corners of its area: along the part, and back along the ordinates.
+    pub(crate) area: Vec<Vector>,
+    /// Lines across.
+    pub(crate) lines: Vec<Vec<Vector>>,
+    /// Its largest value.
+    pub(crate) label: Option<Wanted>,
+}
+
+/// The diagrams of a force, and the size of one of its units on the paper; none where it is zero everywhere.
+pub(crate) fn diagrams<M>(figure: &Figure<M>, force: Force, values: &[Vec<[f64; 2]>]) -> Option<(Vec<Diagram>, f64)> {
+    let largest = values.iter().flatten().map(|[_, value]| value.abs()).fold(0.0, f64::max);
+    let scale = HEIGHT / largest;
+    if !scale.is_normal() {
+        return None;
+    }
+    let mut found = Vec::new();
+    for (part, values) in values.iter().enumerate().filter(|(_, values)| !values.is_empty()) {
+        let [from, to] = [figure.parts[part].ends[0], figure.parts[part].ends[1]].map(|end| figure.anchors[end].at);
+        let Some(along) = direction(plus(to, from, -1.0)) else { continue };
+        let way = force.way(along);
+        let foot = |at: f64| between(from, to, at);
+        let tip = |[at, value]: [f64; 2]| plus(foot(at), way, scale * value);
+        let mut area: Vec<Vector> = vec![from, to];
+        area.extend(values.iter().rev().map(|value| tip(*value)));
+        let every = (values.len() / LINES).max(1);
+        let lines = values.iter().step_by(every).map(|value| vec![foot(value[0]), tip(*value)]).collect();
+        let peak =
+            values.iter().copied().reduce(|best, value| if value[1].abs() > best[1].abs() { value } else { best });
+        let label = peak.filter(|peak| peak[1].abs() > WRITTEN * largest).map(|peak| Wanted {
+            text: written(peak[1]),
+            class: "value",
+            title: format!("{} of {}", force.name(), figure.parts[part].name),
+            // over the member that it belongs to, where two meet
+            at: plus(tip(peak), plus(foot(peak[0].clamp(BESIDE, 1.0 - BESIDE)), foot(peak[0]), -1.0), 1.0),
+        });
+        found.push(Diagram { part, area, lines, label });
+    }
+    Some((found, scale))
+}
+
+/// A number with three digits.
+fn written(value: f64) -> String {
+    let size = value.abs();
+    let digits = 2 - size.log10().floor() as i32;
+    let text = if (-3..=6).contains(&digits) {
+        let power = 10.0_f64.powi(digits);
+        format!("{:.*}", digits.max(0) as usize, (value * power).round() / power)
+    } else {
+        format!("{value:.2e}")
+    };
+    text.replace('-', "−")
+}

@@ -1,0 +1,45 @@
+//! What cannot be drawn, and why.
+
+use mstmm_core::MotionError;
+use std::io;
+
+/// A model, or a motion, that cannot be drawn.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum DrawingError {
+    /// There is no point and no member.
+    #[error("the model has no points: there is nothing to draw")]
+    Empty,
+    /// A coordinate or a length is not finite.
+    #[error("{name} has the coordinate {value}, which no drawing has")]
+    NotFinite {
+        /// What the source calls it.
+        name: String,
+        /// The coordinate or the length.
+        value: f64,
+    },
+    /// The model is so large, or so small, that its scale is no number.
+    #[error("a model of the size {size:e} has no scale")]
+    Size {
+        /// Its largest extent.
+        size: f64,
+    },
+    /// The motion is not known.
+    #[error("the motion cannot be drawn: {0}")]
+    Motion(#[from] MotionError),
+    /// The motion is not finite.
+    #[error("the motion of {name} is not finite")]
+    MotionNotFinite {
+        /// What the source calls the member or the point.
+        name: String,
+    },
+    /// No member has such a force.
+    #[error("no member has a {force} to be drawn")]
+    NoForce {
+        /// The force.
+        force: &'static str,
+    },
+    /// The file refuses.
+    #[error("the file cannot be written: {0}")]
+    Io(#[from] io::Error),
+}

@@ -1,0 +1,50 @@
+//! What is drawn with one pen.
+
+use crate::outline::Outline;
+
+/// A pen: the class of a path in the style sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pen {
+    Beam,
+    Rod,
+    Thin,
+    Rigid,
+    RigidEdge,
+    Spring,
+    Area,
+    Dot,
+    Hollow,
+    Ground,
+    Hatch,
+}
+
+impl Pen {
+    pub(crate) fn class(self) -> &'static str {
+        match self {
+            Pen::Beam => "beam",
+            Pen::Rod => "rod",
+            Pen::Thin => "thin",
+            Pen::Rigid => "rigid",
+            Pen::RigidEdge => "rigid edge",
+            Pen::Spring => "spring",
+            Pen::Area => "area",
+            Pen::Dot => "dot",
+            Pen::Hollow => "hollow",
+            Pen::Ground => "ground",
+            Pen::Hatch => "hatch",
+        }
+    }
+}
+
+/// A line or an area with its pen.
+#[derive(Clone, Debug)]
+pub(crate) struct Ink {
+    pub(crate) pen: Pen,
+    pub(crate) outline: Outline,
+}
+
+impl Ink {
+    pub(crate) fn new(pen: Pen, outline: Outline) -> Self {
+        Ink { pen, outline }
+    }
+}

@@ -1,0 +1,67 @@
+//! Which symbol stands for an element, by its keyword or by the name of its type.
+
+/// The symbol of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Beam {
+        on_foundation: bool,
+    },
+    Rod,
+    Line,
+    Shaft,
+    Body,
+    Lever,
+    PointMass,
+    Mass,
+    Inertia,
+    Spring,
+    Damper,
+    SpringDamper,
+    TorsionSpring,
+    TorsionDamper,
+    Pin,
+    Slider,
+    ElasticHinge,
+    /// What joins a path to a point, without extent.
+    Tie,
+    /// An element of the user's own.
+    Other,
+}
+
+impl Kind {
+    /// The symbol behind a keyword, such as `planar_beam`, or the name of a type, such as `PlanarBeam`.
+    pub(crate) fn of(word: &str) -> Kind {
+        let word = word.replace('_', "").to_lowercase();
+        let has = |part: &str| word.contains(part);
+        let torsion = has("torsion");
+        match word.as_str() {
+            "tie" => Kind::Tie,
+            "pin" => Kind::Pin,
+            "slider" | "shearhinge" => Kind::Slider,
+            "string" | "tautstring" | "dampedstring" => Kind::Line,
+            "rod" | "dampedrod" => Kind::Rod,
+            "shaft" | "dampedshaft" => Kind::Shaft,
+            "mass" => Kind::Mass,
+            "inertia" => Kind::Inertia,
+            "pointmass" => Kind::PointMass,
+            "lever" | "levercolumn" => Kind::Lever,
+            _ if has("beam") => Kind::Beam { on_foundation: has("foundation") },
+            _ if has("body") => Kind::Body,
+            _ if has("hinge") || word == "joint" => Kind::ElasticHinge,
+            _ if has("damper") && torsion && !has("spring") => Kind::TorsionDamper,
+            _ if has("spring") && torsion => Kind::TorsionSpring,
+            _ if has("damper") && has("spring") => Kind::SpringDamper,
+            _ if has("damper") => Kind::Damper,
+            _ if has("spring") => Kind::Spring,
+            _ => Kind::Other,
+        }
+    }
+
+    /// Whether it has no extent along its path.
+    pub(crate) fn is_at_a_point(self) -> bool {
+        matches!(
+            self,
+            Kind::PointMass | Kind::Mass | Kind::Inertia | Kind::Pin | Kind::Slider | Kind::ElasticHinge | Kind::Tie
+        )
+    }
+}

@@ -1,0 +1,42 @@
+//! The symbols of elements.
+
+mod bodies;
+mod joints;
+mod springs;
+
+use crate::ink::{Ink, Pen};
+use crate::kind::Kind;
+use crate::outline::Outline;
+use crate::vector::Vector;
+
+/// What is drawn of an element, between its ends or along its curve.
+pub(crate) fn inks(kind: Kind, ends: &[Vector], curve: &[Vector]) -> Vec<Ink> {
+    let (from, to) = (ends[0], ends[1]);
+    let line = || Outline::line(if curve.is_empty() { vec![from, to] } else { curve.to_vec() });
+    match kind {
+        Kind::Beam { on_foundation } => {
+            let mut inks = vec![Ink::new(Pen::Beam, line())];
+            if on_foundation && curve.is_empty() {
+                inks.extend(springs::foundation(from, to));
+            }
+            inks
+        }
+        Kind::Rod | Kind::Shaft => vec![Ink::new(Pen::Rod, line())],
+        Kind::Line => vec![Ink::new(Pen::Thin, line())],
+        Kind::Lever => vec![Ink::new(Pen::Rod, line())],
+        Kind::Tie => vec![Ink::new(Pen::Thin, line())],
+        Kind::Body => bodies::body(ends),
+        Kind::PointMass => vec![Ink::new(Pen::Dot, Outline::Disc(from, 6.5))],
+        Kind::Mass => vec![bodies::block(from)],
+        Kind::Inertia => bodies::disc(from),
+        Kind::Spring => springs::spring(from, to, 0.0),
+        Kind::Damper => springs::damper(from, to, 0.0),
+        Kind::SpringDamper => springs::spring_damper(from, to),
+        Kind::TorsionSpring => springs::torsion(from, to, true),
+        Kind::TorsionDamper => springs::torsion(from, to, false),
+        Kind::Pin => vec![Ink::new(Pen::Hollow, Outline::Disc(from, 4.5))],
+        Kind::Slider => joints::slider(from),
+        Kind::ElasticHinge => joints::elastic(from, to),
+        Kind::Other => bodies::other(from, to, curve),
+    }
+}
