@@ -5,5 +5,5 @@ mod portal;
 mod programs;
 
 pub use figures::{EXACT, Figures, Program, Run};
-pub use portal::{Portal, PortalSystem, hertz};
+pub use portal::{Portal, PortalSystem, hertz, steel};
 pub use programs::{BesideError, Missing, PYTHON, here, measure};

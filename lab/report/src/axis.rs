@@ -78,11 +78,6 @@ impl Axis {
         Axis { named: Some((coordinate, name)), ..self }
     }
 
-    /// The same without ticks.
-    pub(crate) fn without_ticks(self) -> Self {
-        self.with_ticks(Vec::new())
-    }
-
     /// The coordinate of a value, moved into the range.
     pub(crate) fn place(&self, value: f64) -> f64 {
         let coordinate = match self.scale {

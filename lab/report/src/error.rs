@@ -9,6 +9,9 @@ pub enum ReportError {
     /// A picture cannot be drawn.
     #[error("a picture cannot be drawn: {0}")]
     Drawing(#[from] DrawingAreaErrorKind<io::Error>),
+    /// A system or its mode cannot be drawn.
+    #[error(transparent)]
+    Sketch(#[from] mstmm_drawing::DrawingError),
     /// A height field has no contours.
     #[error("contours: {0}")]
     Contours(#[from] contour::Error),

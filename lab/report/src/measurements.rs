@@ -4,7 +4,7 @@ use crate::data::counts::{Counts, counts};
 use crate::data::digits::{self, Digits, OverStiffness};
 use crate::data::frames::{Frames, frames};
 use crate::data::landscapes::{Landscapes, landscapes};
-use crate::data::shapes::{Shapes, shapes};
+use crate::data::shapes::{Shapes, System, of_portal, shapes, systems};
 use crate::data::storeys::over_storeys;
 use crate::data::tables::{Table, tables};
 use crate::error::ReportError;
@@ -37,7 +37,15 @@ impl Extent {
     /// What the report shows.
     pub fn full() -> Self {
         let (modes, stiffness) = (digits::mode_numbers(), (-15..=15).collect());
-        Extent { samples: 141, modes, stiffness, elements: ELEMENTS.to_vec(), storeys: STOREYS.to_vec(), roots: 1000, programs: true }
+        Extent {
+            samples: 141,
+            modes,
+            stiffness,
+            elements: ELEMENTS.to_vec(),
+            storeys: STOREYS.to_vec(),
+            roots: 1000,
+            programs: true,
+        }
     }
 }
 
@@ -48,7 +56,9 @@ pub struct Measurements {
     pub(crate) tables: Vec<Table>,
     pub(crate) counts: Counts,
     pub(crate) landscapes: Landscapes,
+    pub(crate) systems: Vec<System>,
     pub(crate) shapes: Vec<Shapes>,
+    pub(crate) portal: Shapes,
     pub(crate) digits_of_modes: Vec<Digits>,
     pub(crate) digits_of_stiffness: OverStiffness,
     pub(crate) elements: OverElements,
@@ -72,8 +82,8 @@ impl Measurements {
         let counts = counts(extent.samples)?;
         next("landscapes");
         let landscapes = landscapes(extent.samples)?;
-        next("mode shapes");
-        let shapes = shapes()?;
+        next("drawings");
+        let (systems, shapes, portal) = (systems()?, shapes()?, of_portal()?);
         next("digits");
         let digits_of_modes = digits::over_modes(&extent.modes)?;
         let digits_of_stiffness = digits::over_stiffness(&extent.stiffness)?;
@@ -90,7 +100,9 @@ impl Measurements {
             tables,
             counts,
             landscapes,
+            systems,
             shapes,
+            portal,
             digits_of_modes,
             digits_of_stiffness,
             elements,

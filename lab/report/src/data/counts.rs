@@ -112,8 +112,9 @@ where
     let both = distances.flat_map(|distance| [-distance, distance]);
     let is_inside = |omega: f64| roots.iter().any(|root| root.root.lower <= omega && omega <= root.root.upper);
     let places = both.map(|distance| (distance, centre + distance * centre)).filter(|(_, omega)| !is_inside(*omega));
-    let mut samples: Vec<(f64, u64)> =
-        places.map(|(distance, omega)| Ok((distance, system.count_below(omega)?))).collect::<Result<_, SearchError>>()?;
+    let mut samples: Vec<(f64, u64)> = places
+        .map(|(distance, omega)| Ok((distance, system.count_below(omega)?)))
+        .collect::<Result<_, SearchError>>()?;
     samples.sort_by(|one, other| one.0.total_cmp(&other.0));
     let relative = |omega: f64| (omega - centre) / centre;
     let near = roots.iter().filter(|root| relative(root.root.omega).abs() < 0.1);
@@ -175,7 +176,13 @@ mod tests {
         let pair = counts(2).unwrap().pair;
         assert_eq!(pair.intervals.len(), 2);
         for &(distance, count) in &pair.samples {
-            let expected = if distance < -1.7e-9 { 0 } else if distance < 1.5e-9 { 1 } else { 2 };
+            let expected = if distance < -1.7e-9 {
+                0
+            } else if distance < 1.5e-9 {
+                1
+            } else {
+                2
+            };
             assert_eq!(count, expected, "at {distance:e}");
         }
     }

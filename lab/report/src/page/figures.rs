@@ -1,7 +1,6 @@
 //! The sections that are made of pictures.
 
 use crate::data::landscapes::Landscapes;
-use crate::data::shapes::Shapes;
 use crate::error::ReportError;
 use crate::growth::{exponent, leap};
 use crate::measurements::Measurements;
@@ -63,19 +62,6 @@ pub(super) fn landscapes(landscapes: &Landscapes) -> Result<Markup, ReportError>
             are cut at the same depth."
         }
         p { "The map of the damped example has equal scales, so that pits are round. The thin frame is the paper's search." }
-    };
-    Ok(self::panels(lead, panels.iter().map(|(id, svg)| figure(id, note(id), svg))))
-}
-
-/// Mode shapes of the examples.
-pub(super) fn shapes(shapes: &[Shapes]) -> Result<Markup, ReportError> {
-    let panels = shapes.iter().map(|own| Ok((own.id, plots::shapes::svg(own)?)));
-    let panels = panels.collect::<Result<Vec<_>, ReportError>>()?;
-    let lead = html! {
-        p {
-            "The modes that the paper lists, each divided by its largest deflection. Circles are masses on springs or on the beam. \
-            With damping the points of a mode move in different phases: unbroken is the real part, dashed the imaginary one."
-        }
     };
     Ok(self::panels(lead, panels.iter().map(|(id, svg)| figure(id, note(id), svg))))
 }

@@ -1,9 +1,11 @@
 //! The portal by this library and by programs of finite elements.
 
+use super::drawings::modes;
 use super::figures::{figure, panels};
 use super::tables::scrolling;
 use super::text::{error, time};
 use crate::data::frames::Frames;
+use crate::data::shapes::Shapes;
 use crate::error::ReportError;
 use crate::growth::{OverElements, exponent};
 use crate::plots;
@@ -11,7 +13,7 @@ use frames_beside::Program;
 use maud::{Markup, html};
 
 /// Pictures, and a table of all runs.
-pub(super) fn section(frames: &Frames, storeys: &OverElements) -> Result<Markup, ReportError> {
+pub(super) fn section(frames: &Frames, storeys: &OverElements, portal: &Shapes) -> Result<Markup, ReportError> {
     let figures = &frames.figures;
     let lead = html! {
         p {
@@ -28,7 +30,8 @@ pub(super) fn section(frames: &Frames, storeys: &OverElements) -> Result<Markup,
     let growth = plots::growth::over_storeys(storeys)?;
     let note = format!("one bay; exponents {:.2} and {:.2}", exponent(&storeys.search), exponent(&storeys.evaluation));
     let pictures = [
-        figure("The portal", "ten frequencies", &plots::frames::svg(figures)?),
+        figure("Error against run time", "ten frequencies of the portal", &plots::frames::svg(figures)?),
+        modes(portal),
         figure("Buildings of many storeys", &note, &growth),
     ];
     let own = figures.programs.first().and_then(|program| program.runs.first()).map(|run| run.seconds);

@@ -1,5 +1,6 @@
 //! The page.
 
+mod drawings;
 mod figures;
 mod frames;
 mod proof;
@@ -21,18 +22,19 @@ const STYLE: &str = include_str!("style.css");
 /// # Errors
 /// [`ReportError`] where a picture cannot be drawn.
 pub fn page(measurements: &Measurements) -> Result<String, ReportError> {
-    let Measurements { runs, tables, counts, landscapes, shapes, frames, storeys, .. } = measurements;
+    let Measurements { runs, tables, counts, landscapes, systems, shapes, frames, storeys, portal, .. } = measurements;
     let dark = format!("@media (prefers-color-scheme: dark) {{ {} }}", dark_rules());
     let sections = [
+        ("systems", "What is solved", drawings::systems(systems)),
         ("proof", "A list with its proof", proof::section(counts)?),
         ("summary", "How much faster", summary::section(runs)?),
         ("error-time", "Error against run time", figures::error_time(runs)?),
-        ("frames", "Frames beside finite elements", frames::section(frames, storeys)?),
+        ("frames", "Frames beside finite elements", frames::section(frames, storeys, portal)?),
         ("landscapes", "|Δ| and its roots", figures::landscapes(landscapes)?),
-        ("shapes", "Mode shapes", figures::shapes(shapes)?),
+        ("shapes", "Mode shapes", drawings::shapes(shapes)),
         ("digits", "Digits kept", figures::digits(measurements)?),
         ("growth", "Cost against size", figures::growth(measurements)?),
-        ("paper", "The tables of the paper", tables::section(tables)),
+        ("paper", "The tables of the paper", tables::section(tables, systems)),
     ];
     let page = html! {
         (DOCTYPE)
@@ -42,7 +44,7 @@ pub fn page(measurements: &Measurements) -> Result<String, ReportError> {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
                 title { "mstmm: error against run time" }
-                style { (PreEscaped(STYLE)) (PreEscaped(dark)) }
+                style { (PreEscaped(drawings::style(systems))) (PreEscaped(STYLE)) (PreEscaped(dark)) }
             }
             body {
                 header {

@@ -6,9 +6,9 @@ use crate::error::ReportError;
 use crate::method::{METHODS, Method};
 use crate::plots::error_time::scenes;
 use maud::{Markup, html};
-use rivals::{ROUNDS, Run};
 use rivals::factors::{CERTIFIED_ERROR, Factor, RIVAL_ERROR, factors};
 use rivals::runs::CERTIFIED;
+use rivals::{ROUNDS, Run};
 use std::fmt::Write;
 
 /// A scene with the time of the certified search and each rival in order.

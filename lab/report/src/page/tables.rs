@@ -1,6 +1,8 @@
 //! The tables of the paper, printed and computed.
 
+use super::drawings::drawing;
 use super::text::{error, symbol};
+use crate::data::shapes::System;
 use crate::data::tables::Table;
 use maud::{Markup, html};
 use paper::{Column, Solution, Solved, Value};
@@ -9,19 +11,19 @@ use paper::{Column, Solution, Solved, Value};
 const DIGITS: usize = 10;
 
 /// A table for each example.
-pub(crate) fn section(tables: &[Table]) -> Markup {
+pub(super) fn section(tables: &[Table], systems: &[System]) -> Markup {
     html! {
         p {
             "Beside the printed values stand those that the paper's own searches for minima of |Δ| find here, " code { "fmin1d" }
             " and " code { "fmin2d" } " with the paper's settings, and those of the certified search. Errors are relative to the \
             exact values, which come from another method in 60 digits."
         }
-        @for table in tables { (example(table)) }
+        @for table in tables { (example(table, systems)) }
     }
 }
 
-fn example(Table { example, solved }: &Table) -> Markup {
-    html! {
+fn example(Table { example, solved }: &Table, systems: &[System]) -> Markup {
+    let lead = html! {
         h3 { (example.id) " " (example.title) }
         p class="quiet" {
             "Table " (example.table) ", a matrix of " (solved.size) " × " (solved.size) ". "
@@ -29,7 +31,11 @@ fn example(Table { example, solved }: &Table) -> Markup {
                 (solution.method) ": " (solution.evaluations) " evaluations. "
             }
         }
-        (scrolling(html! {
+        @if let Some(system) = systems.iter().find(|system| system.id == example.id) {
+            (drawing(&example.title, &system.svg))
+        }
+    };
+    let table = scrolling(html! {
             thead {
                 tr {
                     th { "mode" } th { "printed" }
@@ -44,8 +50,8 @@ fn example(Table { example, solved }: &Table) -> Markup {
                     @for mode in 0..column.printed.len() { (row(column, mode, &values(column, mode, solved))) }
                 }
             }
-        }))
-    }
+    });
+    beside(lead, table)
 }
 
 /// A table beside what is said about it.

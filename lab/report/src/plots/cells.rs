@@ -25,8 +25,7 @@ pub(crate) fn svg(cells: &Cells) -> Result<String, ReportError> {
         };
         let [left, right] = of(|cell| [*cell.region.re.start(), *cell.region.re.end()]);
         let [bottom, top] = of(|cell| [*cell.region.im.start(), *cell.region.im.end()]);
-        let mut chart =
-            axes(area, &Axis::linear("Re λ [1/s]", left..right), &Axis::linear("Im λ [1/s]", bottom..top))?;
+        let mut chart = axes(area, &Axis::linear("Re λ [1/s]", left..right), &Axis::linear("Im λ [1/s]", bottom..top))?;
         for cell in &cells.leaves {
             draw(area, &mut chart, cell)?;
         }

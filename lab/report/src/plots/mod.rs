@@ -8,5 +8,4 @@ pub(crate) mod frames;
 pub(crate) mod growth;
 pub(crate) mod heat_map;
 pub(crate) mod landscape;
-pub(crate) mod shapes;
 pub(crate) mod staircase;

@@ -55,7 +55,9 @@ pub(crate) fn measurements_of(runs: Vec<Run>) -> Measurements {
         modes: vec![1, 2, 3, 6, 10, 30, 100, 300, 1000],
         stiffness: vec![-15, -9, -3, 0, 3, 9, 15],
         elements: vec![1, 3, 10, 30],
+        storeys: vec![1, 3],
         roots: 10,
+        programs: false,
     };
     Measurements::take(runs, &extent, |_| ()).unwrap()
 }
