@@ -48,7 +48,7 @@ system! {
 }
 
 /// A saloon car.
-fn saloon() -> Vehicle {
+pub fn saloon() -> Vehicle {
     Vehicle {
         wheelbase: 2.7,
         centre: 1.25,

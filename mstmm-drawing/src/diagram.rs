@@ -50,7 +50,7 @@ impl Force {
     pub(crate) fn acts_in<M>(self, kind: Kind, inside: &Inside<M>) -> bool {
         let is_beam = matches!(kind, Kind::Beam { .. });
         match inside {
-            Inside::Member(..) => is_beam || (self == Force::Axial && kind == Kind::Rod),
+            Inside::Member(..) => is_beam,
             Inside::Element { .. } => is_beam && self != Force::Axial,
         }
     }

@@ -7,7 +7,6 @@ use crate::motion::{Motion, forces};
 use crate::shape::Shape;
 use crate::sketched::Sketched;
 use crate::sketched::private::Figured;
-use crate::write::picture;
 use std::fmt;
 use std::path::Path;
 
@@ -79,12 +78,5 @@ impl<M> Drawing<M> {
     /// [`DrawingError::Io`] where the file refuses.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), DrawingError> {
         Ok(std::fs::write(path, self.to_string())?)
-    }
-}
-
-/// The drawing as SVG, of which a page can take the element as it is.
-impl<M> fmt::Display for Drawing<M> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}", picture(self))
     }
 }

@@ -12,6 +12,8 @@ pub struct Figure<M> {
     pub(crate) supports: Vec<Support>,
     /// Size of a metre of the model on the paper.
     pub(crate) scale: f64,
+    /// Where the origin of the model is on the paper.
+    pub(crate) origin: Vector,
 }
 
 /// A place to which parts are attached.

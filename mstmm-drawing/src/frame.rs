@@ -49,6 +49,11 @@ fn plain<T: Parameter>(place: [T; 2]) -> Vector {
     place.map(Parameter::to_f64)
 }
 
+/// The direction of a vector of the model on the paper.
+fn on_paper([x, y]: [f64; 2]) -> Option<Vector> {
+    direction([x, -y])
+}
+
 impl<M> Builder<M> {
     /// The points of a sketch.
     fn of<Y: Drawn<Model = M>>(sketch: &Sketch<'_, Y>) -> Result<Self, DrawingError> {
@@ -67,7 +72,13 @@ impl<M> Builder<M> {
             Anchor { at: scale.place(plain(point.position)), moves: Moves::Point(point.label), name }
         });
         Ok(Builder {
-            figure: Figure { anchors: anchors.collect(), parts: Vec::new(), supports: Vec::new(), scale: scale.size },
+            figure: Figure {
+                anchors: anchors.collect(),
+                parts: Vec::new(),
+                supports: Vec::new(),
+                scale: scale.size,
+                origin: scale.place([0.0; 2]),
+            },
             scale,
             nodes: points.iter().map(|point| point.node).collect(),
             members: 0,
@@ -80,31 +91,39 @@ impl<M> Builder<M> {
     fn add_members<Y: Drawn<Model = M>>(&mut self, sketch: &Sketch<'_, Y>) {
         for member in sketch.members() {
             let name = member.name.to_string();
-            let kind = Kind::of(member.kind);
+            let direction_of = |end: &DrawnEnd<M, Y::Parameter>| end.along.map(plain).and_then(on_paper);
+            let along = member.ends.iter().find_map(direction_of);
+            let kind = match (Kind::of(member.kind), along) {
+                (Kind::Slider(_), Some(along)) => Kind::Slider(along),
+                (kind, _) => kind,
+            };
             let ends = [0, 1].map(|end| self.anchor_of_end(&member.ends[end], &name));
             let [from, to] = [0, 1].map(|end| member.ends[end].position.map(plain));
             let length = from.zip(to).map_or(0.0, |(from, to)| distance(from, to));
-            let direction_of =
-                |end: &DrawnEnd<M, Y::Parameter>| end.along.map(plain).and_then(|[x, y]| direction([x, -y]));
             self.directions.resize(self.figure.parts.len(), None);
-            self.directions.push(member.ends.iter().find_map(direction_of));
+            self.directions.push(along);
             let index = MemberLabel::member(self.members);
-            let inside = Some(Inside::Member(index, length)).filter(|_| !kind.is_at_a_point());
+            // lines of paths have lengths of their own, and stretch evenly enough
+            let inside = Some(Inside::Member(index, length)).filter(|_| matches!(kind, Kind::Beam { .. }));
             self.figure.parts.push(Part { name, word: member.kind, kind, ends: ends.into(), inside });
             self.members += 1;
+            let line = from.zip(to).and_then(|(from, to)| on_paper([to[0] - from[0], to[1] - from[1]]));
             for (end, anchor) in member.ends.iter().zip(ends) {
-                self.add_release(end, anchor);
+                self.add_release(end, anchor, along.or(line));
             }
         }
     }
 
     /// A symbol where the end of a member of a list does not share all motions with its node.
-    fn add_release<T: Real>(&mut self, end: &DrawnEnd<M, T>, anchor: usize) {
-        if end.released.is_empty() || end.position.is_none() {
-            return;
-        }
-        let is_pin = end.released.contains(Freedoms::RZ);
-        let (word, kind) = if is_pin { ("pin", Kind::Pin) } else { ("slider", Kind::Slider) };
+    fn add_release<T: Real>(&mut self, end: &DrawnEnd<M, T>, anchor: usize, line: Option<Vector>) {
+        let Some([x, y]) = line.filter(|_| !end.released.is_empty() && end.position.is_some()) else { return };
+        let (word, kind) = if end.released.contains(Freedoms::RZ) {
+            ("pin", Kind::Pin)
+        } else if end.released.contains(Freedoms::X) {
+            ("slider", Kind::Slider([x, y]))
+        } else {
+            ("slider", Kind::Slider([-y, x]))
+        };
         self.figure.parts.push(Part { name: String::new(), word, kind, ends: vec![anchor, anchor], inside: None });
     }
 
@@ -171,8 +190,11 @@ impl<M> Builder<M> {
 
     fn add_supports<Y: Drawn<Model = M>>(&mut self, sketch: &Sketch<'_, Y>) {
         for support in sketch.supports() {
-            let Some(holds) = holds(&support, self.is_plane) else { continue };
-            self.figure.supports.push(Support { name: support.name.to_string(), anchor: support.point, holds });
+            let name = support.name.to_string();
+            // at a point that does not turn it holds no rotation, and is one all the same
+            let is_fixed = name.starts_with("fixed");
+            let holds = if is_fixed { Some(Holds::All) } else { holds(&support, self.is_plane) };
+            self.figure.supports.extend(holds.map(|holds| Support { name, anchor: support.point, holds }));
         }
     }
 }
@@ -185,7 +207,7 @@ fn holds<T: Real>(support: &DrawnSupport<T>, is_plane: bool) -> Option<Holds> {
     }
     // with one coordinate nothing moves along it
     let [x, y, rotation] = [has(Freedoms::X) || !is_plane, has(Freedoms::Y), has(Freedoms::RZ)];
-    let along = support.along.map(plain).and_then(|[x, y]| direction([x, -y]));
+    let along = support.along.map(plain).and_then(on_paper);
     let along = along.or(match (x, y) {
         (true, false) => Some([0.0, 1.0]),
         (false, true) => Some([1.0, 0.0]),

@@ -1,7 +1,9 @@
 //! Which symbol stands for an element, by its keyword or by the name of its type.
 
+use crate::vector::Vector;
+
 /// The symbol of an element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Kind {
     Beam {
         on_foundation: bool,
@@ -20,7 +22,8 @@ pub(crate) enum Kind {
     TorsionSpring,
     TorsionDamper,
     Pin,
-    Slider,
+    /// With the direction on the paper in which it slides.
+    Slider(Vector),
     ElasticHinge,
     /// What joins a path to a point, without extent.
     Tie,
@@ -37,7 +40,7 @@ impl Kind {
         match word.as_str() {
             "tie" => Kind::Tie,
             "pin" => Kind::Pin,
-            "slider" | "shearhinge" => Kind::Slider,
+            "slider" | "shearhinge" => Kind::Slider([0.0, 1.0]),
             "string" | "tautstring" | "dampedstring" => Kind::Line,
             "rod" | "dampedrod" => Kind::Rod,
             "shaft" | "dampedshaft" => Kind::Shaft,
@@ -61,7 +64,7 @@ impl Kind {
     pub(crate) fn is_at_a_point(self) -> bool {
         matches!(
             self,
-            Kind::PointMass | Kind::Mass | Kind::Inertia | Kind::Pin | Kind::Slider | Kind::ElasticHinge | Kind::Tie
+            Kind::PointMass | Kind::Mass | Kind::Inertia | Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge | Kind::Tie
         )
     }
 }

@@ -111,7 +111,8 @@ fn place_path<M>(figure: &mut Figure<M>, path: &[usize], contacts: &[Contact], i
         _ => {
             let way = way_off(figure, first, is_grounded);
             let steps = |anchor: usize| near[anchor].unwrap_or(0) + first.distance;
-            path.iter().map(|&anchor| plus(start, way, HANGING * steps(anchor) as f64)).collect()
+            let outside = outside(figure, first.point, way);
+            path.iter().map(|&anchor| plus(start, way, outside + HANGING * steps(anchor) as f64)).collect()
         }
     };
     let along = first.along.map(|[x, y]| [x, -y]);
@@ -121,6 +122,14 @@ fn place_path<M>(figure: &mut Figure<M>, path: &[usize], contacts: &[Contact], i
             figure.anchors[anchor].moves = Moves::Path { node, along: along.unwrap_or([0.0; 2]) };
         }
     }
+}
+
+/// How far a body reaches from one of its points along a way.
+fn outside<M>(figure: &Figure<M>, point: usize, way: Vector) -> f64 {
+    let bodies = figure.parts.iter().filter(|part| part.kind == Kind::Body && part.ends.contains(&point));
+    let ends =
+        bodies.flat_map(|body| &body.ends).map(|end| plus(figure.anchors[*end].at, figure.anchors[point].at, -1.0));
+    ends.map(|end| dot(end, way)).fold(0.0, f64::max)
 }
 
 /// The way from a point in which its path stands beside it: down to the ground, up to a mass.

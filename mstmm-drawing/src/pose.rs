@@ -36,7 +36,9 @@ impl Pose {
 
     /// What is drawn of a part.
     pub(crate) fn inks<M>(&self, figure: &Figure<M>, part: usize) -> Vec<Ink> {
-        let ends: Vec<Vector> = figure.parts[part].ends.iter().map(|end| self.anchors[*end]).collect();
-        inks(figure.parts[part].kind, &ends, &self.curves[part])
+        let ends = &figure.parts[part].ends;
+        let rest: Vec<Vector> = ends.iter().map(|end| figure.anchors[*end].at).collect();
+        let now: Vec<Vector> = ends.iter().map(|end| self.anchors[*end]).collect();
+        inks(figure.parts[part].kind, &rest, &now, &self.curves[part])
     }
 }

@@ -7,10 +7,10 @@ mod springs;
 use crate::ink::{Ink, Pen};
 use crate::kind::Kind;
 use crate::outline::Outline;
-use crate::vector::Vector;
+use crate::vector::{Vector, distance};
 
-/// What is drawn of an element, between its ends or along its curve.
-pub(crate) fn inks(kind: Kind, ends: &[Vector], curve: &[Vector]) -> Vec<Ink> {
+/// What is drawn of an element, between its ends or along its curve: as many lines and corners at any moment as at rest.
+pub(crate) fn inks(kind: Kind, rest: &[Vector], ends: &[Vector], curve: &[Vector]) -> Vec<Ink> {
     let (from, to) = (ends[0], ends[1]);
     let line = || Outline::line(if curve.is_empty() { vec![from, to] } else { curve.to_vec() });
     match kind {
@@ -25,7 +25,7 @@ pub(crate) fn inks(kind: Kind, ends: &[Vector], curve: &[Vector]) -> Vec<Ink> {
         Kind::Line => vec![Ink::new(Pen::Thin, line())],
         Kind::Lever => vec![Ink::new(Pen::Rod, line())],
         Kind::Tie => vec![Ink::new(Pen::Thin, line())],
-        Kind::Body => bodies::body(ends),
+        Kind::Body => bodies::body(rest, ends),
         Kind::PointMass => vec![Ink::new(Pen::Dot, Outline::Disc(from, 6.5))],
         Kind::Mass => vec![bodies::block(from)],
         Kind::Inertia => bodies::disc(from),
@@ -35,8 +35,8 @@ pub(crate) fn inks(kind: Kind, ends: &[Vector], curve: &[Vector]) -> Vec<Ink> {
         Kind::TorsionSpring => springs::torsion(from, to, true),
         Kind::TorsionDamper => springs::torsion(from, to, false),
         Kind::Pin => vec![Ink::new(Pen::Hollow, Outline::Disc(from, 4.5))],
-        Kind::Slider => joints::slider(from),
-        Kind::ElasticHinge => joints::elastic(from, to),
+        Kind::Slider(along) => joints::slider(from, along),
+        Kind::ElasticHinge => joints::elastic(distance(rest[0], rest[1]), from, to),
         Kind::Other => bodies::other(from, to, curve),
     }
 }

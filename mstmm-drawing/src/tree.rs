@@ -23,12 +23,20 @@ pub(crate) fn figure<Y: DrawnTree>(sketch: &TreeSketch<'_, Y>) -> Result<Figure<
     let held = held(&steps, &place_of);
     let edges = edges(&steps, &place_of, is_in_line);
     let between: Vec<Edge> = edges.iter().map(|(_, edge)| *edge).collect();
-    let found = places(&between, &held);
-    let named = edges.iter().flat_map(|(step, edge)| edge.ends.map(|end| (*step, found.places[end].metres)));
+    // metres do not depend on lanes, but whether paths lie side by side depends on the scale
+    let unscaled = places(&between, &held, 1.0);
+    let named = edges.iter().flat_map(|(step, edge)| edge.ends.map(|end| (*step, unscaled.places[end].metres)));
     let names: Vec<(String, Vector)> = named.map(|(step, metres)| (steps[step].name.to_string(), metres)).collect();
     let scale = Scale::of(names.iter().map(|(name, metres)| (name.as_str(), *metres)))?;
+    let found = places(&between, &held, scale.size);
     let deflection = deflection(&steps, is_in_line);
-    let mut figure = Figure { anchors: Vec::new(), parts: Vec::new(), supports: Vec::new(), scale: scale.size };
+    let mut figure = Figure {
+        anchors: Vec::new(),
+        parts: Vec::new(),
+        supports: Vec::new(),
+        scale: scale.size,
+        origin: scale.place([0.0; 2]),
+    };
     add_anchors(&mut figure, &steps, &place_of, &found, (scale, deflection));
     for (index, (step, edge)) in edges.iter().enumerate() {
         let ends = lane(&mut figure, edge.ends, found.lanes[index], &steps[*step]);

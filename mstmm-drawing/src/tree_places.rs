@@ -15,6 +15,9 @@ const IN_LINE: f64 = 78.0;
 /// Distance of elements that hang at one point, beyond the first two.
 const BESIDE: f64 = 44.0;
 
+/// How far elements along x may lie upon each other.
+const NEAR: f64 = 1e-3;
+
 /// How an element leads from its input place to its output place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Way {
@@ -63,69 +66,92 @@ pub(crate) fn way_of(kind: Kind, extent: Vector, is_in_line: bool, joins_ground:
     }
 }
 
-/// Finds the places, given whether each has a support.
-pub(crate) fn places(edges: &[Edge], held: &[bool]) -> TreePlaces {
+/// Finds the places, given whether each has a support, and the size of a metre on the paper.
+pub(crate) fn places(edges: &[Edge], held: &[bool], scale: f64) -> TreePlaces {
+    let spots = spots(edges, held.len());
+    let is_held = |spot: usize| (0..held.len()).any(|place| spots[place] == spot && held[place]);
     let mut found = TreePlaces { places: vec![TreePlace::default(); held.len()], lanes: vec![0.0; edges.len()] };
+    let mut room = Room { scale, taken: Vec::new(), hanging: BTreeMap::new() };
     let start = edges.iter().find(|edge| matches!(edge.way, Way::Along(_))).or(edges.first());
     let mut queue = VecDeque::from_iter(start.map(|edge| edge.ends[0]));
     let mut known: Vec<bool> = vec![false; held.len()];
-    if let Some(&start) = queue.front() {
-        known[start] = true;
-    }
-    // how many elements leave a place to a side
-    let mut left: BTreeMap<(usize, i8), usize> = BTreeMap::new();
-    let mut arrived: Vec<bool> = vec![false; edges.len()];
+    queue.iter().for_each(|start| known[*start] = true);
     while let Some(from) = queue.pop_front() {
         for (index, edge) in edges.iter().enumerate().filter(|(_, edge)| edge.ends.contains(&from)) {
             let is_forwards = edge.ends[0] == from;
             let to = edge.ends[usize::from(is_forwards)];
-            if std::mem::replace(&mut arrived[index], true) || known[to] {
+            if std::mem::replace(&mut known[to], true) {
                 continue;
             }
-            let (place, lane) = beyond(&found.places[from], (from, held[from]), edge.way, is_forwards, &mut left);
-            (found.places[to], found.lanes[index], known[to]) = (place, lane, true);
+            let place = found.places[from];
+            (found.places[to], found.lanes[index]) = match edge.way {
+                Way::Stays => (place, 0.0),
+                Way::Along(_) | Way::InLine => room.along(place, edge.way, is_forwards),
+                Way::Hangs => (room.below(place, spots[from], is_held(spots[from])), 0.0),
+            };
             queue.push_back(to);
         }
     }
     found
 }
 
-/// The place at the other end of an element, and its lane.
-fn beyond(
-    from: &TreePlace,
-    (index, is_held): (usize, bool),
-    way: Way,
-    is_forwards: bool,
-    left: &mut BTreeMap<(usize, i8), usize>,
-) -> (TreePlace, f64) {
-    let sign = if is_forwards { 1.0 } else { -1.0 };
-    let mut to = *from;
-    let mut count = |side: i8| {
-        let count = left.entry((index, side)).or_default();
-        std::mem::replace(count, *count + 1) as f64
-    };
-    match way {
-        Way::Stays => (to, 0.0),
-        Way::Along(_) | Way::InLine => {
-            if let Way::Along(metres) = way {
-                to.metres = [from.metres[0] + sign * metres[0], from.metres[1] + sign * metres[1]];
-            } else {
-                to.shift[0] += sign * IN_LINE;
-            }
-            to.side = 0.0;
-            let lane = -LANE * count(sign as i8);
-            to.shift[1] += lane;
-            (to, lane)
+/// For each place the first one that is at the same spot, since elements between them have no extent.
+fn spots(edges: &[Edge], count: usize) -> Vec<usize> {
+    let mut spots: Vec<usize> = (0..count).collect();
+    for edge in edges.iter().filter(|edge| edge.way == Way::Stays) {
+        let [one, other] = edge.ends.map(|end| spots[end]);
+        spots.iter_mut().filter(|spot| **spot == one.max(other)).for_each(|spot| *spot = one.min(other));
+    }
+    spots
+}
+
+/// What is left of the paper.
+struct Room {
+    /// Size of a metre.
+    scale: f64,
+    /// Where something lies along x: its height, and from where to where.
+    taken: Vec<(f64, [f64; 2])>,
+    /// How many elements hang at a spot.
+    hanging: BTreeMap<usize, u32>,
+}
+
+impl Room {
+    /// The place at the other end of an element along x, and how far it is beside its beginning: in the first lane that is free.
+    fn along(&mut self, from: TreePlace, way: Way, is_forwards: bool) -> (TreePlace, f64) {
+        let sign = if is_forwards { 1.0 } else { -1.0 };
+        let mut to = TreePlace { side: 0.0, ..from };
+        if let Way::Along(metres) = way {
+            to.metres = [from.metres[0] + sign * metres[0], from.metres[1] + sign * metres[1]];
+        } else {
+            to.shift[0] += sign * IN_LINE;
         }
-        Way::Hangs if from.side != 0.0 => {
-            to.shift[1] += from.side * HANGING;
-            (to, 0.0)
+        let x = |place: &TreePlace| place.shift[0] + self.scale * place.metres[0];
+        let [low, high] = [x(&from).min(x(&to)), x(&from).max(x(&to))];
+        let is_taken = |height: f64| {
+            let lies =
+                |(other, [from, to]): &(f64, [f64; 2])| *other == height && low + NEAR < *to && *from + NEAR < high;
+            self.taken.iter().any(lies)
+        };
+        let mut lane = 0.0;
+        while is_taken(from.shift[1] + lane) {
+            lane -= LANE;
         }
-        Way::Hangs => {
-            let number = count(0) + f64::from(u8::from(is_held));
-            to.side = if number % 2.0 == 0.0 { 1.0 } else { -1.0 };
-            to.shift = [from.shift[0] + BESIDE * (number / 2.0).floor(), from.shift[1] + to.side * HANGING];
-            (to, 0.0)
+        to.shift[1] += lane;
+        self.taken.push((to.shift[1], [low, high]));
+        (to, lane)
+    }
+
+    /// The place at the other end of an element that hangs: below its spot, above it, and then beside these.
+    fn below(&mut self, from: TreePlace, spot: usize, is_held: bool) -> TreePlace {
+        let mut to = from;
+        if from.side == 0.0 {
+            let count = self.hanging.entry(spot).or_default();
+            let number = *count + u32::from(is_held);
+            *count += 1;
+            to.side = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
+            to.shift[0] += BESIDE * f64::from(number / 2);
         }
+        to.shift[1] += to.side * HANGING;
+        to
     }
 }

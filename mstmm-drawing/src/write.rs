@@ -12,12 +12,16 @@ use crate::shape::Number;
 use crate::supports::Standing;
 use crate::vector::{Vector, between};
 use std::f64::consts::TAU;
+use std::fmt;
 use svg::Node;
 use svg::node::Text;
 use svg::node::element::Element;
 
 /// White around everything.
 const MARGIN: f64 = 14.0;
+
+/// Radius of a point that has a name.
+const POINT: f64 = 2.9;
 
 /// Moments of a motion whose parts are out of phase, between which it is drawn straight.
 const MOMENTS: u32 = 16;
@@ -32,13 +36,20 @@ struct Picture {
     inks: Vec<Ink>,
 }
 
+/// The drawing as SVG, of which a page can take the element as it is.
+impl<M> fmt::Display for Drawing<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", picture(self))
+    }
+}
+
 /// The whole picture.
-pub(crate) fn picture<M>(drawing: &Drawing<M>) -> Element {
+fn picture<M>(drawing: &Drawing<M>) -> Element {
     let mut picture = Picture::default();
     let diagrams = drawing.force.as_ref().map_or(&[][..], |(_, diagrams, _)| diagrams);
     picture.add_diagrams(drawing, diagrams);
-    picture.add_supports(drawing);
     picture.add_model(drawing);
+    picture.add_supports(drawing);
     picture.add_mode(drawing);
     let labels = placed(wanted(drawing, diagrams), &picture.inks);
     picture.groups.push(group_of_labels(&labels));
@@ -51,6 +62,7 @@ pub(crate) fn picture<M>(drawing: &Drawing<M>) -> Element {
     svg.assign("height", height);
     svg.assign("role", "img");
     svg.assign("data-scale", drawing.figure.scale);
+    svg.assign("data-origin", pair(drawing.figure.origin));
     if let Some((_, reach)) = &drawing.motion {
         svg.assign("data-reach", *reach);
     }
@@ -122,12 +134,24 @@ impl Picture {
     fn add_model<M>(&mut self, drawing: &Drawing<M>) {
         let rest = Pose::at_rest(&drawing.figure);
         let mut all = element("g", if drawing.motion.is_some() { "model rest" } else { "model" });
-        for index in order(drawing) {
+        let (below, above): (Vec<usize>, Vec<usize>) =
+            order(drawing).into_iter().partition(|index| rank(drawing.figure.parts[*index].kind) < 2);
+        let mut draw = |index: usize| {
             let part = &drawing.figure.parts[index];
             let mut group = group(&part.name, part.word);
             self.draw(&mut group, rest.inks(&drawing.figure, index));
-            all.append(group);
+            group
+        };
+        below.into_iter().for_each(|index| all.append(draw(index)));
+        for anchor in &drawing.figure.anchors {
+            if let Some(name) = &anchor.name {
+                let mut group = group(name, "point");
+                group.assign("data-at", pair(anchor.at));
+                group.append(path(Pen::Dot.class(), &Outline::Disc(anchor.at, POINT)));
+                all.append(group);
+            }
         }
+        above.into_iter().for_each(|index| all.append(draw(index)));
         self.groups.push(all);
     }
 
@@ -174,14 +198,18 @@ impl Picture {
 /// The parts, those behind others first: lines, bodies, then what stands on both.
 fn order<M>(drawing: &Drawing<M>) -> Vec<usize> {
     let parts = &drawing.figure.parts;
-    let rank = |index: &usize| match parts[*index].kind {
+    let mut order: Vec<usize> = (0..parts.len()).collect();
+    order.sort_by_key(|index| rank(parts[*index].kind));
+    order
+}
+
+/// How far above others a part is.
+fn rank(kind: Kind) -> u8 {
+    match kind {
         Kind::Body => 1,
         kind if kind.is_at_a_point() && kind != Kind::Tie => 2,
         _ => 0,
-    };
-    let mut order: Vec<usize> = (0..parts.len()).collect();
-    order.sort_by_key(rank);
-    order
+    }
 }
 
 /// The motion of a path through its data at moments of a period.
@@ -221,7 +249,12 @@ fn wanted<M>(drawing: &Drawing<M>, diagrams: &[Diagram]) -> Vec<Wanted> {
     }
     for part in figure.parts.iter().filter(|part| part.kind != Kind::Tie) {
         let [from, to] = [part.ends[0], part.ends[part.ends.len() - 1]].map(|end| figure.anchors[end].at);
-        add(&part.name, "element", if part.kind == Kind::Body { to } else { between(from, to, 0.5) });
+        let is_joint = matches!(part.kind, Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge) && from == to;
+        add(
+            &part.name,
+            if is_joint { "joint" } else { "element" },
+            if part.kind == Kind::Body { to } else { between(from, to, 0.5) },
+        );
     }
     wanted.extend(diagrams.iter().filter_map(|diagram| diagram.label.clone()));
     wanted

@@ -5,8 +5,8 @@ use crate::outline::Outline;
 use crate::vector::{Vector, direction, plus, turned};
 
 /// A rigid body around the points that it ties, with its mass centre, the last of its ends.
-pub(super) fn body(ends: &[Vector]) -> Vec<Ink> {
-    let hull = hull(ends);
+pub(super) fn body(rest: &[Vector], ends: &[Vector]) -> Vec<Ink> {
+    let hull: Vec<Vector> = hull(rest).into_iter().map(|end| ends[end]).collect();
     let [x, y] = ends[ends.len() - 1];
     let cross = vec![vec![[x - 4.5, y], [x + 4.5, y]], vec![[x, y - 4.5], [x, y + 4.5]]];
     vec![
@@ -17,14 +17,16 @@ pub(super) fn body(ends: &[Vector]) -> Vec<Ink> {
     ]
 }
 
-/// The convex hull of points; of two the line between them.
-fn hull(points: &[Vector]) -> Vec<Vector> {
-    let mut sorted = points.to_vec();
-    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    let turns_left =
-        |a: Vector, b: Vector, c: Vector| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0.0;
-    let half = |points: &mut dyn Iterator<Item = Vector>| {
-        let mut chain: Vec<Vector> = Vec::new();
+/// The corners of the convex hull of points, by their indices; of points in a line both ends.
+fn hull(points: &[Vector]) -> Vec<usize> {
+    let mut sorted: Vec<usize> = (0..points.len()).collect();
+    sorted.sort_by(|a, b| points[*a][0].total_cmp(&points[*b][0]).then(points[*a][1].total_cmp(&points[*b][1])));
+    let turns_left = |a: usize, b: usize, c: usize| {
+        let [to_b, to_c] = [b, c].map(|other| plus(points[other], points[a], -1.0));
+        to_b[0] * to_c[1] - to_b[1] * to_c[0] > 0.0
+    };
+    let half = |points: &mut dyn Iterator<Item = usize>| {
+        let mut chain: Vec<usize> = Vec::new();
         for point in points {
             while chain.len() > 1 && !turns_left(chain[chain.len() - 2], chain[chain.len() - 1], point) {
                 chain.pop();
@@ -36,7 +38,7 @@ fn hull(points: &[Vector]) -> Vec<Vector> {
     };
     let mut hull = half(&mut sorted.iter().copied());
     hull.extend(half(&mut sorted.iter().rev().copied()));
-    if hull.is_empty() { sorted } else { hull }
+    hull
 }
 
 /// A mass of a path.

@@ -3,17 +3,18 @@
 use crate::ink::{Ink, Pen};
 use crate::outline::Outline;
 use crate::symbols::springs;
-use crate::vector::{Vector, distance, plus};
+use crate::vector::{Vector, plus, turned};
 
-/// A slider: two plates that slide along each other.
-pub(super) fn slider(at: Vector) -> Vec<Ink> {
-    let plate = |aside: f64| vec![plus(at, [aside, -8.0], 1.0), plus(at, [aside, 8.0], 1.0)];
+/// A slider: two plates that slide along each other in a direction.
+pub(super) fn slider(at: Vector, along: Vector) -> Vec<Ink> {
+    let across = turned(along);
+    let plate = |aside: f64| [-8.0, 8.0].map(|way| plus(plus(at, across, aside), along, way)).into();
     vec![Ink::new(Pen::Spring, Outline::Lines(vec![plate(-2.5), plate(2.5)]))]
 }
 
-/// An elastic hinge: a small spiral; between two places a spring with a torsion spring on it.
-pub(super) fn elastic(from: Vector, to: Vector) -> Vec<Ink> {
-    if distance(from, to) > 8.0 {
+/// An elastic hinge: a small spiral; between two places at some distance a spring beside a torsion spring.
+pub(super) fn elastic(distance: f64, from: Vector, to: Vector) -> Vec<Ink> {
+    if distance > 8.0 {
         let bars = [from, to].map(|end| [-8.0, 8.0].map(|aside| plus(end, [aside, 0.0], 1.0)));
         let [[spring, torsion], [spring_end, torsion_end]] = bars;
         let mut inks = springs::spring(spring, spring_end, 0.0);

@@ -1,0 +1,24 @@
+//! Drawings are held to the models that they are of.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test")]
+#![allow(unreachable_pub, dead_code, reason = "examples are programs of their own")]
+
+mod extremes;
+mod forces;
+mod frames;
+mod gallery;
+mod labels;
+mod modes;
+mod pictures;
+mod places;
+mod reading;
+mod supports;
+mod trees;
+
+#[path = "../../../examples/double_beam.rs"]
+mod double_beam;
+#[path = "../../../examples/portal.rs"]
+mod portal;
+#[path = "../../../examples/truss_bridge.rs"]
+mod truss_bridge;
+#[path = "../../../examples/vehicle.rs"]
+mod vehicle;

@@ -1,0 +1,220 @@
+//! Modes over drawings: what is drawn is the shape, times one scale.
+
+use crate::frames::for_each_frame;
+use crate::reading::{Picture, Shown};
+use mstmm::elements::Beam;
+use mstmm::list::{AnyUndamped, ListStep, Room, StepList, Support};
+use mstmm::motion::{Drawn, Label, MemberLabel, MotionError, SystemStates};
+use mstmm::prelude::*;
+use mstmm_drawing::{Drawing, DrawingError};
+use paper::models;
+
+/// Half of the last digit of a path, of a place and of its displacement.
+const DIGIT: f64 = 0.0101;
+
+fn part<'a>(all: &'a [Shown], name: &str) -> &'a Shown {
+    all.iter().find(|shown| shown.name == name).unwrap()
+}
+
+/// Compares the line of a member with displacements at parts of its length, in the model.
+fn check_line(picture: &Picture, name: &str, displacement: impl Fn(f64) -> [f64; 2]) {
+    let (rest, mode) = (picture.shown("rest"), picture.shown("still"));
+    let straight = &part(&rest, name).paths[0];
+    let (from, to) = (straight[0], straight[straight.len() - 1]);
+    let line = &part(&mode, name).paths[0];
+    let reach = picture.number("data-reach");
+    assert!(line.len() >= 25, "{name}: {} points", line.len());
+    for (index, point) in line.iter().enumerate() {
+        let part = index as f64 / (line.len() - 1) as f64;
+        let [u, v] = displacement(part);
+        let expected = [from[0] + part * (to[0] - from[0]) + reach * u, from[1] + part * (to[1] - from[1]) - reach * v];
+        let beside = (point[0] - expected[0]).hypot(point[1] - expected[1]);
+        assert!(beside < DIGIT, "{name} at {part}: {point:?} and {expected:?}");
+    }
+}
+
+#[test]
+fn lines_of_frames_are_the_shape_along_their_members() {
+    let portal = crate::frames::portal();
+    for root in &portal.first_frequencies::<4>().unwrap() {
+        let shape = portal.mode_shape(root).unwrap();
+        let picture = Picture::of(Drawing::of(&portal).unwrap().mode(&shape).unwrap());
+        let sketch = FrameAnalysis::sketch(&portal);
+        let mut count = 0;
+        for (index, member) in sketch.members().enumerate().filter(|(_, member)| member.kind == "planar_beam") {
+            let [from, to] = member.ends.map(|end| end.position.unwrap());
+            let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+            check_line(&picture, &member.name.to_string(), |part| {
+                let state = shape.along(MemberLabel::<_, ()>::member(index), part * length).unwrap();
+                [state.displacement_x, state.displacement_y]
+            });
+            count += 1;
+        }
+        assert_eq!(count, 4);
+        // the mass centre moves as a rigid body does, 0.4 m above its point
+        let [x, y, turn] = [
+            shape.value(crate::portal::Portal::conn_girder.displacement_x()).unwrap(),
+            shape.value(crate::portal::Portal::conn_girder.displacement_y()).unwrap(),
+            shape.value(crate::portal::Portal::conn_girder.rotation_z()).unwrap(),
+        ];
+        let (rest, mode) = (picture.shown("rest"), picture.shown("still"));
+        let [before, after] = [&rest, &mode].map(|all| part(all, "rigid_body 6").paths[2][0]);
+        let reach = picture.number("data-reach");
+        assert!((after[0] - before[0] - reach * (x - 0.4 * turn)).abs() < DIGIT);
+        assert!((after[1] - before[1] + reach * y).abs() < DIGIT);
+        // the brace ends where its points are
+        let brace = &part(&mode, "spring 7").paths[0];
+        assert!((brace[0][0] - part(&mode, "planar_beam 2").paths[0][0][0]).abs() < DIGIT);
+        assert!((brace[0][1] - part(&mode, "planar_beam 2").paths[0][0][1]).abs() < DIGIT);
+    }
+}
+
+fn check_tree<Y, E>(picture: &Picture, shape: &SystemStates<'_, Y, f64>, beams: &[(&str, Label<Y::Model, E>, f64)])
+where
+    Y: mstmm::motion::Tree<f64, Parameter = f64>,
+{
+    for (name, label, length) in beams {
+        check_line(picture, name, |part| [0.0, shape.along(*label, part * length).unwrap().y]);
+    }
+}
+
+#[test]
+fn lines_of_the_systems_of_the_paper_are_their_shapes() {
+    let model = models::light_tip_body();
+    let system = model.build().unwrap();
+    for root in &system.first_frequencies::<3>().unwrap() {
+        let shape = system.mode_shape(root).unwrap();
+        let picture = Picture::of(Drawing::of(&system).unwrap().mode(&shape).unwrap());
+        check_tree(&picture, &shape, &[("beam 1", models::TipBody::beam_1, model.length)]);
+        let end = shape.state(models::TipBody::beam_1.output());
+        let (rest, mode) = (picture.shown("rest"), picture.shown("still"));
+        let [before, after] = [&rest, &mode].map(|all| part(all, "body 2").paths[2][0]);
+        let centre = end.y + model.eccentricity * end.theta;
+        assert!((before[1] - after[1] - picture.number("data-reach") * centre).abs() < DIGIT);
+    }
+    let model = models::two_spans();
+    let system = model.build().unwrap();
+    let shape = system.mode_shape(&system.first_frequencies::<2>().unwrap()[1]).unwrap();
+    let picture = Picture::of(Drawing::of(&system).unwrap().mode(&shape).unwrap());
+    let (support, spring) = (model.support_position, model.spring_position);
+    let beams = [
+        ("beam 1", models::TwoSpans::beam_1, support),
+        ("beam 3", models::TwoSpans::beam_3, spring - support),
+        ("beam 7", models::TwoSpans::beam_7, model.length - spring),
+    ];
+    check_tree(&picture, &shape, &beams);
+    let moved = |name: &str, number: usize| {
+        let [before, after] = ["rest", "still"].map(|class| part(&picture.shown(class), name).paths[0][number]);
+        (before[1] - after[1]) / picture.number("data-reach")
+    };
+    let tolerance = DIGIT / picture.number("data-reach");
+    assert!((moved("mass 6", 0) - shape.state(models::TwoSpans::mass_6.output()).y).abs() < tolerance);
+    let model = models::restrained_beam();
+    let system = model.build().unwrap();
+    let shape = system.mode_shape(&system.first_frequencies::<3>().unwrap()[2]).unwrap();
+    let picture = Picture::of(Drawing::of(&system).unwrap().mode(&shape).unwrap());
+    check_tree(&picture, &shape, &[("beam 3", models::RestrainedBeam::beam_3, model.length)]);
+    let model = models::spring_and_mass();
+    let system = model.build().unwrap();
+    let shape = system.mode_shape(&system.first_frequencies::<3>().unwrap()[2]).unwrap();
+    let picture = Picture::of(Drawing::of(&system).unwrap().mode(&shape).unwrap());
+    check_tree(&picture, &shape, &[("beam 1", models::SpringAndMass::beam_1, model.spring_position)]);
+}
+
+/// The mode of a damper is complex: at each moment of a period it is the real part of the shape times a turning number.
+#[test]
+fn damped_modes_turn() {
+    let model = models::damped_oscillator();
+    let system = model.build().unwrap();
+    let shape = system.mode_shape(&system.first_eigenvalues::<3>().unwrap()[2]).unwrap();
+    let picture = Picture::of(Drawing::of(&system).unwrap().mode(&shape).unwrap());
+    let moments = picture.moments("beam 4");
+    assert_eq!(moments.len(), 17);
+    let length = model.oscillator_position - model.spring_position;
+    let reach = picture.number("data-reach");
+    let height = part(&picture.shown("rest"), "beam 4").paths[0][0][1];
+    let mut out_of_phase = 0.0_f64;
+    for (index, line) in moments.iter().enumerate() {
+        let turn = mstmm::Complex::from_polar(1.0, std::f64::consts::TAU * index as f64 / 16.0);
+        for (number, point) in line.iter().enumerate() {
+            let place = length * number as f64 / (line.len() - 1) as f64;
+            let y = shape.along(models::DampedOscillator::beam_4, place.min(length)).unwrap().y;
+            assert!((height - point[1] - reach * (y * turn).re).abs() < DIGIT, "{index}, {number}");
+            out_of_phase = out_of_phase.max(reach * y.im.abs());
+        }
+    }
+    assert!(out_of_phase > 1.0, "the test says nothing of phases: {out_of_phase}");
+}
+
+/// An undamped mode swings from one side to the other; the largest displacement has a size that can be seen and is in the picture.
+#[test]
+fn modes_swing_and_stay_in_the_picture() {
+    for_each_frame!(name, frame, check_swing(name, frame), girder star attached rail ring portal truss double_beam);
+}
+
+fn check_swing<Y>(name: &str, frame: &Y)
+where
+    Y: Drawn<Parameter = f64> + mstmm::motion::MovingNetwork<f64> + mstmm::search::Undamped,
+{
+    let roots = frame.frequencies(6).unwrap();
+    for root in roots.iter().filter(|root| root.multiplicity == 1 && root.omega > 0.0) {
+        let shape = FrameAnalysis::mode_shape(frame, root).unwrap();
+        let picture = Picture::of(Drawing::of(frame).unwrap().mode(&shape).unwrap());
+        let (rest, still) = (picture.shown("rest"), picture.shown("still"));
+        let mut largest = 0.0_f64;
+        for shown in still.iter().filter(|shown| shown.kind.contains("beam")) {
+            let straight = &part(&rest, &shown.name).paths[0];
+            let (from, to) = (straight[0], straight[straight.len() - 1]);
+            let line = &shown.paths[0];
+            let [first, second, third] = &picture.moments(&shown.name)[..] else { panic!("three moments") };
+            assert_eq!((first, first), (line, third), "{name}: {}", shown.name);
+            for (index, (point, other)) in line.iter().zip(second).enumerate() {
+                let part = index as f64 / (line.len() - 1) as f64;
+                let place = [0, 1].map(|axis| from[axis] + part * (to[axis] - from[axis]));
+                let middle = [0, 1].map(|axis| 0.5 * (point[axis] + other[axis]) - place[axis]);
+                assert!(middle[0].hypot(middle[1]) < DIGIT, "{name}: {}", shown.name);
+                largest = largest.max((point[0] - place[0]).hypot(point[1] - place[1]));
+            }
+        }
+        assert!(largest < 56.1, "{name}: {largest}");
+    }
+}
+
+/// Many half waves: the line has so many points that it shows all of them.
+#[test]
+fn a_hundred_half_waves_are_drawn() {
+    let beam = Beam { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 };
+    let steps = [
+        ListStep::Tip(Support::Pinned),
+        ListStep::Element(AnyUndamped::try_from(beam).unwrap()),
+        ListStep::Root(Support::Pinned),
+    ];
+    let mut room = Room::<3>::new();
+    let list = StepList::new(&steps).unwrap().planned(&mut room).unwrap();
+    let omega = (100.0 * std::f64::consts::PI).powi(2);
+    let root = list.frequencies_in(0.999 * omega..=1.001 * omega).unwrap()[0];
+    let shape = list.mode_shape(&root).unwrap();
+    let picture = Picture::of(Drawing::of(&list).unwrap().mode(&shape).unwrap());
+    let still = picture.shown("still");
+    let line = &part(&still, "step 1").paths[0];
+    let height = line[0][1];
+    let signs: Vec<bool> =
+        line.iter().filter(|point| (point[1] - height).abs() > 5.0).map(|point| point[1] > height).collect();
+    assert_eq!(1 + signs.windows(2).filter(|pair| pair[0] != pair[1]).count(), 100);
+}
+
+/// A shape of another list, whose members are not there.
+#[test]
+fn a_motion_that_is_not_known_is_an_error() {
+    let section = mstmm::network::Section { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 };
+    type Member = mstmm::network::Member<mstmm::network::UndampedMember<f64>>;
+    let nodes: [_; 4] = std::array::from_fn(|k| mstmm::network::Node::at([k as f64, 0.0]));
+    let members: [_; 3] = std::array::from_fn(|k| Member::new(k, k + 1, section));
+    let [mut short, mut long] = [(); 2].map(|()| mstmm::network::Room::<_, 4, 3>::new());
+    let short = mstmm::network::Network::<_, 24, _, _>::new(&nodes[..3], &members[..2], &mut short).unwrap();
+    let long = mstmm::network::Network::<_, 24, _, _>::new(&nodes, &members, &mut long).unwrap();
+    let root = short.frequencies(5).unwrap().into_iter().find(|root| root.omega > 1.0).unwrap();
+    let shape = FrameAnalysis::mode_shape(&short, &root).unwrap();
+    let error = Drawing::of(&long).unwrap().mode(&shape).unwrap_err();
+    assert!(matches!(error, DrawingError::Motion(MotionError::NoSuchPoint { index: 3 })), "{error}");
+}
