@@ -31,7 +31,7 @@ pub struct Extent {
 }
 
 /// Numbers of storeys in the report.
-const STOREYS: [usize; 7] = [1, 2, 5, 10, 20, 50, 100];
+const STOREYS: [usize; 6] = [1, 2, 3, 5, 10, 20];
 
 impl Extent {
     /// What the report shows.

@@ -62,5 +62,6 @@ pub(crate) const SCENES: [Scene; 9] = [
 
 /// A few words on a scene; none on one that the report does not know.
 pub(crate) fn note(scene: &str) -> &'static str {
-    SCENES.iter().find(|known| known.id == scene).map_or("", |known| known.note)
+    let of_scene = SCENES.iter().find(|known| known.id == scene).map(|known| known.note);
+    of_scene.unwrap_or(if scene == "portal" { "first modes" } else { "" })
 }

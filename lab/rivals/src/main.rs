@@ -21,7 +21,9 @@ fn print(runs: &[rivals::Run]) {
         let time = run.seconds * 1e6;
         println!("| {scene} | {method} | {knob} | {setting} | {time:.1} | {evaluations} | {error:.1e} |");
     }
-    println!("\n| scene | method | certified [µs] | to 1e-6 [µs] | to 1e-12 [µs] | factor | of rounds | wins | C++ [µs] |");
+    println!(
+        "\n| scene | method | certified [µs] | to 1e-6 [µs] | to 1e-12 [µs] | factor | of rounds | wins | C++ [µs] |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|");
     for factor in factors(runs) {
         println!(

@@ -6,6 +6,8 @@ use mstmm::prelude::*;
 use mstmm::search::System;
 use std::f64::consts::PI;
 
+/// Points on either side of a root at which the determinant should have one sign.
+const PARTS: u32 = 16;
 /// Digits that a double has.
 const MOST: f64 = 16.0;
 /// `2⁻¹¹⁰`: after as many halvings an interval has the width of a rounding in 32 digits.
@@ -39,7 +41,7 @@ system! {
 pub(crate) struct Digits {
     /// Mode number or stiffness ratio.
     pub(crate) at: f64,
-    /// Of a bisection on the sign of the overall determinant; none where its signs show no root.
+    /// Of a bisection on the sign of the overall determinant; none where its signs show no root, or more than the one that is there.
     pub(crate) determinant: Option<f64>,
     /// Of the certified search.
     pub(crate) planes: f64,
@@ -103,7 +105,16 @@ where
     let found = system.natural_frequencies::<8>(ends[0]..=ends[1])?;
     let planes = found.iter().map(|root| correct(root.omega)).fold(0.0, f64::max);
     let sign = |omega: f64| system.overall_determinant(omega).mantissa();
-    Ok(Digits { at, determinant: bisection(sign, ends).map(correct), planes })
+    let determinant = if is_noise(sign, exact, share) { None } else { bisection(sign, ends).map(correct) };
+    Ok(Digits { at, determinant, planes })
+}
+
+/// Whether a function with a single root in a bracket changes its sign elsewhere, too, or is not a number.
+fn is_noise(sign: impl Fn(f64) -> f64, root: f64, share: f64) -> bool {
+    let at = |part: u32| sign(root * (1.0 + share * f64::from(part) / f64::from(PARTS)));
+    let below = |part: u32| sign(root * (1.0 - share * f64::from(part) / f64::from(PARTS)));
+    let changes = |first: f64, other: f64| !(first * other > 0.0);
+    (1..=PARTS).any(|part| changes(at(part), at(PARTS)) || changes(below(part), below(PARTS)))
 }
 
 /// Where a function changes its sign, to rounding; none if it does not, or is not a number on the way.

@@ -8,9 +8,9 @@ use mstmm::prelude::*;
 use std::hint::black_box;
 
 /// The most storeys that there is room for.
-const MOST: usize = 100;
+const MOST: usize = 20;
 /// Variables of the front of a building of one bay.
-const FRONT: usize = 15;
+const FRONT: usize = 21;
 
 type Frame = Member<UndampedMember<f64>>;
 
@@ -27,7 +27,7 @@ fn building(storeys: usize) -> (Vec<Node<f64>>, Vec<Frame>) {
     (feet.into_iter().chain(floors).collect(), members.collect())
 }
 
-/// Measures buildings of so many storeys, up to a hundred.
+/// Measures buildings of so many storeys, up to twenty.
 pub(crate) fn over_storeys(storeys: &[usize]) -> Result<OverElements, ReportError> {
     let mut costs = OverElements::default();
     for &size in storeys.iter().filter(|&&size| size <= MOST) {

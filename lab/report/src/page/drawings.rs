@@ -1,6 +1,6 @@
 //! Drawings of systems and of their modes.
 
-use super::figures::panels;
+use super::figures::columns;
 use crate::data::shapes::{Mode, Shapes, System};
 use crate::scene::{SCENES, note};
 use maud::{Markup, PreEscaped, html};
@@ -50,7 +50,7 @@ pub(super) fn shapes(shapes: &[Shapes]) -> Markup {
         }
         p { "With damping, in 4.5, the points of a mode move in different phases." }
     };
-    panels(lead, shapes.iter().map(modes))
+    columns(lead, shapes.iter().map(modes))
 }
 
 /// The modes of an example, the first on top.

@@ -46,6 +46,11 @@ pub(super) fn error_time(runs: &[Run]) -> Result<Markup, ReportError> {
     Ok(self::panels(lead, panels.iter().map(|(scene, svg)| figure(scene, note(scene), svg))))
 }
 
+/// The same in columns, for panels of different heights.
+pub(super) fn columns(lead: Markup, panels: impl IntoIterator<Item = Markup>) -> Markup {
+    html! { div class="columns" { div class="lead" { (lead) } @for panel in panels { (panel) } } }
+}
+
 /// |Δ| over ω and over λ.
 pub(super) fn landscapes(landscapes: &Landscapes) -> Result<Markup, ReportError> {
     let lines = landscapes.undamped.iter().map(|own| Ok((&own.id, plots::landscape::svg(own)?)));
@@ -63,7 +68,7 @@ pub(super) fn landscapes(landscapes: &Landscapes) -> Result<Markup, ReportError>
         }
         p { "The map of the damped example has equal scales, so that pits are round. The thin frame is the paper's search." }
     };
-    Ok(self::panels(lead, panels.iter().map(|(id, svg)| figure(id, note(id), svg))))
+    Ok(columns(lead, panels.iter().map(|(id, svg)| figure(id, note(id), svg))))
 }
 
 /// Digits kept.
@@ -74,12 +79,12 @@ pub(super) fn digits(measurements: &Measurements) -> Result<Markup, ReportError>
         p {
             "Correct digits of a root, sixteen being all that a double has: by a bisection on the sign of "
             code { "overall_determinant" } ", inside a bracket that holds no other root, and by the certified search, which carries \
-            planes. Hollow markers are brackets in which the determinant shows no root."
+            planes. Hollow markers are brackets in which the signs of the determinant show no root, or more than the one that is there."
         }
         p {
-            "The determinant loses " code { "exp(βl)" } ": what it seems to keep beyond mode 12 is where a bisection on noise ends. A \
-            large ratio of stiffnesses is no difficulty by itself, as the tip spring of a cantilever shows from 10⁻¹⁵ to 10¹⁵. It is \
-            one where a soft span takes part in modes of a stiff one: βl of the soft span grows with the fourth root of the ratio."
+            "The determinant loses " code { "exp(βl)" } ": ten modes of a beam, and it is noise. A large ratio of stiffnesses is no \
+            difficulty by itself, as the tip spring of a cantilever shows from 10⁻¹⁵ to 10¹⁵. It is one where a soft span takes part in \
+            modes of a stiff one: βl of the soft span grows with the fourth root of the ratio."
         }
     };
     let figures = [

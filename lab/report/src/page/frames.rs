@@ -2,12 +2,12 @@
 
 use super::drawings::modes;
 use super::figures::{figure, panels};
-use super::tables::scrolling;
+use super::tables::{beside, scrolling};
 use super::text::{error, time};
 use crate::data::frames::Frames;
 use crate::data::shapes::Shapes;
 use crate::error::ReportError;
-use crate::growth::{OverElements, exponent};
+use crate::growth::{OverElements, leap};
 use crate::plots;
 use frames_beside::Program;
 use maud::{Markup, html};
@@ -25,23 +25,25 @@ pub(super) fn section(frames: &Frames, storeys: &OverElements, portal: &Shapes) 
             tenth mode stretches the members, and rods of elements are linear. A time is the least of some rounds, of one process after \
             its imports. The command " code { "cargo run --release -p frames_beside" } " measures it alone."
         }
+        @if let Some(storeys) = leap(&storeys.search) {
+            p {
+                "In buildings of " (storeys) " storeys and more rounding raises a doubt, and the search is made again in 32 digits: hence \
+                the leap."
+            }
+        }
         p class="quiet" { (origin(frames)) }
     };
     let growth = plots::growth::over_storeys(storeys)?;
-    let note = format!("one bay; exponents {:.2} and {:.2}", exponent(&storeys.search), exponent(&storeys.evaluation));
     let pictures = [
         figure("Error against run time", "ten frequencies of the portal", &plots::frames::svg(figures)?),
-        modes(portal),
-        figure("Buildings of many storeys", &note, &growth),
+        figure("Buildings of many storeys", "of one bay, first ten frequencies", &growth),
     ];
     let own = figures.programs.first().and_then(|program| program.runs.first()).map(|run| run.seconds);
-    Ok(html! {
-        (panels(lead, pictures))
-        (scrolling(html! {
-            thead { tr { th { "program" } th { "elements per member" } th { "time" } th { "times as long" } th { "largest error" } } }
-            tbody { @for program in &figures.programs { (rows(program, own)) } }
-        }))
-    })
+    let table = scrolling(html! {
+        thead { tr { th { "program" } th { "elements per member" } th { "time" } th { "times as long" } th { "largest error" } } }
+        tbody { @for program in &figures.programs { (rows(program, own)) } }
+    });
+    Ok(html! { (panels(lead, pictures)) (beside(modes(portal), table)) })
 }
 
 /// When and where the figures were taken.
