@@ -2,6 +2,7 @@
 //! beside beams on an even foundation.
 
 use mstmm::prelude::*;
+use mstmm_drawing::Drawing;
 use std::error::Error;
 use std::f64::consts::PI;
 
@@ -121,5 +122,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let (together, apart) = (first(Motion::Together)?, first(Motion::Apart)?);
         println!("{stiffness:7} {together:19.8} {apart:15.8} {:23.8}", on_even_foundation(&model, 1));
     }
-    Ok(())
+    draw(&system)
+}
+
+/// With `-- --svg FILE`: a picture of the second mode, in which the beams move apart.
+fn draw(system: &DoubleBeamSystem) -> Result<(), Box<dyn Error>> {
+    let Some(file) = std::env::args().skip_while(|argument| argument != "--svg").nth(1) else { return Ok(()) };
+    let shape = system.mode_shape(&system.first_frequencies::<2>()?[1])?;
+    Ok(Drawing::of(system)?.mode(&shape)?.write(file)?)
 }

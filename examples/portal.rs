@@ -2,6 +2,7 @@
 //! holds it, and what each field of the model does.
 
 use mstmm::prelude::*;
+use mstmm_drawing::Drawing;
 use std::error::Error;
 
 system! {
@@ -83,7 +84,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     show_shape(&system)?;
     show_response(&system)?;
-    show_sensitivities(&system)
+    show_sensitivities(&system)?;
+    draw(&system)
 }
 
 /// The first mode with the largest sway of 1 m: displacements of points, and moments in the members.
@@ -135,4 +137,11 @@ fn show_sensitivities(system: &PortalSystem) -> Result<(), Box<dyn Error>> {
         println!("{name:10} {:9.5}", slope * value(name) / first.omega);
     }
     Ok(())
+}
+
+/// With `-- --svg FILE`: a picture of the first mode.
+fn draw(system: &PortalSystem) -> Result<(), Box<dyn Error>> {
+    let Some(file) = std::env::args().skip_while(|argument| argument != "--svg").nth(1) else { return Ok(()) };
+    let shape = system.mode_shape(&system.first_frequencies::<1>()?[0])?;
+    Ok(Drawing::of(system)?.mode(&shape)?.write(file)?)
 }

@@ -1,6 +1,7 @@
 //! A milling spindle: a stepped shaft with shear and rotary inertia on two bearings, which slender beams would make too stiff.
 
 use mstmm::prelude::*;
+use mstmm_drawing::Drawing;
 use std::error::Error;
 use std::f64::consts::PI;
 
@@ -68,5 +69,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (k, (root, other)) in roots.iter().zip(&stiffer).enumerate() {
         println!("{:4}  {:14.3}  {:22.3}", k + 1, root.hertz(), other.hertz());
     }
-    Ok(())
+    draw(&spindle.build()?)
+}
+
+/// With `-- --svg FILE`: a picture of the first mode.
+fn draw(system: &SpindleSystem) -> Result<(), Box<dyn Error>> {
+    let Some(file) = std::env::args().skip_while(|argument| argument != "--svg").nth(1) else { return Ok(()) };
+    let shape = system.mode_shape(&system.first_frequencies::<1>()?[0])?;
+    Ok(Drawing::of(system)?.mode(&shape)?.write(file)?)
 }

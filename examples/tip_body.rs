@@ -1,6 +1,7 @@
 //! Cantilever with a tip body: frequencies, shapes, nodes, energies, and what moves the first frequency.
 
 use mstmm::prelude::*;
+use mstmm_drawing::Drawing;
 use std::error::Error;
 
 system! {
@@ -72,5 +73,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     for ((field, slope), unit) in system.sensitivity(&roots[0])?.iter().zip(units) {
         println!("{field:8} {slope:12.6} rad/s per {unit}");
     }
-    Ok(())
+    draw(&system)
+}
+
+/// With `-- --svg FILE`: a picture of the second mode.
+fn draw(system: &TipBodySystem) -> Result<(), Box<dyn Error>> {
+    let Some(file) = std::env::args().skip_while(|argument| argument != "--svg").nth(1) else { return Ok(()) };
+    let shape = system.mode_shape(&system.first_frequencies::<2>()?[1])?;
+    Ok(Drawing::of(system)?.mode(&shape)?.write(file)?)
 }

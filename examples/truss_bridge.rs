@@ -3,6 +3,7 @@
 
 use mstmm::motion::DrawnPoint;
 use mstmm::prelude::*;
+use mstmm_drawing::Drawing;
 use std::error::Error;
 
 system! {
@@ -99,7 +100,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     show_shape(&system)?;
     show_forces(&bridge, &system)?;
-    show_thinner_bars(&bridge, &system)
+    show_thinner_bars(&bridge, &system)?;
+    draw(&system)
 }
 
 /// The first mode with the largest displacement of 1, at the joints.
@@ -172,4 +174,11 @@ fn show_thinner_bars(bridge: &TrussBridge, system: &TrussBridgeSystem) -> Result
         println!("{name:8} {:11.5} {:12.5}", -slope * section / first.omega, 100.0 * (omega / first.omega - 1.0));
     }
     Ok(())
+}
+
+/// With `-- --svg FILE`: a picture of the first mode.
+fn draw(system: &TrussBridgeSystem) -> Result<(), Box<dyn Error>> {
+    let Some(file) = std::env::args().skip_while(|argument| argument != "--svg").nth(1) else { return Ok(()) };
+    let shape = system.mode_shape(&system.first_frequencies::<1>()?[0])?;
+    Ok(Drawing::of(system)?.mode(&shape)?.write(file)?)
 }

@@ -3,6 +3,7 @@
 use mstmm::Complex;
 use mstmm::motion::PlaneEntry;
 use mstmm::prelude::*;
+use mstmm_drawing::Drawing;
 use std::error::Error;
 
 system! {
@@ -99,7 +100,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{time:5.1} {:10.5}", 0.1 * kerb.to_step(time));
     }
     println!("  ... {:10.5}  at rest", 0.1 * kerb.static_value()?);
-    Ok(())
+    draw(&vehicle)
 }
 
 /// The amplitude of an entry over a wave of the road of 1 m, at 25 m/s: both axles move, the rear one later.
@@ -108,4 +109,11 @@ fn over_waves(vehicle: &VehicleSystem, entry: PlaneEntry<Vehicle>, wave: f64) ->
     let at = |load| vehicle.frequency_response(load, entry)?.at(lambda);
     let later = (-lambda * (saloon().wheelbase / 25.0)).exp();
     Ok(at(Vehicle::conn_road_front.motion_y())? + at(Vehicle::conn_road_rear.motion_y())? * later)
+}
+
+/// With `-- --svg FILE`: a picture of the mode in which the body pitches.
+fn draw(system: &VehicleSystem) -> Result<(), Box<dyn Error>> {
+    let Some(file) = std::env::args().skip_while(|argument| argument != "--svg").nth(1) else { return Ok(()) };
+    let shape = system.mode_shape(&system.first_eigenvalues::<2>()?[1])?;
+    Ok(Drawing::of(system)?.mode(&shape)?.write(file)?)
 }

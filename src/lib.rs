@@ -43,7 +43,8 @@
 //! | the overall transfer matrix of the paper and its determinant | [`overall_matrix`], [`overall_determinant`] |
 //! | a frame of the plane with closed loops, sketched by the places of its points | [`system!`](crate::system#models-with-locations) |
 //! | a tree whose size is known when the program runs; such a frame | [`list`]; [`network`] |
-//! | what stands where in such a frame, for drawings | [`sketch`] |
+//! | a picture of a model, of its modes and internal forces | the package `mstmm-drawing` |
+//! | what stands where in a frame, and in which path of a tree | [`sketch`], [`sketch` of trees](motion::ModalAnalysis::sketch) |
 //! | an element of one's own | [`element`] |
 //! | how far a shape agrees with a measured one | [`mac`](motion::mac) |
 //! | responses and modes as files for other programs | the package `mstmm-files` |
@@ -75,6 +76,7 @@ pub mod motion;
 
 pub use mstmm_core::Complex;
 
+/// [language]: macro@crate::system
 #[doc = include_str!("../docs/elements.md")]
 pub use mstmm_core::elements;
 
@@ -129,7 +131,7 @@ pub mod search {
 /// [`Energies`](element::Energies) in mode shapes, responses and sensitivities.
 pub mod element {
     pub use mstmm_core::{
-        BackTransfer, Bending, CarriesLoad, Connecting, Coordinate, Covector, Element, Ends, Energies,
+        BackTransfer, Bending, CarriesLoad, Connecting, Coordinate, Covector, Element, Ends, Energies, Extent,
         FrequencyEstimates, FrequencyPowers, Held, Inside, InvalidParameter, Line, MatrixOf, NoCount, ParameterError,
         Planar, Plane, PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State, StateSpace, Subspace,
         Support, TransferMatrix, Translation, WittrickWilliams,
@@ -152,6 +154,7 @@ pub mod list {
     };
 }
 
+/// [emitted]: crate::system#what-is-emitted
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
     pub use mstmm_core::{

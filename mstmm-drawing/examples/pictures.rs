@@ -2,7 +2,7 @@
 
 #[path = "../../examples/portal.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example of its own")]
-mod portal;
+pub(crate) mod portal;
 
 use mstmm::prelude::*;
 use mstmm_drawing::{Drawing, Force};

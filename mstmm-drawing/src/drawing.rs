@@ -4,7 +4,7 @@ use crate::diagram::{Diagram, Force, diagrams};
 use crate::error::DrawingError;
 use crate::figure::Figure;
 use crate::motion::{Motion, forces};
-use crate::shape::Shape;
+use crate::shape::{Number, Shape};
 use crate::sketched::Sketched;
 use crate::sketched::private::Figured;
 use std::fmt;
@@ -18,8 +18,8 @@ const MOST_REACH: f64 = 56.0;
 /// A drawing of a model `M`, which prints as SVG.
 pub struct Drawing<M> {
     pub(crate) figure: Figure<M>,
-    /// A motion, and its unit on the paper.
-    pub(crate) motion: Option<(Motion, f64)>,
+    /// A motion, and its unit on the paper with the phase at which the largest displacement is seen.
+    pub(crate) motion: Option<(Motion, Number)>,
     /// A force with its diagrams, and its unit on the paper.
     pub(crate) force: Option<(Force, Vec<Diagram>, f64)>,
 }
@@ -55,8 +55,9 @@ impl<M> Drawing<M> {
             ends.clone().fold(f64::NEG_INFINITY, f64::max) - ends.fold(f64::INFINITY, f64::min)
         };
         let height = (REACH * extent(0).max(extent(1))).clamp(LEAST_REACH, MOST_REACH);
-        let reach = height / motion.largest();
-        self.motion = Some((motion, if reach.is_finite() { reach } else { 0.0 }));
+        let (largest, phase) = motion.largest();
+        let reach = Some(height / largest).filter(|reach| reach.is_finite()).unwrap_or(0.0);
+        self.motion = Some((motion, Number::from_polar(reach, -phase)));
         Ok(self)
     }
 

@@ -39,7 +39,8 @@ impl Kind {
         let torsion = has("torsion");
         match word.as_str() {
             "tie" => Kind::Tie,
-            "pin" => Kind::Pin,
+            // of a list, whatever it ties
+            "pin" | "rotationalhinge" | "joint" => Kind::Pin,
             "slider" | "shearhinge" => Kind::Slider([0.0, 1.0]),
             "string" | "tautstring" | "dampedstring" => Kind::Line,
             "rod" | "dampedrod" => Kind::Rod,
@@ -50,7 +51,7 @@ impl Kind {
             "lever" | "levercolumn" => Kind::Lever,
             _ if has("beam") => Kind::Beam { on_foundation: has("foundation") },
             _ if has("body") => Kind::Body,
-            _ if has("hinge") || word == "joint" => Kind::ElasticHinge,
+            _ if has("hinge") => Kind::ElasticHinge,
             _ if has("damper") && torsion && !has("spring") => Kind::TorsionDamper,
             _ if has("spring") && torsion => Kind::TorsionSpring,
             _ if has("damper") && has("spring") => Kind::SpringDamper,

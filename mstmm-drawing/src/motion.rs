@@ -49,11 +49,16 @@ impl Motion {
         Ok(Motion { anchors, curves })
     }
 
-    /// The largest displacement.
-    pub(crate) fn largest(&self) -> f64 {
+    /// The largest displacement, and its phase: that of its larger part, zero where all parts are in phase.
+    pub(crate) fn largest(&self) -> (f64, f64) {
         let anchors = self.anchors.iter().map(|[x, y, _]| [*x, *y]);
         let curves = self.curves.iter().flatten().map(|(_, displacement)| *displacement);
-        anchors.chain(curves).map(|[x, y]| x.norm_sqr() + y.norm_sqr()).fold(0.0, f64::max).sqrt()
+        let size = |[x, y]: [Number; 2]| x.norm().hypot(y.norm());
+        let larger = |best, next| if size(next) > size(best) { next } else { best };
+        let largest = anchors.chain(curves).fold([Number::default(); 2], larger);
+        let [x, y] = largest;
+        let phase = if x.norm() > y.norm() { x.arg() } else { y.arg() };
+        (size(largest), if self.is_complex() { phase } else { 0.0 })
     }
 
     /// Whether parts move out of phase.

@@ -15,8 +15,9 @@ const IN_LINE: f64 = 78.0;
 /// Distance of elements that hang at one point, beyond the first two.
 const BESIDE: f64 = 44.0;
 
-/// How far elements along x may lie upon each other.
+/// How far elements of one path may lie upon each other, and how far those of others in its lane must be apart.
 const NEAR: f64 = 1e-3;
+const APART: f64 = 24.0;
 
 /// How an element leads from its input place to its output place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -127,13 +128,14 @@ impl Room {
         }
         let x = |place: &TreePlace| place.shift[0] + self.scale * place.metres[0];
         let [low, high] = [x(&from).min(x(&to)), x(&from).max(x(&to))];
-        let is_taken = |height: f64| {
-            let lies =
-                |(other, [from, to]): &(f64, [f64; 2])| *other == height && low + NEAR < *to && *from + NEAR < high;
-            self.taken.iter().any(lies)
+        // a path that goes on may touch what it comes from, one beside it keeps its distance
+        let is_taken = |lane: f64| {
+            let near = if lane == 0.0 { NEAR } else { -APART };
+            let height = from.shift[1] + lane;
+            self.taken.iter().any(|(other, [from, to])| *other == height && low + near < *to && *from + near < high)
         };
         let mut lane = 0.0;
-        while is_taken(from.shift[1] + lane) {
+        while is_taken(lane) {
             lane -= LANE;
         }
         to.shift[1] += lane;

@@ -61,10 +61,12 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
     svg.assign("width", width);
     svg.assign("height", height);
     svg.assign("role", "img");
+    svg.assign("aria-label", if drawing.motion.is_some() { "a model in motion" } else { "a model" });
     svg.assign("data-scale", drawing.figure.scale);
     svg.assign("data-origin", pair(drawing.figure.origin));
     if let Some((_, reach)) = &drawing.motion {
-        svg.assign("data-reach", *reach);
+        svg.assign("data-reach", reach.norm());
+        svg.assign("data-phase", reach.arg());
     }
     if let Some((force, _, scale)) = &drawing.force {
         svg.assign("data-force", force.name());
@@ -158,7 +160,7 @@ impl Picture {
     /// The model in its motion: still, and moving where the reader has nothing against it.
     fn add_mode<M>(&mut self, drawing: &Drawing<M>) {
         let Some((motion, reach)) = &drawing.motion else { return };
-        let by = |angle: f64| Number { re: reach * angle.cos(), im: reach * angle.sin() };
+        let by = |angle: f64| reach * Number::from_polar(1.0, angle);
         let angles: Vec<f64> = if motion.is_complex() {
             (0..=MOMENTS).map(|moment| TAU * f64::from(moment) / f64::from(MOMENTS)).collect()
         } else {

@@ -20,6 +20,7 @@ mod response_oracle;
 mod sensitivities;
 mod sensitivity_oracle;
 pub mod sensitivity_units;
+mod sketches;
 mod state_equations;
 pub mod static_limits;
 #[path = "../support/mod.rs"]

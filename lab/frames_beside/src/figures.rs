@@ -17,6 +17,9 @@ pub const EXACT: [f64; 10] = [
     293.017_986_484_081_87,
 ];
 
+/// Elements per member in the summary.
+const SUMMARY_MESH: usize = 16;
+
 /// One way to the ten frequencies.
 #[derive(Clone, Debug, Deserialize, Serialize, PartialEq)]
 pub struct Run {
@@ -66,22 +69,32 @@ impl Figures {
         serde_json::from_str(include_str!("../recorded.json"))
     }
 
-    /// A table in Markdown: a row for each run.
-    pub fn markdown(&self) -> String {
+    /// A table in Markdown, a row for each run, and its origin.
+    pub fn table(&self) -> String {
+        self.rows(|_| true)
+    }
+
+    /// The table without all meshes but one.
+    pub fn summary(&self) -> String {
+        self.rows(|run| [1, SUMMARY_MESH].contains(&run.elements))
+    }
+
+    fn rows(&self, is_shown: impl Fn(&Run) -> bool) -> String {
         let mut table =
             "| program | elements per member | time | largest relative error of ten |\n|---|---|---|---|\n".to_owned();
         for program in &self.programs {
-            for run in &program.runs {
+            for run in program.runs.iter().filter(|run| is_shown(run)) {
                 let (elements, time, error) = (run.elements, shown_time(run.seconds), run.error());
                 let _ =
                     writeln!(table, "| {} {} | {elements} | {time} | {error:.0e} |", program.program, program.version);
             }
         }
+        let _ = writeln!(table, "\n{}", self.origin());
         table
     }
 
     /// When and with what the figures were taken, in a sentence.
-    pub fn origin(&self) -> String {
+    fn origin(&self) -> String {
         let find =
             |part: fn(&Program) -> Option<&String>| self.programs.iter().find_map(part).map_or("?", String::as_str);
         format!(

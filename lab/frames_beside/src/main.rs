@@ -10,17 +10,23 @@ use std::{env, fs};
 /// The root of the repository.
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// Comments between which the table stands in the guide.
+/// Comments between which a table stands.
 const MARKERS: [&str; 2] = ["<!-- portal -->\n", "<!-- end of portal -->"];
+
+/// The text of a document with another table between its markers.
+fn with_table(text: &str, table: &str) -> Result<String, Box<dyn Error>> {
+    let [start, end] = MARKERS;
+    let (before, rest) = text.split_once(start).ok_or("a document has no marker")?;
+    let (_, after) = rest.split_once(end).ok_or("a document has no second marker")?;
+    Ok(format!("{before}{start}\n{table}\n{end}{after}"))
+}
 
 fn record(figures: &Figures, json: &str) -> Result<(), Box<dyn Error>> {
     fs::write(Path::new(ROOT).join("lab/frames_beside/recorded.json"), json)?;
-    let page = Path::new(ROOT).join("docs/guide/finite_elements.md");
-    let text = fs::read_to_string(&page)?;
-    let [start, end] = MARKERS;
-    let (before, rest) = text.split_once(start).ok_or("the page has no marker")?;
-    let (_, after) = rest.split_once(end).ok_or("the page has no second marker")?;
-    fs::write(page, format!("{before}{start}\n{}\n{}\n\n{end}{after}", figures.markdown(), figures.origin()))?;
+    for (document, table) in [("README.md", figures.summary()), ("docs/guide/finite_elements.md", figures.table())] {
+        let path = Path::new(ROOT).join(document);
+        fs::write(&path, with_table(&fs::read_to_string(&path)?, &table)?)?;
+    }
     Ok(())
 }
 
@@ -30,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("usage: frames_beside [--record]".into());
     }
     let (figures, missing) = measure()?;
-    println!("{}", figures.markdown());
+    println!("{}", figures.table());
     for program in &missing {
         println!("skipped: {}", program.0);
     }

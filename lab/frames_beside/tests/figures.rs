@@ -33,8 +33,19 @@ fn recorded_figures_are_those_of_one_portal() {
     }
 }
 
+/// Tables and listings of the documents are the recorded figures and the files that were measured.
 #[test]
-fn the_guide_shows_the_recorded_figures() {
+fn documents_show_what_was_measured() {
     let figures = Figures::recorded().unwrap();
-    assert!(PAGE.contains(&figures.markdown()) && PAGE.contains(&figures.origin()), "{}", figures.markdown());
+    assert!(PAGE.contains(&figures.table()), "{}", figures.table());
+    assert!(include_str!("../../../README.md").contains(&figures.summary()), "{}", figures.summary());
+    let files = [
+        ("rust", include_str!("../src/portal.rs")),
+        ("python", include_str!("../portal_opensees.py")),
+        ("python", include_str!("../portal_pynite.py")),
+    ];
+    for (language, file) in files {
+        let (_, listing) = file.split_once("\n\n").unwrap();
+        assert!(PAGE.contains(&format!("```{language}\n{listing}```")), "{listing}");
+    }
 }

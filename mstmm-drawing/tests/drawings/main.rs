@@ -16,9 +16,9 @@ mod trees;
 
 #[path = "../../../examples/double_beam.rs"]
 mod double_beam;
-#[path = "../../../examples/portal.rs"]
-mod portal;
 #[path = "../../../examples/truss_bridge.rs"]
 mod truss_bridge;
 #[path = "../../../examples/vehicle.rs"]
 mod vehicle;
+
+use pictures::command::portal;

@@ -1,7 +1,7 @@
 //! The pictures of the documents are those that their command writes.
 
 #[path = "../../examples/pictures.rs"]
-mod command;
+pub(crate) mod command;
 
 use std::path::Path;
 

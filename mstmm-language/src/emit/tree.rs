@@ -74,6 +74,8 @@ pub(super) fn drawn(plan: &Plan<'_>, names: &Names) -> TokenStream {
     });
     let of_steps = of_steps.map(|[name, kind]| quote_spanned!(names.here=> (#name, #kind)));
     let count = plan.steps.len();
+    // what is no element is told elsewhere
+    let bounds = bounds("Element", plan, names);
     let extents = plan.elements.iter().enumerate().map(|(index, element)| {
         let (steps, field, kind) =
             (plan.steps_of(index), element_field(element, names), names.element_as(element, "Element"));
@@ -83,7 +85,10 @@ pub(super) fn drawn(plan: &Plan<'_>, names: &Names) -> TokenStream {
         const NAMES: &[(&::core::primitive::str, &::core::primitive::str); #count] = &[#(#of_steps),*];
 
         #[automatically_derived]
-        impl<#parameter: #private::Real> #private::DrawnTree for #system<#parameter> {
+        impl<#parameter: #private::Real> #private::DrawnTree for #system<#parameter>
+        where
+            #(#bounds),*
+        {
             fn name(&self, step: ::core::primitive::usize) -> #private::Spot {
                 #private::Spot::Named(NAMES[step].0)
             }

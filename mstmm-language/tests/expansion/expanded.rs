@@ -309,13 +309,6 @@ const _: () = {
         ])
     }
         .scheme();
-    const _: () = LAYOUT.check_support(0usize);
-    const _: () = LAYOUT.check_arrow(1usize);
-    const _: () = LAYOUT.check_support(2usize);
-    const _: () = LAYOUT.check_arrow(3usize);
-    const _: () = LAYOUT.check_connection(4usize);
-    const _: () = LAYOUT.check_arrow(5usize);
-    const _: () = LAYOUT.check_support(6usize);
     impl DampedMassSystem {
         /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
         pub const N: usize = 3;
@@ -547,6 +540,57 @@ const _: () = {
                             .element::<
                                 mstmm::__private::elements::Mass<T>,
                             >(&self.element_4, evaluated.map(|evaluated| &evaluated.2))
+                    }
+                    _ => return ::core::option::Option::None,
+                },
+            )
+        }
+    }
+    const NAMES: &[(&::core::primitive::str, &::core::primitive::str); 7usize] = &[
+        ("fixed", ""),
+        ("spring 1", "spring"),
+        ("fixed", ""),
+        ("damper 3", "damper"),
+        ("conn 2", ""),
+        ("mass 4", "mass"),
+        ("free", ""),
+    ];
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::DrawnTree for DampedMassSystem<T>
+    where
+        mstmm::__private::elements::Damper<T>: mstmm::__private::Element,
+        mstmm::__private::elements::Mass<T>: mstmm::__private::Element,
+        mstmm::__private::elements::Spring<T>: mstmm::__private::Element,
+    {
+        fn name(&self, step: ::core::primitive::usize) -> mstmm::__private::Spot {
+            mstmm::__private::Spot::Named(NAMES[step].0)
+        }
+        fn kind(
+            &self,
+            step: ::core::primitive::usize,
+        ) -> &'static ::core::primitive::str {
+            NAMES[step].1
+        }
+        fn extent(
+            &self,
+            step: ::core::primitive::usize,
+        ) -> ::core::option::Option<mstmm::__private::Extent> {
+            ::core::option::Option::Some(
+                match step {
+                    1usize => {
+                        <mstmm::__private::elements::Spring<
+                            T,
+                        > as mstmm::__private::Element>::extent(&self.element_1)
+                    }
+                    3usize => {
+                        <mstmm::__private::elements::Damper<
+                            T,
+                        > as mstmm::__private::Element>::extent(&self.element_3)
+                    }
+                    5usize => {
+                        <mstmm::__private::elements::Mass<
+                            T,
+                        > as mstmm::__private::Element>::extent(&self.element_4)
                     }
                     _ => return ::core::option::Option::None,
                 },

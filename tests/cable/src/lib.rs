@@ -4,8 +4,8 @@
 mod motion;
 
 use mstmm::element::{
-    Element, FrequencyEstimates, FrequencyPowers, InvalidParameter, Line, PlaneStep, Requirement, RootCounter, SMatrix,
-    Subspace, TransferMatrix, Translation,
+    Element, Extent, FrequencyEstimates, FrequencyPowers, InvalidParameter, Line, PlaneStep, Requirement, RootCounter,
+    SMatrix, Subspace, TransferMatrix, Translation,
 };
 use mstmm::number::{Frequency, Parameter, Single, Size};
 
@@ -45,6 +45,10 @@ impl<T: Parameter> Element for Cable<T> {
         estimates.waves(mstmm::number::Scalar::sqrt(h / m) / l);
         estimates.translational_stiffness(h / l);
         estimates.mass(m * l);
+    }
+
+    fn extent(cable: &Self) -> Extent {
+        Extent::along(cable.length.to_f64())
     }
 }
 
