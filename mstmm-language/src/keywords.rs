@@ -118,8 +118,8 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     element("shear_hinge", "ShearHinge", Space::Bending, &["stiffness"]),
     with_axial_force("LeverColumn", element("lever", "Lever", Space::Bending, &["output_x"])),
     Keyword {
-        optional: &["width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius"],
-        ..element("tapered_beam", "TaperedBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius"])
+        optional: &["width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius", "setting_angle", "foundation_stiffness"],
+        ..element("tapered_beam", "TaperedBeam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "width_taper", "height_taper", "rotary_inertia", "axial_force", "rotation_speed", "hub_radius", "setting_angle", "foundation_stiffness"])
     },
 ];
 

@@ -1,6 +1,7 @@
 //! Chains of general beams that are hard, beside counts of many digits.
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
+mod beside_elements;
 pub(crate) mod chain;
 pub(crate) mod families;
 mod judge;

@@ -144,7 +144,7 @@ elements! {
         Shaft { length, torsional_stiffness, inertia_per_length }
         TaperedBeam {
             length, bending_stiffness, mass_per_length, width_taper, height_taper, rotary_inertia, axial_force, rotation_speed,
-            hub_radius
+            hub_radius, setting_angle, foundation_stiffness
         }
     }
     damped {

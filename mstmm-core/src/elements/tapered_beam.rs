@@ -21,7 +21,7 @@ mod walk;
 ///
 /// At the distance x from the input end the section has the width `b = 1 - c_b x/l` and the height `h = 1 - c_h x/l`, as parts of those at
 /// the input end, so that `EI ~ b h³`, `m ~ b h` and the rotary inertia `r ~ b h³`. With `N(x) = N_l + Ω² ∫_x^l m (R + ξ) dξ`,
-/// `g = N + r λ²` and `q = -m λ²` the state obeys
+/// `g = N + r λ²` and `q = -m (λ² - Ω² sin² ψ) - k` the state obeys
 ///
 /// ```text
 /// Y' = Θ     EI Θ' = M     M' = g Θ + Q     Q' = q Y
@@ -32,14 +32,15 @@ mod walk;
 /// series of themselves, in parts that are short beside waves and beside the distance to where the section would vanish. None of these
 /// parts, with both ends clamped, has a frequency below, so that counts are those of a chain of beams.
 ///
-/// The beam rotates in a plane across which it moves (flapping of a blade), about an axis at the distance R before its input end. Motion
-/// in the plane of rotation is softer, by `ω² - Ω²` of a beam alone. Coriolis forces do not act in either. Where the arrow points towards
+/// The beam rotates about an axis at the distance R before its input end, and moves at the setting angle ψ to that axis: along it (flapping
+/// of a blade) where `ψ = 0`, in the plane of rotation (lagging) where `ψ = π/2`. There the centrifugal force has a part along the motion,
+/// which it pushes on, as a foundation of the stiffness `-m Ω²` would. Coriolis forces do not act in either. Where the arrow points towards
 /// the axis R is negative, and the axial force is that at the inner end.
 ///
 /// Up to some 1600 half waves are taken; beyond, results are not a number, which searches refuse.
 ///
 /// # Source
-/// Bernoulli's beam with variable section, `V = ½ ∫ EI Y''² + N Y'²`, kinetic energy `½ ∫ m Ẏ² + r Ẏ'²`; centrifugal force as in
+/// Bernoulli's beam with variable section, `V = ½ ∫ EI Y''² + N Y'² + (k - m Ω² sin² ψ) Y²`, kinetic energy `½ ∫ m Ẏ² + r Ẏ'²`; centrifugal force as in
 /// Wright, Smith, Thresher and Wang (1982).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaperedBeam<T> {
@@ -61,6 +62,10 @@ pub struct TaperedBeam<T> {
     pub rotation_speed: T,
     /// Position R of the input end from the axis of rotation \[m\], negative where the beam points towards the axis.
     pub hub_radius: T,
+    /// Setting angle ψ between the motion and the axis of rotation \[rad\]: 0 is flapping, π/2 lagging.
+    pub setting_angle: T,
+    /// Stiffness k of a foundation per length [N/m²], the same all along, of either sign.
+    pub foundation_stiffness: T,
 }
 
 /// A beam whose parameters are valid, seen from one of its ends.
@@ -90,6 +95,8 @@ impl<T: Parameter> Element for TaperedBeam<T> {
         Requirement::Finite.check("axial_force", self.axial_force)?;
         Requirement::NonNegative.check("rotation_speed", self.rotation_speed)?;
         Requirement::Finite.check("hub_radius", self.hub_radius)?;
+        Requirement::Finite.check("setting_angle", self.setting_angle)?;
+        Requirement::Finite.check("foundation_stiffness", self.foundation_stiffness)?;
         if !Units::new(self.bending_stiffness, T::one() / self.length).are_in_range() {
             let powers = [("bending_stiffness", self.bending_stiffness), ("length", self.length)];
             return Err(InvalidParameter::most_extreme(powers));
@@ -104,6 +111,7 @@ impl<T: Parameter> Element for TaperedBeam<T> {
         estimates.waves(1.0 / (phase * phase));
         let l = profile.length;
         estimates.length(l);
+        estimates.translational_stiffness(Parameter::abs(profile.foundation) * l);
         for end in [0.0, 1.0] {
             let ei = profile.stiffness_at(end);
             estimates.translational_stiffness(ei / (l * l * l));
@@ -134,6 +142,8 @@ impl<T: Parameter> TaperedBeam<T> {
             axial_force: to(self.axial_force),
             rotation_speed: to(self.rotation_speed),
             hub_radius: to(self.hub_radius),
+            setting_angle: to(self.setting_angle),
+            foundation_stiffness: to(self.foundation_stiffness),
         }
     }
 }
@@ -192,6 +202,8 @@ impl super::laws::Sample for TaperedBeam<f64> {
             axial_force: (next() - 1.25) * 0.5,
             rotation_speed: next(),
             hub_radius: next(),
+            setting_angle: next() * 0.2,
+            foundation_stiffness: (next() - 1.25) * 0.3,
         }
     }
 
@@ -205,7 +217,7 @@ impl super::laws::Sample for TaperedBeam<f64> {
     }
 
     fn untied(self) -> Self {
-        TaperedBeam { axial_force: 0.0, rotation_speed: 0.0, ..self }
+        TaperedBeam { axial_force: 0.0, rotation_speed: 0.0, foundation_stiffness: 0.0, ..self }
     }
 }
 

@@ -118,7 +118,8 @@ pub(super) fn model(structure: &Structure) -> Oracle {
         let point = |end: &End| nodes[end.node].at(structure.position(end).map(double));
         let [from, to] = member.ends.each_ref().map(point);
         assert!(
-            matches!(member.element, Element::Beam(_)) || member.ends.iter().all(|end| end.released.is_empty()),
+            matches!(member.element, Element::Beam(_) | Element::Hinge { .. })
+                || member.ends.iter().all(|end| end.released.is_empty()),
             "{member:?} has releases"
         );
         let along = || {
@@ -139,9 +140,11 @@ pub(super) fn model(structure: &Structure) -> Oracle {
             Element::TorsionSpring { stiffness } => model.link(&from.rz, &to.rz, *stiffness),
             Element::Hinge { stiffness: [k, across, rotation] } => {
                 let [c, s] = unit(member.along.map_or([1.0, 0.0], |direction| direction).map(double));
-                model.link(&from.along([c, s]), &to.along([c, s]), *k);
-                model.link(&from.along([-s, c]), &to.along([-s, c]), *across);
-                model.link(&from.rz, &to.rz, *rotation);
+                let [from, to] = [(&member.ends[0], &from), (&member.ends[1], &to)]
+                    .map(|(end, point)| model.end(end, point, [c, s]));
+                for (freedom, stiffness) in [k, across, rotation].into_iter().enumerate() {
+                    model.link(&from[freedom], &to[freedom], *stiffness);
+                }
             }
             Element::TorsionDamper { damping } => model.dashpot(&from.rz, &to.rz, *damping),
             Element::Weld { freedoms } => {

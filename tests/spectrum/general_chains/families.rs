@@ -33,7 +33,7 @@ impl Named {
     }
 }
 
-fn decade(random: &mut Random, from: f64, to: f64) -> f64 {
+pub(crate) fn decade(random: &mut Random, from: f64, to: f64) -> f64 {
     10f64.powf(from + (to - from) * random.unit())
 }
 

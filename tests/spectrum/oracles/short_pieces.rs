@@ -1,19 +1,15 @@
-//! Chains with general beams as a stiffness matrix of many digits, whose negative pivots are counted.
+//! Beams as stiffness matrices of many digits, without a count of held beams.
 //!
 //! Every beam is cut into pieces so short that none of them vibrates below the frequency with both ends held: with `γ = Y' - σΘ` its energy is
 //! `½ ∫ EI Θ'² + (1/f + T) γ² + σT Θ² + k Y²`, and functions that vanish at both ends of a piece of length a have `∫ f² <= (a/π)² ∫ f'²`. So the
 //! count is that of negative pivots alone, and no count of held beams is in it. The matrix of a piece follows from the exponential of the
 //! equations.
 
-use super::many_digits::{Exact, exact};
-use crate::general_chains::chain::{Chain, Link};
-use mstmm::element::Support;
+use super::chain_matrix::{ChainMatrix, Form, negative_pivots, number};
+use super::many_digits::Exact;
+use crate::general_chains::chain::Chain;
 use mstmm::elements::GeneralBeam;
-use std::collections::BTreeMap;
 use std::f64::consts::PI;
-
-/// Bits of a number.
-const BITS: usize = 384;
 
 /// The largest number of pieces of a beam that is of use.
 const PIECES: f64 = 400.0;
@@ -23,79 +19,6 @@ const TERMS: usize = 130;
 
 /// The largest wave number times the length of a piece.
 const WAVE: f64 = 12.0;
-
-/// A displacement as a sum of degrees of freedom.
-type Form = Vec<(usize, Exact)>;
-
-/// Rows of the upper half of a symmetric matrix.
-#[derive(Default)]
-struct Matrix {
-    rows: Vec<BTreeMap<usize, Exact>>,
-    /// The last beam, with the number of its pieces and the stiffness of one.
-    last: Option<(GeneralBeam<f64>, usize, [[Exact; 4]; 4])>,
-}
-
-impl Matrix {
-    fn freedom(&mut self) -> Form {
-        self.rows.push(BTreeMap::new());
-        vec![(self.rows.len() - 1, number(1.0))]
-    }
-
-    /// Adds `factor` times the product of two forms to the upper half.
-    fn add(&mut self, first: &Form, second: &Form, factor: &Exact) {
-        for (i, a) in first {
-            for (j, b) in second {
-                if i <= j {
-                    *self.rows[*i].entry(*j).or_insert_with(|| number(0.0)) += a * b * factor;
-                }
-            }
-        }
-    }
-
-    /// The number of negative pivots; none where one vanishes.
-    fn negative_pivots(mut self) -> Option<u64> {
-        let mut negative = 0;
-        for k in 0..self.rows.len() {
-            let mut row = core::mem::take(&mut self.rows[k]);
-            let pivot = row.remove(&k)?;
-            if pivot == number(0.0) {
-                return None;
-            }
-            negative += u64::from(pivot < number(0.0));
-            for (i, a) in &row {
-                let factor = a / &pivot;
-                for (j, b) in row.range(i..) {
-                    *self.rows[*i].entry(*j).or_insert_with(|| number(0.0)) -= &factor * b;
-                }
-            }
-        }
-        Some(negative)
-    }
-}
-
-fn number(value: f64) -> Exact {
-    exact(value, BITS)
-}
-
-/// `first + factor · second`.
-fn sum(first: &Form, factor: f64, second: &Form) -> Form {
-    let mut sum = first.clone();
-    for (index, entry) in second {
-        let term = entry * number(factor);
-        match sum.iter_mut().find(|(other, _)| other == index) {
-            Some((_, entry)) => *entry += term,
-            None => sum.push((*index, term)),
-        }
-    }
-    sum
-}
-
-/// The deflection and the rotation that a support leaves.
-fn left_by(support: Support, matrix: &mut Matrix) -> [Form; 2] {
-    let y = if matches!(support, Support::Fixed | Support::Pinned) { Form::new() } else { matrix.freedom() };
-    let theta = if matches!(support, Support::Fixed | Support::Guided) { Form::new() } else { matrix.freedom() };
-    [y, theta]
-}
 
 /// Length, in that of a beam, of equal pieces that do not vibrate.
 fn pieces(beam: &GeneralBeam<f64>, square: f64) -> Option<usize> {
@@ -196,81 +119,48 @@ fn stiffness(beam: &GeneralBeam<f64>, square: &Exact, count: usize) -> [[Exact; 
     })
 }
 
-/// A beam from one end on, to the displacements of the other.
-fn through(
-    matrix: &mut Matrix,
-    beam: &GeneralBeam<f64>,
-    [mut y, mut theta]: [Form; 2],
-    last: Option<[Form; 2]>,
-    square: &Exact,
-) -> Option<[Form; 2]> {
-    let (count, stiffness) = match &matrix.last {
-        Some((last, count, stiffness)) if last == beam => (*count, stiffness.clone()),
-        _ => {
-            let count = pieces(beam, square.to_f64().value())?;
-            let stiffness = stiffness(beam, square, count);
-            matrix.last = Some((*beam, count, stiffness.clone()));
-            (count, stiffness)
-        }
-    };
-    for piece in 1..=count {
-        let [y_out, theta_out] = match &last {
-            Some(last) if piece == count => last.clone(),
-            _ => [matrix.freedom(), matrix.freedom()],
-        };
-        let ends = [y, theta, y_out.clone(), theta_out.clone()];
-        for (i, a) in ends.iter().enumerate() {
-            for (j, b) in ends.iter().enumerate() {
-                matrix.add(a, b, &stiffness[i][j]);
+/// Pieces of beams, with the last beam, the number of its pieces and the stiffness of one.
+#[derive(Default)]
+struct Pieces(Option<(GeneralBeam<f64>, usize, [[Exact; 4]; 4])>);
+
+impl Pieces {
+    /// A beam from one end on, to the displacements of the other.
+    fn through(
+        &mut self,
+        matrix: &mut ChainMatrix,
+        beam: &GeneralBeam<f64>,
+        [mut y, mut theta]: [Form; 2],
+        last: Option<[Form; 2]>,
+        square: &Exact,
+    ) -> Option<[Form; 2]> {
+        let (count, stiffness) = match &self.0 {
+            Some((last, count, stiffness)) if last == beam => (*count, stiffness.clone()),
+            _ => {
+                let count = pieces(beam, square.to_f64().value())?;
+                let stiffness = stiffness(beam, square, count);
+                self.0 = Some((*beam, count, stiffness.clone()));
+                (count, stiffness)
             }
+        };
+        for piece in 1..=count {
+            let [y_out, theta_out] = match &last {
+                Some(last) if piece == count => last.clone(),
+                _ => [matrix.freedom(), matrix.freedom()],
+            };
+            let ends = [y, theta, y_out.clone(), theta_out.clone()];
+            for (i, a) in ends.iter().enumerate() {
+                for (j, b) in ends.iter().enumerate() {
+                    matrix.add(a, b, &stiffness[i][j]);
+                }
+            }
+            (y, theta) = (y_out, theta_out);
         }
-        (y, theta) = (y_out, theta_out);
+        Some([y, theta])
     }
-    Some([y, theta])
 }
 
 /// The number of roots of a chain whose square is below one of either sign; none where beams would have too many pieces.
 pub(crate) fn roots_below(chain: &Chain, square: &Exact) -> Option<u64> {
-    let mut matrix = Matrix::default();
-    let [mut y, mut theta] = left_by(chain.tip, &mut matrix);
-    let last = chain.links.len() - 1;
-    for (index, link) in chain.links.iter().enumerate() {
-        let inertia = |mass: f64| -(number(mass) * square);
-        match *link {
-            Link::Beam(ref beam) => {
-                let end = (index == last).then(|| left_by(chain.root, &mut matrix));
-                [y, theta] = through(&mut matrix, beam, [y, theta], end, square)?;
-            }
-            Link::Side(support, ref beam) => {
-                let foot = left_by(support, &mut matrix);
-                through(&mut matrix, beam, foot, Some([y.clone(), theta.clone()]), square)?;
-            }
-            Link::Mass { mass, inertia: own } => {
-                matrix.add(&y, &y, &inertia(mass));
-                matrix.add(&theta, &theta, &inertia(own));
-            }
-            Link::Body { mass, central, centre_x, output_x } => {
-                let centre = sum(&y, centre_x, &theta);
-                matrix.add(&centre, &centre, &inertia(mass));
-                matrix.add(&theta, &theta, &inertia(central));
-                y = sum(&y, output_x, &theta);
-            }
-            Link::Spring(stiffness) => matrix.add(&y, &y, &number(stiffness)),
-            Link::TorsionSpring(stiffness) => matrix.add(&theta, &theta, &number(stiffness)),
-            Link::RotationalHinge(stiffness) => {
-                let next = matrix.freedom();
-                let turned = sum(&theta, -1.0, &next);
-                matrix.add(&turned, &turned, &number(stiffness));
-                theta = next;
-            }
-            Link::ShearHinge(stiffness) => {
-                let next = matrix.freedom();
-                let moved = sum(&y, -1.0, &next);
-                matrix.add(&moved, &moved, &number(stiffness));
-                y = next;
-            }
-            Link::Lever(output_x) => y = sum(&y, output_x, &theta),
-        }
-    }
-    matrix.negative_pivots()
+    let mut pieces = Pieces::default();
+    negative_pivots(chain, square, |matrix, beam, from, to| pieces.through(matrix, beam, from, to, square))
 }

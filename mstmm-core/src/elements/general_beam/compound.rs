@@ -37,7 +37,7 @@ pub struct GeneralCompound<S: Scalar> {
 /// Binary exponent of the relative change by which a difference stands for a derivative: half of the digits.
 const CHANGE: i32 = -26;
 
-/// The row of K whose minor is Δ at a support; the plane behind a tip there is the column `4 - row`.
+/// The row of K whose minor is Δ at a support.
 #[inline]
 fn row_at(support: Support) -> usize {
     match support {
@@ -105,9 +105,9 @@ impl<S: Scalar> GeneralCompound<S> {
     /// Takes a subspace into the root.
     pub(crate) fn root<C: RootCounter<S>>(&self, input: Subspace<S>, support: Support, counter: &mut C) -> Scaled<S> {
         if !C::COUNTS {
-            // not shifted into the range: only one minor is needed
-            let plane = self.behind(&input);
-            return Scaled::new(plane.minor_at(support), i64::from(plane.exponent));
+            let (plane, row) = (input.plane(), row_at(support));
+            let minor = self.minor(row, self.without_units(&plane)) * self.unit(row);
+            return Scaled::new(minor, i64::from(plane.exponent.saturating_add(self.exponent)));
         }
         let delta = self.step(input, counter).at_root(support, counter);
         if counter.looks_at_root() {
@@ -161,7 +161,7 @@ impl<S: Scalar> GeneralCompound<S> {
     }
 
     /// A row of K.
-    #[inline]
+    #[inline(always)]
     pub(super) fn row(&self, row: usize) -> [S; 5] {
         let k = self;
         match row {
@@ -190,10 +190,17 @@ impl<S: Scalar> GeneralCompound<S> {
     }
 
     /// The plane behind a beam that starts at a support: a column of K.
+    #[inline]
     fn behind_tip(&self, support: Support) -> Plane<S> {
-        let column = 4 - row_at(support);
-        let inverse = if column > 0 { self.units.inverses[column - 1] } else { S::one() };
-        self.plane([0, 1, 2, 3, 4].map(|row| self.row(row)[column] * inverse), 0)
+        let (k, inverses) = (self, self.units.inverses);
+        let (column, inverse) = match support {
+            Support::Fixed => ([k.k04, k.k03, k.k24, k.k01, k.k00], inverses[3]),
+            Support::Pinned => ([k.k03, k.k13, k.k23, k.k11, k.k10], inverses[2]),
+            Support::Guided => ([k.k01, k.k11, k.k21, k.k31, k.k30], inverses[0]),
+            _ => ([k.k00, k.k10, k.k20, k.k30, k.k40], S::one()),
+        };
+        let [y_theta, y_m, w, theta_q, m_q] = column;
+        self.plane([y_theta * inverse, y_m * inverse, w * inverse, theta_q * inverse, m_q * inverse], 0)
     }
 
     /// A plane with its units, from minors without, not shifted into the range.
@@ -203,14 +210,18 @@ impl<S: Scalar> GeneralCompound<S> {
         Plane::unscaled([y_theta, y_m * a, w * b, theta_q * c, m_q * d], exponent.saturating_add(self.exponent))
     }
 
-    /// Takes a plane through the beam.
+    /// Takes a plane through the beam. Its five rows are written out: an array's `map` is a call, and each row a branch in it.
     #[inline]
     fn through(&self, p: &Plane<S>) -> Plane<S> {
-        let [a, b, c, d, e] = self.without_units(p);
-        let minor = |row: usize| {
-            let [k0, k1, k2, k3, k4] = self.row(row);
-            (k0 * a + k1 * b) + (k2 * c + k3 * d) + k4 * e
-        };
-        self.plane([0, 1, 2, 3, 4].map(minor), p.exponent)
+        let minors = self.without_units(p);
+        let minor = |row: usize| self.minor(row, minors);
+        self.plane([minor(0), minor(1), minor(2), minor(3), minor(4)], p.exponent)
+    }
+
+    /// A minor behind the beam, from those before it, both without units.
+    #[inline(always)]
+    fn minor(&self, row: usize, [a, b, c, d, e]: [S; 5]) -> S {
+        let [k0, k1, k2, k3, k4] = self.row(row);
+        (k0 * a + k1 * b) + (k2 * c + k3 * d) + k4 * e
     }
 }

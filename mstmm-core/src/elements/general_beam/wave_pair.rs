@@ -227,7 +227,7 @@ fn products_together<S: Scalar>(
         let squared = waves.sinhc * waves.sinhc;
         let power = waves.exponent.saturating_mul(2) - exponent;
         let entries = [waves.cosh * waves.cosh + quarter * squared, waves.sinhc * waves.cosh, squared];
-        entries.map(|entry| entry.times_power_of_two(power))
+        if power == 0 { entries } else { entries.map(|entry| entry.times_power_of_two(power)) }
     };
     let [fu, gu, hu] = whole(quarters[0], first);
     let [fv, gv, hv] = whole(quarters[1], second);

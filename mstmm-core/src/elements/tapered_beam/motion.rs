@@ -7,7 +7,7 @@ use crate::elements::tapered_beam::profile::Profile;
 use crate::elements::tapered_beam::walk::Tapered;
 use crate::elements::tapered_beam::{BuiltTaperedBeam, TaperedBeam};
 use crate::model::{Ends, State};
-use crate::number::{FrequencyPowers, Oscillation, Real, Scalar, Single};
+use crate::number::{FrequencyPowers, Oscillation, Real, Scalar, Single, twice};
 use crate::subspace::{Covector, Subspace};
 
 impl<T: Real, S: Oscillation<T>> BackTransfer<S> for TaperedBeam<T> {
@@ -47,10 +47,11 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for TaperedBeam<T> {
     }
 
     fn stiffness_form(built: &BuiltTaperedBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        let profile: Profile<S> = built.at(first.x.lambda_squared()).profile;
+        // at rest a mass holds by its part of the centrifugal force alone
+        let profile: Profile<S> = built.at(S::zero()).profile;
         let [stiffness] = built.integrals(first, second, |share, [one, other]| {
             let bending = one.m * other.m / profile.stiffness_at(share);
-            [bending + one.theta * other.theta * profile.force_at(share)]
+            [bending + one.theta * other.theta * profile.force_at(share) + one.y * other.y * profile.hold_at(share)]
         });
         stiffness
     }
@@ -83,7 +84,7 @@ impl<T: Real> BuiltTaperedBeam<T> {
         let sizes = self.at(x.lambda_squared()).sizes;
         let wave_at = |share: f64| {
             let stiffness = sizes.stiffness_at(share);
-            let bending = Scalar::sqrt(sizes.mass_at(share) * sizes.lambda_squared / stiffness);
+            let bending = Scalar::sqrt(sizes.most_hold(sizes.mass_at(share)) / stiffness);
             let by_force = (sizes.force_at(share).abs() + sizes.rotary_at(share) * sizes.lambda_squared) / stiffness;
             Scalar::sqrt(bending + by_force)
         };
@@ -103,7 +104,7 @@ impl<T: Real> BuiltTaperedBeam<T> {
         along([&one, &Inside::new(self, second)], at)
     }
 
-    /// `∂L/∂p` by the densities of `L = ½ ∫ M²/EI + N Θ² + λ² (m Y² + r Θ²)`, each times the relative derivative of what stands in it. A longer
+    /// `∂L/∂p` by the densities of `L = ½ ∫ M²/EI + N Θ² + (m (λ² - Ω² sin² ψ) + k) Y² + λ² r Θ²`, each times the relative derivative of what stands in it. A longer
     /// beam is the same shape over another length, less the work at the ends that turns them back.
     fn gradient<S: Oscillation<T>>(&self, ends: &Ends<S>) -> TaperedBeam<S> {
         let profile: Profile<S> = self.at(ends.x.lambda_squared()).profile;
@@ -113,7 +114,7 @@ impl<T: Real> BuiltTaperedBeam<T> {
             let densities = Densities::new(&profile, &state, share);
             densities.of_parameters(&profile, &beam, share)
         });
-        let [length, stiffness, mass, width, height, rotary, force, speed, radius] = sums.map(half);
+        let [length, stiffness, mass, width, height, rotary, force, speed, radius, angle, foundation] = sums.map(half);
         let work = |state: &State<S>| state.m * state.theta;
         TaperedBeam {
             length: (length + work(&ends.output) - work(&ends.input)) * inverse,
@@ -125,6 +126,8 @@ impl<T: Real> BuiltTaperedBeam<T> {
             axial_force: force,
             rotation_speed: speed,
             hub_radius: radius,
+            setting_angle: angle,
+            foundation_stiffness: foundation,
         }
     }
 }
@@ -132,28 +135,31 @@ impl<T: Real> BuiltTaperedBeam<T> {
 /// Twice the parts of L per length at a section.
 struct Densities<S> {
     bending: S,
-    /// `λ² m Y²`
+    /// `m (λ² - Ω² sin² ψ) Y²`
     mass: S,
     /// `λ² r Θ²`
     rotary: S,
     /// `Θ²`
     slope: S,
+    /// `Y²`
+    square: S,
 }
 
 impl<S: Single> Densities<S> {
     fn new(profile: &Profile<S>, state: &State<S>, share: f64) -> Self {
-        let slope = state.theta * state.theta;
+        let (slope, square) = (state.theta * state.theta, state.y * state.y);
         Densities {
             bending: state.m * state.m / profile.stiffness_at(share),
-            mass: profile.lambda_squared * profile.mass_at(share) * state.y * state.y,
+            mass: profile.of_mass * profile.mass_at(share) * square,
             rotary: profile.lambda_squared * profile.rotary_at(share) * slope,
             slope,
+            square,
         }
     }
 
     /// Their derivatives with respect to the parameters, that to the length times the length.
-    fn of_parameters(&self, profile: &Profile<S>, beam: &TaperedBeam<S>, share: f64) -> [S; 9] {
-        let Densities { bending, mass, rotary, slope } = *self;
+    fn of_parameters(&self, profile: &Profile<S>, beam: &TaperedBeam<S>, share: f64) -> [S; 11] {
+        let Densities { bending, mass, rotary, slope, square } = *self;
         // distance from the beam's input end as a share, which is not where shares are counted from if the beam is reversed
         let position = |share: f64| S::from_f64(if profile.outer > 0.0 { share } else { 1.0 - share });
         let pull = |at: &dyn Fn(f64) -> S| slope * profile.speed_squared * profile.up_to_end(share, at);
@@ -164,16 +170,22 @@ impl<S: Single> Densities<S> {
         let stretched = pull(&|at| profile.mass_at(at) * position(at) * beam.length);
         let three = S::from_f64(3.0);
         let shape = bending + rotary;
+        let (sin, cos) = beam.setting_angle.sin_cos();
+        let push = profile.mass_at(share) * sin * square;
         [
-            mass - three * bending - slope * profile.force_at(share) - rotary + force + stretched,
+            mass + profile.foundation * square - three * bending - slope * profile.force_at(share) - rotary
+                + force
+                + stretched,
             bending / beam.bending_stiffness,
             (mass + force) / beam.mass_per_length,
             by_width(share) * (shape + mass) + pull(&|at| by_width(at) * centrifugal(at)),
             by_height(share) * (three * shape + mass) + pull(&|at| by_height(at) * centrifugal(at)),
             profile.lambda_squared * profile.shape_at(share) * slope,
             slope,
-            (slope + slope) * beam.rotation_speed * profile.up_to_end(share, centrifugal),
+            twice(beam.rotation_speed * (slope * profile.up_to_end(share, centrifugal) - push * sin)),
             pull(&|at| profile.mass_at(at)),
+            -twice(profile.speed_squared * push * cos),
+            square,
         ]
     }
 }

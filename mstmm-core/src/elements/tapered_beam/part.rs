@@ -21,7 +21,7 @@ pub(super) struct Part<S> {
     e: [S; 5],
     /// `N + r λ²`
     g: [S; 5],
-    /// `-m λ²`
+    /// `-m (λ² - Ω² sin² ψ) - k`
     q: [S; 3],
     /// The product of EI and q.
     qe: [S; 7],
@@ -53,7 +53,9 @@ impl<S: Scalar> Part<S> {
             let force = if k == 0 { beam.force_at(start) } else { pull * product(k - 1) / S::from_f64(k as f64) };
             (force + rotary * e[k]) * square * flexibility
         });
-        let q = m.map(|m| -(m * mass * beam.lambda_squared * square * square * flexibility));
+        let unit = square * square * flexibility;
+        let mut q = m.map(|m| -(m * mass * beam.of_mass * unit));
+        q[0] -= beam.foundation * unit;
         let mut qe = [S::zero(); 7];
         for (k, factor) in q.iter().enumerate() {
             for (j, entry) in e.iter().enumerate() {
@@ -132,7 +134,7 @@ pub(super) fn is_short(beam: &Profile<f64>, start: f64, width: f64) -> bool {
     let force = beam.force_at(start).size() + beam.speed_squared * length * most_mass * farthest;
     let rotary = beam.rotary_at(start) * beam.lambda_squared * most_b * most_h * most_h * most_h;
     let g = (force + rotary) * square;
-    let q = most_mass * beam.lambda_squared * square * length * length;
+    let q = beam.most_hold(most_mass) * square * length * length;
     let [by_slope, by_deflection] = CLAMPED;
     Scalar::sqrt(Scalar::sqrt(q)) + Scalar::sqrt(g) < REACH && g / by_slope + q / by_deflection < least
 }

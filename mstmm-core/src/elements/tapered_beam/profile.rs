@@ -1,7 +1,7 @@
 //! The section of a tapered beam along it, at a frequency.
 
 use crate::elements::tapered_beam::TaperedBeam;
-use crate::number::Scalar;
+use crate::number::{Parameter, Scalar};
 use num_traits::Zero;
 
 /// A number that varies evenly along the beam.
@@ -35,6 +35,10 @@ pub(super) struct Profile<S> {
     /// Axial force at the beam's output end.
     pub(super) force: S,
     pub(super) lambda_squared: S,
+    /// `λ² - Ω² sin² ψ`, by which a mass holds against deflections.
+    pub(super) of_mass: S,
+    /// Stiffness of the foundation.
+    pub(super) foundation: S,
     /// Share of the length at which the beam's output end is: 1, or 0 where shares are counted from there.
     pub(super) outer: f64,
 }
@@ -45,6 +49,8 @@ impl<S: Scalar> Profile<S> {
             if is_reversed { Even { start: end, change: -change } } else { Even { start, change } }
         };
         let one = S::one();
+        let speed_squared = beam.rotation_speed * beam.rotation_speed;
+        let (sin, _) = beam.setting_angle.sin_cos();
         Profile {
             length: beam.length,
             stiffness: beam.bending_stiffness,
@@ -53,9 +59,11 @@ impl<S: Scalar> Profile<S> {
             width: even(one, one - beam.width_taper, -beam.width_taper),
             height: even(one, one - beam.height_taper, -beam.height_taper),
             radius: even(beam.hub_radius, beam.hub_radius + beam.length, beam.length),
-            speed_squared: beam.rotation_speed * beam.rotation_speed,
+            speed_squared,
             force: beam.axial_force,
             lambda_squared,
+            of_mass: lambda_squared - speed_squared * sin * sin,
+            foundation: beam.foundation_stiffness,
             outer: if is_reversed { 0.0 } else { 1.0 },
         }
     }
@@ -68,6 +76,11 @@ impl<S: Scalar> Profile<S> {
     /// The mass per length.
     pub(super) fn mass_at(&self, share: f64) -> S {
         self.mass * self.width.at(share) * self.height.at(share)
+    }
+
+    /// What holds against deflections, `m (λ² - Ω² sin² ψ) + k`.
+    pub(super) fn hold_at(&self, share: f64) -> S {
+        self.mass_at(share) * self.of_mass + self.foundation
     }
 
     /// The rotary inertia per length.
@@ -99,6 +112,11 @@ impl<S: Scalar> Profile<S> {
 }
 
 impl Profile<f64> {
+    /// A bound of the size of `m (λ² - Ω² sin² ψ) + k`, given those of m and of λ².
+    pub(super) fn most_hold(&self, mass: f64) -> f64 {
+        mass * (self.lambda_squared + self.speed_squared) + Parameter::abs(self.foundation)
+    }
+
     /// The phase of bending waves along the whole beam, `∫ (m λ²/EI)^¼ dx`, given the size of λ².
     pub(super) fn phase(&self) -> f64 {
         let [first, last] = [0.0, 1.0].map(|end| Scalar::sqrt(self.height.at(end)));

@@ -21,6 +21,8 @@ const BLADE: TaperedBeam<f64> = TaperedBeam {
     axial_force: 0.8,
     rotation_speed: 1.7,
     hub_radius: 0.4,
+    setting_angle: 0.9,
+    foundation_stiffness: 1.1,
 };
 
 /// States at both ends of a beam at a frequency, which belong together by its matrix.
@@ -152,10 +154,12 @@ fn gradients_are_differences_of_the_work() {
         BLADE.axial_force,
         BLADE.rotation_speed,
         BLADE.hub_radius,
+        BLADE.setting_angle,
+        BLADE.foundation_stiffness,
     ];
-    let beam = |values: [D; 9]| {
+    let beam = |values: [D; 11]| {
         let [length, bending_stiffness, mass_per_length, width_taper, height_taper, rotary_inertia, ..] = values;
-        let [.., axial_force, rotation_speed, hub_radius] = values;
+        let [.., axial_force, rotation_speed, hub_radius, setting_angle, foundation_stiffness] = values;
         TaperedBeam {
             length,
             bending_stiffness,
@@ -166,6 +170,8 @@ fn gradients_are_differences_of_the_work() {
             axial_force,
             rotation_speed,
             hub_radius,
+            setting_angle,
+            foundation_stiffness,
         }
     };
     let found: TaperedBeam<f64> = <TaperedBeam<f64> as Energies<f64>>::gradient(&BLADE.build().unwrap(), &start);
@@ -179,6 +185,8 @@ fn gradients_are_differences_of_the_work() {
         found.axial_force,
         found.rotation_speed,
         found.hub_radius,
+        found.setting_angle,
+        found.foundation_stiffness,
     ];
     let step = 1e-9;
     for (index, found) in found.into_iter().enumerate() {
@@ -204,6 +212,7 @@ fn gradients_do_not_know_the_end() {
         |g: &TaperedBeam<Complex<f64>>| g.height_taper,
         |g: &TaperedBeam<Complex<f64>>| g.rotation_speed,
         |g: &TaperedBeam<Complex<f64>>| g.hub_radius,
+        |g: &TaperedBeam<Complex<f64>>| g.setting_angle,
     ] {
         assert_close((pick(&one) - pick(&other)).norm(), 0.0, pick(&one).norm(), 1e4);
     }

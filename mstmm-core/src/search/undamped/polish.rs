@@ -103,6 +103,18 @@ where
         root.filter(|_| is_certain).or_else(|| self.certify_extended(root.map_or(omega, |root| root.omega), below))
     }
 
+    /// The single root between two frequencies, above so many others, certified without doubt; none where it is not the only one.
+    pub(super) fn certify_between(&mut self, [lower, upper]: [T; 2], below: u64) -> Option<NaturalFrequency<T>> {
+        let before = core::mem::take(&mut self.is_doubtful);
+        let (lower, upper) = (self.sample(lower).ok()?, self.sample(upper).ok()?);
+        if (lower.below, upper.below) != (below, below + 1) {
+            return None;
+        }
+        let root = self.polish(lower, upper).ok()?;
+        let is_certain = !core::mem::replace(&mut self.is_doubtful, before);
+        if is_certain { Some(root) } else { self.certify_extended(root.omega, below) }
+    }
+
     /// The single root beside an estimate by counts in extended precision: what one root leaves in doubt need not be searched anew for all.
     #[cold]
     fn certify_extended(&mut self, mut omega: T, below: u64) -> Option<NaturalFrequency<T>> {
@@ -120,7 +132,7 @@ where
             let (value, other) = (lower.mantissa(), upper.over_power(lower.exponent()));
             let share: f64 = (value / (value - other)).to_f64();
             omega = start + (end - start) * T::from_f64(share);
-            if !(f64::abs(share) < NEARBY) {
+            if f64::abs(share) >= NEARBY || share.is_nan() {
                 return None;
             }
         }

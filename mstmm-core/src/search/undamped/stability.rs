@@ -15,7 +15,11 @@ const BESIDE_REST: i32 = 4;
 /// Refuses a system with motions that grow.
 #[inline]
 pub(crate) fn check_stability<Y: Undamped + ?Sized>(system: &Y) -> Result<(), SearchError> {
-    if const { Y::MAY_BUCKLE } { Isolation::<Y, Y::Parameter>::new(system).check_stability() } else { Ok(()) }
+    // estimates of all elements are taken for a system that may buckle alone
+    if const { Y::MAY_BUCKLE } && system.may_buckle() {
+        return Isolation::<Y, Y::Parameter>::new(system).check_stability();
+    }
+    Ok(())
 }
 
 /// The number of roots below a square of either sign, if Δ is finite and not zero there, and no sum cancelled.

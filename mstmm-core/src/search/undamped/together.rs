@@ -224,7 +224,7 @@ where
                 }
             }
             if count == 0 {
-                return self.certify(&approaches, found);
+                return self.certify(&approaches, brackets, found);
             }
             // of the same code as counts: another one would take as long to compile
             self.evaluate(count, Purpose::Values)?;
@@ -238,14 +238,16 @@ where
             }
             approaches.go_on();
         }
-        None
+        // what has not settled yet is for fronts
+        if Y::IS_NETWORK { self.certify(&approaches, brackets, found) } else { None }
     }
 
     /// Certifies the roots of all approaches by the counts on both sides; where these are not between them, once more from the zero
-    /// of Δ beside them.
+    /// of Δ beside them. A root of a network for which stiffnesses do not do is taken by fronts, from its estimate or from its bracket.
     fn certify<const POINTS: usize, L: Store<NaturalFrequency<T>>>(
         &mut self,
         approaches: &Approaches<POINTS>,
+        brackets: &[usize],
         found: &mut L,
     ) -> Option<()> {
         let mut roots = [NaturalFrequency::<T>::default(); ROOTS];
@@ -277,14 +279,12 @@ where
                     below: [self.block.below[lower], self.block.below[lower + 1]],
                 };
                 let inner = root.omega * self.inner();
-                let certified =
-                    is_known.then(|| sides.certificate(approaches, k, root.omega, inner)).flatten().or_else(|| {
-                        // stiffnesses may lose more digits than fronts
-                        Y::IS_NETWORK
-                            .then(|| self.single.certify_near(root.omega, approaches.below[k] as u64))
-                            .flatten()
-                    });
-                *root = certified?;
+                let certified = is_known.then(|| sides.certificate(approaches, k, root.omega, inner)).flatten();
+                *root = match certified {
+                    Some(root) => root,
+                    None if Y::IS_NETWORK => self.certify_by_fronts(root.omega, brackets[k])?,
+                    None => return None,
+                };
                 lower += 2;
             }
         }
@@ -295,6 +295,14 @@ where
             found.append(*root).ok()?;
         }
         Some(())
+    }
+
+    /// The root of a network between two samples, given its estimate.
+    #[cold]
+    fn certify_by_fronts(&mut self, estimate: T, lower: usize) -> Option<NaturalFrequency<T>> {
+        let (below, single) = (self.samples[lower].below as u64, &mut *self.single);
+        let ends = [lower, lower + 1].map(|k| T::from_f64(self.samples[k].point.s * self.samples[k].point.s));
+        single.certify_near(estimate, below).or_else(|| single.certify_between(ends, below))
     }
 
     /// Relative distance from a root at which it is counted.

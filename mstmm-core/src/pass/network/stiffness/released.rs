@@ -79,8 +79,8 @@ impl<S: Scalar, const N: usize> OwnStiffness<S, N> {
         for k in 0..N {
             if k != released {
                 let solved = row[k] * inverse;
-                for l in 0..N {
-                    self.entries[k][l] -= solved * row[l];
+                for (entry, factor) in self.entries[k].iter_mut().zip(row) {
+                    *entry -= solved * factor;
                 }
                 self.errors[k] = inherited(self.errors[k], [solved.size(), row[k].size()], error);
             }
