@@ -94,7 +94,7 @@ impl Figures {
     }
 
     /// When and with what the figures were taken, in a sentence.
-    fn origin(&self) -> String {
+    pub fn origin(&self) -> String {
         let find =
             |part: fn(&Program) -> Option<&String>| self.programs.iter().find_map(part).map_or("?", String::as_str);
         format!(
