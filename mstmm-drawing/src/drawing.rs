@@ -43,7 +43,7 @@ impl<M> Drawing<M> {
         Ok(Drawing { figure: system.figure()?, motion: None, force: None })
     }
 
-    /// The drawing with a motion over it: a mode shape, or the states of a response. Where the reader's settings allow, it moves.
+    /// The drawing with a motion over it: a mode shape, or of a frame the states of a response. Where the reader's settings allow, it moves.
     ///
     /// # Errors
     /// [`DrawingError::Motion`] where the motion is not known, [`DrawingError::MotionNotFinite`] where it is not finite.

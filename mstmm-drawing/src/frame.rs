@@ -7,9 +7,7 @@ use crate::kind::Kind;
 use crate::lanes::lay_side_by_side;
 use crate::path_places::{Loose, place_paths};
 use crate::vector::{Vector, direction, distance};
-use mstmm_core::{
-    Drawn, DrawnBody, DrawnEnd, DrawnPoint, DrawnSupport, Freedoms, MemberLabel, Parameter, Real, Sketch,
-};
+use mstmm_core::{Drawn, DrawnBody, DrawnEnd, DrawnPoint, DrawnSupport, Freedoms, Parameter, Real, Sketch};
 
 /// Distance on the paper within which two places are one.
 const SAME: f64 = 1e-6;
@@ -34,8 +32,6 @@ struct Builder<M> {
     scale: Scale,
     /// The node of each point.
     nodes: Vec<usize>,
-    /// Number of members.
-    members: usize,
     /// Whether points have displacements along x.
     is_plane: bool,
     /// The anchors of ends without a place.
@@ -81,7 +77,6 @@ impl<M> Builder<M> {
             },
             scale,
             nodes: points.iter().map(|point| point.node).collect(),
-            members: 0,
             is_plane: points.iter().any(|point| point.freedoms.contains(Freedoms::X)),
             loose: Vec::new(),
             directions: Vec::new(),
@@ -102,11 +97,9 @@ impl<M> Builder<M> {
             let length = from.zip(to).map_or(0.0, |(from, to)| distance(from, to));
             self.directions.resize(self.figure.parts.len(), None);
             self.directions.push(along);
-            let index = MemberLabel::member(self.members);
             // lines of paths have lengths of their own, and stretch evenly enough
-            let inside = Some(Inside::Member(index, length)).filter(|_| matches!(kind, Kind::Beam { .. }));
+            let inside = Some(Inside::Member(member.label, length)).filter(|_| matches!(kind, Kind::Beam { .. }));
             self.figure.parts.push(Part { name, word: member.kind, kind, ends: ends.into(), inside });
-            self.members += 1;
             let line = from.zip(to).and_then(|(from, to)| on_paper([to[0] - from[0], to[1] - from[1]]));
             for (end, anchor) in member.ends.iter().zip(ends) {
                 self.add_release(end, anchor, along.or(line));

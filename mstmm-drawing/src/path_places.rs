@@ -2,10 +2,13 @@
 
 use crate::figure::{Figure, Moves};
 use crate::kind::Kind;
-use crate::vector::{Vector, between, direction, distance, dot, plus};
+use crate::vector::{Vector, between, direction, distance, dot, plus, turned};
 
 /// Length of an element that hangs at a point.
 pub(crate) const HANGING: f64 = 52.0;
+
+/// Distance of a path from a beam beside it.
+const ASIDE: f64 = 30.0;
 
 /// An anchor without a place: a motion of a path, or the ground behind it.
 #[derive(Clone, Copy, Debug)]
@@ -100,11 +103,12 @@ fn place_path<M>(figure: &mut Figure<M>, path: &[usize], contacts: &[Contact], i
     let at: Vec<Vector> = match contacts {
         [_, second] if distance(start, figure.anchors[second.point].at) > HANGING / 2.0 => {
             let (far, end) = (from(second), figure.anchors[second.point].at);
+            let aside = aside(figure, start, end);
             path.iter()
                 .map(|&anchor| {
                     let [a, b] = [(&near, first), (&far, second)]
                         .map(|(all, contact)| all[anchor].unwrap_or(0) + contact.distance);
-                    between(start, end, a as f64 / (a + b).max(1) as f64)
+                    plus(between(start, end, a as f64 / (a + b).max(1) as f64), aside, 1.0)
                 })
                 .collect()
         }
@@ -122,6 +126,17 @@ fn place_path<M>(figure: &mut Figure<M>, path: &[usize], contacts: &[Contact], i
             figure.anchors[anchor].moves = Moves::Path { node, along: along.unwrap_or([0.0; 2]) };
         }
     }
+}
+
+/// The way by which a path between two places is beside a beam that joins them, too.
+fn aside<M>(figure: &Figure<M>, start: Vector, end: Vector) -> Vector {
+    let is_at = |anchor: usize, place: Vector| distance(figure.anchors[anchor].at, place) < 1e-6;
+    let joins = |ends: &[usize]| {
+        (is_at(ends[0], start) && is_at(ends[1], end)) || (is_at(ends[0], end) && is_at(ends[1], start))
+    };
+    let has_beam = figure.parts.iter().any(|part| matches!(part.kind, Kind::Beam { .. }) && joins(&part.ends));
+    let across = direction(plus(end, start, -1.0)).map(turned).filter(|_| has_beam);
+    across.map_or([0.0; 2], |[x, y]| [ASIDE * x, ASIDE * y])
 }
 
 /// How far a body reaches from one of its points along a way.

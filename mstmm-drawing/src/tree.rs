@@ -4,8 +4,8 @@ use crate::anchors::Scale;
 use crate::error::DrawingError;
 use crate::figure::{Anchor, Figure, Holds, Inside, Moves, Part, Support, label_of};
 use crate::kind::Kind;
-use crate::tree_places::{Edge, TreePlaces, places, way_of};
-use crate::vector::Vector;
+use crate::tree_places::{Beside, Edge, TreePlaces, places, way_of};
+use crate::vector::{Vector, plus};
 use mstmm_core::{DrawnPart, DrawnStep, DrawnTree, Freedoms, Space, TreeSketch};
 
 /// How deflections are drawn: along a direction, and whether rotations are drawn as such.
@@ -39,7 +39,7 @@ pub(crate) fn figure<Y: DrawnTree>(sketch: &TreeSketch<'_, Y>) -> Result<Figure<
     };
     add_anchors(&mut figure, &steps, &place_of, &found, (scale, deflection));
     for (index, (step, edge)) in edges.iter().enumerate() {
-        let ends = lane(&mut figure, edge.ends, found.lanes[index], &steps[*step]);
+        let ends = beside(&mut figure, edge.ends, found.beside[index], &steps[*step]);
         add_element(&mut figure, &steps[*step], ends, deflection);
     }
     add_supports(&mut figure, &steps, &place_of);
@@ -120,22 +120,16 @@ fn add_anchors<M>(
     }
 }
 
-/// The anchors of an element in its lane: a rigid link leads to the first one.
-fn lane<M>(figure: &mut Figure<M>, ends: [usize; 2], lane: f64, step: &DrawnStep<'_, M>) -> [usize; 2] {
-    if lane == 0.0 {
-        return ends;
-    }
-    // the end that is not in the lane is the higher one on the paper
-    let ys = ends.map(|end| figure.anchors[end].at[1]);
-    let from = usize::from(ys[1] > ys[0]);
-    let Anchor { at: [x, y], ref moves, .. } = figure.anchors[ends[from]];
-    let own = figure.anchors.len();
-    let moves = moves.copy();
-    figure.anchors.push(Anchor { at: [x, y + lane], moves, name: None });
-    let name = format!("link of {}", step.name);
-    figure.parts.push(Part { name, word: "link", kind: Kind::Lever, ends: vec![ends[from], own], inside: None });
+/// The anchors of an element, of one that begins beside its place with a rigid link to it.
+fn beside<M>(figure: &mut Figure<M>, ends: [usize; 2], beside: Option<Beside>, step: &DrawnStep<'_, M>) -> [usize; 2] {
+    let Some(Beside { end, shift }) = beside else { return ends };
+    let place = &figure.anchors[ends[end]];
+    let anchor = Anchor { at: plus(place.at, shift, 1.0), moves: place.moves.copy(), name: None };
     let mut moved = ends;
-    moved[from] = own;
+    moved[end] = figure.anchors.len();
+    figure.anchors.push(anchor);
+    let (name, link) = (format!("link of {}", step.name), vec![ends[end], moved[end]]);
+    figure.parts.push(Part { name, word: "link", kind: Kind::Lever, ends: link, inside: None });
     moved
 }
 

@@ -48,10 +48,18 @@ pub(crate) struct TreePlace {
     side: f64,
 }
 
+/// How an element begins beside its place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Beside {
+    /// Which of its ends.
+    pub(crate) end: usize,
+    pub(crate) shift: Vector,
+}
+
 /// The places of a tree, and by how much each edge is beside them.
 pub(crate) struct TreePlaces {
     pub(crate) places: Vec<TreePlace>,
-    pub(crate) lanes: Vec<f64>,
+    pub(crate) beside: Vec<Option<Beside>>,
 }
 
 /// The way of an element, by its kind and its extent.
@@ -71,7 +79,7 @@ pub(crate) fn way_of(kind: Kind, extent: Vector, is_in_line: bool, joins_ground:
 pub(crate) fn places(edges: &[Edge], held: &[bool], scale: f64) -> TreePlaces {
     let spots = spots(edges, held.len());
     let is_held = |spot: usize| (0..held.len()).any(|place| spots[place] == spot && held[place]);
-    let mut found = TreePlaces { places: vec![TreePlace::default(); held.len()], lanes: vec![0.0; edges.len()] };
+    let mut found = TreePlaces { places: vec![TreePlace::default(); held.len()], beside: vec![None; edges.len()] };
     let mut room = Room { scale, taken: Vec::new(), hanging: BTreeMap::new() };
     let start = edges.iter().find(|edge| matches!(edge.way, Way::Along(_))).or(edges.first());
     let mut queue = VecDeque::from_iter(start.map(|edge| edge.ends[0]));
@@ -85,11 +93,14 @@ pub(crate) fn places(edges: &[Edge], held: &[bool], scale: f64) -> TreePlaces {
                 continue;
             }
             let place = found.places[from];
-            (found.places[to], found.lanes[index]) = match edge.way {
-                Way::Stays => (place, 0.0),
+            let shift;
+            (found.places[to], shift) = match edge.way {
+                Way::Stays => (place, [0.0; 2]),
                 Way::Along(_) | Way::InLine => room.along(place, edge.way, is_forwards),
-                Way::Hangs => (room.below(place, spots[from], is_held(spots[from])), 0.0),
+                Way::Hangs => room.below(place, spots[from], is_held(spots[from])),
             };
+            let beside = Beside { end: usize::from(!is_forwards), shift };
+            found.beside[index] = Some(beside).filter(|_| shift != [0.0; 2]);
             queue.push_back(to);
         }
     }
@@ -118,7 +129,7 @@ struct Room {
 
 impl Room {
     /// The place at the other end of an element along x, and how far it is beside its beginning: in the first lane that is free.
-    fn along(&mut self, from: TreePlace, way: Way, is_forwards: bool) -> (TreePlace, f64) {
+    fn along(&mut self, from: TreePlace, way: Way, is_forwards: bool) -> (TreePlace, Vector) {
         let sign = if is_forwards { 1.0 } else { -1.0 };
         let mut to = TreePlace { side: 0.0, ..from };
         if let Way::Along(metres) = way {
@@ -140,20 +151,20 @@ impl Room {
         }
         to.shift[1] += lane;
         self.taken.push((to.shift[1], [low, high]));
-        (to, lane)
+        (to, [0.0, lane])
     }
 
     /// The place at the other end of an element that hangs: below its spot, above it, and then beside these.
-    fn below(&mut self, from: TreePlace, spot: usize, is_held: bool) -> TreePlace {
-        let mut to = from;
+    fn below(&mut self, from: TreePlace, spot: usize, is_held: bool) -> (TreePlace, Vector) {
+        let (mut to, mut shift) = (from, [0.0; 2]);
         if from.side == 0.0 {
             let count = self.hanging.entry(spot).or_default();
             let number = *count + u32::from(is_held);
             *count += 1;
             to.side = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
-            to.shift[0] += BESIDE * f64::from(number / 2);
+            shift[0] = BESIDE * f64::from(number / 2);
         }
-        to.shift[1] += to.side * HANGING;
-        to
+        to.shift = [from.shift[0] + shift[0], from.shift[1] + to.side * HANGING];
+        (to, shift)
     }
 }

@@ -34,6 +34,8 @@ const PERIOD: &str = "2.4s";
 struct Picture {
     groups: Vec<Element>,
     inks: Vec<Ink>,
+    /// What is drawn at other moments than the first: it is in the picture, and may pass over labels.
+    later: Vec<Ink>,
 }
 
 /// The drawing as SVG, of which a page can take the element as it is.
@@ -53,7 +55,7 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
     picture.add_mode(drawing);
     let labels = placed(wanted(drawing, diagrams), &picture.inks);
     picture.groups.push(group_of_labels(&labels));
-    let (low, high) = bounds(&picture.inks, &labels);
+    let (low, high) = bounds(picture.inks.iter().chain(&picture.later), &labels);
     let [width, height] = [0, 1].map(|axis| (high[axis] - low[axis]).ceil());
     let mut svg = element("svg", "mstmm");
     svg.assign("xmlns", "http://www.w3.org/2000/svg");
@@ -181,7 +183,9 @@ impl Picture {
                 ));
                 lively.append(path);
             }
-            self.inks.extend(moments.into_iter().flatten());
+            let mut moments = moments.into_iter();
+            self.inks.extend(moments.next().into_iter().flatten());
+            self.later.extend(moments.flatten());
             still.append(quiet);
             moving.append(lively);
         }
@@ -278,8 +282,8 @@ fn group_of_labels(labels: &[Placed]) -> Element {
 }
 
 /// The corners of the picture.
-fn bounds(inks: &[Ink], labels: &[Placed]) -> (Vector, Vector) {
-    let points = inks.iter().flat_map(|ink| ink.outline.points());
+fn bounds<'a>(inks: impl Iterator<Item = &'a Ink>, labels: &[Placed]) -> (Vector, Vector) {
+    let points = inks.flat_map(|ink| ink.outline.points());
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for point in points.chain(labels.iter().flat_map(corners)) {
         for axis in 0..2 {

@@ -5,7 +5,7 @@ use crate::reference_cases::reference_cases;
 use mstmm::number::DoubleDouble;
 
 /// Part of a frequency within which its count changes: a hundred times the rounding of 24 digits.
-const SHARP: f64 = 1e-22;
+pub(crate) const SHARP: f64 = 1e-22;
 
 /// Oracle: global dynamic stiffness in 77 digits, by others.
 #[test]

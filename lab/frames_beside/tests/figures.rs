@@ -1,5 +1,4 @@
 //! The portal's figures: right here, sensible elsewhere, and shown in the guide as they are.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "files that are not as they should be fail the test")]
 
 use frames_beside::{EXACT, Figures, hertz};
 

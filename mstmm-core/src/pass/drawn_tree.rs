@@ -11,8 +11,13 @@ pub trait DrawnTree: Planned {
     /// What the source calls a step: `beam 1`, `conn 2`, `fixed`; of a list its index.
     fn name(&self, step: usize) -> Spot;
 
-    /// The keyword of an element, of a list the name of its type; empty where the step is none.
-    fn kind(&self, step: usize) -> &'static str;
+    /// The keyword of an element, of a list the name of its type.
+    fn kind(&self, step: usize) -> &'static str {
+        match self.name(step) {
+            Spot::Named(name) => name.split_once(' ').map_or(name, |(keyword, _)| keyword),
+            _ => "",
+        }
+    }
 
     /// The extent of an element; none where the step is none.
     fn extent(&self, step: usize) -> Option<Extent>;

@@ -64,43 +64,37 @@ pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStr
     }
 }
 
-/// `impl DrawnTree`: the names of the steps, the keywords and the extents of the elements.
+/// `impl DrawnTree`: the names of the steps, and the extents of the elements.
 pub(super) fn drawn(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let of_steps = plan.steps.iter().map(|step| match step {
-        Step::Tip(keyword) | Step::Root { support: keyword, .. } => [keyword.to_string(), String::new()],
-        Step::Element { element, .. } => [element.to_string(), element.kind.name().to_string()],
-        Step::Connection { connection, .. } => [connection.to_string(), String::new()],
+        Step::Tip(keyword) | Step::Root { support: keyword, .. } => keyword.to_string(),
+        Step::Element { element, .. } => element.to_string(),
+        Step::Connection { connection, .. } => connection.to_string(),
     });
-    let of_steps = of_steps.map(|[name, kind]| quote_spanned!(names.here=> (#name, #kind)));
-    let count = plan.steps.len();
     // what is no element is told elsewhere
     let bounds = bounds("Element", plan, names);
     let extents = plan.elements.iter().enumerate().map(|(index, element)| {
-        let (steps, field, kind) =
-            (plan.steps_of(index), element_field(element, names), names.element_as(element, "Element"));
+        let (steps, field) = (plan.steps_of(index), element_field(element, names));
+        let kind = names.element_as(element, "Element");
         quote_spanned!(names.here=> #(#steps)|* => #kind::extent(&self.#field),)
     });
+    let (index, some) =
+        (quote_spanned!(names.here=> ::core::primitive::usize), quote_spanned!(names.here=> ::core::option::Option));
     quote_spanned! {names.here=>
-        const NAMES: &[(&::core::primitive::str, &::core::primitive::str); #count] = &[#(#of_steps),*];
-
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::DrawnTree for #system<#parameter>
         where
             #(#bounds),*
         {
-            fn name(&self, step: ::core::primitive::usize) -> #private::Spot {
-                #private::Spot::Named(NAMES[step].0)
+            fn name(&self, step: #index) -> #private::Spot {
+                #private::Spot::Named([#(#of_steps),*][step])
             }
 
-            fn kind(&self, step: ::core::primitive::usize) -> &'static ::core::primitive::str {
-                NAMES[step].1
-            }
-
-            fn extent(&self, step: ::core::primitive::usize) -> ::core::option::Option<#private::Extent> {
-                ::core::option::Option::Some(match step {
+            fn extent(&self, step: #index) -> #some<#private::Extent> {
+                #some::Some(match step {
                     #(#extents)*
-                    _ => return ::core::option::Option::None,
+                    _ => return #some::None,
                 })
             }
         }

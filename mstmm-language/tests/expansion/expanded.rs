@@ -546,15 +546,6 @@ const _: () = {
             )
         }
     }
-    const NAMES: &[(&::core::primitive::str, &::core::primitive::str); 7usize] = &[
-        ("fixed", ""),
-        ("spring 1", "spring"),
-        ("fixed", ""),
-        ("damper 3", "damper"),
-        ("conn 2", ""),
-        ("mass 4", "mass"),
-        ("free", ""),
-    ];
     #[automatically_derived]
     impl<T: mstmm::__private::Real> mstmm::__private::DrawnTree for DampedMassSystem<T>
     where
@@ -563,13 +554,17 @@ const _: () = {
         mstmm::__private::elements::Spring<T>: mstmm::__private::Element,
     {
         fn name(&self, step: ::core::primitive::usize) -> mstmm::__private::Spot {
-            mstmm::__private::Spot::Named(NAMES[step].0)
-        }
-        fn kind(
-            &self,
-            step: ::core::primitive::usize,
-        ) -> &'static ::core::primitive::str {
-            NAMES[step].1
+            mstmm::__private::Spot::Named(
+                [
+                    "fixed",
+                    "spring 1",
+                    "fixed",
+                    "damper 3",
+                    "conn 2",
+                    "mass 4",
+                    "free",
+                ][step],
+            )
         }
         fn extent(
             &self,

@@ -1,6 +1,7 @@
 //! Shapes, responses and sensitivities of a string, against the textbook.
 
 use core::f64::consts::PI;
+use mstmm::motion::{DrawnPart, Extent};
 use mstmm::prelude::*;
 
 system! {
@@ -65,4 +66,13 @@ fn responses_are_those_of_the_formula() {
         let expected = (k * half).sin().powi(2) / (tension * k * (2.0 * k * half).sin());
         assert!((response.at(omega).unwrap() / expected - 1.0).abs() < 1e-12);
     }
+}
+
+/// Drawings know it by the name of its type, with the length that it tells.
+#[test]
+fn a_cable_is_in_the_sketch_of_its_model() {
+    let system = STRING.build().unwrap();
+    let parts: Vec<_> = system.sketch().steps().map(|step| (step.name.to_string(), step.part)).collect();
+    let cable = DrawnPart::Element { kind: "Cable", extent: Extent::along(2.0) };
+    assert_eq!(parts[1], ("Cable 1".to_owned(), cable));
 }

@@ -48,6 +48,8 @@ pub struct DrawnMember<M, T> {
     pub kind: &'static str,
     /// Its input end and its output end.
     pub ends: [DrawnEnd<M, T>; 2],
+    /// The member as motions are asked about it.
+    pub label: MemberLabel<M, ()>,
 }
 
 /// An end of a member of a model `M`.
@@ -100,7 +102,7 @@ pub struct DrawnSupport<T> {
 }
 
 plain!(DrawnPoint<M, T: Parameter>, name, position, node, freedoms, label);
-plain!(DrawnMember<M, T: Parameter>, name, kind, ends);
+plain!(DrawnMember<M, T: Parameter>, name, kind, ends, label);
 plain!(DrawnEnd<M, T: Parameter>, point, position, along, released, node, rests, label);
 
 impl<M, T: Real> DrawnEnd<M, T> {
@@ -142,7 +144,8 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         self.members.iter().enumerate().filter_map(move |(index, member)| {
             let placement = system.placement(index);
             let ends = [0, 1].map(|end| DrawnEnd::of(placement, index, end, point(&member.ends[end])));
-            Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, ends })
+            let label = MemberLabel::member(index);
+            Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, ends, label })
         })
     }
 
@@ -186,7 +189,7 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
         self.kinds.iter().enumerate().map(|(index, kind)| {
             let placement = self.placement(index);
             let ends = [0, 1].map(|end| DrawnEnd::of(placement, index, end, Some(placement.node_of(end))));
-            DrawnMember { name: Spot::Member(index), kind, ends }
+            DrawnMember { name: Spot::Member(index), kind, ends, label: MemberLabel::member(index) }
         })
     }
 

@@ -100,7 +100,8 @@ impl fmt::Display for NetworkError {
                 write!(f, "nothing joins node {node} to the rest: a network hangs together; search two networks")
             }
             NetworkError::Room { nodes, members } => {
-                write!(f, "the room is too small for {nodes} nodes and {members} members")
+                write!(f, "the room is too small for {nodes} nodes and {members} members: ")?;
+                write!(f, "`Room::<_, {nodes}, {members}>` has room for them")
             }
             NetworkError::Width { needed } => {
                 write!(f, "the widest front has {needed} variables: `Network::<_, {needed}, _, _>` has room for them")

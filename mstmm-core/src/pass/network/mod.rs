@@ -18,6 +18,8 @@ mod skeleton;
 mod sketch;
 pub(crate) mod stiffness;
 mod structure;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use chart_load::{load_on_chart, load_work};
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};

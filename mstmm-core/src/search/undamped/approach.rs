@@ -214,15 +214,16 @@ impl<S: Real, const POINTS: usize> Round<S, POINTS> {
         }
     }
 
-    /// The bracket, narrowed by the signs of Δ at the points.
+    /// The bracket, narrowed by the signs of Δ at the points inside of it: beyond it are other roots.
     #[inline(always)]
     fn bracket(&self) -> [S; 2] {
         let ([mut lower, mut upper], zero) = (self.ends, S::zero());
         let mut k = 0;
         while k < POINTS {
             let is_below = zero.is_below(self.values[k] * self.scale);
-            lower = S::choose(is_below & lower.is_below(self.s[k]), self.s[k], lower);
-            upper = S::choose(!is_below & self.s[k].is_below(upper), self.s[k], upper);
+            let is_inside = lower.is_below(self.s[k]) & self.s[k].is_below(upper);
+            (lower, upper) =
+                (S::choose(is_below & is_inside, self.s[k], lower), S::choose(!is_below & is_inside, self.s[k], upper));
             k += 1;
         }
         [lower, upper]

@@ -5,7 +5,7 @@ use crate::search::undamped::approach::Approaches;
 use crate::search::undamped::found::NaturalFrequency;
 
 /// Distance of the zero of Δ beside a certificate that failed, in its half widths, within which another one is tried.
-const NEARBY: f64 = 8.0;
+pub(super) const NEARBY: f64 = 8.0;
 
 /// What was evaluated below and above a root.
 pub(super) struct Sides<T> {

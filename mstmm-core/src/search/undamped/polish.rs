@@ -1,10 +1,11 @@
 //! The last digits of a single root, by inverse interpolation with derivatives inside a bracket of counts.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Real, is_straight};
+use crate::number::{Dual, Parameter, Real, is_straight};
 use crate::pass::characteristic::{Characteristic, System};
+use crate::search::undamped::certificate::NEARBY;
 use crate::search::undamped::found::NaturalFrequency;
-use crate::search::undamped::sampling::{Isolation, Sample, Slope, middle};
+use crate::search::undamped::sampling::{Isolation, Sample, Slope, extended, middle};
 
 /// Number of steps within which a bracket has to be halved, else the next step halves it.
 const PATIENCE: u32 = 3;
@@ -91,14 +92,39 @@ where
         self.settle(Sample { below: counts.0, ..lower }, Sample { below: counts.1, ..upper })
     }
 
-    /// The single root beside an estimate, above so many others, certified without doubt; none where the estimate is not good enough.
+    /// The single root beside an estimate, above so many others, certified without doubt, in extended precision where this one doubts; none
+    /// where the estimate is not good enough.
     #[inline]
     pub(super) fn certify_near(&mut self, omega: T, below: u64) -> Option<NaturalFrequency<T>> {
         let before = core::mem::take(&mut self.is_doubtful);
         let slope = self.slope(omega).ok()?;
-        let root = self.certify(slope.newton(), (below, below + 1), &slope).ok()??;
+        let root = self.certify(slope.newton(), (below, below + 1), &slope).ok()?;
         let is_certain = !core::mem::replace(&mut self.is_doubtful, before);
-        is_certain.then_some(root)
+        root.filter(|_| is_certain).or_else(|| self.certify_extended(root.map_or(omega, |root| root.omega), below))
+    }
+
+    /// The single root beside an estimate by counts in extended precision: what one root leaves in doubt need not be searched anew for all.
+    #[cold]
+    fn certify_extended(&mut self, mut omega: T, below: u64) -> Option<NaturalFrequency<T>> {
+        for _ in 0..if T::HAS_EXTENDED { 2 } else { 0 } {
+            let inner = omega * self.half_width * T::from_f64(0.5);
+            let (start, end) = (omega - inner, omega + inner);
+            (self.evaluations, self.extended) = (self.evaluations + 2, self.extended + 2);
+            let [(first, lower), (last, upper)] = [start, end].map(|x| extended(self.system, x));
+            if first.cancelled().partly || last.cancelled().partly {
+                return None;
+            }
+            if (first.below(), last.below()) == (below, below + 1) {
+                return Some(NaturalFrequency { omega, lower: start - inner, upper: end + inner, multiplicity: 1 });
+            }
+            let (value, other) = (lower.mantissa(), upper.over_power(lower.exponent()));
+            let share: f64 = (value / (value - other)).to_f64();
+            omega = start + (end - start) * T::from_f64(share);
+            if !(f64::abs(share) < NEARBY) {
+                return None;
+            }
+        }
+        None
     }
 
     /// The root at an estimate, if the counts on both sides certify it.
@@ -122,7 +148,7 @@ where
                 return Ok(Some(root));
             }
             let zero = below.omega + (above.omega - below.omega) * chord_share(&below, &above);
-            let is_near = (zero - omega).size() < inner.size() * 8.0;
+            let is_near = (zero - omega).size() < inner.size() * NEARBY;
             if !is_near {
                 break;
             }

@@ -228,7 +228,7 @@ where
 /// The count and Δ in extended precision; not inlined, since they are seldom needed.
 #[cold]
 #[inline(never)]
-fn extended<T: Real, Y: Characteristic<T::Extended> + ?Sized>(
+pub(super) fn extended<T: Real, Y: Characteristic<T::Extended> + ?Sized>(
     system: &Y,
     omega: T,
 ) -> (WittrickWilliams<f64>, Scaled<T::Extended>) {

@@ -270,17 +270,21 @@ where
             }
             let mut lower = 0;
             for (k, root) in roots.iter_mut().enumerate().filter(|(_, root)| root.multiplicity == 0) {
-                if self.block.unknown >> lower & 0b11 != 0 {
-                    *root = self.single.certify_near(root.omega, approaches.below[k] as u64)?;
-                    lower += 2;
-                    continue;
-                }
+                let is_known = self.block.unknown >> lower & 0b11 == 0;
                 let sides = Sides {
                     omega: [self.block.omega[lower], self.block.omega[lower + 1]],
                     value: [self.block.value[lower], self.block.value[lower + 1]],
                     below: [self.block.below[lower], self.block.below[lower + 1]],
                 };
-                *root = sides.certificate(approaches, k, root.omega, root.omega * self.inner())?;
+                let inner = root.omega * self.inner();
+                let certified =
+                    is_known.then(|| sides.certificate(approaches, k, root.omega, inner)).flatten().or_else(|| {
+                        // stiffnesses may lose more digits than fronts
+                        Y::IS_NETWORK
+                            .then(|| self.single.certify_near(root.omega, approaches.below[k] as u64))
+                            .flatten()
+                    });
+                *root = certified?;
                 lower += 2;
             }
         }

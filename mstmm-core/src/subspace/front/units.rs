@@ -61,8 +61,10 @@ impl NodeUnits {
         self.wave = Some(self.wave.map_or(wave, |least| least.min(wave)));
     }
 
-    /// The units: in the middle between the stiffest and the softest member, tied by the lever of a wave. Without members they lie between
-    /// that of the softest connector and that of the inertia, whose size is given, like those of a member.
+    /// The units: in the middle between the stiffest and the softest member, where rotations are no stiffer than displacements are by the
+    /// lever of a wave. Displacements are not tied to rotations likewise: in portals that left half as many roots again to be judged, and
+    /// in no family fewer. Without members units lie between that of the softest connector and that of the inertia, whose size is given,
+    /// like those of a member.
     pub(crate) fn units(&self, inertias: [f64; 2]) -> Units {
         let of = |kind: usize| {
             let inertia = (inertias[kind] > 0.0).then(|| unit_of(binary_exponent(inertias[kind])));
@@ -73,12 +75,9 @@ impl NodeUnits {
             }
         };
         let own = [of(0), of(1)];
-        let mut displacement = own[0].or(own[1]).unwrap_or(0);
-        let mut rotation = own[1].unwrap_or(displacement);
-        if let Some(wave) = self.wave {
-            rotation = rotation.max(displacement + wave);
-            displacement = displacement.max(rotation - wave);
-        }
+        let displacement = own[0].or(own[1]).unwrap_or(0);
+        let rotation = own[1].unwrap_or(displacement);
+        let rotation = self.wave.map_or(rotation, |wave| rotation.max(displacement + wave));
         Units { displacement, rotation }.in_range()
     }
 }

@@ -2,10 +2,10 @@
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 use crate::number::InLanes;
-use crate::number::{Frequency, Packed, Size, Task, run};
-use crate::pass::network::stiffness::fronts::{StiffnessFronts, StiffnessRoom};
+use crate::number::{Packed, Size, Task, run};
+use crate::pass::network::stiffness::compiled::StiffnessScalar;
+use crate::pass::network::stiffness::fronts::StiffnessRoom;
 use crate::pass::network::stiffness::model::StiffnessModel;
-use crate::pass::network::stiffness::pass::eliminate_all;
 use crate::pass::network::stiffness::total::StiffnessTotal;
 
 /// The memory that an evaluation takes: its fronts are as wide as they are.
@@ -99,19 +99,6 @@ impl StiffnessBlock<'_> {
     }
 }
 
-/// A number at which networks are evaluated by stiffnesses, compiled with this library.
-trait StiffnessScalar: Frequency<f64> {
-    /// Eliminates all nodes. Returns whether that is possible.
-    fn eliminate_all(model: &StiffnessModel<'_>, fronts: &mut StiffnessFronts<'_, Self>, omega: &Self) -> bool;
-}
-
-impl StiffnessScalar for f64 {
-    #[inline(never)]
-    fn eliminate_all(model: &StiffnessModel<'_>, fronts: &mut StiffnessFronts<'_, Self>, omega: &Self) -> bool {
-        eliminate_all(model, fronts, *omega).is_some()
-    }
-}
-
 /// The evaluation of a block in memory for up to `W` displacements at once.
 struct Evaluation<'a, 'b, 'm, const W: usize> {
     model: &'a StiffnessModel<'m>,
@@ -136,43 +123,4 @@ impl<const W: usize> Task for Evaluation<'_, '_, '_, W> {
     fn alone(self) -> bool {
         self.block.in_lanes::<f64, W>(self.model)
     }
-}
-
-#[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
-mod in_vectors {
-    use super::{StiffnessFronts, StiffnessModel, StiffnessScalar, eliminate_all};
-    use mstmm_lanes::{Eight, Four, Lanes, Part, Vector};
-
-    /// The elimination of all nodes.
-    struct Elimination<'a, 'm, 'r, V: crate::number::lanes::Waving> {
-        model: &'a StiffnessModel<'m>,
-        fronts: &'a mut StiffnessFronts<'r, Lanes<V>>,
-        omega: &'a Lanes<V>,
-        is_whole: &'a mut bool,
-    }
-
-    impl<V: crate::number::lanes::Waving> Part for Elimination<'_, '_, '_, V> {
-        #[inline(always)]
-        fn run(self) {
-            *self.is_whole = eliminate_all(self.model, self.fronts, *self.omega).is_some();
-        }
-    }
-
-    macro_rules! vectors {
-        ($($vector:ty),*) => {$(
-            impl StiffnessScalar for Lanes<$vector> {
-                #[inline(never)]
-                fn eliminate_all(
-                    model: &StiffnessModel<'_>,
-                    fronts: &mut StiffnessFronts<'_, Self>,
-                    omega: &Self,
-                ) -> bool {
-                    let mut is_whole = false;
-                    <$vector>::call(Elimination { model, fronts, omega, is_whole: &mut is_whole });
-                    is_whole
-                }
-            }
-        )*};
-    }
-    vectors!(Eight, Four);
 }

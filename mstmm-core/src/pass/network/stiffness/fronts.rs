@@ -6,7 +6,7 @@ use crate::pass::network::stiffness::total::StiffnessTotal;
 use crate::pass::network::stiffness::waves::Bending;
 
 /// Row of a pivot beside its error in units of rounding, up to which rounding may decide its sign.
-const DOUBTFUL: f64 = 2.0;
+const DOUBTFUL: f64 = 8.0;
 
 /// The displacements of a node, or the forces of a rigid joint, in a front.
 #[derive(Clone, Copy, Debug)]
@@ -222,30 +222,49 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
     #[inline(always)]
     pub(super) fn add_line(&mut self, [own, across]: [S; 2], freedom: usize, member: InFront<'_>) {
         for end in 0..2 {
-            let Some([first, count]) = member.ends[end] else { continue };
-            let parts = member.row(end, freedom);
-            for (k, part) in parts[..count].iter().enumerate() {
-                if *part == 0.0 {
-                    continue;
-                }
-                let term = own.scaled(*part);
-                let start = row(first + k) + first;
-                for (entry, part) in self.entries[start..=start + k].iter_mut().zip(&parts) {
-                    *entry += term.scaled(*part);
-                }
-                self.note(first + k, term.scaled(*part).size());
-            }
+            let Some(place) = member.ends[end] else { continue };
+            self.add_own(own, place, &member.row(end, freedom));
         }
-        let [Some([first, count]), Some([other_first, other_count])] = member.ends else { return };
-        let [parts, other_parts] = [member.row(0, freedom), member.row(1, freedom)];
+        let [Some(place), Some(other)] = member.ends else { return };
+        self.add_across(across, [place, other], [&member.row(0, freedom), &member.row(1, freedom)]);
+    }
+
+    /// Adds a stiffness of a displacement, given what that is of the motions of its node.
+    #[inline(always)]
+    pub(super) fn add_own(&mut self, own: S, [first, count]: [usize; 2], parts: &[f64; 3]) {
         for (k, part) in parts[..count].iter().enumerate() {
             if *part == 0.0 {
                 continue;
             }
+            let term = own.scaled(*part);
+            let start = row(first + k) + first;
+            for (entry, part) in self.entries[start..=start + k].iter_mut().zip(parts) {
+                *entry += term.scaled(*part);
+            }
+            self.note(first + k, term.scaled(*part).size());
+        }
+    }
+
+    /// Adds a stiffness between two displacements, given what these are of the motions of their nodes.
+    #[inline(always)]
+    pub(super) fn add_across(&mut self, across: S, places: [[usize; 2]; 2], rows: [&[f64; 3]; 2]) {
+        let [[first, count], [other_first, other_count]] = places;
+        for (k, part) in rows[0][..count].iter().enumerate() {
+            if *part == 0.0 {
+                continue;
+            }
             let term = across.scaled(*part);
-            for (l, part) in other_parts[..other_count].iter().enumerate() {
+            for (l, part) in rows[1][..other_count].iter().enumerate() {
                 self.add([first + k, other_first + l], term.scaled(*part));
             }
+        }
+    }
+
+    /// Notes the size of the terms that a stiffness of a displacement is made of.
+    #[inline(always)]
+    pub(super) fn note_own(&mut self, size: S::Size, [first, count]: [usize; 2], parts: &[f64; 3]) {
+        for (k, part) in parts[..count].iter().enumerate() {
+            self.note(first + k, size * S::Size::of(part * part));
         }
     }
 
@@ -340,18 +359,31 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
                 *entry -= factor * *solved;
             }
         }
+        let error = self.errors[last];
         if self.watches {
-            let error = self.errors[last];
             for ((own_error, solved), factor) in self.errors.iter_mut().zip(&self.row[..last]).zip(factors) {
-                let part = solved.size();
-                let inherited = (part * part * error).or_larger(part * factor.size());
-                *own_error = own_error.or_larger(inherited);
+                *own_error = inherited(*own_error, [solved.size(), factor.size()], error);
             }
+        }
+        self.take(pivot, error);
+        self.count = last;
+    }
+
+    /// Includes a pivot, with the error of its row, in Δ and the count.
+    #[inline(always)]
+    pub(super) fn take(&mut self, pivot: S, error: S::Size) {
+        if self.watches {
             let limit = error * S::Size::of(DOUBTFUL * S::EPSILON);
             self.total.is_doubtful = self.total.is_doubtful | !limit.is_below(pivot.size());
         }
         self.total.multiply(pivot, 0);
         self.total.below = self.total.below + S::Size::one_if(pivot.is_negative());
-        self.count = last;
     }
+}
+
+/// The error of a row, in units of rounding, after a pivot on another one: its own, or what it inherits of that, given the sizes of its entry
+/// there over the pivot and of that entry.
+#[inline(always)]
+pub(super) fn inherited<E: Size>(own: E, [solved, factor]: [E; 2], pivot: E) -> E {
+    own.or_larger((solved * solved * pivot).or_larger(solved * factor))
 }

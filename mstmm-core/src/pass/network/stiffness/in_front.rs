@@ -1,6 +1,7 @@
 //! A member in a front.
 
 use crate::pass::network::stiffness::model::StiffnessMember;
+use mstmm_plan::Freedoms;
 
 /// The ends of a member in a front: where the motions of each node begin and how many they are, if it moves.
 #[derive(Clone, Copy)]
@@ -10,6 +11,12 @@ pub(super) struct InFront<'a> {
 }
 
 impl InFront<'_> {
+    /// Whether an end shares a freedom with its node.
+    #[inline(always)]
+    pub(super) fn has(&self, [end, freedom]: [usize; 2]) -> bool {
+        !self.member.released[end].contains(Freedoms::SINGLE[freedom])
+    }
+
     /// Where the rotation of an end stands: the last motion of its node, if that turns.
     #[inline(always)]
     pub(super) fn rotation(&self, end: usize) -> Option<usize> {

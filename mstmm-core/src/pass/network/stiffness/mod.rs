@@ -4,10 +4,12 @@
 //! and take its counts where rounding cannot have decided the sign of a pivot; all else goes by fronts.
 
 mod block;
+mod compiled;
 mod fronts;
 mod in_front;
 mod model;
 mod pass;
+mod released;
 mod total;
 mod waves;
 

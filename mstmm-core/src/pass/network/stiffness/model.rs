@@ -4,7 +4,7 @@ use crate::element::MemberNumbers;
 use crate::number::Real;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
-use mstmm_plan::NetworkOrder;
+use mstmm_plan::{Freedoms, NetworkOrder};
 
 /// A member with what the freedoms of its ends are of the motions of its nodes.
 #[derive(Clone, Copy, Debug)]
@@ -15,22 +15,36 @@ pub(crate) struct StiffnessMember {
     /// Whether the node of each end has no motions, and whether it turns, as its last motion.
     pub(super) rests: [bool; 2],
     pub(super) turns: [bool; 2],
+    /// Of each end, the freedoms that it does not share with its node, and whether there are none.
+    pub(super) released: [Freedoms; 2],
+    pub(super) is_shared: bool,
 }
 
 impl StiffnessMember {
     /// No member yet.
     pub(crate) fn none() -> Self {
-        StiffnessMember { numbers: MemberNumbers::Other, rows: [[[0.0; 3]; 2]; 2], rests: [true; 2], turns: [false; 2] }
+        StiffnessMember {
+            numbers: MemberNumbers::Other,
+            rows: [[[0.0; 3]; 2]; 2],
+            rests: [true; 2],
+            turns: [false; 2],
+            released: [Freedoms::NONE; 2],
+            is_shared: true,
+        }
     }
 
-    /// A member in its place. Where an end does not share all freedoms with its node its stiffness is not known.
+    /// A member in its place. Of a joint that an end does not share in whole the stiffness is not known.
     pub(crate) fn new<T: Real>(numbers: MemberNumbers, placement: &Placement<T>) -> Self {
-        let is_shared = [0, 1].iter().all(|end| placement.released(*end).count() == 0);
+        let released = [0, 1].map(|end| placement.released(end));
+        let is_shared = released == [Freedoms::NONE; 2];
+        let is_known = is_shared || !matches!(numbers, MemberNumbers::Joint(..));
         StiffnessMember {
-            numbers: if is_shared { numbers } else { MemberNumbers::Other },
+            numbers: if is_known { numbers } else { MemberNumbers::Other },
             rows: placement.rows().map(|[along, across, _]| [along, across].map(|row| row.map(T::to_f64))),
             rests: [0, 1].map(|end| placement.rests(end)),
             turns: placement.rows().map(|[.., rotation]| rotation.iter().any(|part| !part.vanishes())),
+            released,
+            is_shared,
         }
     }
 }

@@ -1,16 +1,18 @@
 //! The evaluation of a network by dynamic stiffnesses, at several frequencies at once.
 
 use crate::element::MemberNumbers;
-use crate::number::{Frequency, FrequencyPowers, Scalar, Size};
+use crate::number::{FrequencyPowers, Scalar, Size};
+use crate::pass::network::stiffness::compiled::StiffnessScalar;
 use crate::pass::network::stiffness::fronts::StiffnessFronts;
 use crate::pass::network::stiffness::in_front::InFront;
 use crate::pass::network::stiffness::model::StiffnessModel;
-use crate::pass::network::stiffness::waves::{BeamWaves, line};
+use crate::pass::network::stiffness::released::OwnStiffness;
+use crate::pass::network::stiffness::waves::{BeamWaves, Line, line};
 use mstmm_plan::Freedoms;
 
 /// Eliminates all nodes at a frequency. None where memory ends or a member is not known.
 #[inline(always)]
-pub(super) fn eliminate_all<S: Frequency<f64>>(
+pub(super) fn eliminate_all<S: StiffnessScalar>(
     model: &StiffnessModel<'_>,
     fronts: &mut StiffnessFronts<'_, S>,
     omega: S,
@@ -34,7 +36,7 @@ fn ties(model: &StiffnessModel<'_>, member: usize) -> Option<[usize; 2]> {
 
 /// Eliminates a node with all members that its elimination cuts.
 #[inline(always)]
-fn eliminate_node<'a, S: Frequency<f64>>(
+fn eliminate_node<'a, S: StiffnessScalar>(
     model: &'a StiffnessModel<'_>,
     fronts: &mut StiffnessFronts<'_, S>,
     (at, waves): (&FrequencyPowers<S>, &mut BeamWaves<'a, S>),
@@ -91,7 +93,7 @@ fn eliminate_ties<S: Scalar>(
 
 /// Adds a member.
 #[inline(always)]
-fn add_member<'a, S: Scalar>(
+fn add_member<'a, S: StiffnessScalar>(
     model: &'a StiffnessModel<'_>,
     fronts: &mut StiffnessFronts<'_, S>,
     (at, waves): (&FrequencyPowers<S>, &mut BeamWaves<'a, S>),
@@ -106,16 +108,17 @@ fn add_member<'a, S: Scalar>(
         MemberNumbers::Beam(across, along) => {
             let (of_across, of_along) = waves.of(numbers, (across, along.as_ref()), at);
             fronts.total.include(of_across);
-            fronts.add_bending(of_across, in_front);
+            if own.is_shared {
+                fronts.add_bending(of_across, in_front);
+            } else {
+                S::join(&mut OwnStiffness::of_bending(of_across), fronts, in_front);
+            }
             if along.is_some() {
-                fronts.total.include(of_along);
-                fronts.add_line(of_along.stiffness, 0, in_front);
+                add_line(fronts, of_along, 0, in_front);
             }
         }
         MemberNumbers::Line(freedom, numbers) => {
-            let waves = line(numbers, at);
-            fronts.total.include(&waves);
-            fronts.add_line(waves.stiffness, *freedom, in_front);
+            add_line(fronts, &line(numbers, at), *freedom, in_front);
         }
         MemberNumbers::Joint(rigid, elastic) => {
             let mut tie = fronts.place_of(model.nodes.len() + member).map_or(0, |[first, _]| first);
@@ -133,4 +136,20 @@ fn add_member<'a, S: Scalar>(
         }
     }
     Some(())
+}
+
+/// Adds a line.
+#[inline(always)]
+fn add_line<S: StiffnessScalar>(
+    fronts: &mut StiffnessFronts<'_, S>,
+    waves: &Line<S>,
+    freedom: usize,
+    in_front: InFront<'_>,
+) {
+    fronts.total.include(waves);
+    if in_front.member.is_shared {
+        fronts.add_line(waves.stiffness, freedom, in_front);
+    } else {
+        S::join(&mut OwnStiffness::of_line(waves, freedom), fronts, in_front);
+    }
 }

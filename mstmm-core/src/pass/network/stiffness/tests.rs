@@ -22,23 +22,29 @@ fn evaluated<'a>(
     model: &StiffnessModel<'_>,
     omega: &'a [f64],
     [value, below]: [&'a mut [f64; 16]; 2],
+    in_lanes: bool,
 ) -> StiffnessBlock<'a> {
     let (value, below) = (&mut value[..omega.len()], &mut below[..omega.len()]);
     let memory = Memory::default();
     let mut block =
         StiffnessBlock { omega, watches: true, value, below, unknown: 0, doubtful: 0, exponent: None, memory };
-    block.evaluate(model, true);
+    block.evaluate(model, in_lanes);
     block
 }
 
 /// Compares Δ, but for a constant, and counts at some frequencies.
 fn compare(nodes: &[Node<f64>], members: &[Member<Any>], frequencies: &[f64]) {
+    compare_in_blocks(nodes, members, frequencies, 16);
+}
+
+/// The same in blocks of so many frequencies, in lanes if there are several.
+fn compare_in_blocks(nodes: &[Node<f64>], members: &[Member<Any>], frequencies: &[f64], size: usize) {
     let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
     let network = Network::<_, 48, _, _>::new(nodes, members, &mut room).unwrap();
     let (mut value, mut below) = ([0.0; 16], [0.0; 16]);
     let mut ratio = None;
-    for omega in frequencies.chunks(16) {
-        let block = evaluated(&network.in_numbers().unwrap(), omega, [&mut value, &mut below]);
+    for omega in frequencies.chunks(size) {
+        let block = evaluated(&network.in_numbers().unwrap(), omega, [&mut value, &mut below], size > 1);
         assert_eq!((block.unknown, block.doubtful), (0, 0));
         let exponent = block.exponent.unwrap();
         for (k, &omega) in omega.iter().enumerate() {
@@ -104,6 +110,30 @@ fn joints_bodies_and_lines() {
     compare(&nodes, &members, &frequencies(0.7, 1.0917, 80));
 }
 
+/// A braced bay whose members leave rotations, a displacement along and one across to themselves, at nodes that move and at rest.
+#[test]
+fn members_that_do_not_share_all_freedoms() {
+    let holds = Support::Fixed.holds();
+    let nodes = [
+        Node::at([0.0, 0.0]).held(holds),
+        Node::at([0.0, 3.0]),
+        Node::at([2.0, 3.0]).with_body(500.0, 40.0, [2.0, 3.4]),
+        Node::at([4.0, 3.0]),
+        Node::at([4.0, 0.0]).held(holds),
+    ];
+    let turning = |node: usize| End::of(node).releasing(Freedoms::RZ);
+    let members: [Member<Any>; 7] = [
+        Member::new(turning(0), 1, section()),
+        Member::new(1, turning(2), section()),
+        Member::new(2, End::of(3).releasing(Freedoms::X), section()),
+        Member::new(End::of(3).releasing(Freedoms::Y), 4, section()),
+        Member::new(turning(1), turning(3), section()),
+        Member::new(turning(4), turning(1).at([0.0, 2.7]), section()),
+        Member::new(End::of(4).releasing(Freedoms::Y.union(Freedoms::RZ)), 2, section()),
+    ];
+    compare(&nodes, &members, &frequencies(0.7, 1.0917, 80));
+}
+
 #[test]
 fn members_between_points_at_rest_and_rings() {
     let holds = Support::Fixed.holds();
@@ -120,24 +150,69 @@ fn members_between_points_at_rest_and_rings() {
     compare(&nodes, &members, &frequencies(3.0, 1.0771, 80));
 }
 
+/// Of waves that have to be scaled Δ is beyond the range, by powers of two that change from one frequency to the next.
+#[test]
+fn waves_that_are_scaled() {
+    let nodes = [
+        Node::at([0.0, 0.0]).held(Support::Fixed.holds()),
+        Node::at([30.0, 40.0]),
+        Node::at([90.0, 40.0]).held(Support::Pinned.holds()),
+    ];
+    let members = [[0, 1], [1, 2]].map(|[from, to]| Member::<Any>::new(from, to, section()));
+    compare_in_blocks(&nodes, &members, &frequencies(1e4, 1.713, 12), 1);
+}
+
+/// A point that a spring holds along itself alone has pivots that are zero: of several motions Δ becomes no number, of one it is zero.
+#[test]
+fn what_nothing_holds_is_not_known() {
+    let on_a_spring = |end: Node<f64>| {
+        let nodes = [Node::at([0.0, 0.0]).held(Support::Fixed.holds()), end];
+        let members = [Member::<Any>::new(0, 1, Spring { stiffness: 3.0 })];
+        let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
+        let network = Network::<_, 48, _, _>::new(&nodes, &members, &mut room).unwrap();
+        let numbers = [&mut [0.0; 16], &mut [0.0; 16]];
+        evaluated(&network.in_numbers().unwrap(), &[1.0, 2.0], numbers, true).unknown
+    };
+    assert_eq!(on_a_spring(Node::at([2.0, 0.5])), 0b11);
+    assert_eq!(on_a_spring(Node::at([2.0, 0.0]).held(Freedoms::RZ).along([0.0, 1.0])), 0b11);
+    assert_eq!(on_a_spring(Node::at([2.0, 0.0]).held(Freedoms::RZ).along([1.0, 1.0])), 0);
+}
+
+/// Whether rounding may have decided a sign so far below and above the first root of a structure.
+fn doubts(nodes: &[Node<f64>], members: &[Member<Any>], away: f64) -> u32 {
+    let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
+    let network = Network::<_, 48, _, _>::new(nodes, members, &mut room).unwrap();
+    // the first root, by counts of fronts
+    let (mut lower, mut upper) = (1.0, 1e4);
+    for _ in 0..64 {
+        let middle = (lower + upper) * 0.5;
+        let below = count_and_value::<true, _, f64>(&network, middle).0.below();
+        *(if below == 0 { &mut lower } else { &mut upper }) = middle;
+    }
+    let omega = [1.0 - away, 1.0 + away].map(|factor| lower * factor);
+    let numbers = [&mut [0.0; 16], &mut [0.0; 16]];
+    evaluated(&network.in_numbers().unwrap(), &omega, numbers, true).doubtful
+}
+
 /// A beam on a leg that leans: the stiffer the leg is along, the more of its bending rounding takes.
 #[test]
 fn rounding_is_seen_where_stiff_members_hide_soft_ones() {
     let nodes = [Node::at([0.0, 0.0]).held(Support::Fixed.holds()), Node::at([0.6, 0.8]), Node::at([2.0, 0.8])];
     let doubts = |axial_stiffness: f64, away: f64| {
-        let members =
-            [[0, 1], [1, 2]].map(|[from, to]| Member::<Any>::new(from, to, Section { axial_stiffness, ..section() }));
-        let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
-        let network = Network::<_, 48, _, _>::new(&nodes, &members, &mut room).unwrap();
-        // the first root, by counts of fronts
-        let (mut lower, mut upper) = (1.0, 1e4);
-        for _ in 0..64 {
-            let middle = (lower + upper) * 0.5;
-            let below = count_and_value::<true, _, f64>(&network, middle).0.below();
-            *(if below == 0 { &mut lower } else { &mut upper }) = middle;
-        }
-        let omega = [1.0 - away, 1.0 + away].map(|factor| lower * factor);
-        evaluated(&network.in_numbers().unwrap(), &omega, [&mut [0.0; 16], &mut [0.0; 16]]).doubtful
+        let leg = Section { axial_stiffness, ..section() };
+        doubts(&nodes, &[[0, 1], [1, 2]].map(|[from, to]| Member::new(from, to, leg)), away)
     };
     assert_eq!([doubts(4e8, 1e-12), doubts(4e12, 1e-12), doubts(4e16, 1e-12), doubts(4e16, 1e-4)], [0, 0b11, 0b11, 0]);
+}
+
+/// Two such beams in a row between clamps: what rounding takes at the first node is missed at the second one, which has no stiff member.
+#[test]
+fn rounding_is_handed_on_from_node_to_node() {
+    let clamp = |position| Node::at(position).held(Support::Fixed.holds());
+    let nodes = [clamp([0.0, 0.0]), Node::at([0.6, 0.8]), Node::at([2.0, 0.8]), clamp([2.5, 3.0])];
+    let doubts = |axial_stiffness: f64, away: f64| {
+        let leg = Member::new(0, 1, Section { axial_stiffness, ..section() });
+        doubts(&nodes, &[leg, Member::new(1, 2, section()), Member::new(2, 3, section())], away)
+    };
+    assert_eq!([doubts(4e8, 1e-12), doubts(4e12, 1e-12), doubts(4e16, 1e-8), doubts(4e16, 1e-4)], [0, 0b11, 0b11, 0]);
 }

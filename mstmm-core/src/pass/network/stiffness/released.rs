@@ -1,0 +1,90 @@
+//! Members that do not share all freedoms with their nodes: what is not shared leaves before the member joins a front.
+
+use crate::number::{Scalar, Size};
+use crate::pass::network::stiffness::fronts::{StiffnessFronts, inherited};
+use crate::pass::network::stiffness::in_front::InFront;
+use crate::pass::network::stiffness::waves::{Bending, Line};
+
+/// The dynamic stiffness of a member over `N` freedoms of its ends.
+pub(super) struct OwnStiffness<S: Scalar, const N: usize> {
+    /// End and freedom of each row: displacement along, across, rotation.
+    freedoms: [[usize; 2]; N],
+    entries: [[S; N]; N],
+    /// The size of the terms that each diagonal entry is made of.
+    errors: [S::Size; N],
+}
+
+impl<S: Scalar> OwnStiffness<S, 2> {
+    /// A line in a freedom.
+    #[inline(always)]
+    pub(super) fn of_line(line: &Line<S>, freedom: usize) -> Self {
+        let [own, across] = line.stiffness;
+        OwnStiffness::new([0, 1].map(|end| [end, freedom]), [[own, across], [across, own]])
+    }
+}
+
+impl<S: Scalar> OwnStiffness<S, 4> {
+    /// Bending, over deflection and rotation of each end.
+    #[inline(always)]
+    pub(super) fn of_bending(bending: &Bending<S>) -> Self {
+        let [yy, yt, tt, yy_across, yt_across, tt_across] = bending.stiffness;
+        let freedoms = [[0, 1], [0, 2], [1, 1], [1, 2]];
+        let entries = [
+            [yy, yt, yy_across, yt_across],
+            [yt, tt, -yt_across, tt_across],
+            [yy_across, -yt_across, yy, -yt],
+            [yt_across, tt_across, -yt, tt],
+        ];
+        OwnStiffness::new(freedoms, entries)
+    }
+}
+
+impl<S: Scalar, const N: usize> OwnStiffness<S, N> {
+    /// A stiffness over freedoms.
+    #[inline(always)]
+    fn new(freedoms: [[usize; 2]; N], entries: [[S; N]; N]) -> Self {
+        let mut errors = [S::Size::of(0.0); N];
+        for (k, error) in errors.iter_mut().enumerate() {
+            *error = entries[k][k].size();
+        }
+        OwnStiffness { freedoms, entries, errors }
+    }
+
+    /// Eliminates what is released, and adds the rest to a front.
+    #[inline(always)]
+    pub(super) fn join(&mut self, fronts: &mut StiffnessFronts<'_, S>, member: InFront<'_>) {
+        for k in 0..N {
+            if !member.has(self.freedoms[k]) {
+                self.eliminate(k, fronts);
+            }
+        }
+        let rows = self.freedoms.map(|[end, freedom]| member.row(end, freedom));
+        let places = self.freedoms.map(|[end, freedom]| member.ends[end].filter(|_| member.has([end, freedom])));
+        for k in 0..N {
+            let Some(place) = places[k] else { continue };
+            fronts.add_own(self.entries[k][k], place, &rows[k]);
+            fronts.note_own(self.errors[k], place, &rows[k]);
+            for l in 0..k {
+                let Some(other) = places[l] else { continue };
+                fronts.add_across(self.entries[k][l], [place, other], [&rows[k], &rows[l]]);
+            }
+        }
+    }
+
+    /// Pivots on a freedom.
+    #[inline(always)]
+    fn eliminate(&mut self, released: usize, fronts: &mut StiffnessFronts<'_, S>) {
+        let (row, error) = (self.entries[released], self.errors[released]);
+        let inverse = S::one() / row[released];
+        for k in 0..N {
+            if k != released {
+                let solved = row[k] * inverse;
+                for l in 0..N {
+                    self.entries[k][l] -= solved * row[l];
+                }
+                self.errors[k] = inherited(self.errors[k], [solved.size(), row[k].size()], error);
+            }
+        }
+        fronts.take(row[released], error);
+    }
+}
