@@ -111,10 +111,10 @@ where
 
 /// Whether a function with a single root in a bracket changes its sign elsewhere, too, or is not a number.
 fn is_noise(sign: impl Fn(f64) -> f64, root: f64, share: f64) -> bool {
-    let at = |part: u32| sign(root * (1.0 + share * f64::from(part) / f64::from(PARTS)));
+    let above = |part: u32| sign(root * (1.0 + share * f64::from(part) / f64::from(PARTS)));
     let below = |part: u32| sign(root * (1.0 - share * f64::from(part) / f64::from(PARTS)));
-    let changes = |first: f64, other: f64| !(first * other > 0.0);
-    (1..=PARTS).any(|part| changes(at(part), at(PARTS)) || changes(below(part), below(PARTS)))
+    let agree = |first: f64, other: f64| first * other > 0.0;
+    !(1..=PARTS).all(|part| agree(above(part), above(PARTS)) && agree(below(part), below(PARTS)))
 }
 
 /// Where a function changes its sign, to rounding; none if it does not, or is not a number on the way.

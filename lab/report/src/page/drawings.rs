@@ -59,8 +59,10 @@ pub(super) fn modes(Shapes { id, modes }: &Shapes) -> Markup {
         figure class="modes" {
             figcaption { (id) " " span { (note(id)) } }
             @for (number, Mode { name, svg }) in (1..).zip(modes) {
-                div class="quiet" { (number) ": " (name) }
-                (drawing(&format!("{id}, mode {number}"), svg))
+                div {
+                    div class="quiet" { (number) ": " (name) }
+                    (drawing(&format!("{id}, mode {number}"), svg))
+                }
             }
         }
     }

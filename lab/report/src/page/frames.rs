@@ -2,7 +2,7 @@
 
 use super::drawings::modes;
 use super::figures::{figure, panels};
-use super::tables::{beside, scrolling};
+use super::tables::beside;
 use super::text::{error, time};
 use crate::data::frames::Frames;
 use crate::data::shapes::Shapes;
@@ -34,16 +34,19 @@ pub(super) fn section(frames: &Frames, storeys: &OverElements, portal: &Shapes) 
         p class="quiet" { (origin(frames)) }
     };
     let growth = plots::growth::over_storeys(storeys)?;
-    let pictures = [
-        figure("Error against run time", "ten frequencies of the portal", &plots::frames::svg(figures)?),
-        figure("Buildings of many storeys", "of one bay, first ten frequencies", &growth),
-    ];
+    let growth = figure("Buildings of many storeys", "of one bay, first ten frequencies", &growth);
+    let plot = plots::frames::svg(figures)?;
+    let pictures = [modes(portal), figure("Error against run time", "ten frequencies of the portal", &plot)];
     let own = figures.programs.first().and_then(|program| program.runs.first()).map(|run| run.seconds);
-    let table = scrolling(html! {
-        thead { tr { th { "program" } th { "elements per member" } th { "time" } th { "times as long" } th { "largest error" } } }
-        tbody { @for program in &figures.programs { (rows(program, own)) } }
-    });
-    Ok(html! { (panels(lead, pictures)) (beside(modes(portal), table)) })
+    let table = html! {
+        table class="plain" {
+            thead {
+                tr { th { "program" } th { "elements per member" } th { "time" } th { "times as long" } th { "largest error" } }
+            }
+            tbody { @for program in &figures.programs { (rows(program, own)) } }
+        }
+    };
+    Ok(html! { (panels(lead, pictures)) (beside(growth, table)) })
 }
 
 /// When and where the figures were taken.

@@ -79,14 +79,19 @@ fn row(column: &Column, mode: usize, values: &[Option<Value>]) -> Markup {
     let exact = column.exact[mode];
     html! {
         tr {
-            td { (mode + 1) } td { (column.printed[mode]) }
+            td { (mode + 1) } td { (shown(&column.printed[mode].to_string())) }
             @for value in values {
-                td { @match value { Some(value) => (format!("{value:.DIGITS$}")), None => "not found" } }
+                td { @match value { Some(value) => (shown(&format!("{value:.DIGITS$}"))), None => "not found" } }
             }
-            td { (format!("{exact:.DIGITS$}")) }
+            td { (shown(&format!("{exact:.DIGITS$}"))) }
             @for value in values {
                 td { @match value { Some(value) => (error(value.relative_error(exact))), None => "–" } }
             }
         }
     }
+}
+
+/// A value with true minus signs; a complex one may break before its imaginary part and nowhere else.
+fn shown(value: &str) -> String {
+    value.replace('-', "−").replace("+ ", "+\u{a0}").replace("− ", "−\u{a0}")
 }

@@ -36,7 +36,8 @@ pub(crate) fn over_storeys(costs: &OverElements) -> Result<String, ReportError> 
 
 /// A name with the exponent of growth, where there is one.
 fn label(name: &str, points: &[Point]) -> String {
-    if leap(points).is_some() { name.to_owned() } else { format!("{name}: exponent {:.2}", exponent(points)) }
+    let power = exponent(points);
+    if leap(points).is_some() || power.is_nan() { name.to_owned() } else { format!("{name}: exponent {power:.2}") }
 }
 
 fn draw(area: &Area, [size, time]: [&'static str; 2], series: &[Series<'_>]) -> Drawn {

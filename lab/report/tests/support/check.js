@@ -9,6 +9,9 @@ addEventListener("load", () => {
     const { left, right } = part.getBoundingClientRect();
     const isFramed = part.closest(".scroll, svg");
     if (right === left) continue;
+    // a table fills its column at most
+    const table = part.localName === "table" && !isFramed ? part.parentElement.getBoundingClientRect().right : Infinity;
+    if (right > table + 0.5) fault("a table leaves its column");
     if (!isFramed && (left < 0 || right > innerWidth + 0.5)) fault(`<${part.localName}> leaves the page`);
   }
   const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
@@ -40,7 +43,7 @@ addEventListener("load", () => {
     const hint = scroller.parentElement.querySelector(".hint");
     const isWide = scroller.scrollWidth > scroller.clientWidth + 1;
     if (isWide !== hint.getClientRects().length > 0) fault(`${name}: a table ${isWide ? "scrolls and does not say so" : "says that it scrolls"}`);
-    if (!isWide) continue;
+    if (!isWide || !hint.getClientRects().length) continue;
     const cells = [...scroller.querySelectorAll("thead th, td")];
     const pinned = cells.find((cell) => getComputedStyle(cell).position === "sticky");
     for (const head of scroller.querySelectorAll("thead th:not(:first-child)")) {
