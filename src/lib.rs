@@ -76,6 +76,7 @@ pub mod motion;
 
 pub use mstmm_core::Complex;
 
+/// [language]: macro@crate::system
 #[doc = include_str!("../docs/elements.md")]
 pub use mstmm_core::elements;
 
@@ -153,6 +154,7 @@ pub mod list {
     };
 }
 
+/// [emitted]: crate::system#what-is-emitted
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
     pub use mstmm_core::{

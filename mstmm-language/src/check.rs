@@ -6,11 +6,13 @@ mod neighbours;
 mod network;
 mod parameters;
 mod selves;
+mod states;
 mod tree;
 mod words;
 
 pub(crate) use derivatives::{Derivatives, derivatives};
 pub(crate) use network::{dimension, located_words, network};
+pub(crate) use states::states;
 pub(crate) use tree::{Tree, topology};
 pub(crate) use words::{is_doubtful, words};
 

@@ -28,6 +28,7 @@ pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
     let graph = Graph::of(&model, &mut errors);
     let tree = check::topology(&model, &graph, errors)?;
     let plan = Plan::of(&tree);
+    check::states(&plan)?;
     Ok(emit::model(&model, &plan, &derivatives))
 }
 

@@ -151,6 +151,29 @@ pub(crate) fn meant_support(word: &str) -> Option<&'static str> {
     OTHER_NAMES.iter().find(|(name, _)| *name == word).map(|(_, support)| *support)
 }
 
+/// What elements are called elsewhere, and the keywords that are meant: of a model those that it has.
+const OTHER_ELEMENTS: &[(&str, &[&str])] = &[
+    ("bar", &["rod", "planar_beam"]),
+    ("bernoulli_beam", &["beam", "planar_beam"]),
+    ("cable", &["string", "planar_beam_column"]),
+    ("column", &["beam_column", "planar_beam_column"]),
+    ("corner", &[CONNECTION]),
+    ("dashpot", &["damper"]),
+    ("euler_beam", &["beam", "planar_beam"]),
+    ("hinge", &["rotational_hinge", "pin"]),
+    ("joint", &[CONNECTION]),
+    ("link", &["lever", "rigid_body"]),
+    ("node", &[CONNECTION]),
+    ("shock_absorber", &["damper"]),
+    ("truss", &["rod", "planar_beam"]),
+];
+
+/// The keyword, among some, that a word means elsewhere.
+pub(crate) fn meant_element(word: &str, keywords: &[&str]) -> Option<&'static str> {
+    let (_, meant) = OTHER_ELEMENTS.iter().find(|(name, _)| *name == word)?;
+    meant.iter().copied().find(|name| *name == CONNECTION || keywords.contains(name))
+}
+
 /// The keyword of connections.
 pub(crate) const CONNECTION: &str = "conn";
 

@@ -29,6 +29,15 @@ pub(crate) enum Step<'a> {
 }
 
 impl Step<'_> {
+    /// The tokens that a message about its states is at.
+    pub(crate) fn place(&self) -> Place {
+        match self {
+            Step::Tip(support) | Step::Root { support, .. } => support.span().into(),
+            Step::Element { arrow, .. } => *arrow,
+            Step::Connection { connection, .. } => connection.place(),
+        }
+    }
+
     /// The step without its tokens; the space of an element of the user's own is known to rustc alone.
     fn without_tokens(&self) -> mstmm_plan::Step<'_> {
         match self {
@@ -59,6 +68,17 @@ impl<'a> Plan<'a> {
     /// Whether planar elements of the language stand in it, which take no part in searches.
     pub(crate) fn is_planar(&self) -> bool {
         self.elements.iter().any(|element| element.kind.known().is_some_and(|known| known.space == Space::Planar))
+    }
+
+    /// Whether elements of the user's own stand in it, whose states rustc alone knows.
+    pub(crate) fn has_own_types(&self) -> bool {
+        self.elements.iter().any(|element| element.kind.known().is_none())
+    }
+
+    /// The steps at which states do not fit, each with what is wrong.
+    pub(crate) fn misfits(&self) -> Vec<(&Step<'a>, &'static str)> {
+        let steps = self.steps.iter().enumerate();
+        self.resolved(|scheme| steps.filter_map(|(index, step)| Some((step, scheme.misfit(index)?))).collect())
     }
 
     /// Plans a checked tree: depth first from the root, inputs in source order, so that inputs precede outputs.

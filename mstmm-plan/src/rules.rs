@@ -1,74 +1,87 @@
-//! Rules that need the states. The macro emits each check as a constant at the user's token: a failing one is a compile
-//! error there, and the compiler shows the caller instead of what is written here.
+//! Rules that need the states. The macro applies them where it knows all states. Where elements are the user's own it emits each check as a
+//! constant at the user's token: a failing one is a compile error there, and the compiler shows the caller instead of what is written here.
 
 use crate::scheme::Scheme;
 use crate::space::Space;
 use crate::step::Step;
+use crate::support::Support;
 
-#[allow(clippy::panic)] // how a constant reports an error
 impl Scheme<'_> {
-    /// A support must exist in the space of the state to which it belongs.
+    /// Fails where the states at a step do not fit.
     #[track_caller]
-    pub const fn check_support(&self, step: usize) {
-        let Some(support) = self.steps[step].support() else { return };
+    #[allow(clippy::panic)] // how a constant reports an error
+    pub const fn check(&self, step: usize) {
+        if let Some(misfit) = self.misfit(step) {
+            panic!("{}", misfit);
+        }
+    }
+
+    /// What is wrong with the states at a step, if anything is.
+    pub const fn misfit(&self, step: usize) -> Option<&'static str> {
+        match self.steps[step] {
+            Step::Tip(support) | Step::Root(_, support) => self.misfit_of_support(step, support),
+            Step::Element(input, space) => self.misfit_of_arrow(input, space),
+            Step::Connection(_) => self.misfit_of_connection(step),
+        }
+    }
+
+    /// A support must exist in the space of the state to which it belongs.
+    const fn misfit_of_support(&self, step: usize, support: Support) -> Option<&'static str> {
         let space = self.space(step);
         // where paths cannot meet there is no state to adopt, and the connection says so
         if space.is_empty() || support.exists_in(space) {
-            return;
+            return None;
         }
-        match space {
-            Space::Translation => panic!("a translation path ends in `fixed` or `free` only"),
-            Space::Rotation => panic!("a rotation path ends in `fixed` or `free` only"),
-            Space::Bending => panic!("a bending path ends in `fixed`, `pinned`, `free` or `guided`"),
-            _ => panic!("a planar path ends in `fixed`, `pinned`, `free`, `guided` or `roller`"),
-        }
+        Some(match space {
+            Space::Translation => "a translation path ends in `fixed` or `free` only",
+            Space::Rotation => "a rotation path ends in `fixed` or `free` only",
+            Space::Bending => "a bending path ends in `fixed`, `pinned`, `free` or `guided`",
+            _ => "a planar path ends in `fixed`, `pinned`, `free`, `guided` or `roller`",
+        })
     }
 
     /// An arrow between two elements needs equal states on both sides.
-    #[track_caller]
-    pub const fn check_arrow(&self, step: usize) {
-        let Step::Element(input, space) = self.steps[step] else { return };
+    const fn misfit_of_arrow(&self, input: usize, space: Space) -> Option<&'static str> {
         let before = self.space(input);
         if !matches!(self.steps[input], Step::Element(..)) || before.is(space) {
-            return;
+            return None;
         }
         if before.join(space).is_none() {
-            panic!("planar paths meet planar paths only: use planar elements on both sides of this arrow, or on none");
-        }
-        if before.contains(space) {
-            panic!(
-                "an arrow joins equal states only: put a connection between these two elements, `-> conn .. ->`, where \
-                 the path goes on with fewer states"
+            return Some(
+                "planar paths meet planar paths only: use planar elements on both sides of this arrow, or on none",
             );
         }
-        panic!(
+        Some(if before.contains(space) {
+            "an arrow joins equal states only: put a connection between these two elements, `-> conn .. ->`, where \
+             the path goes on with fewer states"
+        } else {
             "an arrow joins equal states only: put a connection with a free tip between these two elements, \
              `-> conn .. ->` and `free -> conn ..`"
-        );
+        })
     }
 
     /// The states around a connection must be able to meet there, and its widest input must fill its output.
-    #[track_caller]
-    pub const fn check_connection(&self, step: usize) {
+    const fn misfit_of_connection(&self, step: usize) -> Option<&'static str> {
         let space = self.space(step);
-        let [widest, others @ ..] = self.inputs(step) else { return };
+        let [widest, others @ ..] = self.inputs(step) else { return None };
         if space.is_empty() {
-            panic!("planar paths meet planar paths only: join all planar elements here, or none");
+            return Some("planar paths meet planar paths only: join all planar elements here, or none");
         }
         if !self.space(*widest).is(space) {
-            panic!(
-                "the output of this connection has more states than any input: give it a free tip, `free -> conn ..`"
+            return Some(
+                "the output of this connection has more states than any input: give it a free tip, `free -> conn ..`",
             );
         }
         if others.is_empty() && self.left_behind(step).is_empty() {
-            panic!(
+            return Some(
                 "a connection with one input must lead on to fewer states, as from a beam to a spring; else write the \
-                 arrow from element to element"
+                 arrow from element to element",
             );
         }
         if self.is_held_twice(step) {
-            panic!("two supports at this connection hold the same displacement: one of them is enough");
+            return Some("two supports at this connection hold the same displacement: one of them is enough");
         }
+        None
     }
 
     /// Whether two supports at a connection, the root among them, hold one displacement.
@@ -97,7 +110,7 @@ impl Scheme<'_> {
 mod tests {
     use super::*;
     use crate::layout::Layout;
-    use crate::support::Support::{self, Fixed, Free, Guided, Pinned, Roller};
+    use crate::support::Support::{Fixed, Free, Guided, Pinned, Roller};
 
     /// A path of one element between two supports.
     fn path(tip: Support, space: Space, root: Support) -> Layout<'static, 3> {
@@ -127,35 +140,35 @@ mod tests {
         ] {
             for &support in supports {
                 let path = path(support, space, support);
-                path.scheme().check_support(0);
-                path.scheme().check_support(2);
+                path.scheme().check(0);
+                path.scheme().check(2);
             }
         }
         for layout in [
             meeting([Space::Translation, Space::Bending], Space::Bending),
             meeting([Space::Bending, Space::Rotation], Space::Translation),
         ] {
-            layout.scheme().check_connection(4);
-            layout.scheme().check_arrow(5);
+            layout.scheme().check(4);
+            layout.scheme().check(5);
         }
     }
 
     #[test]
     #[should_panic(expected = "a translation path ends in `fixed` or `free` only")]
     fn a_translation_path_has_no_pin() {
-        path(Pinned, Space::Translation, Free).scheme().check_support(0);
+        path(Pinned, Space::Translation, Free).scheme().check(0);
     }
 
     #[test]
     #[should_panic(expected = "a rotation path ends in `fixed` or `free` only")]
     fn a_rotation_path_has_no_guide() {
-        path(Fixed, Space::Rotation, Guided).scheme().check_support(2);
+        path(Fixed, Space::Rotation, Guided).scheme().check(2);
     }
 
     #[test]
     #[should_panic(expected = "a bending path ends in `fixed`, `pinned`, `free` or `guided`")]
     fn a_bending_path_has_no_roller() {
-        path(Roller, Space::Bending, Free).scheme().check_support(0);
+        path(Roller, Space::Bending, Free).scheme().check(0);
     }
 
     /// Two elements with an arrow between them.
@@ -166,25 +179,25 @@ mod tests {
     #[test]
     #[should_panic(expected = "put a connection between these two elements, `-> conn .. ->`, where the path goes on")]
     fn an_arrow_does_not_narrow() {
-        arrow(Space::Bending, Space::Translation).scheme().check_arrow(2);
+        arrow(Space::Bending, Space::Translation).scheme().check(2);
     }
 
     #[test]
     #[should_panic(expected = "put a connection with a free tip between these two elements")]
     fn an_arrow_does_not_widen() {
-        arrow(Space::Rotation, Space::Bending).scheme().check_arrow(2);
+        arrow(Space::Rotation, Space::Bending).scheme().check(2);
     }
 
     #[test]
     #[should_panic(expected = "put a connection with a free tip between these two elements")]
     fn an_arrow_does_not_turn_a_force_into_a_moment() {
-        arrow(Space::Translation, Space::Rotation).scheme().check_arrow(2);
+        arrow(Space::Translation, Space::Rotation).scheme().check(2);
     }
 
     #[test]
     #[should_panic(expected = "use planar elements on both sides of this arrow, or on none")]
     fn no_connection_joins_a_planar_path_to_a_spring() {
-        arrow(Space::Planar, Space::Translation).scheme().check_arrow(2);
+        arrow(Space::Planar, Space::Translation).scheme().check(2);
     }
 
     /// What the messages advise is right.
@@ -198,7 +211,7 @@ mod tests {
                 Step::Element(2, behind),
                 Step::Root(3, Free),
             ];
-            Layout::new(steps).scheme().check_connection(2);
+            Layout::new(steps).scheme().check(2);
         }
         for (before, behind) in [
             (Space::Translation, Space::Bending),
@@ -214,15 +227,15 @@ mod tests {
                 Step::Element(3, behind),
                 Step::Root(4, Free),
             ];
-            Layout::new(steps).scheme().check_connection(3);
-            Layout::new(steps).scheme().check_support(2);
+            Layout::new(steps).scheme().check(3);
+            Layout::new(steps).scheme().check(2);
         }
     }
 
     #[test]
     #[should_panic(expected = "planar paths meet planar paths only: join all planar elements here, or none")]
     fn a_planar_path_and_a_spring_do_not_meet() {
-        meeting([Space::Planar, Space::Translation], Space::Planar).scheme().check_connection(4);
+        meeting([Space::Planar, Space::Translation], Space::Planar).scheme().check(4);
     }
 
     /// The root is pinned, which no translation path has; but what is wrong is the connection.
@@ -236,13 +249,13 @@ mod tests {
             Step::Connection(&[1, 3]),
             Step::Root(4, Pinned),
         ];
-        Layout::new(steps).scheme().check_support(5);
+        Layout::new(steps).scheme().check(5);
     }
 
     #[test]
     #[should_panic(expected = "the output of this connection has more states than any input: give it a free tip")]
     fn two_springs_do_not_carry_a_beam() {
-        meeting([Space::Translation, Space::Translation], Space::Bending).scheme().check_connection(4);
+        meeting([Space::Translation, Space::Translation], Space::Bending).scheme().check(4);
     }
 
     #[test]
@@ -255,6 +268,6 @@ mod tests {
             Step::Element(2, Space::Bending),
             Step::Root(3, Free),
         ];
-        Layout::new(steps).scheme().check_connection(2);
+        Layout::new(steps).scheme().check(2);
     }
 }

@@ -1,10 +1,14 @@
-//! The house holds: rooms import in one order, files not in circles, and neither files nor functions grow too long.
+//! The house holds: rooms import in one order, files not in circles, neither files nor functions grow too long, and links of documents lead
+//! somewhere.
 #![expect(clippy::unwrap_used, reason = "sources are there and parse")]
 
+mod documents;
 mod source;
 
+use documents::{documents, root, target};
 use source::Source;
 use std::collections::BTreeSet;
+use std::path::Path;
 
 /// Lines beyond which a file says too much.
 const LONGEST_FILE: usize = 400;
@@ -102,4 +106,46 @@ fn files_and_functions_are_short() {
         }
     }
     assert!(long.is_empty(), "{long:#?}");
+}
+
+#[test]
+fn links_of_documents_lead_somewhere() {
+    let documents = documents();
+    let mut dead = Vec::new();
+    for document in &documents {
+        for link in &document.links {
+            let Some((path, anchor)) = target(document, link) else { continue };
+            let other = documents.iter().find(|other| other.path == path);
+            let is_there = match anchor {
+                Some(anchor) => other.is_some_and(|other| other.anchors.contains(anchor)),
+                None => root().join(&path).exists(),
+            };
+            // a link of a page of the book to what is not in the book is dead there
+            let is_in_book = !document.path.starts_with("docs") || path.starts_with("docs");
+            if !is_there || !is_in_book {
+                dead.push(format!("{}: {link}", document.path.display()));
+            }
+        }
+    }
+    assert!(dead.is_empty(), "{dead:#?}");
+}
+
+/// Each page of docs is a chapter, and the models of the guide are compiled.
+#[test]
+fn the_book_has_all_pages() {
+    let documents = documents();
+    let of_docs = |path: &Path| path.starts_with("docs") && !path.ends_with("SUMMARY.md");
+    let pages: BTreeSet<&Path> =
+        documents.iter().map(|page| page.path.as_path()).filter(|path| of_docs(path)).collect();
+    let summary = documents.iter().find(|page| page.path.ends_with("SUMMARY.md")).unwrap();
+    let chapters: Vec<_> =
+        summary.links.iter().filter_map(|link| target(summary, link)).map(|(path, _)| path).collect();
+    assert_eq!(chapters.iter().map(|path| path.as_path()).collect::<BTreeSet<_>>(), pages);
+    assert_eq!(chapters.len(), pages.len());
+
+    let compiled = std::fs::read_to_string(root().join("tests/guide/src/lib.rs")).unwrap();
+    for page in documents.iter().filter(|page| page.path.starts_with("docs/guide") && page.text.contains("```rust")) {
+        let path = page.path.to_str().unwrap().replace('\\', "/");
+        assert!(compiled.contains(&format!("\"../../../{path}\"")), "{path} is not compiled");
+    }
 }

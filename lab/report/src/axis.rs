@@ -7,14 +7,27 @@ use std::ops::Range;
 /// Ticks of a logarithmic axis, at most.
 const TICKS: i32 = 7;
 
-/// An axis. On logarithmic ones all coordinates are exponents of ten.
+/// Exponent of the least distance from zero that a magnifying axis shows.
+const NEAREST: i32 = -16;
+
+/// How values become coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Scale {
+    Linear,
+    /// Coordinates are exponents of ten.
+    Logarithmic,
+    /// Zero is in the middle, exponents grow to both sides from the least.
+    Magnifying,
+}
+
+/// An axis.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
     /// What is measured, with its unit.
     pub(crate) title: &'static str,
     range: Range<f64>,
     ticks: Vec<f64>,
-    is_logarithmic: bool,
+    scale: Scale,
     /// A tick with words instead of a number.
     named: Option<(f64, &'static str)>,
 }
@@ -23,7 +36,7 @@ impl Axis {
     /// A linear axis.
     pub(crate) fn linear(title: &'static str, range: Range<f64>) -> Self {
         let ticks = RangedCoordf64::from(range.clone()).key_points(BoldPoints(6));
-        Axis { title, range, ticks, is_logarithmic: false, named: None }
+        Axis { title, range, ticks, scale: Scale::Linear, named: None }
     }
 
     /// A logarithmic axis over the decades that hold a range.
@@ -34,7 +47,7 @@ impl Axis {
         // ticks at multiples of the step, so that 10⁰ is one of them
         let first = low.div_euclid(step as i32) * step as i32;
         let ticks = (first..=high).step_by(step as usize).filter(|&tick| tick >= low).map(f64::from).collect();
-        Axis { title, range: f64::from(low)..f64::from(high), ticks, is_logarithmic: true, named: None }
+        Axis { title, range: f64::from(low)..f64::from(high), ticks, scale: Scale::Logarithmic, named: None }
     }
 
     /// A logarithmic axis over the decades that hold all positive finite values; one decade if there is none.
@@ -42,6 +55,19 @@ impl Axis {
         let usable = values.filter(|&value| value > 0.0 && value.is_finite());
         let (low, high) = usable.fold((f64::INFINITY, 0.0), |(low, high), value| (value.min(low), value.max(high)));
         Axis::logarithmic(title, if low <= high { low..high } else { 1.0..10.0 })
+    }
+
+    /// An axis on which every decade of the distance from zero has the same width, down to a rounding, with ticks at some exponents.
+    pub(crate) fn magnifying(title: &'static str, farthest: i32, ticks: &[i32]) -> Self {
+        let end = f64::from(farthest - NEAREST);
+        let places = ticks.iter().map(|exponent| f64::from(exponent - NEAREST));
+        let ticks = places.clone().map(|place| -place).chain([0.0]).chain(places).collect();
+        Axis { title, range: -end..end, ticks, scale: Scale::Magnifying, named: None }
+    }
+
+    /// The same with other ticks.
+    pub(crate) fn with_ticks(self, ticks: Vec<f64>) -> Self {
+        Axis { ticks, ..self }
     }
 
     /// The same with a name for one coordinate, which is made a tick.
@@ -52,14 +78,13 @@ impl Axis {
         Axis { named: Some((coordinate, name)), ..self }
     }
 
-    /// The same without ticks.
-    pub(crate) fn without_ticks(self) -> Self {
-        Axis { ticks: Vec::new(), ..self }
-    }
-
     /// The coordinate of a value, moved into the range.
     pub(crate) fn place(&self, value: f64) -> f64 {
-        let coordinate = if self.is_logarithmic { value.log10() } else { value };
+        let coordinate = match self.scale {
+            Scale::Linear => value,
+            Scale::Logarithmic => value.log10(),
+            Scale::Magnifying => value.signum() * (value.abs().log10() - f64::from(NEAREST)).max(0.0),
+        };
         coordinate.clamp(self.range.start, self.range.end)
     }
 
@@ -67,7 +92,11 @@ impl Axis {
     fn label(&self, tick: f64) -> String {
         match self.named {
             Some((coordinate, name)) if coordinate == tick => name.to_owned(),
-            _ if self.is_logarithmic => power_of_ten(tick as i32),
+            _ if self.scale == Scale::Logarithmic => power_of_ten(tick as i32),
+            _ if self.scale == Scale::Magnifying && tick != 0.0 => {
+                let sign = if tick < 0.0 { "−" } else { "" };
+                format!("{sign}{}", power_of_ten(tick.abs() as i32 + NEAREST))
+            }
             _ => grouped(tick),
         }
     }
@@ -139,6 +168,14 @@ mod tests {
         assert_eq!(labels, ["10⁻⁶", "10⁻⁵", "10⁻⁴", "10⁻³", "10⁻²"]);
         assert_eq!(axis.place(1e-3), -3.0);
         assert_eq!(axis.place(1e9), -2.0);
+    }
+
+    #[test]
+    fn a_magnifying_axis_has_decades_on_both_sides_of_zero() {
+        let axis = Axis::magnifying("", -1, &[-12, -4]);
+        let labels: Vec<_> = axis.ticks.iter().map(|tick| axis.label(*tick)).collect();
+        assert_eq!(labels, ["−10⁻¹²", "−10⁻⁴", "0", "10⁻¹²", "10⁻⁴"]);
+        assert_eq!([-1e-4, 1e-12, 0.0, 1e-20].map(|value| axis.place(value)), [-12.0, 4.0, 0.0, 0.0]);
     }
 
     #[test]

@@ -9,6 +9,9 @@ pub enum ReportError {
     /// A picture cannot be drawn.
     #[error("a picture cannot be drawn: {0}")]
     Drawing(#[from] DrawingAreaErrorKind<io::Error>),
+    /// A system or its mode cannot be drawn.
+    #[error(transparent)]
+    Sketch(#[from] mstmm_drawing::DrawingError),
     /// A height field has no contours.
     #[error("contours: {0}")]
     Contours(#[from] contour::Error),
@@ -18,6 +21,12 @@ pub enum ReportError {
     /// A list of steps is refused.
     #[error(transparent)]
     List(#[from] mstmm::list::ListError),
+    /// A frame is refused.
+    #[error(transparent)]
+    Network(#[from] mstmm::network::NetworkError),
+    /// Other programs cannot be measured.
+    #[error(transparent)]
+    Frames(#[from] frames_beside::BesideError),
     /// A search fails.
     #[error(transparent)]
     Search(#[from] mstmm::search::SearchError),
@@ -27,6 +36,9 @@ pub enum ReportError {
     /// The paper's data cannot be read or its examples not be solved.
     #[error("the paper's examples: {0}")]
     Paper(Box<dyn std::error::Error>),
+    /// |Δ| has too few finite values for a trend.
+    #[error("|Δ| has too few finite values for a trend")]
+    NoTrend,
     /// A method without a place in the legend.
     #[error("the report has no style for the method `{0}`")]
     UnknownMethod(String),

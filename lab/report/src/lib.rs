@@ -19,4 +19,4 @@ mod scene;
 pub use error::ReportError;
 pub use measurements::{Extent, Measurements};
 pub use page::{markdown, page};
-pub use readme::{PICTURES, pictures, with_table};
+pub use readme::{DOCUMENT, PICTURES, pictures, with_table};

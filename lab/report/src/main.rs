@@ -1,7 +1,8 @@
 //! Error against run time, and what else there is to see, as a page.
 //!
 //! `cargo run --release --bin report` writes `target/report/report.html`, or the file whose path is given, with the runs
-//! beside it as JSON and CSV. With `--readme` it also replaces the table and the pictures of the README.
+//! beside it as JSON and CSV. With `--readme` it also replaces the table of
+//! `docs/speed.md` and the pictures of that page and of the README.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use report::{Extent, Measurements, PICTURES};
@@ -46,7 +47,7 @@ fn write(path: &Path, runs: &[Run], measurements: &Measurements) -> Result<(), F
 }
 
 fn write_readme(runs: &[Run], measurements: &Measurements) -> Result<(), Failure> {
-    let (readme, folder) = (Path::new(ROOT).join("README.md"), Path::new(ROOT).join("docs/pictures"));
+    let (readme, folder) = (Path::new(ROOT).join(report::DOCUMENT), Path::new(ROOT).join("docs/pictures"));
     fs::create_dir_all(&folder)?;
     for (name, picture) in PICTURES.iter().zip(report::pictures(measurements)?) {
         fs::write(folder.join(name), picture)?;

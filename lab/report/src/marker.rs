@@ -76,6 +76,13 @@ impl Look {
         Ok(())
     }
 
+    /// Draws a dot at each point, for many points on a line.
+    pub(crate) fn dots(self, chart: &mut Chart, points: &[(f64, f64)]) -> Drawn {
+        let colour = self.hue.colour();
+        chart.draw_series(points.iter().map(|&point| Circle::new(point, 2 * UNIT, colour.filled())))?;
+        Ok(())
+    }
+
     /// Draws the line through points.
     pub(crate) fn line(self, chart: &mut Chart, points: &[(f64, f64)]) -> Drawn {
         let style: ShapeStyle = self.hue.colour().stroke_width(2 * UNIT as u32);

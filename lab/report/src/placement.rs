@@ -5,8 +5,9 @@ use crate::palette::Hue;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 
-/// Room of a character on average, as a share of the size of its font: more than most need.
+/// Room of a character, as a share of the size of its font: more than most need, and of wide ones.
 const CHARACTER: f64 = 0.6;
+const WIDE_CHARACTER: f64 = 0.95;
 /// Room of a line of text, as a share of the size of its font.
 const LINE: f64 = 1.25;
 /// Distance of a label from its point in units.
@@ -65,7 +66,8 @@ impl Placement {
     /// The place for a text near one of the points that hides least; none where other labels are everywhere.
     pub(crate) fn find(&mut self, text: &str, near: &[(i32, i32)]) -> Option<Frame> {
         let size = TEXT * f64::from(UNIT);
-        let (width, height) = ((CHARACTER * size * text.chars().count() as f64) as i32, (LINE * size) as i32);
+        let room = |letter| if "mwMW".contains(letter) { WIDE_CHARACTER } else { CHARACTER };
+        let (width, height) = ((size * text.chars().map(room).sum::<f64>()) as i32, (LINE * size) as i32);
         let points = [GAP, 3 * GAP].into_iter().flat_map(|gap| near.iter().map(move |&point| (gap, point)));
         let places = points.flat_map(|(gap, (x, y))| {
             let beside = [x + gap, x - gap - width, x - width / 2];

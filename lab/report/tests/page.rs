@@ -2,8 +2,12 @@
 
 mod support;
 
-/// Oracle: counts by hand. Eight scenes, six landscapes, six examples with shapes, two plots of digits, two of growth.
-const FIGURES: usize = 8 + 6 + 6 + 2 + 2;
+/// Oracle: counts by hand. Nine systems, four pictures of counts, eight scenes, three of frames, six landscapes, six examples with shapes,
+/// two plots of digits, two of growth.
+const FIGURES: usize = 9 + 4 + 8 + 3 + 6 + 6 + 2 + 2;
+
+/// Drawings: nine systems, six of them again beside their tables, modes of six examples, and four of the portal.
+const DRAWINGS: usize = 9 + 6 + (5 + 5 + 3 + 3 + 5 + 5) + 4;
 
 /// What would load something, or run.
 const FOREIGN: [&str; 7] = ["<script", "<link", "<img", "<iframe", "@import", "url(", "src="];
@@ -22,13 +26,47 @@ fn the_page_is_self_contained() {
 #[test]
 fn every_figure_and_table_is_there() {
     let page = report::page(support::measurements()).unwrap();
-    assert_eq!(page.matches("<figure>").count(), FIGURES);
-    for section in ["summary", "paper", "error-time", "landscapes", "shapes", "digits", "growth"] {
-        assert!(page.contains(&format!("<section id=\"{section}\">")), "{section}");
+    assert_eq!(page.matches("<figure").count(), FIGURES);
+    assert_eq!(page.matches("<svg class=\"mstmm\"").count(), DRAWINGS);
+    let order =
+        ["systems", "proof", "summary", "error-time", "frames", "landscapes", "shapes", "digits", "growth", "paper"];
+    let places: Vec<_> =
+        order.iter().map(|section| page.find(&format!("<section id=\"{section}\">")).unwrap()).collect();
+    assert!(places.is_sorted());
+    for section in order {
+        assert!(page.contains(&format!("<a href=\"#{section}\">")), "{section}");
     }
-    // one of factors, one of each example
-    assert_eq!(page.matches("<table>").count(), 1 + 6);
+    // one of intervals, one of factors, one of frames, one of each example
+    assert_eq!(page.matches("<table").count(), 1 + 1 + 1 + 6);
     assert!(page.contains("a win for plain method"));
+}
+
+/// Drawings bring the same style along; the page has it once, in its head.
+#[test]
+fn the_style_of_drawings_is_there_once() {
+    let page = report::page(support::measurements()).unwrap();
+    assert_eq!(page.matches("svg.mstmm {").count(), 3, "for light pages, for dark ones, and the page's own");
+    let (head, body) = page.split_once("</head>").unwrap();
+    assert!(head.contains(".mstmm .beam {") && !body.contains("<style"));
+}
+
+/// The rounds of `runs` differ by a tenth each way, in every run alike: ratios of a round do not.
+#[test]
+fn factors_stand_with_their_spread() {
+    let mut runs = support::runs();
+    assert!(!report::markdown(&runs).contains('('));
+    for run in runs.iter_mut().filter(|run| run.method == "certified search") {
+        run.rounds[0] *= 2.0;
+    }
+    // the plain method reaches 1e-6 in its second run, 2.4 µs a time against 3 µs
+    assert!(report::markdown(&runs).contains("| × 0.80 (0.40–0.80) |"), "{}", report::markdown(&runs));
+}
+
+#[test]
+fn recorded_frames_are_called_recorded() {
+    let page = report::page(support::measurements()).unwrap();
+    assert!(page.contains("Not measured with the rest of this page") && page.contains("Recorded on 20"));
+    assert!(page.contains("OpenSeesPy 3.") && page.contains("PyNite"));
 }
 
 /// Every element is closed where it must be, in order.
@@ -64,7 +102,7 @@ fn the_table_of_the_readme_is_replaced() {
     assert_eq!(text, format!("# a\n<!-- factors -->\n\n{table}\n<!-- end of factors -->\nb\n"));
     assert_eq!(report::with_table(&text, &table).unwrap(), text);
     assert!(report::with_table("# a", &table).is_err());
-    assert!(report::with_table(include_str!("../../../README.md"), &table).is_ok());
+    assert!(report::with_table(include_str!("../../../docs/speed.md"), &table).is_ok());
 }
 
 #[test]

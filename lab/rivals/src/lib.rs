@@ -18,4 +18,4 @@ pub mod structure;
 
 pub use error::Error;
 pub use found::Found;
-pub use run::Run;
+pub use run::{ROUNDS, Run};

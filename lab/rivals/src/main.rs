@@ -21,17 +21,20 @@ fn print(runs: &[rivals::Run]) {
         let time = run.seconds * 1e6;
         println!("| {scene} | {method} | {knob} | {setting} | {time:.1} | {evaluations} | {error:.1e} |");
     }
-    println!("\n| scene | method | certified [µs] | to 1e-6 [µs] | to 1e-12 [µs] | factor | wins | C++ [µs] |");
-    println!("|---|---|---|---|---|---|---|---|");
+    println!(
+        "\n| scene | method | certified [µs] | to 1e-6 [µs] | to 1e-12 [µs] | factor | of rounds | wins | C++ [µs] |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
     for factor in factors(runs) {
         println!(
-            "| {} | {} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} |",
             factor.scene,
             factor.method,
             microseconds(factor.certified_seconds),
             microseconds(factor.seconds),
             microseconds(factor.seconds_to_all_digits),
             factor.factor.map_or("-".to_owned(), |factor| format!("{factor:.2}")),
+            factor.spread.map_or("-".to_owned(), |[least, most]| format!("{least:.2} .. {most:.2}")),
             if factor.wins { "yes" } else { "" },
             microseconds(factor.cpp_seconds),
         );

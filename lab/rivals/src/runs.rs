@@ -3,16 +3,17 @@
 use crate::elements::solver::Problem;
 use crate::error::Error;
 use crate::found::Found;
-use crate::run::Run;
+use crate::run::{ROUNDS, Run, median, span};
 use crate::scenes::{self, Scene};
+use serde::Serialize;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// Time for all rounds of one run.
-const BUDGET: Duration = Duration::from_millis(60);
+/// Time for a run in one round.
+const BUDGET: Duration = Duration::from_millis(12);
 
-/// A round is repeated calls of at least so long: the clock has its own cost.
-const ROUND: Duration = Duration::from_micros(50);
+/// The clock is read after repeated calls of at least so long: it has its own cost.
+const SAMPLE: Duration = Duration::from_micros(50);
 
 /// Name of the certified search.
 pub const CERTIFIED: &str = "certified search";
@@ -90,57 +91,71 @@ fn elements(scene: &Scene, parts: usize, degree: usize) -> Solve<'_> {
     Box::new(move || problem.solve(wanted))
 }
 
-/// Median time of a call [s] over rounds that fill the budget.
-fn seconds(call: impl Fn()) -> f64 {
-    let start = Instant::now();
-    call();
-    let once = start.elapsed().max(Duration::from_nanos(50));
-    let repeats = (ROUND.as_secs_f64() / once.as_secs_f64()).ceil() as u32;
-    let begin = Instant::now();
-    let mut rounds = Vec::new();
-    while rounds.len() < 3 || begin.elapsed() < BUDGET {
-        let start = Instant::now();
-        (0..repeats).for_each(|_| call());
-        rounds.push(start.elapsed().as_secs_f64() / f64::from(repeats));
-    }
-    rounds.sort_by(f64::total_cmp);
-    rounds[rounds.len() / 2]
+/// A job that is ready to be timed, with what it found.
+struct Ready<'a> {
+    run: Run,
+    solve: Solve<'a>,
+    /// Calls between two readings of the clock.
+    calls: u32,
 }
 
-impl Job<'_> {
-    fn run(self) -> Run {
+impl<'a> Job<'a> {
+    fn ready(self) -> Ready<'a> {
         let solve = (self.prepare)();
         let found = solve();
-        Run {
+        let start = Instant::now();
+        black_box(solve());
+        let once = start.elapsed().max(Duration::from_nanos(50));
+        let run = Run {
             scene: self.scene.name.to_owned(),
             method: self.method.to_owned(),
             knob: self.knob.to_owned(),
             setting: self.setting,
-            seconds: seconds(|| {
-                black_box(solve());
-            }),
+            seconds: 0.0,
+            rounds: [0.0; ROUNDS],
             evaluations: found.evaluations,
             error: found.error(&self.scene.exact),
-        }
+        };
+        Ready { run, solve, calls: (SAMPLE.as_secs_f64() / once.as_secs_f64()).ceil() as u32 }
     }
 }
 
-/// Every method over its knob on every scene. `progress` hears what is about to run, how many runs are done, and how many
-/// there are.
+impl Ready<'_> {
+    /// Median time of a call [s] in one round.
+    fn time(&self) -> f64 {
+        let begin = Instant::now();
+        let mut samples = Vec::new();
+        while samples.is_empty() || begin.elapsed() < BUDGET {
+            let start = Instant::now();
+            for _ in 0..self.calls {
+                black_box((self.solve)());
+            }
+            samples.push(start.elapsed().as_secs_f64() / f64::from(self.calls));
+        }
+        median(&samples)
+    }
+}
+
+/// Every method over its knob on every scene, in rounds. `progress` hears what is about to be timed, how many times were taken, and how
+/// many there are.
 ///
 /// # Errors
 /// [`Error`] if a scene cannot be made.
 pub fn all(mut progress: impl FnMut(&str, usize, usize)) -> Result<Vec<Run>, Error> {
     let scenes = scenes::all()?;
-    let jobs: Vec<Job> = scenes.iter().flat_map(jobs).collect();
-    let total = jobs.len();
-    let mut runs = Vec::with_capacity(total);
-    for (done, job) in jobs.into_iter().enumerate() {
-        progress(&format!("{}, {}, {} {}", job.scene.name, job.method, job.knob, job.setting), done, total);
-        runs.push(job.run());
+    let mut ready: Vec<Ready<'_>> = scenes.iter().flat_map(jobs).map(Job::ready).collect();
+    let total = ROUNDS * ready.len();
+    for round in 0..ROUNDS {
+        let before = round * ready.len();
+        for (place, job) in ready.iter_mut().enumerate() {
+            let Run { scene, method, knob, setting, .. } = &job.run;
+            progress(&format!("{scene}, {method}, {knob} {setting}"), before + place, total);
+            job.run.rounds[round] = job.time();
+        }
     }
     progress("", total, total);
-    Ok(runs)
+    let finished = ready.into_iter().map(|job| Run { seconds: median(&job.run.rounds), ..job.run });
+    Ok(finished.collect())
 }
 
 /// The runs as a JSON list. An infinite error is `null`, as JSON has no other word for it.
@@ -151,14 +166,46 @@ pub fn to_json(runs: &[Run]) -> Result<String, Error> {
     Ok(serde_json::to_string_pretty(runs)?)
 }
 
-/// The runs as CSV with a heading.
+/// A run as a line of CSV, which has no lists.
+#[derive(Serialize)]
+struct Line<'a> {
+    scene: &'a str,
+    method: &'a str,
+    knob: &'a str,
+    setting: f64,
+    seconds: f64,
+    least_seconds: f64,
+    most_seconds: f64,
+    evaluations: u64,
+    error: f64,
+}
+
+impl<'a> From<&'a Run> for Line<'a> {
+    fn from(run: &'a Run) -> Self {
+        let Run { scene, method, knob, setting, seconds, evaluations, error, .. } = run;
+        let [least_seconds, most_seconds] = span(&run.rounds);
+        Line {
+            scene,
+            method,
+            knob,
+            setting: *setting,
+            seconds: *seconds,
+            least_seconds,
+            most_seconds,
+            evaluations: *evaluations,
+            error: *error,
+        }
+    }
+}
+
+/// The runs as CSV with a heading: of the rounds the least and the most.
 ///
 /// # Errors
 /// [`Error::Csv`].
 pub fn to_csv(runs: &[Run], writer: impl std::io::Write) -> Result<(), Error> {
     let mut writer = csv::Writer::from_writer(writer);
     for run in runs {
-        writer.serialize(run)?;
+        writer.serialize(Line::from(run))?;
     }
     Ok(writer.flush().map_err(csv::Error::from)?)
 }
@@ -181,15 +228,17 @@ mod tests {
     #[test]
     fn runs_are_written_with_their_fields() {
         let (scene, method, knob) = ("4.2".to_owned(), "plain method".to_owned(), "tolerance".to_owned());
-        let run = Run { scene, method, knob, setting: 0.5, seconds: 0.25, evaluations: 3, error: f64::INFINITY };
+        let (rounds, error) = ([0.25, 0.125, 0.25, 0.5, 0.25], f64::INFINITY);
+        let run = Run { scene, method, knob, setting: 0.5, seconds: 0.25, rounds, evaluations: 3, error };
         let json: serde_json::Value = serde_json::from_str(&to_json(std::slice::from_ref(&run)).unwrap()).unwrap();
         assert_eq!(json[0]["method"], "plain method");
         assert_eq!(json[0]["evaluations"], 3);
+        assert_eq!(json[0]["rounds"][3], 0.5);
         assert!(json[0]["error"].is_null());
         let mut text = Vec::new();
         to_csv(&[run], &mut text).unwrap();
-        let expected =
-            "scene,method,knob,setting,seconds,evaluations,error\n4.2,plain method,tolerance,0.5,0.25,3,inf\n";
+        let expected = "scene,method,knob,setting,seconds,least_seconds,most_seconds,evaluations,error\n\
+                        4.2,plain method,tolerance,0.5,0.25,0.125,0.5,3,inf\n";
         assert_eq!(String::from_utf8(text).unwrap(), expected);
     }
 }

@@ -4,7 +4,8 @@ use super::{fields, listed, parameters, selves};
 use crate::ast::{Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, is_element, located_of, meant_support, nearest, support_of,
+    ALONG, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, is_element, located_of, meant_element, meant_support, nearest,
+    support_of,
 };
 use crate::topology::Vertex;
 use syn::Ident;
@@ -118,8 +119,9 @@ pub(super) fn unknown_keyword(text: &str, elements: &[&str]) -> String {
     if text.starts_with(char::is_uppercase) {
         return format!("`{text}` is not an element: a type of your own is written with its path, `self::{text}`");
     }
+    let meant = meant_element(text, elements);
     let elements = || elements.iter().copied();
-    let hint = match nearest(elements().chain([CONNECTION]), text) {
+    let hint = match meant.or_else(|| nearest(elements().chain([CONNECTION]), text)) {
         Some(name) => format!("did you mean `{name}`?"),
         None => format!("the elements are {}, or a type of your own by a path with `::`", listed(elements())),
     };

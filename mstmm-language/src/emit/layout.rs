@@ -10,13 +10,9 @@ use quote::{format_ident, quote_spanned};
 pub(super) fn layout(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, .. } = names;
     let steps = plan.steps.iter().map(|step| emit_step(step, plan, names));
-    let checks = plan.steps.iter().enumerate().map(|(index, step)| match step {
-        Step::Tip(keyword) | Step::Root { support: keyword, .. } => {
-            check("check_support", index, keyword.span().into(), names)
-        }
-        Step::Element { arrow, .. } => check("check_arrow", index, *arrow, names),
-        Step::Connection { connection, .. } => check("check_connection", index, connection.place(), names),
-    });
+    // where the macro knows all states, `check` has compared them
+    let unknown = if plan.has_own_types() { &*plan.steps } else { &[] };
+    let checks = unknown.iter().enumerate().map(|(index, step)| check(index, step.place(), names));
     // where the macro does not know the width the layout does
     let (from_layout, size) = match size(plan) {
         Some(size) => (TokenStream::new(), quote_spanned!(names.here=> #size)),
@@ -63,8 +59,8 @@ fn emit_step(step: &Step<'_>, plan: &Plan<'_>, names: &Names) -> TokenStream {
 }
 
 /// A constant that fails at the user's tokens.
-fn check(rule: &str, step: usize, place: Place, names: &Names) -> TokenStream {
+fn check(step: usize, place: Place, names: &Names) -> TokenStream {
     let (first, last) = (names.at(place.first), names.at(place.last));
-    let (layout, rule) = (Ident::new("LAYOUT", first), Ident::new(rule, last));
+    let (layout, rule) = (Ident::new("LAYOUT", first), Ident::new("check", last));
     quote_spanned!(last=> const _: () = #layout.#rule(#step);)
 }

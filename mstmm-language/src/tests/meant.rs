@@ -18,6 +18,40 @@ fn supports_are_known_by_their_names_elsewhere() {
     assert!(messages(located).contains("`clamped` is not a support: did you mean `fixed`?"), "{}", messages(located));
 }
 
+/// In a model with places and in one without, a word may mean different elements.
+#[test]
+fn elements_are_known_by_their_names_elsewhere() {
+    let path = |word: &str| format!("struct M {{ l: f64 }} fixed -> {word} 1 {{ length: l }} -> free;");
+    for (word, meant) in
+        [("euler_beam", "beam"), ("hinge", "rotational_hinge"), ("corner", "conn"), ("dashpot", "damper")]
+    {
+        let found = messages(&path(word));
+        assert!(found.contains(&format!("`{word}` is not an element: did you mean `{meant}`?")), "{found}");
+    }
+    let frame = |word: &str| format!("struct M {{ l: f64 }} fixed at (0.0, 0.0) -> {word} 1 {{}} -> free at (l, 0.0);");
+    for (word, meant) in [("euler_beam", "planar_beam"), ("hinge", "pin"), ("link", "rigid_body")] {
+        let found = messages(&frame(word));
+        assert!(found.contains(&format!("`{word}` is not an element: did you mean `{meant}`?")), "{found}");
+    }
+}
+
+/// The macro knows the states of its own elements, so that a misfit is an error like others, several at once.
+#[test]
+fn states_that_do_not_fit_are_errors_of_the_language() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        pinned -> spring 1 { stiffness: l } -> beam 2 { length: l, bending_stiffness: l, mass_per_length: l } -> free;
+        ^^^^^^ a translation path ends in `fixed` or `free` only
+                                            ^^ an arrow joins equal states only: put a connection with a free
+                                            | tip between these two elements, `-> conn .. ->` and `free ->
+                                            | conn ..`
+        ",
+    );
+    let own = "struct M { l: f64 } fixed -> beam 1 { length: l, bending_stiffness: l, mass_per_length: l } -> a::B 2 {} -> pinned;";
+    assert!(messages(own).is_empty(), "{}", messages(own));
+}
+
 #[test]
 fn a_mass_on_a_beam_is_a_point_mass() {
     assert_refused(

@@ -53,7 +53,7 @@ fn a_constant_has_room_for_a_connection_of_two_hundred_paths() {
     assert_eq!(STAR.scheme().size(), 100 + 200 + 2);
     assert_eq!(STAR.scheme().inputs(400)[..3], [3, 7, 11], "beams first, in the order of the source");
     assert_eq!(STAR.scheme().inputs(400)[100..102], [1, 5]);
-    STAR.scheme().check_connection(400);
+    STAR.scheme().check(400);
 }
 
 #[test]

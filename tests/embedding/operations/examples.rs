@@ -1,4 +1,4 @@
-//! The paper's five examples, and the table of the README.
+//! The paper's five examples, and the table of docs/speed.md.
 
 use super::counted::{ADD, COS, Counted, Counts, DIV, EXP, MUL, SIN, SQRT, count};
 use super::{
@@ -25,7 +25,7 @@ fn the_readme_shows_the_counts() {
     for (example, counts) in counts() {
         table += &format!("| {example} |{}\n", counts.needed);
     }
-    assert!(include_str!("../../../README.md").contains(&table), "{table}");
+    assert!(include_str!("../../../docs/speed.md").contains(&table), "{table}");
 }
 
 #[test]

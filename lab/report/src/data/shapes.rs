@@ -1,11 +1,20 @@
-//! The first mode shapes of the examples.
+//! Drawings of the systems, and of the modes that the paper lists.
 
 use crate::error::ReportError;
+use frames_beside::steel;
 use mstmm::prelude::*;
+use mstmm_drawing::Drawing;
 use paper::models::*;
+use rivals::scenes::extremes::{FreeFixed, SoftAndStiff, Twins};
+use rivals::scenes::{STIFF, WEAK};
 
-/// Points along a beam.
-const POINTS: u32 = 40;
+/// A system as it is drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct System {
+    /// Its scene.
+    pub(crate) id: &'static str,
+    pub(crate) svg: String,
+}
 
 /// The modes of an example that the paper lists.
 #[derive(Clone, Debug)]
@@ -14,116 +23,72 @@ pub(crate) struct Shapes {
     pub(crate) modes: Vec<Mode>,
 }
 
-/// A mode, its largest deflection 1.
+/// A mode over its system.
 #[derive(Clone, Debug)]
 pub(crate) struct Mode {
     /// Its frequency or eigenvalue.
     pub(crate) name: String,
-    /// Places [m] and deflections along the line of beams and bodies.
-    pub(crate) outline: Vec<(f64, Complex<f64>)>,
-    /// Places and deflections of point masses.
-    pub(crate) masses: Vec<(f64, Complex<f64>)>,
+    pub(crate) svg: String,
 }
 
-impl Mode {
-    /// Whether its points move in different phases.
-    pub(crate) fn is_complex(&self) -> bool {
-        self.outline.iter().chain(&self.masses).any(|(_, deflection)| deflection.im != 0.0)
+/// All systems of the scenes.
+pub(crate) fn systems() -> Result<Vec<System>, ReportError> {
+    macro_rules! drawn {
+        ($($id:literal $model:expr),* $(,)?) => {
+            vec![$(System { id: $id, svg: Drawing::of(&$model.build()?)?.to_string() }),*]
+        };
     }
+    Ok(drawn![
+        "4.1a" light_tip_body(),
+        "4.1b" heavy_tip_body(),
+        "4.2" restrained_beam(),
+        "4.3" spring_and_mass(),
+        "4.4" two_spans(),
+        "4.5" damped_oscillator(),
+        "mode 100" FreeFixed {},
+        "close pair" Twins { stiffness: WEAK },
+        "stiff" SoftAndStiff { stiff: STIFF },
+    ])
 }
 
-/// The modes of a model: a macro, since each model is a type of its own.
+/// The modes of a system: a macro, since each system is a type of its own.
 macro_rules! modes {
-    (
-        $system:ident, $roots:expr, $name:expr, $model:ident,
-        beams [$($beam:ident $start:expr => $end:expr),*], bodies [$($body:ident $far:expr),*],
-        masses [$($mass:ident $place:expr),*]
-    ) => {{
+    ($id:literal, $model:expr, $roots:ident::<$count:literal>, $name:expr) => {{
+        let system = $model.build()?;
         let mut modes = Vec::new();
-        for root in $roots.iter() {
-            let shape = $system.mode_shape(root)?;
-            let Some(shape) = shape.with_unit_deflection() else { continue };
-            let (mut outline, mut masses) = (Vec::new(), Vec::new());
-            $(for n in 0..=POINTS {
-                let distance = ($end - $start) * (f64::from(n) / f64::from(POINTS));
-                outline.push(($start + distance, shape.along($model::$beam, distance)?.y.into()));
-            })*
-            $(outline.push(($far, shape.state($model::$body.output()).y.into()));)*
-            $(masses.push(($place, shape.state($model::$mass.input()).y.into()));)*
-            masses.shrink_to_fit();
-            modes.push(Mode { name: $name(root), outline, masses });
+        for root in &system.$roots::<$count>()? {
+            let svg = Drawing::of(&system)?.mode(&system.mode_shape(root)?)?.to_string();
+            modes.push(Mode { name: $name(root), svg });
         }
-        modes
+        Shapes { id: $id, modes }
     }};
+}
+
+/// Those of the paper's examples.
+pub(crate) fn shapes() -> Result<Vec<Shapes>, ReportError> {
+    Ok(vec![
+        modes!("4.1a", light_tip_body(), first_frequencies::<5>, frequency),
+        modes!("4.1b", heavy_tip_body(), first_frequencies::<5>, frequency),
+        modes!("4.2", restrained_beam(), first_frequencies::<3>, frequency),
+        modes!("4.3", spring_and_mass(), first_frequencies::<3>, frequency),
+        modes!("4.4", two_spans(), first_frequencies::<5>, frequency),
+        modes!("4.5", damped_oscillator(), first_eigenvalues::<5>, eigenvalue),
+    ])
+}
+
+/// The portal's first four modes.
+pub(crate) fn of_portal() -> Result<Shapes, ReportError> {
+    Ok(modes!("portal", steel(), first_frequencies::<4>, hertz))
 }
 
 fn frequency(root: &NaturalFrequency) -> String {
     format!("{:.2} rad/s", root.omega)
 }
 
+fn hertz(root: &NaturalFrequency) -> String {
+    format!("{:.2} Hz", root.hertz())
+}
+
 fn eigenvalue(root: &Eigenvalue) -> String {
     format!("{:.1} + {:.1}i 1/s", root.lambda.re, root.lambda.im).replace('-', "−")
-}
-
-/// All of them.
-pub(crate) fn shapes() -> Result<Vec<Shapes>, ReportError> {
-    Ok(vec![
-        Shapes { id: "4.1a", modes: tip_body(light_tip_body())? },
-        Shapes { id: "4.1b", modes: tip_body(heavy_tip_body())? },
-        Shapes { id: "4.2", modes: restrained()? },
-        Shapes { id: "4.3", modes: with_spring_and_mass()? },
-        Shapes { id: "4.4", modes: over_two_spans()? },
-        Shapes { id: "4.5", modes: damped()? },
-    ])
-}
-
-fn tip_body(model: TipBody) -> Result<Vec<Mode>, ReportError> {
-    let (system, length) = (model.build()?, model.length);
-    let roots = system.first_frequencies::<5>()?;
-    Ok(
-        modes!(system, roots, frequency, TipBody, beams [beam_1 0.0 => length], bodies [body_2 length + model.depth], masses []),
-    )
-}
-
-fn restrained() -> Result<Vec<Mode>, ReportError> {
-    let model = restrained_beam();
-    let system = model.build()?;
-    let roots = system.first_frequencies::<3>()?;
-    Ok(modes!(system, roots, frequency, RestrainedBeam, beams [beam_3 0.0 => model.length], bodies [], masses []))
-}
-
-fn with_spring_and_mass() -> Result<Vec<Mode>, ReportError> {
-    let model = spring_and_mass();
-    let (system, [spring, mass]) = (model.build()?, [model.spring_position, model.mass_position]);
-    let roots = system.first_frequencies::<3>()?;
-    Ok(modes!(
-        system, roots, frequency, SpringAndMass,
-        beams [beam_1 0.0 => spring, beam_4 spring => mass, beam_7 mass => model.length],
-        bodies [], masses [mass_6 mass]
-    ))
-}
-
-fn over_two_spans() -> Result<Vec<Mode>, ReportError> {
-    let model = two_spans();
-    let (system, [support, spring]) = (model.build()?, [model.support_position, model.spring_position]);
-    let roots = system.first_frequencies::<5>()?;
-    Ok(modes!(
-        system, roots, frequency, TwoSpans,
-        beams [beam_1 0.0 => support, beam_3 support => spring, beam_7 spring => model.length],
-        bodies [], masses [mass_6 spring]
-    ))
-}
-
-fn damped() -> Result<Vec<Mode>, ReportError> {
-    let model = damped_oscillator();
-    let system = model.build()?;
-    let [spring, oscillator, torsion] = [model.spring_position, model.oscillator_position, model.torsion_position];
-    let roots = system.first_eigenvalues::<5>()?;
-    Ok(modes!(
-        system, roots, eigenvalue, DampedOscillator,
-        beams [
-            beam_1 0.0 => spring, beam_4 spring => oscillator, beam_8 oscillator => torsion, beam_11 torsion => model.length
-        ],
-        bodies [], masses [mass_7 oscillator]
-    ))
 }

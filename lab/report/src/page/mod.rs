@@ -1,6 +1,9 @@
 //! The page.
 
+mod drawings;
 mod figures;
+mod frames;
+mod proof;
 mod summary;
 mod tables;
 mod text;
@@ -8,7 +11,7 @@ mod text;
 use crate::error::ReportError;
 use crate::measurements::Measurements;
 use crate::palette::dark_rules;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, PreEscaped, html};
 
 pub use summary::markdown;
 
@@ -19,8 +22,20 @@ const STYLE: &str = include_str!("style.css");
 /// # Errors
 /// [`ReportError`] where a picture cannot be drawn.
 pub fn page(measurements: &Measurements) -> Result<String, ReportError> {
-    let Measurements { runs, tables, landscapes, shapes, .. } = measurements;
+    let Measurements { runs, tables, counts, landscapes, systems, shapes, frames, storeys, portal, .. } = measurements;
     let dark = format!("@media (prefers-color-scheme: dark) {{ {} }}", dark_rules());
+    let sections = [
+        ("systems", "What is solved", drawings::systems(systems)),
+        ("proof", "A list with its proof", proof::section(counts)?),
+        ("summary", "How much faster", summary::section(runs)?),
+        ("error-time", "Error against run time", figures::error_time(runs)?),
+        ("frames", "Frames beside finite elements", frames::section(frames, storeys, portal)?),
+        ("landscapes", "|Δ| and its roots", figures::landscapes(landscapes)?),
+        ("shapes", "Mode shapes", drawings::shapes(shapes)),
+        ("digits", "Digits kept", figures::digits(measurements)?),
+        ("growth", "Cost against size", figures::growth(measurements)?),
+        ("paper", "The tables of the paper", tables::section(tables, systems)),
+    ];
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -29,7 +44,7 @@ pub fn page(measurements: &Measurements) -> Result<String, ReportError> {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
                 title { "mstmm: error against run time" }
-                style { (PreEscaped(STYLE)) (PreEscaped(dark)) }
+                style { (PreEscaped(drawings::style(systems))) (PreEscaped(STYLE)) (PreEscaped(dark)) }
             }
             body {
                 header {
@@ -38,22 +53,11 @@ pub fn page(measurements: &Measurements) -> Result<String, ReportError> {
                         "Vibrations by the transfer matrix method, and by other ways to the same roots. All times are of one run on \
                         one machine; quote the ratios."
                     }
+                    nav { @for (id, title, _) in &sections { a href={ "#" (id) } { (title) } " " } }
                 }
-                main {
-                    (section("summary", "How much faster", summary::section(runs)?))
-                    (section("paper", "The tables of the paper", tables::section(tables)))
-                    (section("error-time", "Error against run time", figures::error_time(runs)?))
-                    (section("landscapes", "|Δ| and its roots", figures::landscapes(landscapes)?))
-                    (section("shapes", "Mode shapes", figures::shapes(shapes)?))
-                    (section("digits", "Digits kept", figures::digits(measurements)?))
-                    (section("growth", "Cost against size", figures::growth(measurements)?))
-                }
+                main { @for (id, title, content) in &sections { section id=(id) { h2 { (title) } (content) } } }
             }
         }
     };
     Ok(page.into_string())
-}
-
-fn section(id: &str, title: &str, content: Markup) -> Markup {
-    html! { section id=(id) { h2 { (title) } (content) } }
 }

@@ -1,13 +1,14 @@
 //! How much faster the certified search is, as a table and in words.
 
+use super::tables::{beside, scrolling};
 use super::text::{error, time};
 use crate::error::ReportError;
 use crate::method::{METHODS, Method};
 use crate::plots::error_time::scenes;
 use maud::{Markup, html};
-use rivals::Run;
 use rivals::factors::{CERTIFIED_ERROR, Factor, RIVAL_ERROR, factors};
 use rivals::runs::CERTIFIED;
+use rivals::{ROUNDS, Run};
 use std::fmt::Write;
 
 /// A scene with the time of the certified search and each rival in order.
@@ -37,28 +38,36 @@ fn rows(runs: &[Run]) -> Vec<Row<'_>> {
 /// The table with what it means, and what a rival does better.
 pub(super) fn section(runs: &[Run]) -> Result<Markup, ReportError> {
     let [own, other] = [CERTIFIED_ERROR, RIVAL_ERROR].map(error);
-    Ok(html! {
+    let lead = html! {
         p {
             "The time in which the certified search finds all wanted roots of a scene to a relative " (own) " or better, and how many \
-            times as long each rival takes to a relative " (other) ". Below 1, in colour, the rival wins; a dash stands where it does \
-            not get there at any setting, nothing where it was not run. The certified search proves that no root is missing. Its \
+            times as long each rival takes to a relative " (other) ": the median of " (ROUNDS) " rounds, and under it the least and the \
+            largest. Below 1, in colour, the rival wins; a dash stands where it does not get there at any setting, nothing where it was \
+            not run. The certified search proves that no root is missing. Its \
             rivals prove nothing: they are given matrices assembled beforehand, and grids and dimensions chosen with the roots known."
         }
-        div class="scroll" {
-            table {
-                thead { tr { th { "scene" } th { (CERTIFIED) } @for method in rivals(runs) { th { (method.name) } } } }
-                tbody {
-                    @for row in rows(runs) {
-                        tr {
-                            td { (row.scene) } td { (seconds(row.seconds)) }
-                            @for rival in &row.rivals { td class=[wins(rival).then_some("wins")] { (times(rival)) } }
-                        }
-                    }
+        ul { @for sentence in sentences(runs) { li { (sentence) } } }
+    };
+    let table = scrolling(html! {
+        thead { tr { th { "scene" } th { (CERTIFIED) } @for method in rivals(runs) { th { (method.name) } } } }
+        tbody { @for row in rows(runs) { (table_row(&row)) } }
+    });
+    Ok(beside(lead, table))
+}
+
+fn table_row(row: &Row<'_>) -> Markup {
+    html! {
+        tr {
+            td { (row.scene) }
+            td { (seconds(row.seconds)) }
+            @for rival in &row.rivals {
+                td class=[wins(rival).then_some("wins")] {
+                    (times(rival))
+                    @if let Some(spread) = spread(rival) { br; small { (spread) } }
                 }
             }
         }
-        ul { @for sentence in sentences(runs) { li { (sentence) } } }
-    })
+    }
 }
 
 /// The table as Markdown, and what a rival does better.
@@ -68,7 +77,8 @@ pub fn markdown(runs: &[Run]) -> String {
     let mut text = names.iter().fold(format!("| scene | {CERTIFIED} |"), head);
     text += &format!("\n|---|---|{}\n", "---|".repeat(names.len()));
     for row in rows(runs) {
-        let cells: Vec<String> = row.rivals.iter().map(times).collect();
+        let cell = |rival| spread(rival).map_or(times(rival), |spread| format!("{} ({spread})", times(rival)));
+        let cells: Vec<String> = row.rivals.iter().map(cell).collect();
         // writing to a string cannot fail
         let _ = writeln!(text, "| {} | {} | {} |", row.scene, seconds(row.seconds), cells.join(" | "));
     }
@@ -98,15 +108,25 @@ fn wins(rival: &Option<Factor>) -> bool {
     rival.as_ref().is_some_and(|factor| factor.wins)
 }
 
-/// A factor with two digits; nothing where the rival was not run.
+/// A factor; nothing where the rival was not run.
 fn times(rival: &Option<Factor>) -> String {
     match rival.as_ref().map(|factor| factor.factor) {
         None => String::new(),
         Some(None) => "–".to_owned(),
-        Some(Some(factor)) if factor < 1.0 => format!("× {factor:.2}"),
-        Some(Some(factor)) if factor < 10.0 => format!("× {factor:.1}"),
-        Some(Some(factor)) => format!("× {factor:.0}"),
+        Some(Some(factor)) => format!("× {}", two_digits(factor)),
     }
+}
+
+/// The least and the largest factor of a round, where they differ.
+fn spread(rival: &Option<Factor>) -> Option<String> {
+    let [least, most] = rival.as_ref()?.spread?.map(two_digits);
+    (least != most).then(|| format!("{least}–{most}"))
+}
+
+/// A ratio with two digits, whole from 10 on.
+fn two_digits(ratio: f64) -> String {
+    let decimals = if ratio < 1.0 { 2 } else { usize::from(ratio < 10.0) };
+    format!("{ratio:.decimals$}")
 }
 
 fn seconds(seconds: Option<f64>) -> String {

@@ -34,10 +34,10 @@ pub(crate) fn draw(area: &Area, x: &Axis, y: &Axis, curves: &[Curve]) -> Drawn {
 fn labels(area: &Area, chart: &Chart, curves: &[Curve]) -> Drawn {
     let (columns, rows) = chart.plotting_area().get_pixel_range();
     let within = Frame {
-        left: columns.start + 2 * UNIT,
-        top: rows.start + UNIT,
-        right: columns.end + 20 * UNIT,
-        bottom: rows.end - 2 * UNIT,
+        left: columns.start + 3 * UNIT,
+        top: rows.start + 3 * UNIT,
+        right: columns.end - 3 * UNIT,
+        bottom: rows.end - 3 * UNIT,
     };
     let mut placement = Placement::new(within);
     let places = |points: &[(f64, f64)]| points.iter().map(|point| chart.backend_coord(point)).collect::<Vec<_>>();

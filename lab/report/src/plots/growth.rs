@@ -28,9 +28,16 @@ pub(crate) fn over_roots(costs: &OverRoots) -> Result<String, ReportError> {
     panel(|area| draw(area, ["mode number", "time per root [s]"], &series))
 }
 
+/// Costs of a building against its number of storeys.
+pub(crate) fn over_storeys(costs: &OverElements) -> Result<String, ReportError> {
+    let series = [("ten frequencies", SEARCH, costs.search.as_slice()), ("evaluation", EVALUATION, &costs.evaluation)];
+    panel(|area| draw(area, ["storeys", "time [s]"], &series))
+}
+
 /// A name with the exponent of growth, where there is one.
 fn label(name: &str, points: &[Point]) -> String {
-    if leap(points).is_some() { name.to_owned() } else { format!("{name}: exponent {:.2}", exponent(points)) }
+    let power = exponent(points);
+    if leap(points).is_some() || power.is_nan() { name.to_owned() } else { format!("{name}: exponent {power:.2}") }
 }
 
 fn draw(area: &Area, [size, time]: [&'static str; 2], series: &[Series<'_>]) -> Drawn {

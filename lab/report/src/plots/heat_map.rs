@@ -1,7 +1,7 @@
 //! |Δ| over the complex plane: filled contours, with the eigenvalues marked.
 
 use crate::axis::{Axis, power_of_ten};
-use crate::canvas::{Area, Chart, Drawn, PANEL, TEXT, UNIT, axes, panel, style};
+use crate::canvas::{Area, Chart, Drawn, TEXT, UNIT, axes, drawing, style};
 use crate::data::landscapes::HeatMap;
 use crate::error::ReportError;
 use crate::palette::QUIET;
@@ -11,18 +11,24 @@ use plotters::style::text_anchor::{HPos, VPos};
 
 /// Levels of colour.
 const LEVELS: i32 = 20;
+/// Size in pixels: both axes have the same scale, so that pits are round.
+const SIZE: (i32, i32) = (400, 500);
+/// Exponents of ten between which |Δ| is shown: pits have no bottom.
+const SHOWN: [i32; 2] = [-2, 2];
 /// Size of the scale of colours in pixels.
 const SCALE: (i32, i32) = (90, 10);
 
 /// The panel of the damped example.
 pub(crate) fn svg(map: &HeatMap) -> Result<String, ReportError> {
-    panel(|area| -> Drawn {
+    drawing(SIZE, |area| -> Drawn {
         let x = Axis::linear("Re λ [1/s]", *map.re.start()..*map.re.end());
         let y = Axis::linear("Im λ [1/s]", *map.im.start()..*map.im.end());
         let mut chart = axes(area, &x, &y)?;
-        let finite = || map.values.iter().copied().filter(|value| value.is_finite());
-        let (low, high) = (finite().fold(f64::INFINITY, f64::min), finite().fold(-f64::INFINITY, f64::max));
+        let [low, high] = SHOWN.map(f64::from);
         fill(&mut chart, map, low, high)?;
+        let [re, im] = &map.searched;
+        let corners = [(*re.start(), *im.start()), (*re.end(), *im.end())];
+        chart.draw_series([Rectangle::new(corners, WHITE.stroke_width(UNIT as u32))])?;
         chart.draw_series(map.roots.iter().map(|root| {
             let ring = |radius: i32, colour: RGBColor| Circle::new((0, 0), radius, colour.filled());
             EmptyElement::at((root.re, root.im)) + ring(5 * UNIT, BLACK) + ring(4 * UNIT, WHITE)
@@ -31,7 +37,7 @@ pub(crate) fn svg(map: &HeatMap) -> Result<String, ReportError> {
     })
 }
 
-/// Paints from the highest level down. `log |Δ|` has no maximum but at the edge, so that what lies below a level has no
+/// Paints from the highest level down. |Δ| over its trend has no maximum but at the edge, so that what lies below a level has no
 /// holes.
 fn fill(chart: &mut Chart, map: &HeatMap, low: f64, high: f64) -> Drawn {
     let (columns, rows) = (map.columns, map.values.len() / map.columns);
@@ -71,7 +77,7 @@ fn colour(level: i32) -> RGBColor {
 fn scale(area: &Area, low: f64, high: f64) -> Drawn {
     let [left, right] = [low, high].map(|value| power_of_ten(value.round() as i32));
     // in the line of the title of the upright axis
-    let (end, top) = ((PANEL.0 - 24) * UNIT - 5 * TEXT as i32 * UNIT / 2, 6 * UNIT);
+    let (end, top) = ((SIZE.0 - 24) * UNIT - 5 * TEXT as i32 * UNIT / 2, 6 * UNIT);
     let (start, bottom) = (end - SCALE.0 * UNIT, top + SCALE.1 * UNIT);
     for n in 0..LEVELS {
         let edge = |n: i32| start + (end - start) * n / LEVELS;
@@ -79,7 +85,7 @@ fn scale(area: &Area, low: f64, high: f64) -> Drawn {
     }
     let middle = (top + bottom) / 2;
     let text = |horizontal| style(QUIET, TEXT - 1.0, horizontal, VPos::Center);
-    area.draw(&Text::new(format!("|Δ|  {left}"), (start - 5 * UNIT, middle), text(HPos::Right)))?;
+    area.draw(&Text::new(left, (start - 5 * UNIT, middle), text(HPos::Right)))?;
     area.draw(&Text::new(right, (end + 5 * UNIT, middle), text(HPos::Left)))?;
     Ok(())
 }

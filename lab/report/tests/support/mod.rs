@@ -25,12 +25,14 @@ pub(crate) fn runs() -> Vec<Run> {
             let count = if error == 0.0 { 1 } else { 5 };
             for n in 0..count {
                 let is_lost = n == 0 && method == "scan for minima";
+                let seconds = seconds * (1.0 + place as f64) * slower.powi(n);
                 runs.push(Run {
                     scene: (*scene).to_owned(),
                     method: method.to_owned(),
                     knob: "tolerance".to_owned(),
                     setting: f64::from(n),
-                    seconds: seconds * (1.0 + place as f64) * slower.powi(n),
+                    seconds,
+                    rounds: [0.9, 1.0, 1.1, 1.0, 1.0].map(|share| share * seconds),
                     evaluations: 10,
                     error: if is_lost { f64::INFINITY } else { (error * better.powi(n)).max(1e-15) },
                 });
@@ -53,7 +55,9 @@ pub(crate) fn measurements_of(runs: Vec<Run>) -> Measurements {
         modes: vec![1, 2, 3, 6, 10, 30, 100, 300, 1000],
         stiffness: vec![-15, -9, -3, 0, 3, 9, 15],
         elements: vec![1, 3, 10, 30],
+        storeys: vec![1, 3],
         roots: 10,
+        programs: false,
     };
     Measurements::take(runs, &extent, |_| ()).unwrap()
 }
