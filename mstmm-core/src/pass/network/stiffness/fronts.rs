@@ -5,8 +5,9 @@ use crate::pass::network::stiffness::in_front::InFront;
 use crate::pass::network::stiffness::total::StiffnessTotal;
 use crate::pass::network::stiffness::waves::Bending;
 
-/// Row of a pivot beside its error in units of rounding, up to which rounding may decide its sign.
-const DOUBTFUL: f64 = 8.0;
+/// Number of pivots whose roundings add up to one more error of a row: rows know their errors, but not how those of different rows depend on
+/// each other. Up to that error rounding may decide the sign of a pivot.
+const PIVOTS_PER_ERROR: usize = 6;
 
 /// The displacements of a node, or the forces of a rigid joint, in a front.
 #[derive(Clone, Copy, Debug)]
@@ -68,6 +69,7 @@ impl<S: Scalar, const W: usize> StiffnessRoom<S, W> {
             group_count: 0,
             count: 0,
             watches,
+            pivots: 0,
             total: StiffnessTotal::new(),
         }
     }
@@ -106,6 +108,8 @@ pub(super) struct StiffnessFronts<'r, S: Scalar> {
     count: usize,
     /// Whether errors are carried along.
     watches: bool,
+    /// The number of pivots so far.
+    pivots: usize,
     pub(super) total: StiffnessTotal<S>,
 }
 
@@ -185,7 +189,7 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
         for k in 0..count {
             let own = self.places[k];
             let error = self.waiting_errors[begin.variable + k];
-            self.errors[own] = self.errors[own].or_larger(error);
+            self.errors[own] = self.errors[own] + error;
             for l in 0..=k {
                 self.entries[place(own, self.places[l])] += self.waiting_entries[at];
                 at += 1;
@@ -223,7 +227,10 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
     pub(super) fn add_line(&mut self, [own, across]: [S; 2], freedom: usize, member: InFront<'_>) {
         for end in 0..2 {
             let Some(place) = member.ends[end] else { continue };
-            self.add_own(own, place, &member.row(end, freedom));
+            let parts = member.row(end, freedom);
+            self.add_own(own, place, &parts);
+            // the terms of both are as large, also where those of one cancel
+            self.note_own(own.size().or_larger(across.size()), place, &parts);
         }
         let [Some(place), Some(other)] = member.ends else { return };
         self.add_across(across, [place, other], [&member.row(0, freedom), &member.row(1, freedom)]);
@@ -241,7 +248,6 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
             for (entry, part) in self.entries[start..=start + k].iter_mut().zip(parts) {
                 *entry += term.scaled(*part);
             }
-            self.note(first + k, term.scaled(*part).size());
         }
     }
 
@@ -263,8 +269,10 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
     /// Notes the size of the terms that a stiffness of a displacement is made of.
     #[inline(always)]
     pub(super) fn note_own(&mut self, size: S::Size, [first, count]: [usize; 2], parts: &[f64; 3]) {
-        for (k, part) in parts[..count].iter().enumerate() {
-            self.note(first + k, size * S::Size::of(part * part));
+        if self.watches {
+            for (k, part) in parts[..count].iter().enumerate() {
+                self.note(first + k, size * S::Size::of(part * part));
+            }
         }
     }
 
@@ -278,11 +286,11 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
         }
     }
 
-    /// Notes the size of a term on the diagonal.
+    /// Notes the size of a term on the diagonal: what terms are rounded by adds up.
     #[inline(always)]
     fn note(&mut self, place: usize, size: S::Size) {
         if self.watches {
-            self.errors[place] = self.errors[place].or_larger(size);
+            self.errors[place] = self.errors[place] + size;
         }
     }
 
@@ -298,7 +306,7 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
                 self.add([rotation, first + l], yt.scaled(member.member.rows[end][1][l]));
             }
             self.entries[place(rotation, rotation)] += tt;
-            self.note(rotation, tt.size());
+            self.note(rotation, tt.size().or_larger(tt_across.size()));
             // with deflections at the other end
             if let Some([first, count]) = member.ends[1 - end] {
                 let across = if end == 0 { -yt_across } else { yt_across };
@@ -373,7 +381,9 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
     #[inline(always)]
     pub(super) fn take(&mut self, pivot: S, error: S::Size) {
         if self.watches {
-            let limit = error * S::Size::of(DOUBTFUL * S::EPSILON);
+            self.pivots += 1;
+            let errors = self.pivots.div_ceil(PIVOTS_PER_ERROR) as f64;
+            let limit = error * S::Size::of(errors * S::EPSILON);
             self.total.is_doubtful = self.total.is_doubtful | !limit.is_below(pivot.size());
         }
         self.total.multiply(pivot, 0);
@@ -385,5 +395,5 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
 /// there over the pivot and of that entry.
 #[inline(always)]
 pub(super) fn inherited<E: Size>(own: E, [solved, factor]: [E; 2], pivot: E) -> E {
-    own.or_larger((solved * solved * pivot).or_larger(solved * factor))
+    own + solved * (solved * pivot + factor)
 }

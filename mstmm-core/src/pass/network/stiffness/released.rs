@@ -10,7 +10,7 @@ pub(super) struct OwnStiffness<S: Scalar, const N: usize> {
     /// End and freedom of each row: displacement along, across, rotation.
     freedoms: [[usize; 2]; N],
     entries: [[S; N]; N],
-    /// The size of the terms that each diagonal entry is made of.
+    /// The size of the terms that each diagonal entry is made of, which are as large as that between both ends.
     errors: [S::Size; N],
 }
 
@@ -45,7 +45,7 @@ impl<S: Scalar, const N: usize> OwnStiffness<S, N> {
     fn new(freedoms: [[usize; 2]; N], entries: [[S; N]; N]) -> Self {
         let mut errors = [S::Size::of(0.0); N];
         for (k, error) in errors.iter_mut().enumerate() {
-            *error = entries[k][k].size();
+            *error = entries[k][k].size().or_larger(entries[k][(k + N / 2) % N].size());
         }
         OwnStiffness { freedoms, entries, errors }
     }
