@@ -391,7 +391,7 @@ impl<S: Scalar> StiffnessFronts<'_, S> {
     }
 }
 
-/// The error of a row, in units of rounding, after a pivot on another one: its own, or what it inherits of that, given the sizes of its entry
+/// The error of a row, in units of rounding, after a pivot on another one: its own and what it inherits of that, given the sizes of its entry
 /// there over the pivot and of that entry.
 #[inline(always)]
 pub(super) fn inherited<E: Size>(own: E, [solved, factor]: [E; 2], pivot: E) -> E {
