@@ -121,12 +121,15 @@ pub(crate) fn characteristic(structure: &Structure, omegas: &[f64]) -> Result<Ve
 
 /// The smallest width.
 pub(crate) fn needed_width(structure: &Structure) -> usize {
-    let (nodes, members) = (nodes(structure), members(structure, undamped::<UndampedMember<f64>>));
-    let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
-    match Network::<_, 1, _, _>::new(&nodes, &members, &mut room) {
-        Err(NetworkError::Width { needed }) => needed,
-        other => unreachable!("a width of one: {other:?}"),
-    }
+    let needed = on_a_large_stack(|| {
+        let (nodes, members) = (nodes(structure), members(structure, undamped::<UndampedMember<f64>>));
+        let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
+        match Network::<_, 1, _, _>::new(&nodes, &members, &mut room) {
+            Err(NetworkError::Width { needed }) => Ok(needed),
+            other => unreachable!("a width of one: {other:?}"),
+        }
+    });
+    needed.unwrap()
 }
 
 fn entry(root: &NaturalFrequency<f64>) -> Found {

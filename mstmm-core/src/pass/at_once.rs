@@ -2,7 +2,7 @@
 
 use crate::number::{InLanes, Packed, Real, Scaled, Size, Task, Truth, run};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
-use crate::pass::network::stiffness::{Memory, StiffnessBlock, StiffnessModel};
+use crate::pass::network::stiffness::{StiffnessBlock, StiffnessModel};
 use crate::pass::phase::PhaseCounter;
 use crate::subspace::{NoCount, Purpose, WittrickWilliams};
 use core::marker::PhantomData;
@@ -47,8 +47,6 @@ pub(crate) struct Block<T> {
     is_lost: bool,
     /// The power of two of all values; none before the first evaluation.
     exponent: Option<i64>,
-    /// The memory that a network takes.
-    memory: Memory,
 }
 
 impl<T: InLanes + Real> Block<T> {
@@ -63,7 +61,6 @@ impl<T: InLanes + Real> Block<T> {
             unknown: 0,
             is_lost: false,
             exponent: None,
-            memory: Memory::default(),
         }
     }
 
@@ -107,10 +104,9 @@ impl<T: InLanes + Real> Block<T> {
             unknown: 0,
             doubtful: 0,
             exponent: self.exponent,
-            memory: self.memory,
         };
         block.evaluate(model, lanes > 1);
-        (self.unknown, self.exponent, self.memory) = (block.unknown | block.doubtful, block.exponent, block.memory);
+        (self.unknown, self.exponent) = (block.unknown | block.doubtful, block.exponent);
         for (own, value) in self.value.iter_mut().zip(value) {
             *own = T::from_f64(value);
         }

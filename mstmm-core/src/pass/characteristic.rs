@@ -33,17 +33,11 @@ pub trait System {
         Self::MAY_BUCKLE
     }
 
-    /// The system in numbers, if it is a network.
+    /// The system in numbers, if it is a network all of whose members are known in numbers.
     #[doc(hidden)]
     #[inline]
     fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
         None
-    }
-
-    /// Whether it is a network all of whose members are known in numbers.
-    #[doc(hidden)]
-    fn is_known_in_numbers(&self) -> bool {
-        self.in_numbers().is_some_and(|model| model.is_known())
     }
 
     /// Estimates from which the searches take their first steps.

@@ -316,6 +316,7 @@ const _: () = {
                 .describe::<
                     mstmm::__private::elements::Spring<T>,
                 >(1usize, &system.member_1, &mut system.estimates);
+            system.skeleton.arrange(&ORDER.order(3usize, 2usize));
             system.estimates.finish();
             ::core::result::Result::Ok(system)
         }
@@ -334,9 +335,7 @@ const _: () = {
         fn in_numbers(
             &self,
         ) -> ::core::option::Option<mstmm::__private::StiffnessModel<'_>> {
-            ::core::option::Option::Some(
-                self.skeleton.in_numbers(mstmm::__private::Placed::order(self)),
-            )
+            self.skeleton.in_numbers(&mstmm::__private::Placed::order(self))
         }
         fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
             self.estimates

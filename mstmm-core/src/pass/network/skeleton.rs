@@ -7,7 +7,7 @@ use crate::pass::network::member::{End, Placement};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::numbers::Numbers;
 use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedEnd};
-use crate::pass::network::stiffness::{StiffnessMember, StiffnessModel, StiffnessNode};
+use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
 use mstmm_plan::NetworkOrder;
 
 /// The nodes of a network and the placements of its members; what the members are made of stands elsewhere.
@@ -17,7 +17,7 @@ pub struct Skeleton<T, const NODES: usize, const MEMBERS: usize> {
     motions: [Motions<T>; NODES],
     placements: [Placement<T>; MEMBERS],
     /// Nodes and members in numbers, for searches at many frequencies at once.
-    stiffness: ([StiffnessNode; NODES], [StiffnessMember; MEMBERS]),
+    stiffness: StiffnessRoom<NODES, MEMBERS>,
 }
 
 impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBERS> {
@@ -50,9 +50,11 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
             *placement = Placement::new(member.freedoms, [&ends[0], &ends[1]], at_nodes.0, at_nodes.1);
             numbers.check_distance(sketch, member, placement.own_length().to_f64())?;
         }
-        let members = [StiffnessMember::none(); MEMBERS];
-        let in_numbers = core::array::from_fn(|node| StiffnessNode::new(&nodes[node], &motions[node]));
-        Ok(Skeleton { nodes, motions, placements, stiffness: (in_numbers, members) })
+        let mut stiffness = StiffnessRoom::new();
+        for (index, (node, motions)) in nodes.iter().zip(&motions).enumerate() {
+            stiffness.set_node(index, node, motions);
+        }
+        Ok(Skeleton { nodes, motions, placements, stiffness })
     }
 
     /// Describes a member: its numbers, and what it adds to the estimates from which searches take their first steps. A call, since a frame
@@ -60,7 +62,12 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
     #[inline(never)]
     pub fn describe<E: Element>(&mut self, member: usize, built: &E::Built, estimates: &mut FrequencyEstimates) {
         E::estimate(built, estimates);
-        self.stiffness.1[member] = StiffnessMember::new(E::member_numbers(built), &self.placements[member]);
+        self.stiffness.set_member(member, E::member_numbers(built), &self.placements[member]);
+    }
+
+    /// Arranges what searches evaluate at many frequencies, once all members are described.
+    pub fn arrange(&mut self, order: &NetworkOrder<'_>) {
+        self.stiffness.arrange(order);
     }
 
     /// The length of a member.
@@ -85,9 +92,9 @@ impl<T: Copy, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
         &self.placements[member]
     }
 
-    /// The network in numbers, given its order.
-    pub fn in_numbers<'a>(&'a self, order: NetworkOrder<'a>) -> StiffnessModel<'a> {
-        StiffnessModel { nodes: &self.stiffness.0, members: &self.stiffness.1, order }
+    /// The network in numbers, given its order, if all of its members are known in numbers.
+    pub fn in_numbers<'a>(&'a self, order: &NetworkOrder<'a>) -> Option<StiffnessModel<'a>> {
+        self.stiffness.model(order)
     }
 }
 

@@ -9,7 +9,7 @@ use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_way
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::overall::PlacedTransfers;
-use crate::pass::network::stiffness::{StiffnessMember, StiffnessModel, StiffnessNode};
+use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
 use core::fmt::Debug;
@@ -19,14 +19,14 @@ use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
 #[derive(Clone, Copy, Debug)]
 pub enum InNetwork {}
 
-/// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 200 bytes per node, some 600 per member.
+/// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 200 bytes per node, some 650 per member.
 #[derive(Clone, Debug)]
 pub struct NetworkRoom<E: MemberElement, const NODES: usize, const MEMBERS: usize> {
     members: [Option<E::Built>; MEMBERS],
     kinds: [&'static str; MEMBERS],
     placements: [Placement<E::Parameter>; MEMBERS],
     motions: [Motions<E::Parameter>; NODES],
-    stiffness: ([StiffnessNode; NODES], [StiffnessMember; MEMBERS]),
+    stiffness: StiffnessRoom<NODES, MEMBERS>,
     order: OrderRoom<NODES, MEMBERS>,
 }
 
@@ -39,7 +39,7 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
             kinds: [""; MEMBERS],
             placements: [Placement::nowhere(); MEMBERS],
             motions: [Motions::none(); NODES],
-            stiffness: ([StiffnessNode::none(); NODES], [StiffnessMember::none(); MEMBERS]),
+            stiffness: StiffnessRoom::new(),
             order: OrderRoom::EMPTY,
         }
     }
@@ -81,7 +81,7 @@ pub struct Network<'a, E: MemberElement, const WIDTH: usize, const NODES: usize,
     pub(super) kinds: &'a [&'static str],
     placements: &'a [Placement<E::Parameter>],
     /// Nodes and members in numbers, for searches at many frequencies at once.
-    stiffness: (&'a [StiffnessNode], &'a [StiffnessMember]),
+    stiffness: Option<StiffnessModel<'a>>,
     order: NetworkOrder<'a>,
 }
 
@@ -107,11 +107,11 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
         for (index, node) in nodes.iter().enumerate() {
             check_node(index, node)?;
             room.motions[index] = Motions::of(node);
-            room.stiffness.0[index] = StiffnessNode::new(node, &room.motions[index]);
+            room.stiffness.set_node(index, node, &room.motions[index]);
         }
         for (index, member) in members.iter().enumerate() {
             let (built, placement) = built(index, member, nodes, &room.motions)?;
-            room.stiffness.1[index] = StiffnessMember::new(E::member_numbers(&built), &placement);
+            room.stiffness.set_member(index, E::member_numbers(&built), &placement);
             (room.members[index], room.placements[index]) = (Some(built), placement);
             room.kinds[index] = member.element.name();
         }
@@ -121,14 +121,16 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
             return Err(NetworkError::Apart { node });
         }
         let NetworkRoom { members: built, kinds, placements, motions, stiffness, order } = room;
+        let order = order.order(sizes.0, sizes.1);
+        stiffness.arrange(&order);
         let network = Network {
             nodes,
             motions: &motions[..sizes.0],
             members: &built[..sizes.1],
             kinds: &kinds[..sizes.1],
             placements: &placements[..sizes.1],
-            stiffness: (&stiffness.0[..sizes.0], &stiffness.1[..sizes.1]),
-            order: order.order(sizes.0, sizes.1),
+            stiffness: stiffness.model(&order),
+            order,
         };
         let freedoms = |end: usize| network.placements[end / 2].freedoms.count();
         match network.order.width(|node| network.motions[node].count, freedoms) {
@@ -216,7 +218,7 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
     const MAY_BUCKLE: bool = E::MAY_BUCKLE;
 
     fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
-        Some(StiffnessModel { nodes: self.stiffness.0, members: self.stiffness.1, order: self.order })
+        self.stiffness
     }
 
     fn may_buckle(&self) -> bool {

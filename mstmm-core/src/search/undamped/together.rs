@@ -59,7 +59,7 @@ where
     pub(super) fn new(single: &'s mut Isolation<'a, Y, T>) -> Option<Self> {
         let waves = single.estimates.wave_sum();
         let suits = cfg!(feature = "std") && T::IS_DOUBLE && waves > 0.0;
-        let suits = suits && if Y::IS_NETWORK { single.system.is_known_in_numbers() } else { Y::HAS_PHASES };
+        let suits = suits && if Y::IS_NETWORK { single.system.in_numbers().is_some() } else { Y::HAS_PHASES };
         suits.then(|| Together { single, block: Block::new(), samples: List::new(), waves, lanes: 1 })
     }
 

@@ -51,6 +51,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         quote_spanned!(span=> system.skeleton.describe::<#kind>(#index, &system.#field, &mut system.estimates);)
     });
     let kept = values_of_fields(model, keeps_fields, names);
+    let (nodes, member_count) = (skeleton.nodes.len(), skeleton.members.len());
     let body = quote_spanned! {names.here=>
         let numbers = #private::Located::numbers(self);
         let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
@@ -64,6 +65,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         };
         system.skeleton.estimate(&mut system.estimates);
         #(#descriptions)*
+        system.skeleton.arrange(&ORDER.order(#nodes, #member_count));
     };
     let doc = [
         "Validates all places and parameters and builds the system.",
@@ -124,7 +126,7 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
             const MAY_BUCKLE: bool = #(#may_buckle)||*;
 
             fn in_numbers(&self) -> ::core::option::Option<#private::StiffnessModel<'_>> {
-                ::core::option::Option::Some(self.skeleton.in_numbers(#private::Placed::order(self)))
+                self.skeleton.in_numbers(&#private::Placed::order(self))
             }
 
             fn estimates(&self) -> #private::FrequencyEstimates {

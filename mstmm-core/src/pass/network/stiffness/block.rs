@@ -3,34 +3,12 @@
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 use crate::number::InLanes;
 use crate::number::{Packed, Size, Task, run};
-use crate::pass::network::stiffness::fronts::{StiffnessFronts, StiffnessRoom};
+use crate::pass::network::stiffness::front::{StiffnessFront, StiffnessMemory};
+use crate::pass::network::stiffness::group::MOST;
 use crate::pass::network::stiffness::joined::Joins;
 use crate::pass::network::stiffness::model::StiffnessModel;
 use crate::pass::network::stiffness::pass::eliminate_all;
 use crate::pass::network::stiffness::total::StiffnessTotal;
-
-/// The memory that an evaluation takes: its fronts are as wide as they are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Memory {
-    /// For up to 8 displacements at once, as of a chain.
-    #[default]
-    Narrow,
-    /// For up to 24.
-    Wide,
-    /// For up to 48, of one frequency at a time.
-    Widest,
-}
-
-impl Memory {
-    /// The next larger one.
-    fn larger(self) -> Option<Self> {
-        match self {
-            Memory::Narrow => Some(Memory::Wide),
-            Memory::Wide => Some(Memory::Widest),
-            Memory::Widest => None,
-        }
-    }
-}
 
 /// Some frequencies with what was computed there.
 pub(crate) struct StiffnessBlock<'a> {
@@ -45,46 +23,41 @@ pub(crate) struct StiffnessBlock<'a> {
     pub(crate) doubtful: u32,
     /// The power of two of all values; that of the first one, if there is none yet.
     pub(crate) exponent: Option<i64>,
-    pub(crate) memory: Memory,
 }
 
 impl StiffnessBlock<'_> {
-    /// Evaluates a network at all frequencies, in lanes where no wave has to be scaled, and in more memory where its fronts need that.
+    /// Evaluates a network at all frequencies, in memory for as many variables as it has at once: of few, as of a chain, in lanes where no wave
+    /// has to be scaled, of many one frequency at a time.
     pub(crate) fn evaluate(&mut self, model: &StiffnessModel<'_>, in_lanes: bool) {
-        loop {
-            let has_room = match self.memory {
-                Memory::Narrow => self.in_memory::<8>(model, in_lanes),
-                Memory::Wide => self.in_memory::<24>(model, in_lanes),
-                Memory::Widest => self.in_memory::<48>(model, false),
-            };
-            let Some(larger) = self.memory.larger().filter(|_| !has_room) else { return };
-            self.memory = larger;
+        match model.width {
+            0..=8 => self.in_memory::<8, 36>(model, in_lanes),
+            9..=24 => self.in_memory::<24, 300>(model, in_lanes),
+            _ => self.in_memory::<MOST, 1176>(model, false),
         }
     }
 
-    /// Evaluates a network in memory for up to `W` displacements at once: a call, since the stack has room for no more than is needed. Returns
-    /// whether its fronts have room there.
+    /// Evaluates a network in memory for a front: a call, since the stack has room for no more than is needed.
     #[inline(never)]
-    fn in_memory<const W: usize>(&mut self, model: &StiffnessModel<'_>, in_lanes: bool) -> bool {
-        let evaluation = Evaluation::<W> { model, block: self };
+    fn in_memory<const W: usize, const ENTRIES: usize>(&mut self, model: &StiffnessModel<'_>, in_lanes: bool) {
+        let evaluation = Evaluation::<W, ENTRIES> { model, block: self };
         if in_lanes { run(evaluation) } else { evaluation.alone() }
     }
 
     /// Evaluates a network in the lanes of a number.
     #[inline(always)]
-    fn in_lanes<S: Packed<f64> + StiffnessScalar, const W: usize>(&mut self, model: &StiffnessModel<'_>) -> bool {
-        let mut room = StiffnessRoom::<S, W>::new();
+    fn in_lanes<S: Packed<f64> + StiffnessScalar, const W: usize, const ENTRIES: usize>(
+        &mut self,
+        model: &StiffnessModel<'_>,
+    ) {
+        let mut memory = StiffnessMemory::<S, W, ENTRIES>::new();
         (self.unknown, self.doubtful) = (0, 0);
         let mut from = 0;
         while from < self.omega.len() {
             let lanes = from..self.omega.len().min(from + S::LANES);
             let omega = S::load(&self.omega[lanes.clone()]);
-            let mut fronts = room.fronts(self.watches);
-            if !S::eliminate_all(model, &mut fronts, &omega) {
-                self.unknown = u32::MAX;
-                return false;
-            }
-            let StiffnessTotal { product, exponent, below, is_doubtful } = fronts.total;
+            let mut front = memory.front(model.width, self.watches);
+            S::eliminate_all(model, &mut front, &omega);
+            let StiffnessTotal { product, exponent, below, is_doubtful } = front.total;
             let value = product
                 .times_power_of_two((exponent - *self.exponent.get_or_insert(exponent)).clamp(-4000, 4000) as i32);
             // neither a NaN nor zero nor beyond the range
@@ -96,61 +69,59 @@ impl StiffnessBlock<'_> {
             S::store_size(below, &mut self.below[lanes]);
             from += S::LANES;
         }
-        true
     }
 }
 
 /// A number at which networks are evaluated by stiffnesses, compiled with this library.
 trait StiffnessScalar: Joins {
-    /// Eliminates all nodes. Returns whether that is possible.
-    fn eliminate_all(model: &StiffnessModel<'_>, fronts: &mut StiffnessFronts<'_, Self>, omega: &Self) -> bool;
+    /// Eliminates all nodes.
+    fn eliminate_all(model: &StiffnessModel<'_>, front: &mut StiffnessFront<'_, Self>, omega: &Self);
 }
 
 impl StiffnessScalar for f64 {
     #[inline(never)]
-    fn eliminate_all(model: &StiffnessModel<'_>, fronts: &mut StiffnessFronts<'_, Self>, omega: &Self) -> bool {
-        eliminate_all(model, fronts, *omega).is_some()
+    fn eliminate_all(model: &StiffnessModel<'_>, front: &mut StiffnessFront<'_, Self>, omega: &Self) {
+        eliminate_all(model, front, *omega);
     }
 }
 
-/// The evaluation of a block in memory for up to `W` displacements at once.
-struct Evaluation<'a, 'b, 'm, const W: usize> {
+/// The evaluation of a block in memory for a front of up to `W` variables.
+struct Evaluation<'a, 'b, 'm, const W: usize, const ENTRIES: usize> {
     model: &'a StiffnessModel<'m>,
     block: &'a mut StiffnessBlock<'b>,
 }
 
-impl<const W: usize> Task for Evaluation<'_, '_, '_, W> {
-    type Output = bool;
+impl<const W: usize, const ENTRIES: usize> Task for Evaluation<'_, '_, '_, W, ENTRIES> {
+    type Output = ();
 
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
-    fn on_avx512(self) -> bool {
-        self.block.in_lanes::<<f64 as InLanes>::OnAvx512, W>(self.model)
+    fn on_avx512(self) {
+        self.block.in_lanes::<<f64 as InLanes>::OnAvx512, W, ENTRIES>(self.model);
     }
 
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline(always)]
-    fn on_avx2(self) -> bool {
-        self.block.in_lanes::<<f64 as InLanes>::OnAvx2, W>(self.model)
+    fn on_avx2(self) {
+        self.block.in_lanes::<<f64 as InLanes>::OnAvx2, W, ENTRIES>(self.model);
     }
 
-    fn alone(self) -> bool {
-        self.block.in_lanes::<f64, W>(self.model)
+    fn alone(self) {
+        self.block.in_lanes::<f64, W, ENTRIES>(self.model);
     }
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 mod in_vectors {
-    use super::{Joins, StiffnessFronts, StiffnessModel, StiffnessScalar, eliminate_all};
+    use super::{Joins, StiffnessFront, StiffnessModel, StiffnessScalar, eliminate_all};
     use crate::number::lanes::Waving;
     use mstmm_lanes::{Eight, Four, Lanes, Part, Vector};
 
     /// The elimination of all nodes.
     struct Elimination<'a, 'm, 'r, V: Waving> {
         model: &'a StiffnessModel<'m>,
-        fronts: &'a mut StiffnessFronts<'r, Lanes<V>>,
+        front: &'a mut StiffnessFront<'r, Lanes<V>>,
         omega: &'a Lanes<V>,
-        is_whole: &'a mut bool,
     }
 
     impl<V: Waving> Part for Elimination<'_, '_, '_, V>
@@ -159,7 +130,7 @@ mod in_vectors {
     {
         #[inline(always)]
         fn run(self) {
-            *self.is_whole = eliminate_all(self.model, self.fronts, *self.omega).is_some();
+            eliminate_all(self.model, self.front, *self.omega);
         }
     }
 
@@ -169,12 +140,10 @@ mod in_vectors {
                 #[inline(never)]
                 fn eliminate_all(
                     model: &StiffnessModel<'_>,
-                    fronts: &mut StiffnessFronts<'_, Self>,
+                    front: &mut StiffnessFront<'_, Self>,
                     omega: &Self,
-                ) -> bool {
-                    let mut is_whole = false;
-                    <$vector>::call(Elimination { model, fronts, omega, is_whole: &mut is_whole });
-                    is_whole
+                ) {
+                    <$vector>::call(Elimination { model, front, omega });
                 }
             }
         )*};

@@ -2,8 +2,8 @@
 //! for vectors on their own instruction set. Most structures have none.
 
 use crate::number::Frequency;
-use crate::pass::network::stiffness::fronts::StiffnessFronts;
-use crate::pass::network::stiffness::in_front::InFront;
+use crate::pass::network::stiffness::front::StiffnessFront;
+use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::released::OwnStiffness;
 
 /// A number at which such members are added.
@@ -11,8 +11,8 @@ pub(super) trait Joins: Frequency<f64> {
     /// Adds a member.
     fn join<const N: usize>(
         own: &mut OwnStiffness<Self, N>,
-        fronts: &mut StiffnessFronts<'_, Self>,
-        member: InFront<'_>,
+        front: &mut StiffnessFront<'_, Self>,
+        member: &StiffnessMember,
     );
 }
 
@@ -20,30 +20,30 @@ impl Joins for f64 {
     #[inline(never)]
     fn join<const N: usize>(
         own: &mut OwnStiffness<Self, N>,
-        fronts: &mut StiffnessFronts<'_, Self>,
-        member: InFront<'_>,
+        front: &mut StiffnessFront<'_, Self>,
+        member: &StiffnessMember,
     ) {
-        own.join(fronts, member);
+        own.join(front, member);
     }
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 mod in_vectors {
-    use super::{InFront, Joins, OwnStiffness, StiffnessFronts};
+    use super::{Joins, OwnStiffness, StiffnessFront, StiffnessMember};
     use crate::number::lanes::Waving;
     use mstmm_lanes::{Eight, Four, Lanes, Part, Vector};
 
     /// The join of a member.
     struct Join<'a, 'r, V: Waving, const N: usize> {
         own: &'a mut OwnStiffness<Lanes<V>, N>,
-        fronts: &'a mut StiffnessFronts<'r, Lanes<V>>,
-        member: InFront<'a>,
+        front: &'a mut StiffnessFront<'r, Lanes<V>>,
+        member: &'a StiffnessMember,
     }
 
     impl<V: Waving, const N: usize> Part for Join<'_, '_, V, N> {
         #[inline(always)]
         fn run(self) {
-            self.own.join(self.fronts, self.member);
+            self.own.join(self.front, self.member);
         }
     }
 
@@ -53,10 +53,10 @@ mod in_vectors {
                 #[inline(never)]
                 fn join<const N: usize>(
                     own: &mut OwnStiffness<Self, N>,
-                    fronts: &mut StiffnessFronts<'_, Self>,
-                    member: InFront<'_>,
+                    front: &mut StiffnessFront<'_, Self>,
+                    member: &StiffnessMember,
                 ) {
-                    <$vector>::call(Join { own, fronts, member });
+                    <$vector>::call(Join { own, front, member });
                 }
             }
         )*};

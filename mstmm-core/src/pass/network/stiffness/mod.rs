@@ -3,11 +3,15 @@
 //! It is fast, and as good as the members are far from frequencies at which they vibrate between held ends. Searches approach roots by it,
 //! and take its counts where rounding cannot have decided the sign of a pivot; all else goes by fronts.
 
+mod arrangement;
+mod assembly;
 mod block;
-mod fronts;
-mod in_front;
+mod front;
+mod group;
 mod joined;
+mod member;
 mod model;
+mod node;
 mod pass;
 mod released;
 mod total;
@@ -16,6 +20,6 @@ mod waves;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use block::{Memory, StiffnessBlock};
+pub(crate) use block::StiffnessBlock;
 pub use model::StiffnessModel;
-pub(crate) use model::{StiffnessMember, StiffnessNode};
+pub(crate) use model::StiffnessRoom;

@@ -4,86 +4,65 @@ use crate::element::MemberNumbers;
 use crate::number::Real;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
-use mstmm_plan::{Freedoms, NetworkOrder};
+use crate::pass::network::stiffness::arrangement::arrange;
+use crate::pass::network::stiffness::member::StiffnessMember;
+use crate::pass::network::stiffness::node::StiffnessNode;
+use mstmm_plan::NetworkOrder;
 
-/// A member with what the freedoms of its ends are of the motions of its nodes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct StiffnessMember {
-    pub(super) numbers: MemberNumbers,
-    /// Of each end, for displacements along and across the member: the parts of the motions of its node.
-    pub(super) rows: [[[f64; 3]; 2]; 2],
-    /// Whether the node of each end has no motions, and whether it turns, as its last motion.
-    pub(super) rests: [bool; 2],
-    pub(super) turns: [bool; 2],
-    /// Of each end, the freedoms that it does not share with its node, and whether there are none.
-    pub(super) released: [Freedoms; 2],
-    pub(super) is_shared: bool,
+/// Memory for a network in numbers, in the order in which a pass needs them.
+#[derive(Clone, Debug)]
+pub(crate) struct StiffnessRoom<const NODES: usize, const MEMBERS: usize> {
+    nodes: [StiffnessNode; NODES],
+    members: [StiffnessMember; MEMBERS],
+    joining: [u32; MEMBERS],
+    parting: [u32; MEMBERS],
+    width: Option<usize>,
 }
 
-impl StiffnessMember {
-    /// No member yet.
-    pub(crate) fn none() -> Self {
-        StiffnessMember {
-            numbers: MemberNumbers::Other,
-            rows: [[[0.0; 3]; 2]; 2],
-            rests: [true; 2],
-            turns: [false; 2],
-            released: [Freedoms::NONE; 2],
-            is_shared: true,
+impl<const NODES: usize, const MEMBERS: usize> StiffnessRoom<NODES, MEMBERS> {
+    /// Memory without a network.
+    pub(crate) fn new() -> Self {
+        StiffnessRoom {
+            nodes: [StiffnessNode::none(); NODES],
+            members: [StiffnessMember::none(); MEMBERS],
+            joining: [0; MEMBERS],
+            parting: [0; MEMBERS],
+            width: None,
         }
     }
 
-    /// A member in its place. Of a joint that an end does not share in whole the stiffness is not known.
-    pub(crate) fn new<T: Real>(numbers: MemberNumbers, placement: &Placement<T>) -> Self {
-        let released = [0, 1].map(|end| placement.released(end));
-        let is_shared = released == [Freedoms::NONE; 2];
-        let is_known = is_shared || !matches!(numbers, MemberNumbers::Joint(..));
-        StiffnessMember {
-            numbers: if is_known { numbers } else { MemberNumbers::Other },
-            rows: placement.rows().map(|[along, across, _]| [along, across].map(|row| row.map(T::to_f64))),
-            rests: [0, 1].map(|end| placement.rests(end)),
-            turns: placement.rows().map(|[.., rotation]| rotation.iter().any(|part| !part.vanishes())),
-            released,
-            is_shared,
-        }
-    }
-}
-
-/// The motions of a node and the inertia of its body.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct StiffnessNode {
-    pub(super) motions: usize,
-    /// The lower triangle of the mass matrix over the motions, if there is a body.
-    pub(super) masses: Option<[f64; 6]>,
-}
-
-impl StiffnessNode {
-    /// No node yet.
-    pub(crate) fn none() -> Self {
-        StiffnessNode { motions: 0, masses: None }
+    /// Keeps a node.
+    pub(crate) fn set_node<T: Real>(&mut self, index: usize, node: &Node<T>, motions: &Motions<T>) {
+        self.nodes[index] = StiffnessNode::new(node, motions);
     }
 
-    /// A node.
-    pub(crate) fn new<T: Real>(node: &Node<T>, motions: &Motions<T>) -> Self {
-        let masses = node.has_body().then(|| {
-            let rows = motions.masses::<T>(node).map(|row| row.map(T::to_f64));
-            [rows[0][0], rows[1][0], rows[1][1], rows[2][0], rows[2][1], rows[2][2]]
-        });
-        StiffnessNode { motions: motions.count, masses }
+    /// Keeps a member in its place.
+    pub(crate) fn set_member<T: Real>(&mut self, index: usize, numbers: MemberNumbers, placement: &Placement<T>) {
+        self.members[index] = StiffnessMember::new(numbers, placement);
+    }
+
+    /// Arranges all that was kept for the passes to come.
+    pub(crate) fn arrange(&mut self, order: &NetworkOrder<'_>) {
+        let StiffnessRoom { nodes, members, joining, parting, width } = self;
+        *width = arrange(order, nodes, members, [joining, parting]);
+    }
+
+    /// The network, given its order, unless a member is not known in numbers, or too many displacements are in a front.
+    pub(crate) fn model<'a>(&'a self, order: &NetworkOrder<'a>) -> Option<StiffnessModel<'a>> {
+        let StiffnessRoom { nodes, members, joining, parting, width } = self;
+        (*width).map(|width| StiffnessModel { nodes, members, order: order.nodes, joining, parting, width })
     }
 }
 
 /// A network in numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct StiffnessModel<'a> {
-    pub(crate) nodes: &'a [StiffnessNode],
-    pub(crate) members: &'a [StiffnessMember],
-    pub(crate) order: NetworkOrder<'a>,
-}
-
-impl StiffnessModel<'_> {
-    /// Whether the stiffnesses of all members are known.
-    pub(crate) fn is_known(&self) -> bool {
-        self.members.iter().all(|member| member.numbers != MemberNumbers::Other)
-    }
+    pub(super) nodes: &'a [StiffnessNode],
+    pub(super) members: &'a [StiffnessMember],
+    /// The nodes in the order in which they leave, the members in that in which they join, and those whose forces part behind nodes.
+    pub(super) order: &'a [usize],
+    pub(super) joining: &'a [u32],
+    pub(super) parting: &'a [u32],
+    /// The largest number of variables in a front.
+    pub(super) width: usize,
 }

@@ -1,150 +1,85 @@
 //! The evaluation of a network by dynamic stiffnesses, at several frequencies at once.
 
 use crate::element::MemberNumbers;
-use crate::number::{FrequencyPowers, Scalar, Size};
-use crate::pass::network::stiffness::fronts::StiffnessFronts;
-use crate::pass::network::stiffness::in_front::InFront;
+use crate::number::{FrequencyPowers, Size};
+use crate::pass::network::stiffness::front::StiffnessFront;
 use crate::pass::network::stiffness::joined::Joins;
+use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::model::StiffnessModel;
 use crate::pass::network::stiffness::released::OwnStiffness;
 use crate::pass::network::stiffness::waves::{BeamWaves, Line, line};
 use mstmm_plan::Freedoms;
 
-/// Eliminates all nodes at a frequency. None where memory ends or a member is not known.
+/// Eliminates all nodes at a frequency: members join a front, and what no member will join any more leaves.
 #[inline(always)]
-pub(super) fn eliminate_all<S: Joins>(
-    model: &StiffnessModel<'_>,
-    fronts: &mut StiffnessFronts<'_, S>,
-    omega: S,
-) -> Option<()> {
+pub(super) fn eliminate_all<S: Joins>(model: &StiffnessModel<'_>, front: &mut StiffnessFront<'_, S>, omega: S) {
     let (at, mut waves) = (FrequencyPowers::new(omega, true), BeamWaves::new());
-    for &node in model.order.nodes {
-        eliminate_node(model, fronts, (&at, &mut waves), node)?;
-        eliminate_ties(model, fronts, node)?;
-    }
-    Some(())
-}
-
-/// The forces of the rigid joint that a member is, as a group of variables beyond all nodes, and their number.
-#[inline(always)]
-fn ties(model: &StiffnessModel<'_>, member: usize) -> Option<[usize; 2]> {
-    match model.members[member].numbers {
-        MemberNumbers::Joint(rigid, _) if rigid.count() > 0 => Some([model.nodes.len() + member, rigid.count()]),
-        _ => None,
-    }
-}
-
-/// Eliminates a node with all members that its elimination cuts.
-#[inline(always)]
-fn eliminate_node<'a, S: Joins>(
-    model: &'a StiffnessModel<'_>,
-    fronts: &mut StiffnessFronts<'_, S>,
-    (at, waves): (&FrequencyPowers<S>, &mut BeamWaves<'a, S>),
-    node: usize,
-) -> Option<()> {
-    let (order, own) = (&model.order, &model.nodes[node]);
-    let taken_up = order.taken_up[node];
-    fronts.begin(taken_up, node)?;
-    for &end in order.incidence.ends(node) {
-        if order.is_first_at(end, node) {
-            let other = order.incidence.beyond(end);
-            if other != node {
-                fronts.include(other, model.nodes[other].motions)?;
-            }
-            if let Some([ties, count]) = ties(model, end / 2) {
-                fronts.include(ties, count)?;
-            }
+    let (mut joined, mut parted) = (0usize, 0usize);
+    for &node in model.order {
+        let node = &model.nodes[node];
+        let (all_joined, all_parted) = (node.joined as usize, node.parted as usize);
+        for &member in &model.joining[joined..all_joined] {
+            add_member(front, &model.members[member as usize], &at, &mut waves);
         }
-    }
-    fronts.include(node, own.motions)?;
-    fronts.fill(taken_up)?;
-    for &end in order.incidence.ends(node) {
-        if order.is_first_at(end, node) {
-            add_member(model, fronts, (at, waves), end / 2)?;
+        if let Some(masses) = &node.masses {
+            front.add_body(&node.group, masses, at.lambda_squared);
         }
-    }
-    if let (Some(masses), Some(place)) = (&own.masses, fronts.place_of(node)) {
-        fronts.add_body(place, masses, at.lambda_squared);
-    }
-    fronts.eliminate(own.motions)
-}
-
-/// Eliminates the forces of rigid joints whose nodes have both left.
-#[inline(always)]
-fn eliminate_ties<S: Scalar>(
-    model: &StiffnessModel<'_>,
-    fronts: &mut StiffnessFronts<'_, S>,
-    node: usize,
-) -> Option<()> {
-    let order = &model.order;
-    for &end in order.incidence.ends(node) {
-        let is_last = !order.is_first_at(end, node) || order.incidence.beyond(end) == node;
-        if let (true, Some([ties, count])) = (is_last, ties(model, end / 2))
-            && (order.incidence.beyond(end) != node || end % 2 == 0)
-        {
-            fronts.begin(1, ties)?;
-            fronts.include(ties, count)?;
-            fronts.fill(1)?;
-            fronts.eliminate(count)?;
+        front.eliminate(&node.group);
+        for &member in &model.parting[parted..all_parted] {
+            front.eliminate(&model.members[member as usize].ties);
         }
+        (joined, parted) = (all_joined, all_parted);
     }
-    Some(())
 }
 
 /// Adds a member.
 #[inline(always)]
-fn add_member<'a, S: Joins>(
-    model: &'a StiffnessModel<'_>,
-    fronts: &mut StiffnessFronts<'_, S>,
-    (at, waves): (&FrequencyPowers<S>, &mut BeamWaves<'a, S>),
-    member: usize,
-) -> Option<()> {
-    let own = &model.members[member];
-    let place = |end: usize| fronts.place_of(model.order.incidence.node(2 * member + end)).filter(|_| !own.rests[end]);
-    let in_front = InFront { ends: [place(0), place(1)], member: own };
-    let numbers = &own.numbers;
-    match numbers {
-        MemberNumbers::Other => return None,
+fn add_member<S: Joins>(
+    front: &mut StiffnessFront<'_, S>,
+    member: &StiffnessMember,
+    at: &FrequencyPowers<S>,
+    waves: &mut BeamWaves<S>,
+) {
+    match &member.numbers {
+        // arranged are networks without such members
+        MemberNumbers::Other => {}
         MemberNumbers::Beam(across, along) => {
-            let (of_across, of_along) = waves.of(numbers, (across, along.as_ref()), at);
-            fronts.total.include(of_across);
-            if own.is_shared {
-                fronts.add_bending(of_across, in_front);
+            let (across, of_along) = waves.of(member, (across, along.as_ref()), at);
+            front.total.include_both(across, of_along);
+            if member.is_shared {
+                front.add_beam(&across.stiffness, &of_along.stiffness, member);
             } else {
-                S::join(&mut OwnStiffness::of_bending(of_across), fronts, in_front);
-            }
-            if along.is_some() {
-                add_line(fronts, of_along, 0, in_front);
+                S::join(&mut OwnStiffness::of_bending(across), front, member);
+                if along.is_some() {
+                    S::join(&mut OwnStiffness::of_line(of_along, 0), front, member);
+                }
             }
         }
-        MemberNumbers::Line(freedom, numbers) => {
-            add_line(fronts, &line(numbers, at), *freedom, in_front);
-        }
+        MemberNumbers::Line(freedom, numbers) => add_line(front, &line(numbers, at), *freedom, member),
         MemberNumbers::Joint(rigid, elastic) => {
-            let mut tie = fronts.place_of(model.nodes.len() + member).map_or(0, |[first, _]| first);
+            let [mut tie, _] = member.ties.places();
             for (freedom, stiffness) in elastic.iter().enumerate() {
                 if *stiffness > 0.0 {
                     let own = S::from_f64(*stiffness);
-                    fronts.add_line([own, -own], freedom, in_front);
+                    front.add_line([own, -own], freedom, member);
                 }
                 if rigid.contains(Freedoms::SINGLE[freedom]) {
-                    fronts.add_tie(tie, freedom, in_front);
-                    fronts.total.below = fronts.total.below + S::Size::of(-1.0);
+                    front.add_tie(tie, freedom, member);
+                    front.total.below = front.total.below + S::Size::of(-1.0);
                     tie += 1;
                 }
             }
         }
     }
-    Some(())
 }
 
 /// Adds a line.
 #[inline(always)]
-fn add_line<S: Joins>(fronts: &mut StiffnessFronts<'_, S>, waves: &Line<S>, freedom: usize, in_front: InFront<'_>) {
-    fronts.total.include(waves);
-    if in_front.member.is_shared {
-        fronts.add_line(waves.stiffness, freedom, in_front);
+fn add_line<S: Joins>(front: &mut StiffnessFront<'_, S>, waves: &Line<S>, freedom: usize, member: &StiffnessMember) {
+    front.total.include(waves);
+    if member.is_shared {
+        front.add_line(waves.stiffness, freedom, member);
     } else {
-        S::join(&mut OwnStiffness::of_line(waves, freedom), fronts, in_front);
+        S::join(&mut OwnStiffness::of_line(waves, freedom), front, member);
     }
 }

@@ -1,8 +1,8 @@
 //! Members that do not share all freedoms with their nodes: what is not shared leaves before the member joins a front.
 
 use crate::number::{Scalar, Size};
-use crate::pass::network::stiffness::fronts::{StiffnessFronts, inherited};
-use crate::pass::network::stiffness::in_front::InFront;
+use crate::pass::network::stiffness::front::{StiffnessFront, inherited};
+use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::waves::{Bending, Line};
 
 /// The dynamic stiffness of a member over `N` freedoms of its ends.
@@ -52,28 +52,28 @@ impl<S: Scalar, const N: usize> OwnStiffness<S, N> {
 
     /// Eliminates what is released, and adds the rest to a front.
     #[inline(always)]
-    pub(super) fn join(&mut self, fronts: &mut StiffnessFronts<'_, S>, member: InFront<'_>) {
+    pub(super) fn join(&mut self, front: &mut StiffnessFront<'_, S>, member: &StiffnessMember) {
         for k in 0..N {
             if !member.has(self.freedoms[k]) {
-                self.eliminate(k, fronts);
+                self.eliminate(k, front);
             }
         }
         let rows = self.freedoms.map(|[end, freedom]| member.row(end, freedom));
-        let places = self.freedoms.map(|[end, freedom]| member.ends[end].filter(|_| member.has([end, freedom])));
+        let places = self.freedoms.map(|[end, freedom]| member.places(end).filter(|_| member.has([end, freedom])));
         for k in 0..N {
             let Some(place) = places[k] else { continue };
-            fronts.add_own(self.entries[k][k], place, &rows[k]);
-            fronts.note_own(self.errors[k], place, &rows[k]);
+            front.add_own(self.entries[k][k], place, &rows[k]);
+            front.note_own(self.errors[k], place, &rows[k]);
             for l in 0..k {
                 let Some(other) = places[l] else { continue };
-                fronts.add_across(self.entries[k][l], [place, other], [&rows[k], &rows[l]]);
+                front.add_across(self.entries[k][l], [place, other], [&rows[k], &rows[l]]);
             }
         }
     }
 
     /// Pivots on a freedom.
     #[inline(always)]
-    fn eliminate(&mut self, released: usize, fronts: &mut StiffnessFronts<'_, S>) {
+    fn eliminate(&mut self, released: usize, front: &mut StiffnessFront<'_, S>) {
         let (row, error) = (self.entries[released], self.errors[released]);
         let inverse = S::one() / row[released];
         for k in 0..N {
@@ -85,6 +85,6 @@ impl<S: Scalar, const N: usize> OwnStiffness<S, N> {
                 self.errors[k] = inherited(self.errors[k], [solved.size(), row[k].size()], error);
             }
         }
-        fronts.take(row[released], error);
+        front.take(row[released], error);
     }
 }

@@ -5,7 +5,7 @@ extern crate std;
 use crate::elements::{Spring, TautString, TorsionSpring};
 use crate::number::Scaled;
 use crate::pass::characteristic::{System, count_and_value};
-use crate::pass::network::stiffness::{Memory, StiffnessBlock, StiffnessModel};
+use crate::pass::network::stiffness::{StiffnessBlock, StiffnessModel};
 use crate::pass::network::{End, Member, Network, NetworkRoom, Node};
 use crate::{Joint, Section, UndampedMember};
 use mstmm_plan::{Freedoms, Support};
@@ -25,9 +25,7 @@ fn evaluated<'a>(
     in_lanes: bool,
 ) -> StiffnessBlock<'a> {
     let (value, below) = (&mut value[..omega.len()], &mut below[..omega.len()]);
-    let memory = Memory::default();
-    let mut block =
-        StiffnessBlock { omega, watches: true, value, below, unknown: 0, doubtful: 0, exponent: None, memory };
+    let mut block = StiffnessBlock { omega, watches: true, value, below, unknown: 0, doubtful: 0, exponent: None };
     block.evaluate(model, in_lanes);
     block
 }
@@ -216,4 +214,23 @@ fn rounding_is_handed_on_from_node_to_node() {
         doubts(&nodes, &[leg, Member::new(1, 2, section()), Member::new(2, 3, section())], away)
     };
     assert_eq!([doubts(4e8, 1e-12), doubts(4e12, 1e-12), doubts(4e16, 1e-8), doubts(4e16, 1e-4)], [0, 0b11, 0b11, 0]);
+}
+
+/// The width of the front of beams between free points, if it has room; the points stand on a parabola, where no two beams lie in line.
+fn width<const POINTS: usize, const BEAMS: usize>(pairs: impl Iterator<Item = [usize; 2]>) -> Option<usize> {
+    let nodes: Vec<_> = (0..POINTS).map(|k| Node::at([k as f64, 0.1 * (k * k) as f64])).collect();
+    let members: Vec<_> = pairs.map(|[from, to]| Member::<Any>::new(from, to, section())).collect();
+    let mut room = NetworkRoom::<_, POINTS, BEAMS>::new();
+    let network = Network::<_, 1000, _, _>::new(&nodes, &members, &mut room).unwrap();
+    network.in_numbers().map(|model| model.width)
+}
+
+/// A place in the front is taken again once a node has left: chains need room for two nodes, rings for three, and ties of all points for all.
+#[test]
+fn fronts_are_as_wide_as_what_is_in_them_at_once() {
+    assert_eq!(width::<40, 39>((1..40).map(|k| [k - 1, k])), Some(6));
+    assert_eq!(width::<40, 40>((0..40).map(|k| [k, (k + 1) % 40])), Some(9));
+    let all = |points: usize| (0..points).flat_map(|k| (0..k).map(move |l| [l, k]));
+    assert_eq!(width::<16, 120>(all(16)), Some(48));
+    assert_eq!(width::<17, 136>(all(17)), None);
 }

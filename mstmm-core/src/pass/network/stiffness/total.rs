@@ -1,7 +1,7 @@
 //! What is multiplied and counted while a network is evaluated by stiffnesses.
 
 use crate::number::{Scalar, Size, Truth, binary_exponent, power_of_two};
-use crate::pass::network::stiffness::waves::Waves;
+use crate::pass::network::stiffness::waves::{Bending, Line, Waves};
 
 /// Sizes of a product beyond which a power of two is taken out.
 const SMALL: f64 = 1e-30;
@@ -30,13 +30,28 @@ impl<S: Scalar> StiffnessTotal<S> {
         self.below = self.below + waves.below;
     }
 
+    /// Includes a beam, across and along.
+    #[inline(always)]
+    pub(super) fn include_both(&mut self, across: &Bending<S>, along: &Line<S>) {
+        self.multiply(across.minor * along.minor, i64::from(across.exponent) + i64::from(along.exponent));
+        self.below = self.below + across.below + along.below;
+    }
+
     /// Multiplies Δ by a factor and a power of two. In lanes the first one tells the power that is taken out.
     #[inline(always)]
     pub(super) fn multiply(&mut self, factor: S, exponent: i64) {
         self.product *= factor;
         self.exponent += exponent;
         let size = self.product.size().first();
-        if !(size > SMALL && size < LARGE) && size > 0.0 && size < f64::INFINITY {
+        if !(size > SMALL && size < LARGE) {
+            self.take_power_out(size);
+        }
+    }
+
+    /// Takes the power of two of a size out of the product, if it is a number.
+    #[inline(always)]
+    fn take_power_out(&mut self, size: f64) {
+        if size > 0.0 && size < f64::INFINITY {
             let own = binary_exponent(size);
             self.product = self.product.scaled(power_of_two(-own));
             self.exponent += i64::from(own);

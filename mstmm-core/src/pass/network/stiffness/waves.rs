@@ -1,7 +1,9 @@
 //! The dynamic stiffness of beams and lines at a frequency.
 
-use crate::element::{BendingNumbers, LineNumbers, MemberNumbers};
+use crate::element::{BendingNumbers, LineNumbers};
 use crate::number::{FrequencyPowers, Scalar, Size, Truth, series, twice};
+use crate::pass::network::stiffness::arrangement::KEPT;
+use crate::pass::network::stiffness::member::StiffnessMember;
 use core::f64::consts::FRAC_1_PI;
 
 /// A dynamic stiffness over the displacements of both ends of a uniform member, with equal ends.
@@ -30,45 +32,29 @@ impl<S: Scalar, const ENTRIES: usize> Waves<S, ENTRIES> {
     }
 }
 
-/// Beams of which the waves are kept, since structures have many equal ones.
-const KEPT: usize = 4;
+/// The waves of beams, each different from the others.
+pub(super) struct BeamWaves<S: Scalar>([(Bending<S>, Line<S>); KEPT]);
 
-/// The waves of the last beams, each different from the others.
-pub(super) struct BeamWaves<'a, S: Scalar> {
-    beams: [Option<&'a MemberNumbers>; KEPT],
-    waves: [(Bending<S>, Line<S>); KEPT],
-    next: usize,
-}
-
-impl<'a, S: Scalar> BeamWaves<'a, S> {
-    /// No beams yet.
+impl<S: Scalar> BeamWaves<S> {
+    /// No waves yet.
     #[inline(always)]
     pub(super) fn new() -> Self {
-        BeamWaves { beams: [None; KEPT], waves: [(Waves::none(), Waves::none()); KEPT], next: 0 }
+        BeamWaves([(Waves::none(), Waves::none()); KEPT])
     }
 
-    /// The waves of a beam: those of an equal one, if there was one.
+    /// The waves of a beam, across and along: those of an equal one, if there was one.
     #[inline(always)]
     pub(super) fn of(
         &mut self,
-        beam: &'a MemberNumbers,
+        member: &StiffnessMember,
         (across, along): (&BendingNumbers, Option<&LineNumbers>),
         at: &FrequencyPowers<S>,
     ) -> &(Bending<S>, Line<S>) {
-        let mut place = 0;
-        while place < KEPT && self.beams[place] != Some(beam) {
-            place += 1;
+        let waves = &mut self.0[member.waves as usize];
+        if member.is_first {
+            *waves = (bending(across, at), along.map_or(Waves::none(), |along| line(along, at)));
         }
-        if place == KEPT {
-            place = self.next;
-            self.next = (self.next + 1) % KEPT;
-            self.beams[place] = Some(beam);
-            self.waves[place].0 = bending(across, at);
-            if let Some(along) = along {
-                self.waves[place].1 = line(along, at);
-            }
-        }
-        &self.waves[place]
+        waves
     }
 }
 
