@@ -4,6 +4,7 @@
 //!
 //! `cargo bench --bench frames`
 
+use mstmm::__private::System;
 use mstmm::motion::{PlaneEntry, PlaneLoad};
 use mstmm::number::{DoubleDouble, Dual};
 use mstmm::prelude::*;
@@ -23,6 +24,15 @@ system! {
         -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
         -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
         <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (6.0, 0.0);
+}
+
+system! {
+    /// A clamped portal with legs of different lengths.
+    struct Uneven { ea: f64, ei: f64, m: f64 }
+    fixed at (0.0, 0.0)
+        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
+        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
+        <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (6.0, -1.0);
 }
 
 system! {
@@ -92,16 +102,50 @@ macro_rules! rows {
     }};
 }
 
-/// What the standard library takes for sine, cosine and exponential of the bending and sine and cosine of the stretching of two different
-/// beams, as the portal and the ring have them, in ns.
-fn functions(calls: u32) -> f64 {
+/// What the standard library takes for sine, cosine and exponential of the bending and sine and cosine of the stretching of so many different
+/// beams, in ns.
+fn functions<const BEAMS: usize>(calls: u32, lengths: [f64; BEAMS]) -> f64 {
     let [bending, stretching] = black_box([(47.1_f64 / 5.25e6).sqrt().sqrt(), (47.1_f64 / 1.26e9).sqrt()]);
     let of_beam = |length: f64, omega: f64| {
         let (z, x) = (bending * omega.sqrt() * length, stretching * omega * length);
         z.sin() + z.cos() + z.exp() + x.sin() + x.cos()
     };
-    let both = |k: f64| black_box([4.0, 6.0].map(|length| of_beam(length, 20.0 + k)));
-    (0..ROUNDS).map(|_| nanoseconds(calls, both)).fold(f64::INFINITY, f64::min)
+    let all = |k: f64| black_box(lengths.map(|length| of_beam(length, 20.0 + k)));
+    (0..ROUNDS).map(|_| nanoseconds(calls, all)).fold(f64::INFINITY, f64::min)
+}
+
+/// A row of evaluations of Δ by stiffnesses, as searches take them: the least time over rounds per beam, and in times of the standard functions of
+/// the different beams of the frame, on each instruction set.
+fn print_stiffnesses<const BEAMS: usize>(
+    name: &str,
+    system: &impl System<Parameter = f64>,
+    beams: usize,
+    lengths: [f64; BEAMS],
+) -> Result<(), Failure> {
+    let model = system.in_numbers().ok_or("a frame of beams is known in numbers")?;
+    let standard = functions(400, lengths);
+    print!("| {name} | {standard:.0} |");
+    for set in InstructionSet::ALL {
+        if set > InstructionSet::widest() {
+            print!(" |");
+            continue;
+        }
+        set.limit();
+        // a block of a search; alone each frequency by itself
+        let (mut value, mut below) = ([0.0; 16], [0.0; 16]);
+        let round = |_| {
+            let block = |k: f64| {
+                let omega: [f64; 16] = core::array::from_fn(|lane| 20.0 + k + 7.0 * lane as f64);
+                model.evaluate(black_box(&omega), &mut value, &mut below);
+                black_box(value[0]);
+            };
+            nanoseconds(50, block) / 16.0
+        };
+        let least = (0..ROUNDS).map(round).fold(f64::INFINITY, f64::min);
+        print!(" {:.0} ns, {:.1} |", least / beams as f64, least / standard);
+    }
+    println!();
+    Ok(())
 }
 
 /// A row of evaluations of Δ by fronts: the least time over rounds for each kind of number, in times of the standard functions.
@@ -110,7 +154,7 @@ macro_rules! evaluations {
         let system = $system;
         let omega = |k: f64| 20.0 + k;
         let least = |call: &dyn Fn(f64)| (0..ROUNDS).map(|_| nanoseconds(400, call)).fold(f64::INFINITY, f64::min);
-        let standard = functions(400);
+        let standard = functions(400, [4.0, 6.0]);
         let times = [
             least(&|k| {
                 black_box(Characteristic::<f64>::characteristic(&system, omega(k)));
@@ -132,8 +176,6 @@ macro_rules! evaluations {
 
 /// The search for ten frequencies of a portal on each instruction set: the least time over rounds.
 fn print_searches(portal: &PlainSystem) -> Result<(), Failure> {
-    let standard = functions(400);
-    println!("\nSine, cosine and exponential of its two kinds of beams: {standard:.0} ns");
     println!(
         "\n| instruction set | evaluations | ten certified frequencies [µs] | of that an evaluation of a beam [ns] |"
     );
@@ -160,5 +202,10 @@ fn main() -> Result<(), Failure> {
     println!("|---|---|---|---|---|---|");
     evaluations!("portal", plain.clone());
     evaluations!("ring", Ring { ea: 1.26e9, ei: 5.25e6, m: 47.1 }.build()?);
+    println!("\n| Δ by stiffnesses, per beam | sin, cos, exp [ns] | alone | AVX2 | AVX-512 |");
+    println!("|---|---|---|---|---|");
+    print_stiffnesses("portal, legs alike", &plain, 3, [4.0, 6.0])?;
+    let uneven = Uneven { ea: 1.26e9, ei: 5.25e6, m: 47.1 }.build()?;
+    print_stiffnesses("portal, three different beams", &uneven, 3, [4.0, 6.0, 5.0])?;
     print_searches(&plain)
 }

@@ -25,6 +25,15 @@ pub(crate) struct StiffnessBlock<'a> {
     pub(crate) exponent: Option<i64>,
 }
 
+impl StiffnessModel<'_> {
+    /// Δ at some frequencies over one power of two, and the counts there, in the lanes of the widest vectors in use: what searches ask for,
+    /// without a look at rounding.
+    pub fn evaluate(&self, omega: &[f64], value: &mut [f64], below: &mut [f64]) {
+        StiffnessBlock { omega, watches: false, value, below, unknown: 0, doubtful: 0, exponent: None }
+            .evaluate(self, omega.len() > 1);
+    }
+}
+
 impl StiffnessBlock<'_> {
     /// Evaluates a network at all frequencies, in memory for as many variables as it has at once: of few, as of a chain, in lanes where no wave
     /// has to be scaled, of many one frequency at a time.
