@@ -120,7 +120,8 @@ fn loop_fault(graph: &Graph<'_>, outputs: &[usize]) -> &'static str {
     if are_beside(["torsion_spring", "torsion_damper"]) {
         return "leads by a spring and a dashpot to the same connection: write both as one, `torsion_spring_damper`";
     }
-    "has two outputs, and this one is part of a closed loop: a model is a tree of paths, cut the loop open"
+    "has two outputs, and this one is part of a closed loop: a model without places is a tree of paths; cut the loop open, or give its \
+     connections and supports places, `at (x, y)`"
 }
 
 /// Whether a connection has supports around it and nothing else but, perhaps, another connection behind it.
