@@ -1,34 +1,17 @@
-//! The numbers from which the dynamic stiffness of a uniform member follows at any frequency.
+//! The parameters of a member as numbers, from which its dynamic stiffness follows at any frequency.
 
 use mstmm_plan::Freedoms;
 
-/// The bending of a uniform beam.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BendingNumbers {
-    /// `z / √ω` with z the wave number times the length, and `z⁴ / ω²`.
-    pub(crate) wave: f64,
-    pub(crate) wave_fourth: f64,
-    /// `EI/l³`.
-    pub(crate) stiffness: f64,
-    /// Length l.
-    pub(crate) length: f64,
-}
-
-/// The longitudinal vibration of a beam or a rod, that of a string or a shaft, or a spring, which has neither inertia nor foundation.
+/// The parameters of a line: of a rod, a string or a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineNumbers {
-    /// κ over λ², and κ at rest, with κ the square of the wave number times the length.
+    /// Length l.
+    pub(crate) length: f64,
+    /// Stiffness H: tension, axial stiffness or torsional stiffness.
+    pub(crate) stiffness: f64,
+    /// Inertia per length, and the stiffness of a foundation per length.
     pub(crate) inertia: f64,
     pub(crate) foundation: f64,
-    /// `H/l`, or the stiffness of the spring.
-    pub(crate) stiffness: f64,
-}
-
-impl LineNumbers {
-    /// A spring.
-    pub(crate) fn spring(stiffness: f64) -> Self {
-        LineNumbers { inertia: 0.0, foundation: 0.0, stiffness }
-    }
 }
 
 /// What a member is made of, as far as its dynamic stiffness follows from these numbers.
@@ -37,10 +20,12 @@ pub enum MemberNumbers {
     /// Something else.
     #[default]
     Other,
-    /// A beam, with longitudinal vibration or without.
-    Beam(BendingNumbers, Option<LineNumbers>),
+    /// A beam as long as its places are apart: bending stiffness, mass per length, and axial stiffness, if it has longitudinal vibration.
+    Beam([f64; 2], Option<f64>),
     /// A line in the freedom of that index.
     Line(usize, LineNumbers),
+    /// A spring in the freedom of that index.
+    Spring(usize, f64),
     /// A joint, which ties freedoms rigidly or by springs; zero where there is none.
     Joint(Freedoms, [f64; 3]),
 }

@@ -1,6 +1,6 @@
 //! Euler-Bernoulli beam.
 
-use crate::element::{BendingNumbers, Element, MemberNumbers, PlaneStep, TransferMatrix};
+use crate::element::{Element, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::bending_matrix;
 use crate::model::{Bending, Extent, FrequencyEstimates, InvalidParameter, Requirement};
@@ -97,10 +97,8 @@ impl<T: Parameter> Element for Beam<T> {
     }
 
     fn member_numbers(built: &BuiltBeam<T>) -> MemberNumbers {
-        let [length, ei, wave, wave_fourth] =
-            [built.parameters.length, built.parameters.bending_stiffness, built.wave, built.wave_fourth].map(T::to_f64);
-        let stiffness = ei / (length * length * length);
-        MemberNumbers::Beam(BendingNumbers { wave, wave_fourth, stiffness, length }, None)
+        let Beam { bending_stiffness, mass_per_length, .. } = built.parameters;
+        MemberNumbers::Beam([bending_stiffness, mass_per_length].map(T::to_f64), None)
     }
 }
 

@@ -3,8 +3,8 @@
 //! They differ in their coordinate, in the sign of its force, and in which of stiffness, damping and inertia they have.
 
 use crate::element::{
-    BackTransfer, Charted, Element, Energies, Forms, LineNumbers, MemberEnds, MemberGradient, MemberMotion,
-    MemberNumbers, MemberWork, PlaneStep, TransferMatrix, along_member,
+    BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
+    MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::connector::connector;
 use crate::elements::shared::line_forms::{displacements, elongations, half, unit_of};
@@ -63,7 +63,7 @@ macro_rules! line_elements {
 /// The numbers of an element that has these fields.
 macro_rules! numbers {
     ($built:ident, stiffness) => {
-        MemberNumbers::Line(if is_rotation::<Self>() { 2 } else { 0 }, LineNumbers::spring($built.stiffness.to_f64()))
+        MemberNumbers::Spring(if is_rotation::<Self>() { 2 } else { 0 }, $built.stiffness.to_f64())
     };
     ($built:ident, $($field:ident)*) => {
         MemberNumbers::Other

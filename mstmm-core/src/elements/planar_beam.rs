@@ -1,6 +1,6 @@
 //! Beam in planar motion: bending and longitudinal vibration.
 
-use crate::element::{BendingNumbers, Element, LineNumbers, MemberNumbers, TransferMatrix};
+use crate::element::{Element, MemberNumbers, TransferMatrix};
 use crate::elements::shared::krylov::{bending_matrix, cosine_and_sinc};
 use crate::elements::shared::planar_matrix::planar_matrix;
 use crate::model::{Extent, FrequencyEstimates, InvalidParameter, Planar, Requirement};
@@ -91,11 +91,8 @@ impl<T: Parameter> Element for PlanarBeam<T> {
     }
 
     fn member_numbers(built: &BuiltPlanarBeam<T>) -> MemberNumbers {
-        let [wave, wave_fourth, inertia] = [built.wave, built.wave_fourth, built.axial_wave_squared].map(T::to_f64);
-        let [bending, longitudinal] = [built.bending, built.longitudinal].map(T::to_f64);
-        let length = built.parameters.length.to_f64();
-        let along = LineNumbers { inertia, foundation: 0.0, stiffness: longitudinal };
-        MemberNumbers::Beam(BendingNumbers { wave, wave_fourth, stiffness: bending, length }, Some(along))
+        let PlanarBeam { axial_stiffness, bending_stiffness, mass_per_length, .. } = built.parameters;
+        MemberNumbers::Beam([bending_stiffness, mass_per_length].map(T::to_f64), Some(axial_stiffness.to_f64()))
     }
 }
 

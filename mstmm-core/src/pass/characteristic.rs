@@ -2,7 +2,7 @@
 
 use crate::model::FrequencyEstimates;
 use crate::number::{Real, Scalar, Scaled};
-use crate::pass::network::stiffness::StiffnessModel;
+use crate::pass::network::stiffness::{PreciseCount, StiffnessModel};
 use crate::subspace::{NoCount, RootCounter, WittrickWilliams};
 
 /// A built system with parameters of type `Self::Parameter`.
@@ -38,6 +38,12 @@ pub trait System {
     #[inline]
     fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
         None
+    }
+
+    /// The counts at two frequencies in extended precision by stiffnesses, of such a network, where rounding cannot have decided them.
+    #[doc(hidden)]
+    fn precise_counts(&self, _omega: [f64; 2]) -> [Option<PreciseCount>; 2] {
+        [None; 2]
     }
 
     /// Estimates from which the searches take their first steps.

@@ -114,10 +114,10 @@ impl<T: Parameter> UniformLine<T> {
         inertia(estimates, (per_length * length).to_f64());
     }
 
-    /// The numbers of its dynamic stiffness.
+    /// Its parameters.
     pub(crate) fn numbers(&self) -> LineNumbers {
-        let [inertia, foundation, stiffness] = [self.inertia, self.foundation, self.stiffness].map(T::to_f64);
-        LineNumbers { inertia, foundation, stiffness }
+        let LineSection { length, stiffness, inertia, foundation } = self.section.map(T::to_f64);
+        LineNumbers { length, stiffness, inertia, foundation }
     }
 
     /// κ at λ²; in extended precision from the parameters, since `build` has rounded.

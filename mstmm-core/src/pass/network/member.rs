@@ -95,7 +95,7 @@ impl<S: Scalar> Span<S> {
         T: Parameter,
         S: Frequency<T>,
     {
-        let rows = [0, 1].map(|end| [0, 1, 2].map(|freedom| row_of(ends, end, freedom, motions[end])));
+        let rows = [0, 1].map(|end| rows_of(ends, end, motions[end]));
         Span { length: norm(between(ends)), rows }
     }
 }
@@ -121,20 +121,12 @@ fn offset_of<T: Parameter, S: Frequency<T>>(PlacedEnd { place, node, .. }: &Plac
     [0, 1].map(|k| S::from_parameter(place[k]) - S::from_parameter(node[k]))
 }
 
-/// What a freedom of an end is of the motions of its node.
-fn row_of<T: Parameter, S: Frequency<T>>(
-    ends: &[PlacedEnd<T>; 2],
-    end: usize,
-    freedom: usize,
-    motions: &Motions<T>,
-) -> [S; 3] {
+/// What displacements of an end along and across the member and its rotation are of the motions of its node.
+fn rows_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize, motions: &Motions<T>) -> [[S; 3]; 3] {
     let (zero, one) = (S::zero(), S::one());
-    if freedom == 2 {
-        return motions.parts_of([zero, zero, one]);
-    }
     let [c, s]: [S; 2] = direction_of(ends, end);
     let [x, y]: [S; 2] = offset_of(&ends[end]);
-    motions.parts_of(if freedom == 0 { [c, s, s * x - c * y] } else { [-s, c, s * y + c * x] })
+    [[c, s, s * x - c * y], [-s, c, s * y + c * x], [zero, zero, one]].map(|row| motions.parts_of(row))
 }
 
 /// Where a member stands, and how it is joined to its nodes.
@@ -210,7 +202,7 @@ impl<T: Real> Placement<T> {
             released: self.ends[end].released,
             rests: self.ends[end].rests,
             rows: if S::IS_EXTENDED && !self.ends[end].rests {
-                [0, 1, 2].map(|freedom| row_of(&self.ends, end, freedom, motions[end]))
+                rows_of(&self.ends, end, motions[end])
             } else {
                 self.span.rows[end].map(|row| row.map(S::from_parameter))
             },

@@ -41,5 +41,5 @@ pub use sketch::{
     Axis, Located, NetworkSketch, Seat, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint,
     SketchedSupport,
 };
-pub use stiffness::StiffnessModel;
+pub use stiffness::{PreciseCount, StiffnessModel, precise_counts};
 pub use structure::{InNetwork, Network, NetworkRoom};

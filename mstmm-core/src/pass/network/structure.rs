@@ -9,7 +9,7 @@ use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_way
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::overall::PlacedTransfers;
-use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
+use crate::pass::network::stiffness::{PreciseCount, StiffnessModel, StiffnessRoom, precise_counts};
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
 use core::fmt::Debug;
@@ -219,6 +219,10 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
 
     fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
         self.stiffness
+    }
+
+    fn precise_counts(&self, omega: [f64; 2]) -> [Option<PreciseCount>; 2] {
+        precise_counts(self, omega)
     }
 
     fn may_buckle(&self) -> bool {

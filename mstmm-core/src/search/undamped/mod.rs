@@ -1,6 +1,7 @@
 //! Natural frequencies of undamped systems: certified by counts.
 
 pub(crate) mod approach;
+mod beyond_doubt;
 pub(crate) mod certificate;
 pub(crate) mod confirm;
 pub(crate) mod found;

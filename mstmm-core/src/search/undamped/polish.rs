@@ -1,7 +1,7 @@
 //! The last digits of a single root, by inverse interpolation with derivatives inside a bracket of counts.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Parameter, Real, is_straight};
+use crate::number::{Dual, Real, Scaled, is_straight};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::certificate::NEARBY;
 use crate::search::undamped::found::NaturalFrequency;
@@ -92,15 +92,14 @@ where
         self.settle(Sample { below: counts.0, ..lower }, Sample { below: counts.1, ..upper })
     }
 
-    /// The single root beside an estimate, above so many others, certified without doubt, in extended precision where this one doubts; none
-    /// where the estimate is not good enough.
+    /// The single root beside an estimate, above so many others: certified without doubt, or else as it has been found, if it has.
     #[inline]
-    pub(super) fn certify_near(&mut self, omega: T, below: u64) -> Option<NaturalFrequency<T>> {
+    pub(super) fn certify_near(&mut self, omega: T, below: u64) -> Result<NaturalFrequency<T>, Option<T>> {
         let before = core::mem::take(&mut self.is_doubtful);
-        let slope = self.slope(omega).ok()?;
-        let root = self.certify(slope.newton(), (below, below + 1), &slope).ok()?;
+        let slope = self.slope(omega).map_err(|_| None)?;
+        let root = self.certify(slope.newton(), (below, below + 1), &slope).map_err(|_| None)?;
         let is_certain = !core::mem::replace(&mut self.is_doubtful, before);
-        root.filter(|_| is_certain).or_else(|| self.certify_extended(root.map_or(omega, |root| root.omega), below))
+        root.filter(|_| is_certain).ok_or(root.map(|root| root.omega))
     }
 
     /// The single root between two frequencies, above so many others, certified without doubt; none where it is not the only one.
@@ -117,7 +116,7 @@ where
 
     /// The single root beside an estimate by counts in extended precision: what one root leaves in doubt need not be searched anew for all.
     #[cold]
-    fn certify_extended(&mut self, mut omega: T, below: u64) -> Option<NaturalFrequency<T>> {
+    pub(super) fn certify_extended(&mut self, mut omega: T, below: u64) -> Option<NaturalFrequency<T>> {
         for _ in 0..if T::HAS_EXTENDED { 2 } else { 0 } {
             let inner = omega * self.half_width * T::from_f64(0.5);
             let (start, end) = (omega - inner, omega + inner);
@@ -129,8 +128,7 @@ where
             if (first.below(), last.below()) == (below, below + 1) {
                 return Some(NaturalFrequency { omega, lower: start - inner, upper: end + inner, multiplicity: 1 });
             }
-            let (value, other) = (lower.mantissa(), upper.over_power(lower.exponent()));
-            let share: f64 = (value / (value - other)).to_f64();
+            let share = share_of_zero(lower, upper);
             omega = start + (end - start) * T::from_f64(share);
             if f64::abs(share) >= NEARBY || share.is_nan() {
                 return None;
@@ -168,6 +166,12 @@ where
         }
         Ok(None)
     }
+}
+
+/// The zero of the chord between two values in extended precision, as a share of their distance.
+pub(super) fn share_of_zero<S: Real>(lower: Scaled<S>, upper: Scaled<S>) -> f64 {
+    let (value, other) = (lower.mantissa(), upper.over_power(lower.exponent()));
+    (value / (value - other)).to_f64()
 }
 
 /// The zero of the chord between two samples, as a share of their distance.

@@ -71,6 +71,8 @@ pub(super) struct Isolation<'a, Y: System + ?Sized, T: Real> {
     pub(super) extended: usize,
     /// Whether the result is doubtful: counts do not grow, slopes do not fit, or roots coincide.
     pub(super) is_doubtful: bool,
+    /// Whether the certificate of a root was left to extended precision, so that those of others are left to it at once.
+    pub(super) fronts_doubt: bool,
     /// Whether Δ of a sample was smaller, compared with its terms, than near a well-conditioned root.
     is_ill_conditioned: bool,
     /// Whether samples are taken beside a root.
@@ -99,6 +101,7 @@ where
             estimates,
             half_width,
             precision,
+            fronts_doubt: false,
             evaluations: 0,
             extended: 0,
             is_doubtful: false,
@@ -167,8 +170,13 @@ where
         if !T::HAS_EXTENDED {
             return true;
         }
+        self.fronts_doubt = true;
         (self.evaluations, self.extended) = (self.evaluations + 2, self.extended + 2);
-        let [below, above] = [root.lower, root.upper].map(|omega| extended(self.system, omega).0.below());
+        let ends = [root.lower, root.upper];
+        let [below, above] = match self.system.precise_counts(ends.map(T::to_f64)) {
+            [Some(lower), Some(upper)] => [lower.below, upper.below],
+            _ => ends.map(|omega| extended(self.system, omega).0.below()),
+        };
         (below, above) == counts
     }
 

@@ -300,9 +300,8 @@ where
     /// The root of a network between two samples, given its estimate.
     #[cold]
     fn certify_by_fronts(&mut self, estimate: T, lower: usize) -> Option<NaturalFrequency<T>> {
-        let (below, single) = (self.samples[lower].below as u64, &mut *self.single);
         let ends = [lower, lower + 1].map(|k| T::from_f64(self.samples[k].point.s * self.samples[k].point.s));
-        single.certify_near(estimate, below).or_else(|| single.certify_between(ends, below))
+        self.single.certify_beyond_doubt(estimate, self.samples[lower].below as u64, ends)
     }
 
     /// Relative distance from a root at which it is counted.

@@ -129,6 +129,13 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
                 self.skeleton.in_numbers(&#private::Placed::order(self))
             }
 
+            fn precise_counts(
+                &self,
+                omega: [::core::primitive::f64; 2],
+            ) -> [::core::option::Option<#private::PreciseCount>; 2] {
+                #private::precise_counts(self, omega)
+            }
+
             fn estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates
             }

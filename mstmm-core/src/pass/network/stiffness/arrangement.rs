@@ -1,10 +1,10 @@
 //! Where variables stand in the front, found before any frequency is known: each displacement of a node has a place from the first member that
 //! joins there until the node leaves, and then others have it.
 
-use crate::element::MemberNumbers;
 use crate::pass::network::stiffness::group::{Group, MOST, Set, members_of};
 use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::node::StiffnessNode;
+use crate::pass::network::stiffness::numbers::Waving;
 use mstmm_plan::NetworkOrder;
 
 /// Beams of which the waves are kept, since structures have many equal ones.
@@ -69,7 +69,7 @@ pub(super) fn arrange(
             let beyond = order.incidence.beyond(end);
             let is_last = if beyond == node { end % 2 == 0 } else { !order.is_first_at(end, node) };
             if is_last && members[member].tie_count() > 0 {
-                front.leave(&mut members[member].ties);
+                front.leave(&mut members[member].seat.ties);
                 parting[parted] = member as u32;
                 parted += 1;
             }
@@ -82,7 +82,7 @@ pub(super) fn arrange(
 
 /// Lets a member join: its nodes and the forces of a rigid joint enter the front, unless they are there, and are coupled.
 fn join(front: &mut Front, nodes: &mut [StiffnessNode], member: &mut StiffnessMember, at: [usize; 2]) -> Option<()> {
-    if member.numbers == MemberNumbers::Other {
+    if member.waving == Waving::Other {
         return None;
     }
     for node in at {
@@ -90,22 +90,22 @@ fn join(front: &mut Front, nodes: &mut [StiffnessNode], member: &mut StiffnessMe
             nodes[node].group = front.take(nodes[node].motions)?;
         }
     }
-    member.ties = front.take(member.tie_count())?;
-    member.nodes = at.map(|node| nodes[node].group);
-    front.couple(member.nodes.iter().fold(member.ties.own(), |set, group| set | group.own()));
+    member.seat.ties = front.take(member.tie_count())?;
+    member.seat.nodes = at.map(|node| nodes[node].group);
+    front.couple(member.seat.nodes.iter().fold(member.seat.ties.own(), |set, group| set | group.own()));
     Some(())
 }
 
 /// Gives each beam the place of the waves of an equal one before, or one of its own, where the first of the beams that are kept was.
 fn keep_waves(joining: &[u32], members: &mut [StiffnessMember]) {
-    let (mut kept, mut next) = ([MemberNumbers::Other; KEPT], 0);
+    let (mut kept, mut next) = ([Waving::Other; KEPT], 0);
     for &member in joining {
         let member = &mut members[member as usize];
-        let place = kept.iter().position(|kept| *kept == member.numbers);
-        member.is_first = place.is_none();
-        member.waves = place.unwrap_or(next) as u8;
-        if let (None, MemberNumbers::Beam(..)) = (place, &member.numbers) {
-            kept[next] = member.numbers;
+        let place = kept.iter().position(|kept| *kept == member.waving);
+        member.seat.is_first = place.is_none();
+        member.seat.waves = place.unwrap_or(next) as u8;
+        if let (None, Waving::Beam(..)) = (place, &member.waving) {
+            kept[next] = member.waving;
             next = (next + 1) % KEPT;
         }
     }

@@ -82,7 +82,7 @@ impl StiffnessBlock<'_> {
 }
 
 /// A number at which networks are evaluated by stiffnesses, compiled with this library.
-trait StiffnessScalar: Joins {
+trait StiffnessScalar: Joins<Part = f64> {
     /// Eliminates all nodes.
     fn eliminate_all(model: &StiffnessModel<'_>, front: &mut StiffnessFront<'_, Self>, omega: &Self);
 }
@@ -135,7 +135,7 @@ mod in_vectors {
 
     impl<V: Waving> Part for Elimination<'_, '_, '_, V>
     where
-        Lanes<V>: Joins,
+        Lanes<V>: Joins<Part = f64>,
     {
         #[inline(always)]
         fn run(self) {

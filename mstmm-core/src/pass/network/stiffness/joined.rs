@@ -1,35 +1,55 @@
 //! How members that do not share all freedoms with their nodes are added: by a call, compiled with this library once for each number, and
 //! for vectors on their own instruction set. Most structures have none.
 
-use crate::number::Frequency;
+use crate::DoubleDouble;
+use crate::number::{Frequency, Single};
 use crate::pass::network::stiffness::front::StiffnessFront;
 use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::released::OwnStiffness;
 
-/// A number at which such members are added.
+/// A number at which members are added.
 pub(super) trait Joins: Frequency<f64> {
-    /// Adds a member.
+    /// What members are known by: numbers of one frequency, or of all that are in lanes.
+    type Part: Single;
+
+    /// A number of a member.
+    fn of(part: Self::Part) -> Self;
+
+    /// Adds a member that does not share all freedoms with its nodes.
     fn join<const N: usize>(
         own: &mut OwnStiffness<Self, N>,
         front: &mut StiffnessFront<'_, Self>,
-        member: &StiffnessMember,
+        member: &StiffnessMember<Self::Part>,
     );
 }
 
-impl Joins for f64 {
-    #[inline(never)]
-    fn join<const N: usize>(
-        own: &mut OwnStiffness<Self, N>,
-        front: &mut StiffnessFront<'_, Self>,
-        member: &StiffnessMember,
-    ) {
-        own.join(front, member);
-    }
+macro_rules! alone {
+    ($($number:ty),*) => {$(
+        impl Joins for $number {
+            type Part = Self;
+
+            #[inline(always)]
+            fn of(part: Self) -> Self {
+                part
+            }
+
+            #[inline(never)]
+            fn join<const N: usize>(
+                own: &mut OwnStiffness<Self, N>,
+                front: &mut StiffnessFront<'_, Self>,
+                member: &StiffnessMember<Self>,
+            ) {
+                own.join(front, member);
+            }
+        }
+    )*};
 }
+alone!(f64, DoubleDouble);
 
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 mod in_vectors {
     use super::{Joins, OwnStiffness, StiffnessFront, StiffnessMember};
+    use crate::number::Scalar;
     use crate::number::lanes::Waving;
     use mstmm_lanes::{Eight, Four, Lanes, Part, Vector};
 
@@ -40,7 +60,10 @@ mod in_vectors {
         member: &'a StiffnessMember,
     }
 
-    impl<V: Waving, const N: usize> Part for Join<'_, '_, V, N> {
+    impl<V: Waving, const N: usize> Part for Join<'_, '_, V, N>
+    where
+        Lanes<V>: Joins<Part = f64>,
+    {
         #[inline(always)]
         fn run(self) {
             self.own.join(self.front, self.member);
@@ -50,11 +73,18 @@ mod in_vectors {
     macro_rules! vectors {
         ($($vector:ty),*) => {$(
             impl Joins for Lanes<$vector> {
+                type Part = f64;
+
+                #[inline(always)]
+                fn of(part: f64) -> Self {
+                    Self::from_f64(part)
+                }
+
                 #[inline(never)]
                 fn join<const N: usize>(
                     own: &mut OwnStiffness<Self, N>,
                     front: &mut StiffnessFront<'_, Self>,
-                    member: &StiffnessMember,
+                    member: &StiffnessMember<Self::Part>,
                 ) {
                     <$vector>::call(Join { own, front, member });
                 }

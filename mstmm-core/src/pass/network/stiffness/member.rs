@@ -1,17 +1,24 @@
 //! A member of a network in numbers.
 
 use crate::element::MemberNumbers;
-use crate::number::Real;
+use crate::number::{Real, Scalar};
 use crate::pass::network::member::Placement;
 use crate::pass::network::stiffness::group::Group;
+use crate::pass::network::stiffness::numbers::Waving;
 use mstmm_plan::Freedoms;
 
 /// A member with what the freedoms of its ends are of the motions of its nodes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StiffnessMember {
-    pub(super) numbers: MemberNumbers,
+pub(super) struct StiffnessMember<N = f64> {
+    pub(super) waving: Waving<N>,
     /// Of each end, for displacements along and across the member: the parts of the motions of its node.
-    pub(super) rows: [[[f64; 3]; 2]; 2],
+    pub(super) rows: [[[N; 3]; 2]; 2],
+    pub(super) seat: Seat,
+}
+
+/// How a member stands in the front.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seat {
     /// Whether the node of each end has no motions, and whether it turns, as its last motion.
     rests: [bool; 2],
     turns: [bool; 2],
@@ -27,46 +34,18 @@ pub(super) struct StiffnessMember {
     pub(super) is_first: bool,
 }
 
-impl StiffnessMember {
-    /// No member yet.
-    pub(super) fn none() -> Self {
-        StiffnessMember {
-            numbers: MemberNumbers::Other,
-            rows: [[[0.0; 3]; 2]; 2],
-            rests: [true; 2],
-            turns: [false; 2],
-            released: [Freedoms::NONE; 2],
-            is_shared: true,
-            nodes: [Group::NONE; 2],
-            ties: Group::NONE,
-            waves: 0,
-            is_first: true,
-        }
-    }
-
-    /// A member in its place. Of a joint that an end does not share in whole the stiffness is not known.
-    pub(super) fn new<T: Real>(numbers: MemberNumbers, placement: &Placement<T>) -> Self {
-        let released = [0, 1].map(|end| placement.released(end));
-        let is_shared = released == [Freedoms::NONE; 2];
-        let is_known = is_shared || !matches!(numbers, MemberNumbers::Joint(..));
-        StiffnessMember {
-            numbers: if is_known { numbers } else { MemberNumbers::Other },
-            rows: placement.rows().map(|[along, across, _]| [along, across].map(|row| row.map(T::to_f64))),
-            rests: [0, 1].map(|end| placement.rests(end)),
-            turns: placement.rows().map(|[.., rotation]| rotation.iter().any(|part| !part.vanishes())),
-            released,
-            is_shared,
-            ..StiffnessMember::none()
-        }
-    }
-
-    /// Number of forces by which a rigid joint ties its ends.
-    pub(super) fn tie_count(&self) -> usize {
-        match self.numbers {
-            MemberNumbers::Joint(rigid, _) => rigid.count(),
-            _ => 0,
-        }
-    }
+impl Seat {
+    /// No seat yet.
+    const NONE: Seat = Seat {
+        rests: [true; 2],
+        turns: [false; 2],
+        released: [Freedoms::NONE; 2],
+        is_shared: true,
+        nodes: [Group::NONE; 2],
+        ties: Group::NONE,
+        waves: 0,
+        is_first: true,
+    };
 
     /// Whether an end shares a freedom with its node.
     #[inline(always)]
@@ -86,16 +65,52 @@ impl StiffnessMember {
         let [_, count] = self.places(end)?;
         self.turns[end].then(|| count - 1)
     }
+}
 
+impl StiffnessMember {
+    /// No member yet.
+    pub(super) fn none() -> Self {
+        StiffnessMember { waving: Waving::Other, rows: [[[0.0; 3]; 2]; 2], seat: Seat::NONE }
+    }
+
+    /// A member in its place. Of a joint that an end does not share in whole the stiffness is not known.
+    pub(super) fn new<T: Real>(numbers: &MemberNumbers, placement: &Placement<T>) -> Self {
+        let released = [0, 1].map(|end| placement.released(end));
+        let is_shared = released == [Freedoms::NONE; 2];
+        let is_known = is_shared || !matches!(numbers, MemberNumbers::Joint(..));
+        let seat = Seat {
+            rests: [0, 1].map(|end| placement.rests(end)),
+            turns: placement.rows().map(|[.., rotation]| rotation.iter().any(|part| !part.vanishes())),
+            released,
+            is_shared,
+            ..Seat::NONE
+        };
+        StiffnessMember {
+            waving: if is_known { Waving::new(numbers, placement.own_length().to_f64()) } else { Waving::Other },
+            rows: placement.rows().map(|[along, across, _]| [along, across].map(|row| row.map(T::to_f64))),
+            seat,
+        }
+    }
+
+    /// Number of forces by which a rigid joint ties its ends.
+    pub(super) fn tie_count(&self) -> usize {
+        match self.waving {
+            Waving::Joint(rigid, _) => rigid.count(),
+            _ => 0,
+        }
+    }
+}
+
+impl<N: Scalar> StiffnessMember<N> {
     /// What a displacement of an end, along or across the member, or its rotation is of the motions of its node.
     #[inline(always)]
-    pub(super) fn row(&self, end: usize, freedom: usize) -> [f64; 3] {
+    pub(super) fn row(&self, end: usize, freedom: usize) -> [N; 3] {
         if freedom < 2 {
             return self.rows[end][freedom];
         }
-        let mut row = [0.0; 3];
-        if let Some(rotation) = self.rotation(end) {
-            row[rotation] = 1.0;
+        let mut row = [N::zero(); 3];
+        if let Some(rotation) = self.seat.rotation(end) {
+            row[rotation] = N::one();
         }
         row
     }

@@ -14,6 +14,8 @@ use mstmm_plan::NetworkOrder;
 pub(crate) struct StiffnessRoom<const NODES: usize, const MEMBERS: usize> {
     nodes: [StiffnessNode; NODES],
     members: [StiffnessMember; MEMBERS],
+    /// The parameters of members, from which extended precision computes them anew.
+    numbers: [MemberNumbers; MEMBERS],
     joining: [u32; MEMBERS],
     parting: [u32; MEMBERS],
     width: Option<usize>,
@@ -25,6 +27,7 @@ impl<const NODES: usize, const MEMBERS: usize> StiffnessRoom<NODES, MEMBERS> {
         StiffnessRoom {
             nodes: [StiffnessNode::none(); NODES],
             members: [StiffnessMember::none(); MEMBERS],
+            numbers: [MemberNumbers::Other; MEMBERS],
             joining: [0; MEMBERS],
             parting: [0; MEMBERS],
             width: None,
@@ -38,19 +41,20 @@ impl<const NODES: usize, const MEMBERS: usize> StiffnessRoom<NODES, MEMBERS> {
 
     /// Keeps a member in its place.
     pub(crate) fn set_member<T: Real>(&mut self, index: usize, numbers: MemberNumbers, placement: &Placement<T>) {
-        self.members[index] = StiffnessMember::new(numbers, placement);
+        self.members[index] = StiffnessMember::new(&numbers, placement);
+        self.numbers[index] = numbers;
     }
 
     /// Arranges all that was kept for the passes to come.
     pub(crate) fn arrange(&mut self, order: &NetworkOrder<'_>) {
-        let StiffnessRoom { nodes, members, joining, parting, width } = self;
+        let StiffnessRoom { nodes, members, joining, parting, width, .. } = self;
         *width = arrange(order, nodes, members, [joining, parting]);
     }
 
     /// The network, given its order, unless a member is not known in numbers, or too many displacements are in a front.
     pub(crate) fn model<'a>(&'a self, order: &NetworkOrder<'a>) -> Option<StiffnessModel<'a>> {
-        let StiffnessRoom { nodes, members, joining, parting, width } = self;
-        (*width).map(|width| StiffnessModel { nodes, members, order: order.nodes, joining, parting, width })
+        let StiffnessRoom { nodes, members, numbers, joining, parting, width } = self;
+        (*width).map(|width| StiffnessModel { nodes, members, numbers, order: order.nodes, joining, parting, width })
     }
 }
 
@@ -59,6 +63,7 @@ impl<const NODES: usize, const MEMBERS: usize> StiffnessRoom<NODES, MEMBERS> {
 pub struct StiffnessModel<'a> {
     pub(super) nodes: &'a [StiffnessNode],
     pub(super) members: &'a [StiffnessMember],
+    pub(super) numbers: &'a [MemberNumbers],
     /// The nodes in the order in which they leave, the members in that in which they join, and those whose forces part behind nodes.
     pub(super) order: &'a [usize],
     pub(super) joining: &'a [u32],

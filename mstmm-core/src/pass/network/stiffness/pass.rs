@@ -1,18 +1,22 @@
 //! The evaluation of a network by dynamic stiffnesses, at several frequencies at once.
 
-use crate::element::MemberNumbers;
-use crate::number::{FrequencyPowers, Size};
+use crate::number::{FrequencyPowers, Scalar, Size};
 use crate::pass::network::stiffness::front::StiffnessFront;
 use crate::pass::network::stiffness::joined::Joins;
 use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::model::StiffnessModel;
+use crate::pass::network::stiffness::numbers::Waving;
 use crate::pass::network::stiffness::released::OwnStiffness;
 use crate::pass::network::stiffness::waves::{BeamWaves, Line, line};
 use mstmm_plan::Freedoms;
 
 /// Eliminates all nodes at a frequency: members join a front, and what no member will join any more leaves.
 #[inline(always)]
-pub(super) fn eliminate_all<S: Joins>(model: &StiffnessModel<'_>, front: &mut StiffnessFront<'_, S>, omega: S) {
+pub(super) fn eliminate_all<S: Joins<Part = f64>>(
+    model: &StiffnessModel<'_>,
+    front: &mut StiffnessFront<'_, S>,
+    omega: S,
+) {
     let (at, mut waves) = (FrequencyPowers::new(omega, true), BeamWaves::new());
     let (mut joined, mut parted) = (0usize, 0usize);
     for &node in model.order {
@@ -26,7 +30,7 @@ pub(super) fn eliminate_all<S: Joins>(model: &StiffnessModel<'_>, front: &mut St
         }
         front.eliminate(&node.group);
         for &member in &model.parting[parted..all_parted] {
-            front.eliminate(&model.members[member as usize].ties);
+            front.eliminate(&model.members[member as usize].seat.ties);
         }
         (joined, parted) = (all_joined, all_parted);
     }
@@ -34,19 +38,19 @@ pub(super) fn eliminate_all<S: Joins>(model: &StiffnessModel<'_>, front: &mut St
 
 /// Adds a member.
 #[inline(always)]
-fn add_member<S: Joins>(
+pub(super) fn add_member<S: Joins>(
     front: &mut StiffnessFront<'_, S>,
-    member: &StiffnessMember,
+    member: &StiffnessMember<S::Part>,
     at: &FrequencyPowers<S>,
     waves: &mut BeamWaves<S>,
 ) {
-    match &member.numbers {
+    match &member.waving {
         // arranged are networks without such members
-        MemberNumbers::Other => {}
-        MemberNumbers::Beam(across, along) => {
-            let (across, of_along) = waves.of(member, (across, along.as_ref()), at);
+        Waving::Other => {}
+        Waving::Beam(across, along) => {
+            let (across, of_along) = waves.of(&member.seat, (across, along.as_ref()), at);
             front.total.include_both(across, of_along);
-            if member.is_shared {
+            if member.seat.is_shared {
                 front.add_beam(&across.stiffness, &of_along.stiffness, member);
             } else {
                 S::join(&mut OwnStiffness::of_bending(across), front, member);
@@ -55,12 +59,12 @@ fn add_member<S: Joins>(
                 }
             }
         }
-        MemberNumbers::Line(freedom, numbers) => add_line(front, &line(numbers, at), *freedom, member),
-        MemberNumbers::Joint(rigid, elastic) => {
-            let [mut tie, _] = member.ties.places();
+        Waving::Line(freedom, numbers) => add_line(front, &line(numbers, at), *freedom, member),
+        Waving::Joint(rigid, elastic) => {
+            let [mut tie, _] = member.seat.ties.places();
             for (freedom, stiffness) in elastic.iter().enumerate() {
-                if *stiffness > 0.0 {
-                    let own = S::from_f64(*stiffness);
+                if !stiffness.vanishes() {
+                    let own = S::of(*stiffness);
                     front.add_line([own, -own], freedom, member);
                 }
                 if rigid.contains(Freedoms::SINGLE[freedom]) {
@@ -75,9 +79,14 @@ fn add_member<S: Joins>(
 
 /// Adds a line.
 #[inline(always)]
-fn add_line<S: Joins>(front: &mut StiffnessFront<'_, S>, waves: &Line<S>, freedom: usize, member: &StiffnessMember) {
+fn add_line<S: Joins>(
+    front: &mut StiffnessFront<'_, S>,
+    waves: &Line<S>,
+    freedom: usize,
+    member: &StiffnessMember<S::Part>,
+) {
     front.total.include(waves);
-    if member.is_shared {
+    if member.seat.is_shared {
         front.add_line(waves.stiffness, freedom, member);
     } else {
         S::join(&mut OwnStiffness::of_line(waves, freedom), front, member);

@@ -2,6 +2,7 @@
 
 use crate::number::{Scalar, Size};
 use crate::pass::network::stiffness::front::{StiffnessFront, inherited};
+use crate::pass::network::stiffness::joined::Joins;
 use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::waves::{Bending, Line};
 
@@ -14,7 +15,7 @@ pub(super) struct OwnStiffness<S: Scalar, const N: usize> {
     errors: [S::Size; N],
 }
 
-impl<S: Scalar> OwnStiffness<S, 2> {
+impl<S: Joins> OwnStiffness<S, 2> {
     /// A line in a freedom.
     #[inline(always)]
     pub(super) fn of_line(line: &Line<S>, freedom: usize) -> Self {
@@ -23,7 +24,7 @@ impl<S: Scalar> OwnStiffness<S, 2> {
     }
 }
 
-impl<S: Scalar> OwnStiffness<S, 4> {
+impl<S: Joins> OwnStiffness<S, 4> {
     /// Bending, over deflection and rotation of each end.
     #[inline(always)]
     pub(super) fn of_bending(bending: &Bending<S>) -> Self {
@@ -39,7 +40,7 @@ impl<S: Scalar> OwnStiffness<S, 4> {
     }
 }
 
-impl<S: Scalar, const N: usize> OwnStiffness<S, N> {
+impl<S: Joins, const N: usize> OwnStiffness<S, N> {
     /// A stiffness over freedoms.
     #[inline(always)]
     fn new(freedoms: [[usize; 2]; N], entries: [[S; N]; N]) -> Self {
@@ -52,14 +53,15 @@ impl<S: Scalar, const N: usize> OwnStiffness<S, N> {
 
     /// Eliminates what is released, and adds the rest to a front.
     #[inline(always)]
-    pub(super) fn join(&mut self, front: &mut StiffnessFront<'_, S>, member: &StiffnessMember) {
+    pub(super) fn join(&mut self, front: &mut StiffnessFront<'_, S>, member: &StiffnessMember<S::Part>) {
         for k in 0..N {
-            if !member.has(self.freedoms[k]) {
+            if !member.seat.has(self.freedoms[k]) {
                 self.eliminate(k, front);
             }
         }
         let rows = self.freedoms.map(|[end, freedom]| member.row(end, freedom));
-        let places = self.freedoms.map(|[end, freedom]| member.places(end).filter(|_| member.has([end, freedom])));
+        let places =
+            self.freedoms.map(|[end, freedom]| member.seat.places(end).filter(|_| member.seat.has([end, freedom])));
         for k in 0..N {
             let Some(place) = places[k] else { continue };
             front.add_own(self.entries[k][k], place, &rows[k]);

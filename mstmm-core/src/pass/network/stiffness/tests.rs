@@ -2,11 +2,12 @@
 
 extern crate std;
 
+use crate::DoubleDouble;
 use crate::elements::{Spring, TautString, TorsionSpring};
 use crate::number::Scaled;
 use crate::pass::characteristic::{System, count_and_value};
 use crate::pass::network::stiffness::{StiffnessBlock, StiffnessModel};
-use crate::pass::network::{End, Member, Network, NetworkRoom, Node};
+use crate::pass::network::{End, Member, Network, NetworkRoom, Node, Placed};
 use crate::{Joint, Section, UndampedMember};
 use mstmm_plan::{Freedoms, Support};
 use std::vec::Vec;
@@ -53,6 +54,18 @@ fn compare_in_blocks(nodes: &[Node<f64>], members: &[Member<Any>], frequencies: 
             let first: Scaled<f64> = *ratio.get_or_insert(own);
             let change = own.over(first).over_power(0) - 1.0;
             assert!(change.abs() < 1e-10, "Δ at {omega} changes by {change:e}");
+        }
+    }
+    let mut ratio = None;
+    for pair in frequencies.as_chunks::<2>().0 {
+        for (omega, own) in pair.iter().zip(network.precise_counts(*pair)) {
+            let (own, exactly) = (own.unwrap(), DoubleDouble::from(*omega));
+            let (count, delta) = count_and_value::<true, _, DoubleDouble>(&network, exactly);
+            assert_eq!(own.below, count.below(), "at {omega} in extended precision");
+            let own = own.delta.over(delta);
+            let first: Scaled<DoubleDouble> = *ratio.get_or_insert(own);
+            let change = (own.over(first).over_power(0) - DoubleDouble::from(1.0)).parts().0;
+            assert!(change.abs() < 1e-26, "Δ at {omega} changes by {change:e} in extended precision");
         }
     }
 }
@@ -233,4 +246,74 @@ fn fronts_are_as_wide_as_what_is_in_them_at_once() {
     let all = |points: usize| (0..points).flat_map(|k| (0..k).map(move |l| [l, k]));
     assert_eq!(width::<16, 120>(all(16)), Some(48));
     assert_eq!(width::<17, 136>(all(17)), None);
+}
+
+/// A ladder with rungs so many times as stiff as its legs.
+fn ladder(bays: usize, stiffer: f64) -> (Vec<Node<f64>>, Vec<Member<Any>>) {
+    let holds = Support::Fixed.holds();
+    let place = |k: usize| [(k % 2) as f64 * 1.3 + 0.01 * k as f64, (k / 2) as f64];
+    let node = |k: usize| if k < 2 { Node::at(place(k)).held(holds) } else { Node::at(place(k)) };
+    let rung = Section { axial_stiffness: 4e8 * stiffer, bending_stiffness: 1e6 * stiffer, ..section() };
+    let bay = |k: usize| {
+        let legs = [0, 1].map(|side| Member::<Any>::new(2 * k + side, 2 * k + side + 2, section()));
+        [legs[0], legs[1], Member::new(2 * k + 2, 2 * k + 3, rung)]
+    };
+    ((0..2 * bays + 2).map(node).collect(), (0..bays).flat_map(bay).collect())
+}
+
+/// A frequency at which Δ vanishes between two, by extended precision.
+fn root_between(network: &impl Placed<Parameter = f64>, mut ends: [f64; 2]) -> Option<f64> {
+    let known = |pair: [f64; 2]| match network.precise_counts(pair) {
+        [Some(one), Some(other)] => Some([one, other]),
+        _ => None,
+    };
+    let [mut lower, mut upper] = known(ends)?;
+    if upper.below != lower.below + 1 {
+        return None;
+    }
+    while ends[1] - ends[0] > 4.0 * f64::EPSILON * ends[1] {
+        let middle = 0.5 * (ends[0] + ends[1]);
+        let (value, other) = (lower.delta.mantissa(), upper.delta.over_power(lower.delta.exponent()));
+        let share = (value / (value - other)).parts().0;
+        let chord = (ends[0] + (ends[1] - ends[0]) * share).clamp(ends[0], ends[1]);
+        for (omega, count) in [chord, middle].into_iter().zip(known([chord, middle])?) {
+            if omega > ends[0] && omega < ends[1] {
+                let is_above = count.below > lower.below;
+                (ends[usize::from(is_above)], *(if is_above { &mut upper } else { &mut lower })) = (omega, count);
+            }
+        }
+    }
+    Some(ends[0])
+}
+
+/// Where rounding is not in doubt counts are right, however near a root they are: beside 30 roots of a ladder with stiff rungs.
+#[test]
+fn counts_are_right_where_rounding_is_not_in_doubt() {
+    let (mut wrong, mut doubtful, mut roots) = (0, 0, 0);
+    for stiffer in [1.0, 1e3, 1e6] {
+        let (nodes, members) = ladder(30, stiffer);
+        let mut room = NetworkRoom::<_, 62, 90>::new();
+        let network = Network::<_, 40, _, _>::new(&nodes, &members, &mut room).unwrap();
+        for k in 0..300 {
+            let ends = [k, k + 1].map(|k| 100.0 + 20.0 * f64::from(k));
+            let Some(root) = root_between(&network, ends) else { continue };
+            if network.precise_counts([root; 2])[0].is_none() {std::println!("none at {root} {stiffer}"); continue; }
+            roots += 1;
+            let omega: [f64; 16] = core::array::from_fn(|k| root * (1.0 + (k as f64 - 7.5) * 2.0 * f64::EPSILON));
+            let (mut value, mut below) = ([0.0; 16], [0.0; 16]);
+            let block = evaluated(&network.in_numbers().unwrap(), &omega, [&mut value, &mut below], true);
+            for k in 0..16 {
+                let Some(exactly) = network.precise_counts([omega[k]; 2])[0].map(|c| c.below) else { std::println!("none at {} {stiffer}", omega[k]); continue };
+                let is_doubtful = block.doubtful >> k & 1 == 1;
+                doubtful += u32::from(is_doubtful);
+                wrong += u32::from(!is_doubtful && below_of(&block, k) != exactly);
+            }
+        }
+    }
+    std::println!("{roots} roots, {doubtful} doubtful, {wrong} wrong");
+    assert_eq!(wrong, 0);
+}
+
+fn below_of(block: &StiffnessBlock<'_>, k: usize) -> u64 {
+    block.below[k] as u64
 }

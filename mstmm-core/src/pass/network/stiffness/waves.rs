@@ -1,9 +1,10 @@
 //! The dynamic stiffness of beams and lines at a frequency.
 
-use crate::element::{BendingNumbers, LineNumbers};
 use crate::number::{FrequencyPowers, Scalar, Size, Truth, series, twice};
 use crate::pass::network::stiffness::arrangement::KEPT;
-use crate::pass::network::stiffness::member::StiffnessMember;
+use crate::pass::network::stiffness::joined::Joins;
+use crate::pass::network::stiffness::member::Seat;
+use crate::pass::network::stiffness::numbers::{BendingWave, LineWave};
 use core::f64::consts::FRAC_1_PI;
 
 /// A dynamic stiffness over the displacements of both ends of a uniform member, with equal ends.
@@ -35,7 +36,7 @@ impl<S: Scalar, const ENTRIES: usize> Waves<S, ENTRIES> {
 /// The waves of beams, each different from the others.
 pub(super) struct BeamWaves<S: Scalar>([(Bending<S>, Line<S>); KEPT]);
 
-impl<S: Scalar> BeamWaves<S> {
+impl<S: Joins> BeamWaves<S> {
     /// No waves yet.
     #[inline(always)]
     pub(super) fn new() -> Self {
@@ -46,12 +47,12 @@ impl<S: Scalar> BeamWaves<S> {
     #[inline(always)]
     pub(super) fn of(
         &mut self,
-        member: &StiffnessMember,
-        (across, along): (&BendingNumbers, Option<&LineNumbers>),
+        seat: &Seat,
+        (across, along): (&BendingWave<S::Part>, Option<&LineWave<S::Part>>),
         at: &FrequencyPowers<S>,
     ) -> &(Bending<S>, Line<S>) {
-        let waves = &mut self.0[member.waves as usize];
-        if member.is_first {
+        let waves = &mut self.0[seat.waves as usize];
+        if seat.is_first {
             *waves = (bending(across, at), along.map_or(Waves::none(), |along| line(along, at)));
         }
         waves
@@ -65,9 +66,9 @@ impl<S: Scalar> BeamWaves<S> {
 /// z³ (ch s + sh c)   z² sh s   z (ch s - sh c)      -z³ (sh + s)   z² (ch - c)   z (sh - s)
 /// ```
 #[inline(always)]
-fn bending<S: Scalar>(beam: &BendingNumbers, at: &FrequencyPowers<S>) -> Bending<S> {
-    let z = at.powers[0].scaled(beam.wave);
-    let x = at.powers[3].scaled(beam.wave_fourth);
+fn bending<S: Joins>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>) -> Bending<S> {
+    let z = at.powers[0] * S::of(beam.wave);
+    let x = at.powers[3] * S::of(beam.wave_fourth);
     let is_long = S::Size::of(1.0).is_below(x.size());
     let mut waves = if is_long.all() {
         long_waves(beam, at, z)
@@ -87,7 +88,7 @@ fn bending<S: Scalar>(beam: &BendingNumbers, at: &FrequencyPowers<S>) -> Bending
     let factors = [beam.stiffness, first, first * beam.length];
     let mut k = 0;
     while k < 6 {
-        waves.stiffness[k] = waves.stiffness[k].scaled(factors[k % 3]);
+        waves.stiffness[k] = waves.stiffness[k] * S::of(factors[k % 3]);
         k += 1;
     }
     // one less where `1 - ch c` has not yet the sign that it has beyond the last half wave
@@ -99,14 +100,14 @@ fn bending<S: Scalar>(beam: &BendingNumbers, at: &FrequencyPowers<S>) -> Bending
 
 /// The stiffness of long waves over `EI/l³` and lengths.
 #[inline(always)]
-fn long_waves<S: Scalar>(beam: &BendingNumbers, at: &FrequencyPowers<S>, z: S) -> Bending<S> {
+fn long_waves<S: Joins>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>, z: S) -> Bending<S> {
     let waves = z.wave_functions();
     let [circular, hyperbolic] = waves.exponents;
     let (sin, cos) = (waves.sin.times_power_of_two(-hyperbolic), waves.cos.times_power_of_two(-hyperbolic));
     let (sh, ch) = (waves.sh.times_power_of_two(-circular), waves.ch.times_power_of_two(-circular));
     let minor = waves.one - waves.ch * waves.cos;
     // over z⁴, that it does not vanish at rest
-    let entire = (minor * at.inverse_powers[3]).scaled(1.0 / beam.wave_fourth);
+    let entire = minor * at.inverse_powers[3] * S::of(beam.inverse_fourth);
     let first = z / minor;
     let second = first * z;
     let third = second * z;
@@ -141,14 +142,14 @@ fn short_waves<S: Scalar>(x: S) -> Bending<S> {
 
 /// The stiffness of a line, `H/l` times `√κ coth √κ` and `-√κ / sinh √κ`.
 #[inline(always)]
-pub(super) fn line<S: Scalar>(line: &LineNumbers, at: &FrequencyPowers<S>) -> Line<S> {
-    if line.inertia == 0.0 && line.foundation == 0.0 {
-        let own = S::from_f64(line.stiffness);
+pub(super) fn line<S: Joins>(line: &LineWave<S::Part>, at: &FrequencyPowers<S>) -> Line<S> {
+    if line.inertia.vanishes() && line.foundation.vanishes() {
+        let own = S::of(line.stiffness);
         return Waves { stiffness: [own, -own], minor: S::one(), exponent: 0, below: S::Size::of(0.0) };
     }
-    let square = at.lambda_squared.scaled(line.inertia) + S::from_f64(line.foundation);
+    let square = at.lambda_squared * S::of(line.inertia) + S::of(line.foundation);
     let waves = square.even_waves();
-    let inverse = (S::one() / waves.sinhc).scaled(line.stiffness);
+    let inverse = S::one() / waves.sinhc * S::of(line.stiffness);
     let travelling = S::select(square.is_negative(), -square, S::zero());
     let (below, _) = (travelling.sqrt().size() * S::Size::of(FRAC_1_PI)).whole();
     Waves {

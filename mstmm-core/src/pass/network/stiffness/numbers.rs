@@ -1,0 +1,91 @@
+//! The numbers from which the waves of a member follow at any frequency, computed from its parameters once.
+
+use crate::element::{LineNumbers, MemberNumbers};
+use crate::number::Scalar;
+use mstmm_plan::Freedoms;
+
+/// The bending of a uniform beam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct BendingWave<N> {
+    /// `z / √ω` with z the wave number times the length, `z⁴ / ω²` and its inverse.
+    pub(super) wave: N,
+    pub(super) wave_fourth: N,
+    pub(super) inverse_fourth: N,
+    /// `EI/l³`.
+    pub(super) stiffness: N,
+    /// Length l.
+    pub(super) length: N,
+}
+
+/// The longitudinal vibration of a beam or a rod, that of a string or a shaft, or a spring, which has neither inertia nor foundation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct LineWave<N> {
+    /// κ over λ², and κ at rest, with κ the square of the wave number times the length.
+    pub(super) inertia: N,
+    pub(super) foundation: N,
+    /// `H/l`, or the stiffness of the spring.
+    pub(super) stiffness: N,
+}
+
+/// What a member is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Waving<N> {
+    /// Something else.
+    Other,
+    /// A beam, with longitudinal vibration or without.
+    Beam(BendingWave<N>, Option<LineWave<N>>),
+    /// A line in the freedom of that index.
+    Line(usize, LineWave<N>),
+    /// A joint, which ties freedoms rigidly or by springs; zero where there is none.
+    Joint(Freedoms, [N; 3]),
+}
+
+impl<N: Scalar> Waving<N> {
+    /// A member of a length that its places give.
+    pub(super) fn new(numbers: &MemberNumbers, length: N) -> Self {
+        match *numbers {
+            MemberNumbers::Other => Waving::Other,
+            MemberNumbers::Beam(across, along) => {
+                let [stiffness, mass] = across.map(N::from_f64);
+                let along = along.map(|along| LineWave::new([length, N::from_f64(along), mass, N::zero()]));
+                Waving::Beam(BendingWave::new([length, stiffness, mass]), along)
+            }
+            MemberNumbers::Line(freedom, LineNumbers { length, stiffness, inertia, foundation }) => {
+                Waving::Line(freedom, LineWave::new([length, stiffness, inertia, foundation].map(N::from_f64)))
+            }
+            MemberNumbers::Spring(freedom, stiffness) => Waving::Line(
+                freedom,
+                LineWave { inertia: N::zero(), foundation: N::zero(), stiffness: N::from_f64(stiffness) },
+            ),
+            MemberNumbers::Joint(rigid, elastic) => Waving::Joint(rigid, elastic.map(N::from_f64)),
+        }
+    }
+}
+
+impl<N: Scalar> BendingWave<N> {
+    /// Of length, bending stiffness and mass per length.
+    fn new([length, stiffness, mass]: [N; 3]) -> Self {
+        let square = (mass / stiffness).sqrt();
+        let half_fourth = square * length * length;
+        let wave_fourth = half_fourth * half_fourth;
+        BendingWave {
+            wave: square.sqrt() * length,
+            wave_fourth,
+            inverse_fourth: N::one() / wave_fourth,
+            stiffness: stiffness / (length * length * length),
+            length,
+        }
+    }
+}
+
+impl<N: Scalar> LineWave<N> {
+    /// Of length, stiffness, inertia and foundation.
+    fn new([length, stiffness, inertia, foundation]: [N; 4]) -> Self {
+        let compliance = length / stiffness;
+        LineWave {
+            inertia: inertia * length * compliance,
+            foundation: foundation * length * compliance,
+            stiffness: stiffness / length,
+        }
+    }
+}
