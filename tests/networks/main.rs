@@ -3,6 +3,7 @@
 mod at_rest;
 mod by_minors;
 mod checks;
+mod choices;
 mod damped;
 mod damped_members;
 mod directed;

@@ -81,3 +81,38 @@ fn two_levers_on_one_axle_are_refused_whatever_their_length() {
         }
     }
 }
+
+/// A ring of bodies, welded to each other but for two pins, on a beam: so it is held twice along the line through the pins. Returns the
+/// bodies, too.
+fn ring_with_two_pins(size: f64, turn: f64) -> (Structure, Vec<usize>) {
+    let mut bodies = Vec::new();
+    let structure = beside_a_beam(|structure, tip| {
+        let place = |part: f64| {
+            let (sin, cos) = (turn + core::f64::consts::TAU * part / 7.0).sin_cos();
+            [2.0 + size * cos, 0.5 + size * sin]
+        };
+        let body = |part: u8| Node::at(place(part.into())).body(1.0, 0.1 * size * size, place(part.into()));
+        bodies.extend((0..7).map(|part| structure.node(body(part))));
+        for part in 0..7 {
+            let joint = place(part as f64 + 0.5);
+            let shared = if part == 1 || part == 6 { Freedoms::PIN } else { Freedoms::ALL };
+            let ends = [bodies[part], bodies[(part + 1) % 7]].map(|body| End::from(body).at(joint));
+            structure.weld(ends[0], ends[1], shared);
+        }
+        structure.beam(tip, bodies[0], SECTION);
+    });
+    (structure, bodies)
+}
+
+/// Roundings add up around a ring: no row is small enough to be nothing by itself, and only another choice of pivots, which leaves Δ without
+/// a digit in common, tells that it is zero.
+#[test]
+fn a_ring_that_is_held_twice_is_refused_at_one_of_its_bodies() {
+    for decade in -1..=1 {
+        for turn in [1.1, 1.3] {
+            let (structure, bodies) = ring_with_two_pins(10.0_f64.powi(decade), turn);
+            let node = refused_at(&structure);
+            assert!(bodies.contains(&node), "{node} of {bodies:?}, size 1e{decade} turned by {turn}");
+        }
+    }
+}

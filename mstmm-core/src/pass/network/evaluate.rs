@@ -15,7 +15,7 @@ use mstmm_plan::NetworkOrder;
 /// Number of roundings that add up in the row of a pivot, in units of the largest one.
 const ROUNDINGS: f64 = 2.0;
 
-/// Size of the row of a pivot, in units of its error, beyond which no other choice of pivots is looked at.
+/// Size of a pivot or of its row, in units of its error, beyond which no other choice of pivots is looked at.
 const NEAR: f64 = 16.0;
 
 /// Part of Δ by which another choice of pivots may change it, as it may where rounding alone is left.

@@ -80,12 +80,27 @@ impl<S: Scalar> Front<'_, S> {
     #[inline]
     fn pivot_with(&mut self, partner: usize, total: &mut Total<S>) {
         let last = self.count - 1;
+        if total.carries_errors {
+            self.look_at_two([last, partner], total);
+        }
         if partner < self.boundary {
             self.pivot_on_two([last, partner], After::Leaves, total);
         } else {
             self.swap(partner, last - 1);
             self.pivot_on_last_two(total);
         }
+    }
+
+    /// Looks at a pivot on two variables beside what the errors of both rows do to it.
+    #[cold]
+    fn look_at_two(&self, [one, two]: [usize; 2], total: &mut Total<S>) {
+        let [own, between, other] = [[one, one], [one, two], [two, two]].map(|[row, column]| self.entry(row, column));
+        let determinant = own * other - between * between;
+        let [of_one, of_two] = [one, two].map(|place| self.errors[place]);
+        let of_between: f64 = Scalar::sqrt(of_one * of_two);
+        let [own, between, other] = [own, between, other].map(|entry| entry.size().first());
+        let error = own * of_two + 2.0 * between * of_between + other * of_one;
+        total.look_at_pivot(determinant.size().first(), error);
     }
 
     /// The partner of the last variable, if both together are as good a pivot as any.
@@ -117,7 +132,9 @@ impl<S: Scalar> Front<'_, S> {
         }
         match self.best_pivot() {
             Some((place, None)) => {
-                self.swap(place, self.count - 1);
+                let last = self.count - 1;
+                self.swap(place, last);
+                total.look_at_pivot(self.size(last, last), self.errors[last]);
                 self.pivot_on_last(total);
             }
             Some((place, Some(partner))) => {

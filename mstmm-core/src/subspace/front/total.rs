@@ -17,7 +17,7 @@ pub(crate) struct Total<S: Scalar> {
     /// The node that is eliminated, and the first one where a row was nothing but rounding.
     pub(super) node: u32,
     pub(crate) vanished_at: Option<u32>,
-    /// The size of the row of a pivot and its error in units of rounding, where the first is smallest beside the second.
+    /// The size of a pivot or of its row and its error in units of rounding, where the first is smallest beside the second.
     pub(crate) smallest_row: [f64; 2],
     pub(crate) smallest_at: u32,
 }
@@ -57,13 +57,19 @@ impl<S: Scalar> Total<S> {
         self.exponent += exponent + i64::from(shift);
     }
 
+    /// Looks at a pivot, given its size and its error: it may be rounding in a row that is not.
+    #[inline]
+    pub(super) fn look_at_pivot(&mut self, size: f64, error: f64) {
+        let [smallest, of] = self.smallest_row;
+        if size * of < smallest * error {
+            (self.smallest_row, self.smallest_at) = ([size, error], self.node);
+        }
+    }
+
     /// Looks at the row of a pivot, given the sizes of its largest entry and of its largest term, and its error.
     #[inline]
     pub(super) fn look_at_row(&mut self, largest: f64, term: f64, error: f64) {
-        let [smallest, of] = self.smallest_row;
-        if largest * of < smallest * error {
-            (self.smallest_row, self.smallest_at) = ([largest, error], self.node);
-        }
+        self.look_at_pivot(largest, error);
         if largest <= ROUNDING * S::EPSILON * term {
             self.vanished_at = self.vanished_at.or(Some(self.node));
         }
