@@ -56,7 +56,8 @@ pub trait Element: Sized {
     }
 
     /// The numbers from which its dynamic stiffness as a member follows, for searches that evaluate networks at many frequencies at once.
-    #[doc(hidden)]
+    ///
+    /// An element whose numbers are not known, as by default, is evaluated by its [chart](crate::Charted) alone, and so is a network with it.
     #[inline]
     fn member_numbers(_built: &Self::Built) -> MemberNumbers {
         MemberNumbers::Other
