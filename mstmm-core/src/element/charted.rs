@@ -40,13 +40,13 @@ pub const fn has_chart<E: Charted<Complex<f64>>>() {}
 /// An element as a member of a network: between points with places, and in a list.
 ///
 /// A chart is the relation of displacements and forces at both ends, written for such variables that all entries are bounded. Along a
-/// translation path the displacement is the one along the member. Of an element of one motion [`Chart::translation`] or [`Chart::rotation`]
-/// makes it from the transfer matrix, which is implemented for every `S: Frequency<T>`:
+/// translation path the displacement is the one along the member. [`Chart::translation`] and [`Chart::rotation`] make it of the transfer matrix
+/// of an element of one motion, [`Chart::spring`] and [`Chart::torsion_spring`] of a dynamic stiffness between both ends.
 ///
 /// ```
-/// use mstmm_core::{Chart, Charted, Element, Frequency, FrequencyPowers, InvalidParameter, Parameter, Size, Translation};
+/// use mstmm_core::{Chart, Charted, Element, Frequency, FrequencyPowers, InvalidParameter, Parameter, Translation};
 ///
-/// /// A spring that grows harder with `stiffness + growth ω²`.
+/// /// A pad that grows stiffer with the frequency, `κ = K + g ω²`.
 /// #[derive(Clone, Copy, Debug)]
 /// struct Pad<T> { stiffness: T, growth: T }
 ///
@@ -61,18 +61,15 @@ pub const fn has_chart<E: Charted<Complex<f64>>>() {}
 ///
 /// impl<T: Parameter, S: Frequency<T>> Charted<S> for Pad<T> {
 ///     fn chart(pad: &Self, at: &FrequencyPowers<S>, _length: S) -> Chart<S> {
-///         let stiffness = S::from_parameter(pad.stiffness) - at.lambda_squared * pad.growth;
-///         let transfer = [[S::one(), -S::one() / stiffness], [S::zero(), S::one()]];
-///         // with both ends held nothing of it moves
-///         Chart::translation(transfer, (Size::of(0.0), stiffness.is_negative()), pad.stiffness.to_f64())
+///         Chart::spring(S::from_parameter(pad.stiffness) - at.lambda_squared * pad.growth)
 ///     }
 /// }
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not stand between points with places: it has no chart",
     label = "no `Charted<{S}>` for this element",
-    note = "an element of your own implements `mstmm::element::Charted<S>` for every `S: mstmm::number::Frequency<T>`; `Chart::translation` and \
-            `Chart::rotation` make a chart of its transfer matrix"
+    note = "an element of your own implements `mstmm::element::Charted<S>` for every `S: mstmm::number::Frequency<T>`: `Chart::translation` and \
+            `Chart::rotation` make a chart of its transfer matrix, `Chart::spring` and `Chart::torsion_spring` of a dynamic stiffness"
 )]
 pub trait Charted<S: Scalar>: Element {
     /// The chart at a frequency, of a member of a length.

@@ -12,7 +12,7 @@ impl<S: Scalar> Chart<S> {
     /// `transfer` takes `[Y, Q]` of the input end to that of the output end; its determinant is one, and its entries are entire functions of
     /// the frequency. `held` are the number of natural frequencies with both ends held, and whether the flexibility `-transfer[0][1]` is
     /// negative by that number, as [`RootCounter::line`](crate::RootCounter::line) takes them. `unit` is a usual size of forces per
-    /// displacement: with waves the stiffness times their number.
+    /// displacement: with waves the stiffness times their number. A transfer matrix with a pole, as that of a dashpot, makes no chart.
     ///
     /// Variables are the displacement of the input end and the force at the output end, or where the flexibility is the larger entry both
     /// displacements, so that nothing is divided by a small number.
