@@ -86,9 +86,11 @@ impl<'a> Assembly<'_, 'a> {
         let support = |vertex: usize| {
             let point = self.points.point(vertex);
             match self.graph.vertices[vertex].node {
-                Named::Support(support) if self.points.is_located(point) => {
-                    Some(Support { support, point: self.index(point), holds: holds(support, self.freedoms[point].possible()) })
-                }
+                Named::Support(support) if self.points.is_located(point) => Some(Support {
+                    support,
+                    point: self.index(point),
+                    holds: holds(support, self.freedoms[point].possible()),
+                }),
                 _ => None,
             }
         };

@@ -33,9 +33,9 @@ impl<'a> FreedomSet<'a> {
         }
     }
 
-    /// The set, if all of it is known.
+    /// The set, if elements of the user's own cannot add to it.
     pub(crate) fn as_known(&self) -> Option<Freedoms> {
-        self.own.is_empty().then_some(self.known)
+        (self.own.is_empty() || self.known.contains(self.within)).then_some(self.known)
     }
 
     /// The freedoms that may be in it.

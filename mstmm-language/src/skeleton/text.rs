@@ -20,7 +20,7 @@ impl Display for Skeleton<'_> {
                 }
                 writeln!(f, "unknowns of the overall transfer equation {}, root {}", overall.unknowns, overall.root)?;
             }
-            _ => writeln!(f, "\nthe rest depends on elements that only the compiler knows")?,
+            _ => writeln!(f, "\nthe rest, and each ? below, depends on elements that only the compiler knows")?,
         }
         writeln!(f, "```\n\n# Nodes\n")?;
         writeln!(

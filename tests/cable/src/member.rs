@@ -2,8 +2,8 @@
 
 use crate::Cable;
 use mstmm::element::{
-    Chart, Charted, EndMotion, Energies, Forms, FrequencyPowers, Inside, MemberEnds, MemberGradient,
-    MemberMotion, MemberWork,
+    Chart, Charted, EndMotion, Energies, Forms, FrequencyPowers, Inside, MemberEnds, MemberGradient, MemberMotion,
+    MemberWork,
 };
 use mstmm::number::{Frequency, Oscillation, Parameter, Real, Size};
 
@@ -23,8 +23,7 @@ impl<T: Parameter, S: Frequency<T>> Charted<S> for Cable<T> {
 impl<T: Real, S: Oscillation<T>> MemberMotion<S> for Cable<T> {
     fn forms(cable: &Self, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
         let (first, second) = (first.translation(), second.translation());
-        let (mass, stiffness) =
-            (Self::mass_form(cable, &first, &second), Self::stiffness_form(cable, &first, &second));
+        let (mass, stiffness) = (Self::mass_form(cable, &first, &second), Self::stiffness_form(cable, &first, &second));
         Forms { mass, stiffness, ..Forms::none() }
     }
 

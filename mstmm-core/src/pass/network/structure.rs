@@ -131,7 +131,8 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
             stiffness: (&stiffness.0[..sizes.0], &stiffness.1[..sizes.1]),
             order: order.order(sizes.0, sizes.1),
         };
-        let motions: [usize; NODES] = array::from_fn(|node| network.motions.get(node).map_or(0, |of_node| of_node.count));
+        let motions: [usize; NODES] =
+            array::from_fn(|node| network.motions.get(node).map_or(0, |of_node| of_node.count));
         let freedoms: [usize; MEMBERS] =
             array::from_fn(|member| network.placements.get(member).map_or(0, |placement| placement.freedoms.count()));
         match network.order.width(&motions, &freedoms) {

@@ -187,9 +187,10 @@ fn loose_points<'a>(graph: &Graph<'a>, points: &Points, paths: &Paths<'a>, findi
 
 /// The paths that may be the only one that moves a point, each with what elements of the user's own then do.
 fn alone_at<'p, 'a>(paths: &'p Paths<'a>, point: usize) -> Vec<(&'p Path<'a>, Vec<(&'a Element, Space)>)> {
-    let at_point = paths.all.iter().flat_map(|path| {
-        path.contacts.iter().filter(|contact| contact.point == point).map(move |_| path)
-    });
+    let at_point = paths
+        .all
+        .iter()
+        .flat_map(|path| path.contacts.iter().filter(|contact| contact.point == point).map(move |_| path));
     let moving: Vec<&Path<'_>> = at_point.filter(|path| !matches!(path.motion, PathMotion::Rotation)).collect();
     let alone = |index: usize| {
         let mut of = Vec::new();

@@ -24,9 +24,9 @@ pub(super) fn own(network: &Network<'_>, skeleton: &Skeleton<'_>, names: &Names)
         }
     });
     let suspicions = network.suspicions.iter().map(|suspicion| check(suspicion, names));
-    let width = skeleton.has_own_motions().then(|| {
-        quote_spanned!(names.here=> const WIDTH: ::core::primitive::usize = SKETCH.width(ORDER);)
-    });
+    let width = skeleton
+        .has_own_motions()
+        .then(|| quote_spanned!(names.here=> const WIDTH: ::core::primitive::usize = SKETCH.width(ORDER);));
     quote_spanned!(names.here=> #width #(#own)* #(#suspicions)*)
 }
 

@@ -112,8 +112,9 @@ fn option(value: Option<impl ToTokens>, names: &Names) -> TokenStream {
 /// A set of freedoms; those of elements of the user's own are a constant of their types.
 pub(super) fn freedom_set(set: &FreedomSet<'_>, names: &Names) -> TokenStream {
     let mut sum = freedoms(set.known, names);
+    let own = if set.as_known().is_some() { &[][..] } else { &set.own };
     let within = freedoms(set.within, names);
-    for element in &set.own {
+    for element in own {
         let span = names.at_element(element);
         let (brought, kind) = (names.function_at("brought", span), names.element_over(element, &format_ident!("f64")));
         sum.extend(quote_spanned!(span=> .union(#brought::<#kind>().intersection(#within))));

@@ -190,7 +190,9 @@ fn a_path_of_strings_and_masses_acts_along_its_direction() {
     let found = BuiltInHanger { mass: 1.5 }.build().unwrap().first_frequencies::<25>().unwrap();
     let own = OwnHanger { mass: 1.5 }.build().unwrap().first_frequencies::<25>().unwrap();
     let mixed = MixedHanger { mass: 1.5 }.build().unwrap().first_frequencies::<25>().unwrap();
-    assert!(found.iter().zip(own.iter().zip(&mixed)).all(|(root, (one, other))| agree(root, one) && agree(root, other)));
+    assert!(
+        found.iter().zip(own.iter().zip(&mixed)).all(|(root, (one, other))| agree(root, one) && agree(root, other))
+    );
 }
 
 /// A coil over a pin: between two points at one place, and from a point to the ground; no direction is said.
@@ -215,7 +217,8 @@ joints! {
 
 #[test]
 fn an_element_of_ones_own_turns() {
-    let (own, built_in) = (OwnJoint { stiffness: 8.0 }.build().unwrap(), BuiltInJoint { stiffness: 8.0 }.build().unwrap());
+    let (own, built_in) =
+        (OwnJoint { stiffness: 8.0 }.build().unwrap(), BuiltInJoint { stiffness: 8.0 }.build().unwrap());
     let found = (own.first_frequencies::<25>().unwrap(), built_in.first_frequencies::<25>().unwrap());
     assert!(found.0.iter().zip(&found.1).all(|(one, other)| agree(one, other)));
 }
