@@ -159,6 +159,7 @@ pub mod list {
 }
 
 /// [emitted]: crate::system#what-is-emitted
+/// [own]: crate::element
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
     pub use mstmm_core::{

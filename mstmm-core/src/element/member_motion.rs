@@ -103,7 +103,8 @@ pub trait MemberMotion<S: Scalar>: Element {
         None
     }
 
-    /// The mass per length; zero of a member without mass.
+    /// The mass per length; zero of a member without mass. One that says it and not what loads work has no weight, and the weight of a model
+    /// with it is refused.
     #[inline]
     fn mass_per_length(_built: &Self::Built) -> S {
         S::zero()

@@ -34,6 +34,11 @@ impl<T: Real, S: Oscillation<T>> MemberMotion<S> for Cable<T> {
     fn motion_at(cable: &Self, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
         EndMotion::translated(Self::state_at(cable, &motion.translation(), distance))
     }
+
+    /// What a load along it works is not said, so that a weight is refused.
+    fn mass_per_length(cable: &Self) -> S {
+        S::from_parameter(cable.mass_per_length)
+    }
 }
 
 impl<T: Real, S: Oscillation<T>> MemberGradient<S> for Cable<T> {

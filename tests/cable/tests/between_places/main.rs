@@ -6,6 +6,7 @@ mod elements;
 
 use core::f64::consts::PI;
 use elements::{Coil, Dashpot, Known};
+use mstmm::motion::{MotionError, PlaneLoad};
 use mstmm::prelude::*;
 
 const EA: f64 = 4e4;
@@ -127,6 +128,14 @@ fn its_overall_matrix_has_the_size_of_the_built_in_one() {
         let (one, other) = (own.overall_matrix(omega), built_in.overall_matrix(omega));
         assert!((one - other).amax() < 1e-11 * other.amax());
     }
+}
+
+/// What a load along it works it does not say.
+#[test]
+fn its_weight_is_refused() {
+    let own = Own::SAMPLE.build().unwrap();
+    let response = own.frequency_response(PlaneLoad::self_weight_y(), Own::conn_b.displacement_y());
+    assert_eq!(response.and_then(|response| response.at(0.0)), Err(MotionError::NoUniformLoad));
 }
 
 /// Drawings know it by the name of its type, from place to place.
