@@ -36,9 +36,10 @@ impl<S: Scalar> Chart<S> {
         unit: f64,
     ) -> Self {
         let flexibility = -b;
-        let unit_of_displacement = unit_of(binary_exponent(unit));
-        let units = Units { displacement: unit_of_displacement, rotation: unit_of_displacement };
-        let mut chart = Chart::empty(freedom, units, Measure::Connector);
+        // what has no force has no size, as a pendulum at its own frequency
+        let (size, measure) =
+            if unit > 0.0 { (unit_of(binary_exponent(unit)), Measure::Connector) } else { (0, Measure::Nothing) };
+        let mut chart = Chart::empty(freedom, Units { displacement: size, rotation: size }, measure);
         let exponent = chart.units.of(freedom.is(Freedoms::RZ));
         let is_flexible = (d + d).size().is_below((flexibility * S::from_f64(unit)).size()).any();
         let (divisor, entries, signs) = if is_flexible {

@@ -57,7 +57,30 @@ fn a_frame_with_a_string_of_ones_own_has_the_certified_frequencies_of_the_built_
     }
 }
 
-/// Both clamped frequencies of a string, `nπ/l sqrt(H/m)`, and frequencies beside them.
+/// Strings from slack to stiff, light to heavy: the numbers are those of a fixed sequence.
+#[test]
+fn counts_are_those_of_the_built_in_one_in_many_portals() {
+    let mut state = 7_u64;
+    let mut next = |decades: f64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        10.0_f64.powf(decades * ((state >> 11) as f64 / 2.0_f64.powi(53) - 0.5))
+    };
+    for _ in 0..100 {
+        let (length, tension, mass_per_length) = (4.8 * next(2.0), 900.0 * next(8.0), 0.7 * next(6.0));
+        let own = Own { length, tension, mass_per_length, ..Own::SAMPLE }.build().unwrap();
+        let built_in = BuiltIn { length, tension, mass_per_length, ..BuiltIn::SAMPLE }.build().unwrap();
+        for _ in 0..10 {
+            let omega = 100.0 * next(6.0);
+            assert_eq!(
+                own.count_below(omega),
+                built_in.count_below(omega),
+                "{length} {tension} {mass_per_length} {omega}"
+            );
+        }
+    }
+}
+
+/// At the clamped frequencies of the string, `nπ/l sqrt(H/m)`, and beside them.
 #[test]
 fn counts_hold_beside_the_clamped_frequencies_of_the_string() {
     let (own, built_in) = (Own::SAMPLE.build().unwrap(), BuiltIn::SAMPLE.build().unwrap());
