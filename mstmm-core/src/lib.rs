@@ -49,7 +49,7 @@ pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub use element::member_gradient::{MemberGradient, MemberWork};
 pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
-pub use element::member_numbers::{BendingNumbers, LineNumbers, MemberNumbers};
+pub use element::member_numbers::MemberNumbers;
 pub use element::member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
 pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};

@@ -1,8 +1,8 @@
 //! Elements of one's own besides the string: one that turns, one that damps, one whose numbers are known.
 
 use mstmm::element::{
-    Chart, Charted, Element, FrequencyEstimates, FrequencyPowers, InvalidParameter, LineNumbers, MemberNumbers,
-    Rotation, Translation,
+    Chart, Charted, Element, FrequencyEstimates, FrequencyPowers, InvalidParameter, MemberNumbers, Rotation,
+    Translation,
 };
 use mstmm::number::{ComplexFrequency, Frequency, Parameter};
 
@@ -75,8 +75,7 @@ impl<T: Parameter> Element for Known<T> {
 
     fn member_numbers(cable: &cable::Cable<T>) -> MemberNumbers {
         let [length, tension, mass] = [cable.length, cable.tension, cable.mass_per_length].map(T::to_f64);
-        let stiffness = tension / length;
-        MemberNumbers::Line(0, LineNumbers { inertia: mass * length / stiffness, foundation: 0.0, stiffness })
+        MemberNumbers::uniform_line(0, [length, tension, mass, 0.0])
     }
 }
 
