@@ -129,12 +129,16 @@ pub mod search {
 /// A struct of parameters that implements [`Element`](element::Element) and [`TransferMatrix`](element::TransferMatrix) takes part
 /// in the overall matrix; with [`PlaneStep`](element::PlaneStep) in searches; with [`BackTransfer`](element::BackTransfer) and
 /// [`Energies`](element::Energies) in mode shapes, responses and sensitivities.
+///
+/// Between points with places an element of one motion takes part in searches with its chart, [`Charted`](element::Charted), in mode shapes and
+/// responses with [`MemberMotion`](element::MemberMotion), in sensitivities with [`MemberGradient`](element::MemberGradient).
 pub mod element {
     pub use mstmm_core::{
-        BackTransfer, Bending, CarriesLoad, Connecting, Coordinate, Covector, Element, Ends, Energies, Extent,
-        FrequencyEstimates, FrequencyPowers, Held, Inside, InvalidParameter, Line, MatrixOf, NoCount, ParameterError,
-        Planar, Plane, PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State, StateSpace, Subspace,
-        Support, TransferMatrix, Translation, WittrickWilliams,
+        BackTransfer, Bending, CarriesLoad, Chart, Charted, Connecting, Coordinate, Covector, Element, EndMotion, Ends,
+        Energies, Extent, Forms, Freedoms, FrequencyEstimates, FrequencyPowers, Held, Inside, InvalidParameter, Line,
+        MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, NoCount, ParameterError, Planar,
+        Plane, PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State, StateSpace, Subspace, Support,
+        TransferMatrix, Translation, WittrickWilliams,
     };
 }
 
@@ -155,6 +159,7 @@ pub mod list {
 }
 
 /// [emitted]: crate::system#what-is-emitted
+/// [own]: crate::element
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
     pub use mstmm_core::{

@@ -44,11 +44,12 @@ pub use answer::states::SystemStates;
 pub use answer::tree_sketch::TreeSketch;
 pub use element::back_transfer::BackTransfer;
 pub use element::carries_load::CarriesLoad;
-pub use element::charted::{Charted, MemberChart, MemberElement, MemberVisit};
+pub use element::charted::{Charted, MemberChart, MemberElement, MemberVisit, brought, has_chart, one_motion};
 pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub use element::member_gradient::{MemberGradient, MemberWork};
 pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
+pub use element::member_numbers::MemberNumbers;
 pub use element::member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
 pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
@@ -72,7 +73,7 @@ pub use model::plane_label::{Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad
 pub use model::search_error::{SearchError, Spot};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use mstmm_plan::{
-    Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support,
+    Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support, refuse_if,
 };
 pub use nalgebra::SMatrix;
 pub use num_complex::Complex;

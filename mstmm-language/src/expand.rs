@@ -23,7 +23,7 @@ pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
     let derivatives = check::derivatives(&model, &mut errors);
     if model.is_located() {
         let network = network(&model, errors)?;
-        return emit::located(&model, &Skeleton::of(&network), &derivatives);
+        return emit::located(&model, &network, &Skeleton::of(&network), &derivatives);
     }
     let graph = Graph::of(&model, &mut errors);
     let tree = check::topology(&model, &graph, errors)?;
@@ -48,6 +48,6 @@ pub(crate) fn network(model: &Model, mut errors: Errors) -> syn::Result<Network<
     let graph = network::Graph::of(model, &mut errors);
     let points = Points::of(&graph);
     let paths = Paths::of(&graph, &points);
-    check::network(model, &graph, &points, &paths, dimension, errors)?;
-    Ok(Network::of(&graph, &points, &paths, dimension))
+    let suspicions = check::network(model, &graph, &points, &paths, dimension, errors)?;
+    Ok(Network::of(&graph, &points, &paths, dimension, suspicions))
 }

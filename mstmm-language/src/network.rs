@@ -14,8 +14,10 @@ mod points;
 mod text;
 
 pub(crate) use classes::Classes;
-pub(crate) use freedoms::freedoms;
+pub(crate) use freedoms::{FreedomSet, freedoms};
 pub(crate) use graph::{Edge, Graph, Location, Named};
-pub(crate) use hand_over::{Direction, Holds, Joint, Network, PathContact, PathElement, Support, TransferPath};
-pub(crate) use paths::{Contact, Path, Paths};
+pub(crate) use hand_over::{
+    Direction, Holds, Joint, Network, PathContact, PathElement, Support, Suspicion, TransferPath,
+};
+pub(crate) use paths::{Contact, Path, PathMotion, Paths};
 pub(crate) use points::Points;

@@ -13,6 +13,7 @@ mod tests;
 mod text;
 
 use crate::ast::{Connection, Element};
+use crate::network::FreedomSet;
 use mstmm_plan::Freedoms;
 use syn::Expr;
 
@@ -22,7 +23,7 @@ pub(crate) struct Skeleton<'a> {
     pub(crate) places: Vec<Vector<'a>>,
     pub(crate) directions: Vec<Vector<'a>>,
     pub(crate) bodies: Vec<Body<'a>>,
-    pub(crate) nodes: Vec<Node>,
+    pub(crate) nodes: Vec<Node<'a>>,
     pub(crate) members: Vec<Member<'a>>,
     /// The points with a place, as the network has them.
     pub(crate) points: Vec<Point<'a>>,
@@ -38,7 +39,7 @@ pub(crate) struct Point<'a> {
     pub(crate) node: usize,
     pub(crate) place: usize,
     /// The freedoms that elements bring there.
-    pub(crate) freedoms: Freedoms,
+    pub(crate) freedoms: FreedomSet<'a>,
 }
 
 /// The support of a point.
@@ -48,7 +49,7 @@ pub(crate) struct Support {
     pub(crate) point: usize,
     /// Index of the node that it holds.
     pub(crate) node: usize,
-    /// What it holds besides the displacement across a direction.
+    /// What it holds of the freedoms of its point, besides the displacement across a direction.
     pub(crate) held: Freedoms,
     /// Index of the direction along which the point moves.
     pub(crate) along: Option<usize>,
@@ -70,13 +71,13 @@ pub(crate) struct Body<'a> {
 }
 
 /// A node.
-pub(crate) struct Node {
+pub(crate) struct Node<'a> {
     pub(crate) name: String,
     /// Index of its place; none on a path.
     pub(crate) place: Option<usize>,
     /// The freedoms that it has.
-    pub(crate) freedoms: Freedoms,
-    /// The freedoms that are held, and those that it has not.
+    pub(crate) freedoms: FreedomSet<'a>,
+    /// The freedoms that are held, besides those that it has not.
     pub(crate) held: Freedoms,
     /// Index of the direction along which it moves.
     pub(crate) along: Option<usize>,
@@ -88,7 +89,7 @@ pub(crate) struct Member<'a> {
     pub(crate) name: String,
     /// Its keyword, or what else it is to the user; none of a second support of a body.
     pub(crate) kind: Option<String>,
-    pub(crate) freedoms: Freedoms,
+    pub(crate) freedoms: FreedomSet<'a>,
     pub(crate) ends: [End; 2],
 }
 
@@ -143,6 +144,11 @@ impl<'a> What<'a> {
 }
 
 impl Skeleton<'_> {
+    /// Whether rustc alone knows the freedoms of some members, which are the user's own.
+    pub(crate) fn has_own_motions(&self) -> bool {
+        self.members.iter().any(|member| member.freedoms.as_known().is_none())
+    }
+
     /// The nodes at both ends of a member.
     fn nodes_of(&self, member: &Member<'_>) -> [usize; 2] {
         member.ends.map(|end| match end.seat {
@@ -152,10 +158,17 @@ impl Skeleton<'_> {
     }
 }
 
-impl Node {
-    /// The motions that its supports leave.
+impl Node<'_> {
+    /// The freedoms that it has, and those that are held or that it has not, if rustc need not be asked.
+    pub(crate) fn known(&self) -> Option<[Freedoms; 2]> {
+        let freedoms = self.freedoms.as_known()?;
+        let held = self.held.union(Freedoms::ALL.without(freedoms));
+        Some([freedoms, if self.along.is_some() { held.intersection(Freedoms::RZ) } else { held }])
+    }
+
+    /// The motions that its supports leave, as far as they are known.
     pub(crate) fn motions(&self) -> usize {
-        let free = Freedoms::ALL.without(self.held);
+        let free = Freedoms::ALL.without(self.known().map_or(self.held, |[_, held]| held));
         match self.along {
             Some(_) => 1 + free.intersection(Freedoms::RZ).count(),
             None => free.count(),

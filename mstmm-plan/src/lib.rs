@@ -27,6 +27,7 @@ pub use layout::Layout;
 pub use network_order::{NetworkOrder, OrderMemory, OrderRoom};
 pub use network_paths::{PathMember, PathNode, is_cut, lead_paths, unknowns};
 pub use order::inputs_first;
+pub use rules::refuse_if;
 pub use scheme::{Place, Scheme};
 pub use space::{Space, WIDEST};
 pub use step::Step;

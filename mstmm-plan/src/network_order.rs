@@ -22,21 +22,28 @@ impl NetworkOrder<'_> {
         self.ranks[other] > self.ranks[node] || (other == node && end.is_multiple_of(2))
     }
 
-    /// The largest number of variables at once, if all of them stay: of motions of each node and freedoms of each end. There is one more
-    /// than those of members.
-    pub fn width(&self, motions: impl Fn(usize) -> usize, freedoms: impl Fn(usize) -> usize) -> usize {
-        let (mut count, mut widest) = (0, 0);
-        for &node in self.nodes {
-            let (mut entering, mut leaving) = (0, 0);
-            for &end in self.incidence.ends(node) {
+    /// The largest number of variables at once, if all of them stay, given the number of motions of each node and that of the freedoms of
+    /// the ends of each member. There is one more than those of members.
+    pub const fn width(&self, motions: &[usize], freedoms: &[usize]) -> usize {
+        let (mut count, mut widest, mut rank) = (0, 0, 0);
+        while rank < self.nodes.len() {
+            let node = self.nodes[rank];
+            let ends = self.incidence.ends(node);
+            let (mut entering, mut leaving, mut place) = (0, 0, 0);
+            while place < ends.len() {
+                let end = ends[place];
                 if self.is_first_at(end, node) {
-                    entering += 2 * freedoms(end);
+                    entering += 2 * freedoms[end / 2];
                 }
-                leaving += freedoms(end);
+                leaving += freedoms[end / 2];
+                place += 1;
             }
-            widest = widest.max(count + entering + motions(node).max(1));
-            count += entering;
-            count -= leaving;
+            let own = if motions[node] > 1 { motions[node] } else { 1 };
+            if count + entering + own > widest {
+                widest = count + entering + own;
+            }
+            count = count + entering - leaving;
+            rank += 1;
         }
         widest
     }
@@ -181,7 +188,7 @@ mod tests {
         let nodes = 1 + members.iter().flatten().max().unwrap();
         let mut room = OrderRoom::<500, 900>::EMPTY;
         assert_eq!(room.fill(nodes, |_| false, members.iter().copied()), None);
-        room.order(nodes, members.len()).width(|_| 3, |_| 3)
+        room.order(nodes, members.len()).width(&[3; 500], &[3; 900])
     }
 
     #[test]
@@ -206,7 +213,7 @@ mod tests {
         assert_eq!((one.nodes, one.taken_up), (other.nodes, other.taken_up));
         assert_eq!(one.nodes, [1, 3, 0, 2]);
         // two members of three freedoms and a node of as many motions
-        assert_eq!(other.width(|_| 3, |_| 3), 12);
+        assert_eq!(other.width(&[3; 4], &[3; 3]), 12);
     }
 
     #[test]

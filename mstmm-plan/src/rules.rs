@@ -6,6 +6,15 @@ use crate::space::Space;
 use crate::step::Step;
 use crate::support::Support;
 
+/// Fails with a message where a model is what it may not be, as elements of the user's own decide.
+#[track_caller]
+#[allow(clippy::panic)] // how a constant reports an error
+pub const fn refuse_if(is_wrong: bool, message: &'static str) {
+    if is_wrong {
+        panic!("{}", message);
+    }
+}
+
 impl Scheme<'_> {
     /// Fails where the states at a step do not fit.
     #[track_caller]

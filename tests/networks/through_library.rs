@@ -129,7 +129,7 @@ pub(crate) fn needed_width(structure: &Structure) -> usize {
             other => unreachable!("a width of one: {other:?}"),
         }
     });
-    needed.unwrap()
+    needed.unwrap_or_else(|error| unreachable!("{error}"))
 }
 
 fn entry(root: &NaturalFrequency<f64>) -> Found {

@@ -7,17 +7,70 @@ use crate::model::{FrequencyEstimates, InvalidParameter};
 use crate::number::{FrequencyPowers, Real, Scalar};
 use crate::subspace::Chart;
 use core::fmt::Debug;
-use mstmm_plan::{Freedoms, Space};
+use mstmm_plan::{Freedoms, Space, refuse_if};
+use num_complex::Complex;
 
 /// The freedom that the ends of a translation or rotation element have in the axes of a member: along it or about z.
-pub(crate) fn along_member<E: Element>() -> Freedoms {
+pub(crate) const fn along_member<E: Element>() -> Freedoms {
     if space_of::<E>().is(Space::Translation) { Freedoms::X } else { Freedoms::RZ }
 }
 
-/// An element as a member of a network.
+/// The freedoms that a translation or rotation element brings to a point, where it has any direction.
+#[doc(hidden)]
+pub const fn brought<E: Element>() -> Freedoms {
+    let along = along_member::<E>();
+    if along.is(Freedoms::X) { along.union(Freedoms::Y) } else { along }
+}
+
+/// Fails where an element of the user's own that stands in a path between places has more than one motion.
+#[doc(hidden)]
+#[track_caller]
+pub const fn one_motion<E: Element>() {
+    refuse_if(
+        space_of::<E>().count() != 1,
+        "between places stand elements of one motion, with the state `Translation` or `Rotation`: this one has another state, so it stands in \
+         models without places",
+    );
+}
+
+/// Asks rustc for the chart of an element of the user's own, at the numbers that all elements have one for: complex λ.
+#[doc(hidden)]
+pub const fn has_chart<E: Charted<Complex<f64>>>() {}
+
+/// An element as a member of a network: between points with places, and in a list.
 ///
 /// A chart is the relation of displacements and forces at both ends, written for such variables that all entries are bounded. Along a
-/// translation path the displacement is the one along the member.
+/// translation path the displacement is the one along the member. [`Chart::translation`] and [`Chart::rotation`] make it of the transfer matrix
+/// of an element of one motion, [`Chart::spring`] and [`Chart::torsion_spring`] of a dynamic stiffness between both ends.
+///
+/// ```
+/// use mstmm_core::{Chart, Charted, Element, Frequency, FrequencyPowers, InvalidParameter, Parameter, Translation};
+///
+/// /// A pad that grows stiffer with the frequency, `κ = K + g ω²`.
+/// #[derive(Clone, Copy, Debug)]
+/// struct Pad<T> { stiffness: T, growth: T }
+///
+/// impl<T: Parameter> Element for Pad<T> {
+///     type State = Translation;
+///     type Built = Self;
+///
+///     fn build(self) -> Result<Self, InvalidParameter> {
+///         Ok(self)
+///     }
+/// }
+///
+/// impl<T: Parameter, S: Frequency<T>> Charted<S> for Pad<T> {
+///     fn chart(pad: &Self, at: &FrequencyPowers<S>, _length: S) -> Chart<S> {
+///         Chart::spring(S::from_parameter(pad.stiffness) - at.lambda_squared * pad.growth)
+///     }
+/// }
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not stand between points with places: it has no chart",
+    label = "no `Charted<{S}>` for this element",
+    note = "an element of your own implements `mstmm::element::Charted<S>` for every `S: mstmm::number::Frequency<T>`: `Chart::translation` and \
+            `Chart::rotation` make a chart of its transfer matrix, `Chart::spring` and `Chart::torsion_spring` of a dynamic stiffness"
+)]
 pub trait Charted<S: Scalar>: Element {
     /// The chart at a frequency, of a member of a length.
     fn chart(built: &Self::Built, at: &FrequencyPowers<S>, length: S) -> Chart<S>;

@@ -31,6 +31,12 @@ impl<S: Scalar> MemberWork<S> {
 /// An element of a plane structure whose dynamic work has derivatives with respect to its parameters.
 ///
 /// The dynamic work of a member is `L = ½ Σ f u` over both ends, `V + λ² T + λ D` with half its forms of stiffness, mass and damping.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not say how its parameters change a frame",
+    label = "no `MemberGradient<{S}>` for this element",
+    note = "sensitivities of frames need it; an element of your own implements `mstmm::element::MemberGradient<S>` for every \
+            `S: mstmm::number::Oscillation<T>`, with its struct over `S` as `Gradient`"
+)]
 pub trait MemberGradient<S: Scalar>: Element {
     /// The derivatives with respect to the parameters: the struct of the parameters, over `S`.
     type Gradient;

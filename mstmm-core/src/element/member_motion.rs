@@ -2,7 +2,7 @@
 
 use crate::element::energies::Inside;
 use crate::element::traits::Element;
-use crate::model::{EndMotion, Ends};
+use crate::model::{EndMotion, Ends, State};
 use crate::number::Scalar;
 
 /// The motion of a member at a frequency: what its ends do.
@@ -19,6 +19,27 @@ impl<S: Scalar> MemberEnds<S> {
     pub(crate) fn bending(&self) -> Ends<S> {
         let [input, output] = [0, 1].map(|end| self.ends[end].bending(end));
         Ends { x: self.x, input, output }
+    }
+
+    /// The states of an element of a translation path at both ends, `[Y, Q]`, with Y along the member: what
+    /// [`Energies`](crate::Energies) take.
+    pub fn translation(&self) -> Ends<S> {
+        let [input, output] = self.along(0);
+        let state = |[y, q]: [S; 2]| State { y, q, ..State::default() };
+        Ends { x: self.x, input: state(input), output: state(output) }
+    }
+
+    /// The states of an element of a rotation path at both ends, `[Θ, M]`.
+    pub fn rotation(&self) -> Ends<S> {
+        let [input, output] = self.along(2);
+        let state = |[theta, force]: [S; 2]| State { theta, m: -force, ..State::default() };
+        Ends { x: self.x, input: state(input), output: state(output) }
+    }
+
+    /// Displacement and force of a freedom at both ends, where the force is that of what is before the end on what is behind it.
+    fn along(&self, freedom: usize) -> [[S; 2]; 2] {
+        let [input, output] = self.ends.map(|end| [end.displacements[freedom], end.forces[freedom]]);
+        [input, [output[0], -output[1]]]
     }
 }
 
@@ -51,6 +72,15 @@ impl<S: Scalar> Forms<S> {
 }
 
 /// An element of a plane structure that says how it moves between its ends.
+///
+/// An element of a path of one motion that has [`Energies`](crate::Energies) hands its ends on to these, by
+/// [`MemberEnds::translation`] or [`MemberEnds::rotation`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not say how it moves between points with places",
+    label = "no `MemberMotion<{S}>` for this element",
+    note = "mode shapes, responses and sensitivities of frames need it; an element of your own implements `mstmm::element::MemberMotion<S>` \
+            for every `S: mstmm::number::Oscillation<T>`"
+)]
 pub trait MemberMotion<S: Scalar>: Element {
     /// The forms of two motions.
     fn forms(built: &Self::Built, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S>;
@@ -73,7 +103,8 @@ pub trait MemberMotion<S: Scalar>: Element {
         None
     }
 
-    /// The mass per length; zero of a member without mass.
+    /// The mass per length; zero of a member without mass. One that says it and not what loads work has no weight, and the weight of a model
+    /// with it is refused.
     #[inline]
     fn mass_per_length(_built: &Self::Built) -> S {
         S::zero()

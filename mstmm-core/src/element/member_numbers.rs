@@ -29,3 +29,12 @@ pub enum MemberNumbers {
     /// A joint, which ties freedoms rigidly or by springs; zero where there is none.
     Joint(Freedoms, [f64; 3]),
 }
+
+impl MemberNumbers {
+    /// A uniform line in the freedom of an index, 0 along the member or 2 about z, as long as its parameter says:
+    /// `H y'' = (mλ² + k) y` with the length, H, m and k.
+    pub fn uniform_line(freedom: usize, [length, stiffness, inertia, foundation]: [f64; 4]) -> Self {
+        let numbers = LineNumbers { length, stiffness, inertia, foundation };
+        if freedom < 3 { MemberNumbers::Line(freedom, numbers) } else { MemberNumbers::Other }
+    }
+}

@@ -56,7 +56,9 @@ pub trait Element: Sized {
     }
 
     /// The numbers from which its dynamic stiffness as a member follows, for searches that evaluate networks at many frequencies at once.
-    #[doc(hidden)]
+    ///
+    /// An element whose numbers are not known, as by default, is evaluated by its [chart](crate::Charted) alone, and so is a network with it.
+    /// A string or a shaft of one's own has those of a [`uniform_line`](MemberNumbers::uniform_line).
     #[inline]
     fn member_numbers(_built: &Self::Built) -> MemberNumbers {
         MemberNumbers::Other

@@ -3,6 +3,7 @@
 mod charts;
 mod count_steps;
 mod motions;
+mod path_charts;
 mod plane_steps;
 mod subspaces;
 

@@ -43,6 +43,16 @@ impl<S: Scalar> EndMotion<S> {
         State { y, theta, m, q }
     }
 
+    /// The motion of an output end of a translation path, along the member.
+    pub fn translated(state: State<S>) -> Self {
+        EndMotion::at_rest().in_freedom(0, [state.y, -state.q])
+    }
+
+    /// The motion of an output end of a rotation path.
+    pub fn rotated(state: State<S>) -> Self {
+        EndMotion::at_rest().in_freedom(2, [state.theta, state.m])
+    }
+
     /// The motion of an output end in a state of bending.
     pub(crate) fn bent(state: State<S>) -> Self {
         let State { y, theta, m, q } = state;

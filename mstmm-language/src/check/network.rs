@@ -4,6 +4,7 @@ mod arrows;
 mod contacts;
 mod dimension;
 mod ends;
+mod findings;
 mod parts;
 mod places;
 mod supports;
@@ -12,27 +13,34 @@ mod words;
 use crate::ast::Model;
 use crate::diagnostics::Errors;
 use crate::keywords::Dimension;
-use crate::network::{Graph, Paths, Points, freedoms};
+use crate::network::{Graph, Paths, Points, Suspicion, freedoms};
+use findings::Findings;
 
 pub(crate) use dimension::dimension;
 pub(crate) use words::located_words;
 
-/// Checks the graph of a model with locations, unless a line of it is missing, and ends with all errors found so far.
-pub(crate) fn network(
+/// Checks the graph of a model with locations, unless a line of it is missing, and ends with all errors found so far, or with what rustc
+/// alone can tell.
+pub(crate) fn network<'a>(
     model: &Model,
-    graph: &Graph<'_>,
+    graph: &Graph<'a>,
     points: &Points,
-    paths: &Paths,
+    paths: &Paths<'a>,
     dimension: Dimension,
     mut errors: Errors,
-) -> syn::Result<()> {
-    if model.is_whole && model.elements().next().is_some() {
-        ends::ends(graph, &mut errors);
-        arrows::arrows(graph, points, paths, dimension, &mut errors);
-        places::places(graph, points, dimension, &mut errors);
-        supports::supports(graph, points, &freedoms(graph, points, paths, dimension), dimension, &mut errors);
-        contacts::contacts(graph, points, paths, dimension, &mut errors);
-        parts::parts(graph, &mut errors);
+) -> syn::Result<Vec<Suspicion<'a>>> {
+    if !model.is_whole || model.elements().next().is_none() {
+        errors.propagate()?;
+        return Ok(Vec::new());
     }
-    errors.propagate()
+    ends::ends(graph, &mut errors);
+    arrows::arrows(graph, points, paths, dimension, &mut errors);
+    places::places(graph, points, dimension, &mut errors);
+    let mut findings = Findings { errors, suspicions: Vec::new() };
+    supports::supports(graph, points, &freedoms(graph, points, paths, dimension), dimension, &mut findings);
+    contacts::contacts(graph, points, paths, dimension, &mut findings);
+    let Findings { mut errors, suspicions } = findings;
+    parts::parts(graph, &mut errors);
+    errors.propagate()?;
+    Ok(suspicions)
 }

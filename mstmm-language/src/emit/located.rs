@@ -3,6 +3,7 @@
 mod drawn;
 mod numbers;
 mod overall;
+mod own;
 mod points;
 mod sensitivity;
 mod sketch;
@@ -11,6 +12,7 @@ mod system;
 use super::{Names, fields, labels, parameters, searched};
 use crate::ast::Model;
 use crate::check::Derivatives;
+use crate::network::Network;
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote_spanned};
@@ -20,7 +22,12 @@ use std::collections::BTreeMap;
 ///
 /// # Errors
 /// Nothing joins a part of the model to the rest.
-pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Derivatives) -> syn::Result<TokenStream> {
+pub(crate) fn located(
+    model: &Model,
+    network: &Network<'_>,
+    skeleton: &Skeleton<'_>,
+    derivatives: &Derivatives,
+) -> syn::Result<TokenStream> {
     let apart = |name| {
         let message = format!("nothing joins {name} to the rest of the model: a model is one structure");
         syn::Error::new(model.parameters.ident.span(), message)
@@ -36,9 +43,11 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
     let sketch = sketch::sketch(skeleton, &names);
     let build = system::build(model, skeleton, keeps_fields, &names);
     let sensitivity = sensitivity::sensitivity(model, skeleton, derivatives, &names);
-    let placed = system::placed(model, skeleton, width, &names);
+    let width = own::width(width, &names);
+    let owned = own::own(network, skeleton, &names);
+    let placed = system::placed(model, skeleton, &width, &names);
     let drawn = drawn::drawn(model, &names);
-    let charts = system::charts(skeleton, width, &names);
+    let charts = system::charts(skeleton, &width, &names);
     let motions = system::motions(skeleton, &names);
     let overall = overall::overall(skeleton, &names);
     let system = system::system(skeleton, &names);
@@ -52,6 +61,7 @@ pub(crate) fn located(model: &Model, skeleton: &Skeleton<'_>, derivatives: &Deri
             #labels
             #points
             #sketch
+            #owned
             #build
             #system
             #placed

@@ -1,12 +1,12 @@
 //! Assembles the network from a graph without errors.
 
-use super::freedoms::freedoms;
+use super::freedoms::{FreedomSet, freedoms};
 use super::graph::{Graph, Named};
 use super::hand_over::{
     Direction, Holds, Joint, Member, Network, PathContact, PathElement, PathNode, Point, PointMass, RigidBody, Support,
-    TransferPath,
+    Suspicion, TransferPath,
 };
-use super::paths::{Contact, Path, Paths};
+use super::paths::{Contact, Path, PathMotion, Paths};
 use super::points::Points;
 use crate::ast::{self, Connection, Element, tuple_parts};
 use crate::keywords::{Dimension, Role, freedom_of, support_of};
@@ -17,7 +17,13 @@ use syn::ext::IdentExt;
 
 impl<'a> Network<'a> {
     /// The network of a graph that `check` has found right.
-    pub(crate) fn of(graph: &Graph<'a>, points: &Points, paths: &Paths, dimension: Dimension) -> Self {
+    pub(crate) fn of(
+        graph: &Graph<'a>,
+        points: &Points,
+        paths: &Paths<'a>,
+        dimension: Dimension,
+        suspicions: Vec<Suspicion<'a>>,
+    ) -> Self {
         let located: Vec<usize> = points.all(graph).into_iter().filter(|&point| points.is_located(point)).collect();
         let freedoms = freedoms(graph, points, paths, dimension);
         let assembly = Assembly { graph, points, paths, dimension, located, freedoms };
@@ -34,6 +40,7 @@ impl<'a> Network<'a> {
             bodies: assembly.bodies(),
             masses: assembly.masses(),
             paths: paths.all.iter().map(|path| assembly.path(path)).collect(),
+            suspicions,
         }
     }
 }
@@ -42,12 +49,12 @@ impl<'a> Network<'a> {
 struct Assembly<'g, 'a> {
     graph: &'g Graph<'a>,
     points: &'g Points,
-    paths: &'g Paths,
+    paths: &'g Paths<'a>,
     dimension: Dimension,
     /// The representatives of points with places, in the order of the network.
     located: Vec<usize>,
     /// The freedoms of each point, by its representative.
-    freedoms: Vec<Freedoms>,
+    freedoms: Vec<FreedomSet<'a>>,
 }
 
 impl<'a> Assembly<'_, 'a> {
@@ -62,7 +69,7 @@ impl<'a> Assembly<'_, 'a> {
         let point = |&point: &usize| Point {
             place: position(&places, &self.points.place(point)),
             connections: self.connections(self.points.vertices_at(self.graph, point)),
-            freedoms: self.freedoms[point],
+            freedoms: self.freedoms[point].clone(),
         };
         self.located.iter().map(point).collect()
     }
@@ -79,9 +86,11 @@ impl<'a> Assembly<'_, 'a> {
         let support = |vertex: usize| {
             let point = self.points.point(vertex);
             match self.graph.vertices[vertex].node {
-                Named::Support(support) if self.points.is_located(point) => {
-                    Some(Support { support, point: self.index(point), holds: holds(support, self.freedoms[point]) })
-                }
+                Named::Support(support) if self.points.is_located(point) => Some(Support {
+                    support,
+                    point: self.index(point),
+                    holds: holds(support, self.freedoms[point].possible()),
+                }),
                 _ => None,
             }
         };
@@ -113,7 +122,7 @@ impl<'a> Assembly<'_, 'a> {
         masses.map(|(vertex, element)| PointMass { element, point: self.index(self.points.point(vertex)) }).collect()
     }
 
-    fn path(&self, path: &Path) -> TransferPath<'a> {
+    fn path(&self, path: &Path<'a>) -> TransferPath<'a> {
         let graph = self.graph;
         let mut nodes: Vec<usize> = path.contacts.iter().map(|contact| contact.node).collect();
         let ends_of = |&element: &usize| {
@@ -131,7 +140,7 @@ impl<'a> Assembly<'_, 'a> {
             Some(PathElement { element: graph.vertices[*vertex].as_element()?, ends })
         });
         TransferPath {
-            is_rotation: path.is_rotation(graph),
+            motion: path.motion,
             elements: elements.collect(),
             contacts: path.contacts.iter().map(|contact| self.contact(path, contact, &nodes)).collect(),
             nodes: nodes.iter().map(|&node| self.node(node)).collect(),
@@ -153,22 +162,24 @@ impl<'a> Assembly<'_, 'a> {
         PathNode { is_held: vertices.iter().any(is_held), connections: self.connections(vertices.into_iter()) }
     }
 
-    fn contact(&self, path: &Path, contact: &Contact, nodes: &[usize]) -> PathContact<'a> {
+    fn contact(&self, path: &Path<'_>, contact: &Contact, nodes: &[usize]) -> PathContact<'a> {
         let direction = match self.graph.edges[contact.edge].along() {
-            _ if path.is_rotation(self.graph) => Direction::Z,
+            _ if matches!(path.motion, PathMotion::Rotation) => Direction::Z,
             _ if self.dimension == Dimension::Line => Direction::Y,
             Some(along) => Direction::Along(along),
-            // without `along` a path has two contacts
-            None => {
-                let end = |contact: Option<&Contact>| contact.map_or(0, |contact| self.index(contact.point));
-                Direction::FromTo([end(path.contacts.first()), end(path.contacts.last())])
-            }
+            // a path that moves has two contacts, at two places
+            None => match path.contacts.as_slice() {
+                [from, to] if self.points.place(from.point) != self.points.place(to.point) => {
+                    Direction::FromTo([from, to].map(|contact| self.index(contact.point)))
+                }
+                _ => Direction::Z,
+            },
         };
         PathContact { node: position(nodes, &contact.node), point: self.index(contact.point), direction }
     }
 }
 
-/// What a support holds of the freedoms that its point has.
+/// What a support holds of the freedoms that its point has, or may have.
 fn holds(support: &ast::Support, freedoms: Freedoms) -> Holds<'_> {
     if let Some(held) = &support.held {
         let held = held.iter().filter_map(|name| freedom_of(&name.unraw().to_string()));

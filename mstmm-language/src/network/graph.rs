@@ -1,6 +1,6 @@
 //! The graph of a model with locations: nodes and the arrows between them, labels resolved.
 
-use crate::ast::{Arrow, Connection, Coordinates, Element, Label, Model, Node, Support};
+use crate::ast::{Arrow, Connection, Coordinates, Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::{Errors, Place};
 use crate::keywords::{LocatedKeyword, Role, support_of};
 use crate::topology::refuse_label;
@@ -33,8 +33,12 @@ impl<'a> Vertex<'a> {
     }
 
     fn element(element: &'a Element) -> Self {
-        let row = element.kind.located().filter(|_| element.label.is_well_formed());
-        Vertex { node: Named::Element(element), role: row.map_or(Role::Unknown, |row| row.role) }
+        let role = match element.kind {
+            _ if !element.label.is_well_formed() => Role::Unknown,
+            Kind::Type(_) => Role::Path,
+            Kind::Keyword(_) => element.kind.located().map_or(Role::Unknown, |row| row.role),
+        };
+        Vertex { node: Named::Element(element), role }
     }
 
     /// The tokens to point at.

@@ -1,8 +1,11 @@
 //! The types of a network: what `check` hands over to the emission.
 
+use super::freedoms::FreedomSet;
+use super::paths::PathMotion;
 use crate::ast::{self, Connection, Coordinates, Element};
+use crate::diagnostics::Place;
 use crate::keywords::Dimension;
-use mstmm_plan::Freedoms;
+use mstmm_plan::{Freedoms, Space};
 use syn::Expr;
 
 /// A checked network. Its lists are in source order, and its indices lead into them.
@@ -18,6 +21,16 @@ pub(crate) struct Network<'a> {
     pub(crate) bodies: Vec<RigidBody<'a>>,
     pub(crate) masses: Vec<PointMass<'a>>,
     pub(crate) paths: Vec<TransferPath<'a>>,
+    pub(crate) suspicions: Vec<Suspicion<'a>>,
+}
+
+/// What is wrong if elements of the user's own move as they may: rustc alone knows whether they do.
+pub(crate) struct Suspicion<'a> {
+    /// The tokens that the message is at.
+    pub(crate) place: Place,
+    pub(crate) message: String,
+    /// The elements, each with the space of states that all of them have if it is wrong.
+    pub(crate) of: Vec<(&'a Element, Space)>,
 }
 
 /// A point with a place.
@@ -27,7 +40,7 @@ pub(crate) struct Point<'a> {
     /// The connections of this point: none where an arrow leads from element to element, or from a support to one.
     pub(crate) connections: Vec<&'a Connection>,
     /// The freedoms that its neighbours bring.
-    pub(crate) freedoms: Freedoms,
+    pub(crate) freedoms: FreedomSet<'a>,
 }
 
 /// A support of a point.
@@ -78,7 +91,7 @@ pub(crate) struct PointMass<'a> {
 
 /// A path of translation or of rotation.
 pub(crate) struct TransferPath<'a> {
-    pub(crate) is_rotation: bool,
+    pub(crate) motion: PathMotion<'a>,
     /// The motions of the path: one at each end of each element, shared where elements meet.
     pub(crate) nodes: Vec<PathNode<'a>>,
     pub(crate) elements: Vec<PathElement<'a>>,
@@ -117,6 +130,6 @@ pub(crate) enum Direction<'a> {
     FromTo([usize; 2]),
     /// Across a line of one coordinate.
     Y,
-    /// About the axis of rotation.
+    /// About the axis of rotation, which is all that a motion has that no direction is said of.
     Z,
 }

@@ -3,11 +3,24 @@
 use super::classes::Classes;
 use super::graph::Graph;
 use super::points::Points;
+use crate::ast::Element;
 use crate::keywords::Role;
 use mstmm_plan::Freedoms;
 
+/// The one motion of a path.
+#[derive(Clone, Copy)]
+pub(crate) enum PathMotion<'a> {
+    /// Along a direction.
+    Translation,
+    /// About z.
+    Rotation,
+    /// That of its first element, where all are the user's own: rustc alone knows it.
+    Of(&'a Element),
+}
+
 /// A path: what hangs together without a place in between.
-pub(crate) struct Path {
+pub(crate) struct Path<'a> {
+    pub(crate) motion: PathMotion<'a>,
     /// Its elements, by their vertices in source order.
     pub(crate) elements: Vec<usize>,
     /// Where it acts on points with places, in source order.
@@ -25,14 +38,14 @@ pub(crate) struct Contact {
 }
 
 /// The paths of a network.
-pub(crate) struct Paths {
-    pub(crate) all: Vec<Path>,
+pub(crate) struct Paths<'a> {
+    pub(crate) all: Vec<Path<'a>>,
     /// Points without places that move as one.
     nodes: Classes,
 }
 
-impl Paths {
-    pub(crate) fn of(graph: &Graph<'_>, points: &Points) -> Self {
+impl<'a> Paths<'a> {
+    pub(crate) fn of(graph: &Graph<'a>, points: &Points) -> Self {
         let count = graph.vertices.len() + graph.edges.len();
         let (mut nodes, mut together) = (Classes::new(count), Classes::new(count));
         for point in 0..count {
@@ -52,8 +65,11 @@ impl Paths {
         classes.dedup();
         let contacts = contacts(graph, points, &this);
         for class in classes {
+            let elements: Vec<usize> =
+                graph.with_role(Role::Path).filter(|&element| together.of(element) == class).collect();
             this.all.push(Path {
-                elements: graph.with_role(Role::Path).filter(|&element| together.of(element) == class).collect(),
+                motion: motion(graph, &elements),
+                elements,
                 contacts: contacts.iter().filter(|contact| together.of(contact.node) == class).copied().collect(),
             });
         }
@@ -72,14 +88,14 @@ impl Paths {
     }
 }
 
-impl Path {
-    /// What the path moves: x and y by forces along a direction, or rz by torques.
-    pub(crate) fn freedoms(&self, graph: &Graph<'_>) -> Freedoms {
-        self.elements.first().and_then(|&first| graph.vertices[first].row()).map_or(Freedoms::NONE, |row| row.brings)
-    }
-
-    pub(crate) fn is_rotation(&self, graph: &Graph<'_>) -> bool {
-        self.freedoms(graph) == Freedoms::RZ
+/// The motion of elements that hang together: that of the first whose keyword says it.
+fn motion<'a>(graph: &Graph<'a>, elements: &[usize]) -> PathMotion<'a> {
+    let of_keyword = |&element: &usize| graph.vertices[element].row().map(|row| row.brings);
+    let own = elements.first().and_then(|&first| graph.vertices[first].as_element());
+    match (elements.iter().find_map(of_keyword), own) {
+        (Some(Freedoms::RZ), _) => PathMotion::Rotation,
+        (None, Some(element)) => PathMotion::Of(element),
+        _ => PathMotion::Translation,
     }
 }
 
@@ -92,7 +108,7 @@ fn linked(graph: &Graph<'_>, points: &Points) -> Vec<(usize, usize)> {
 
 /// All contacts in source order: ends of elements at points with places, and arrows between a connection with a place and
 /// one without.
-fn contacts(graph: &Graph<'_>, points: &Points, paths: &Paths) -> Vec<Contact> {
+fn contacts(graph: &Graph<'_>, points: &Points, paths: &Paths<'_>) -> Vec<Contact> {
     let mut contacts = Vec::new();
     for (index, edge) in graph.edges.iter().enumerate() {
         for [near, far] in [[edge.from, edge.to], [edge.to, edge.from]] {

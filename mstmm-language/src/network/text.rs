@@ -1,6 +1,7 @@
 //! The network as text, which snapshots of tests show.
 
 use super::hand_over::{Direction, Holds, Network, PathContact, TransferPath};
+use super::paths::PathMotion;
 use crate::ast::Connection;
 use crate::keywords::FREEDOMS;
 use mstmm_plan::Freedoms;
@@ -15,7 +16,7 @@ impl Display for Network<'_> {
             writeln!(f, "place {index}: {}", listed(&place.parts))?;
         }
         for (index, point) in self.points.iter().enumerate() {
-            let (names, freedoms) = (named(&point.connections), names_of(point.freedoms));
+            let (names, freedoms) = (named(&point.connections), names_of(point.freedoms.possible()));
             writeln!(f, "point {index}: {names}place {}, moves {freedoms}", point.place)?;
         }
         for support in &self.supports {
@@ -41,7 +42,11 @@ impl Display for Network<'_> {
 
 impl Display for TransferPath<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        writeln!(f, "path of {}", if self.is_rotation { "rotation" } else { "translation" })?;
+        match self.motion {
+            PathMotion::Translation => writeln!(f, "path of translation")?,
+            PathMotion::Rotation => writeln!(f, "path of rotation")?,
+            PathMotion::Of(element) => writeln!(f, "path of {element}")?,
+        }
         for (index, node) in self.nodes.iter().enumerate() {
             let held = if node.is_held { "held" } else { "moves" };
             writeln!(f, "  motion {index}: {}{held}", named(&node.connections))?;

@@ -4,7 +4,7 @@ use super::names::{Naming, join_name};
 use super::{Axis, Body, End, Member, Node, Point, Seat, Skeleton, Support, Vector, What};
 use crate::ast::{Coordinates, Element};
 use crate::keywords::located_of;
-use crate::network::{self, Classes, Holds, Joint, Network};
+use crate::network::{self, Classes, FreedomSet, Holds, Joint, Network};
 use mstmm_plan::Freedoms;
 use syn::Expr;
 
@@ -22,7 +22,7 @@ impl<'a> Skeleton<'a> {
         }
         for member in &network.members {
             let ends = member.ends.map(|point| End { seat: Seat::Point(point), axis: Axis::Member });
-            let freedoms = network.dimension.freedoms();
+            let freedoms = FreedomSet::known(network.dimension.freedoms());
             assembly.element(member.element, freedoms, ends);
         }
         network.joints.iter().for_each(|joint| assembly.joint(joint));
@@ -52,14 +52,14 @@ impl<'a> Assembly<'a> {
         let mut skeleton =
             Skeleton { places: network.places.iter().enumerate().map(place).collect(), ..Skeleton::default() };
         for (index, point) in network.points.iter().enumerate() {
-            let (place, freedoms) = (point.place, point.freedoms);
+            let (place, freedoms) = (point.place, &point.freedoms);
             let first = classes.of(index);
             let node = if first < index { skeleton.points[first].node } else { skeleton.nodes.len() };
             let (name, connections) = (naming.point(index), &point.connections);
-            skeleton.points.push(Point { name, connections, node, place, freedoms });
+            skeleton.points.push(Point { name, connections, node, place, freedoms: freedoms.clone() });
             if first == index {
-                let held = Freedoms::ALL.without(freedoms);
-                skeleton.nodes.push(Node { name: naming.node(index), place: Some(place), freedoms, held, along: None });
+                let (name, freedoms) = (naming.node(index), freedoms.clone());
+                skeleton.nodes.push(Node { name, place: Some(place), freedoms, held: Freedoms::NONE, along: None });
             }
         }
         let is_supported = vec![false; skeleton.nodes.len()];
@@ -71,7 +71,8 @@ impl<'a> Assembly<'a> {
         if matches!(support.holds, Holds::Freedoms(held) if held.is_empty()) {
             return;
         }
-        let Point { node, place, freedoms: all, .. } = self.skeleton.points[support.point];
+        let Point { node, place, ref freedoms, .. } = self.skeleton.points[support.point];
+        let all = freedoms.clone();
         let name = join_name(&support.support.keyword.to_string(), &self.skeleton.points[support.point].name);
         let (held, direction) = match support.holds {
             Holds::Freedoms(freedoms) => (freedoms, None),
@@ -84,11 +85,7 @@ impl<'a> Assembly<'a> {
         if !is_second {
             self.is_supported[node] = true;
             let node = &mut self.skeleton.nodes[node];
-            let lacks = node.held;
-            (node.place, node.along, node.held) = (Some(place), direction, held.union(lacks));
-            if direction.is_some() {
-                node.held = node.held.intersection(Freedoms::RZ);
-            }
+            (node.place, node.along, node.held) = (Some(place), direction, held);
             return;
         }
         self.skeleton.nodes.push(Node {
@@ -99,7 +96,7 @@ impl<'a> Assembly<'a> {
             along: None,
         });
         let axis = direction.map_or(Axis::X, Axis::Along);
-        let freedoms = if direction.is_some() { held.union(Freedoms::Y) } else { held };
+        let freedoms = FreedomSet::known(if direction.is_some() { held.union(Freedoms::Y) } else { held });
         let ends = [Seat::Node(holds), Seat::Point(point)].map(|seat| End { seat, axis });
         self.skeleton.members.push(Member { what: What::Rigid, name, kind: None, freedoms, ends });
     }
@@ -121,13 +118,13 @@ impl<'a> Assembly<'a> {
             "slider" => Freedoms::Y.union(Freedoms::RZ),
             _ => located_of(&keyword).map_or(Freedoms::NONE, |row| row.brings),
         };
-        let freedoms = ties.intersection(self.network.dimension.freedoms());
+        let freedoms = FreedomSet::known(ties.intersection(self.network.dimension.freedoms()));
         // a hinge has its stiffnesses, other joints are rigid
         let what = if joint.element.kind.known().is_some() { What::Hinge(joint.element) } else { What::Rigid };
         self.skeleton.members.push(Member { what, name, kind: Some(keyword), freedoms, ends });
     }
 
-    pub(super) fn element(&mut self, element: &'a Element, freedoms: Freedoms, ends: [End; 2]) {
+    pub(super) fn element(&mut self, element: &'a Element, freedoms: FreedomSet<'a>, ends: [End; 2]) {
         let (name, kind) = (element.to_string(), Some(element.kind.name().to_string()));
         self.skeleton.members.push(Member { what: What::Element(element), name, kind, freedoms, ends });
     }

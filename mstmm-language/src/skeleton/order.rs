@@ -28,12 +28,14 @@ impl Skeleton<'_> {
         Ok(ask(memory.set_in_order(&pairs)))
     }
 
-    /// The largest number of variables of a front.
+    /// The largest number of variables of a front; none where rustc alone knows the freedoms of a member.
     ///
     /// # Errors
     /// As [`in_order`](Self::in_order).
-    pub(crate) fn width(&self) -> Result<usize, String> {
-        let freedoms = |end: usize| self.members[end / 2].freedoms.count();
-        self.in_order(|order| order.width(|node| self.nodes[node].motions(), freedoms))
+    pub(crate) fn width(&self) -> Result<Option<usize>, String> {
+        let freedoms = self.members.iter().map(|member| Some(member.freedoms.as_known()?.count()));
+        let freedoms: Option<Vec<usize>> = freedoms.collect();
+        let motions: Vec<usize> = self.nodes.iter().map(super::Node::motions).collect();
+        self.in_order(|order| Some(order.width(&motions, &freedoms?)))
     }
 }

@@ -14,23 +14,25 @@ pub(crate) struct Overall<'s> {
 }
 
 impl Skeleton<'_> {
-    /// The overall transfer equation; the skeleton hangs together.
-    pub(crate) fn overall(&self) -> Overall<'_> {
-        let node = |node: &super::Node| PathNode::new(node.freedoms, node.held, node.along.is_some());
-        let mut nodes: Vec<PathNode> = self.nodes.iter().map(node).collect();
-        let member = |member: &super::Member<'_>| PathMember {
-            nodes: self.nodes_of(member),
-            freedoms: member.freedoms,
-            released: 0,
+    /// The overall transfer equation; none where rustc alone knows the freedoms of a member. The skeleton hangs together.
+    pub(crate) fn overall(&self) -> Option<Overall<'_>> {
+        let node = |node: &super::Node<'_>| {
+            let [freedoms, held] = node.known()?;
+            Some(PathNode::new(freedoms, held, node.along.is_some()))
         };
-        let members: Vec<PathMember> = self.members.iter().map(member).collect();
+        let mut nodes = self.nodes.iter().map(node).collect::<Option<Vec<PathNode>>>()?;
+        let member = |member: &super::Member<'_>| {
+            let freedoms = member.freedoms.as_known()?;
+            Some(PathMember { nodes: self.nodes_of(member), freedoms, released: 0 })
+        };
+        let members = self.members.iter().map(member).collect::<Option<Vec<PathMember>>>()?;
         lead_paths(&mut nodes, &members);
         let cut = (0..members.len()).filter(|&member| is_cut(&nodes, &members, member));
         let root = nodes.iter().position(|node| node.leaving().is_none()).unwrap_or_default();
-        Overall {
+        Some(Overall {
             unknowns: unknowns(&nodes, &members),
             root: &self.nodes[root].name,
             cuts: cut.map(|member| self.members[member].name.as_str()).collect(),
-        }
+        })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::assemble::Assembly;
 use super::{Axis, Body, End, Member, Node, Seat, What};
-use crate::network::{Classes, Direction, PathContact, PathElement, TransferPath};
+use crate::network::{Classes, Direction, FreedomSet, PathContact, PathElement, TransferPath};
 use mstmm_plan::Freedoms;
 
 /// Motions of a path that are one: masses have the same at both ends.
@@ -42,7 +42,7 @@ impl<'a> Assembly<'a> {
         for element in elements {
             let both = element.ends.map(|node| ends[classes.of(node)]);
             let [Some(from), Some(to)] = both else { continue };
-            self.element(element.element, freedom(path), along_itself([from, to]));
+            self.element(element.element, FreedomSet::along(path.motion), along_itself([from, to]));
         }
     }
 
@@ -56,16 +56,17 @@ impl<'a> Assembly<'a> {
             let element = path.elements.iter().find(ends_here).map(|element| element.element.to_string());
             format!("the end of {}", element.unwrap_or_default())
         });
-        let held = if motion.is_held { Freedoms::ALL } else { Freedoms::ALL.without(freedom(path)) };
-        self.skeleton.nodes.push(Node { name, place: None, freedoms: freedom(path), held, along: None });
+        let held = if motion.is_held { Freedoms::ALL } else { Freedoms::NONE };
+        let freedoms = FreedomSet::along(path.motion);
+        self.skeleton.nodes.push(Node { name, place: None, freedoms: freedoms.clone(), held, along: None });
         let body = |mass: &&'a PathElement<'a>| Body { element: mass.element, node, centre: &[] };
         self.skeleton.bodies.extend(motion.masses.iter().map(body));
         let end = End { seat: Seat::Node(node), axis: Axis::X };
         for contact in &motion.contacts {
             let ends = [end, self.contact(path, contact)];
             let name = self.skeleton.nodes[node].name.clone();
-            let kind = Some("tie".to_owned());
-            self.skeleton.members.push(Member { what: What::Rigid, name, kind, freedoms: freedom(path), ends });
+            let (kind, freedoms) = (Some("tie".to_owned()), freedoms.clone());
+            self.skeleton.members.push(Member { what: What::Rigid, name, kind, freedoms, ends });
         }
         end
     }
@@ -87,15 +88,10 @@ impl<'a> Assembly<'a> {
     }
 }
 
-/// The freedom in which a path moves, at its own nodes and in the axes of its elements.
-fn freedom(path: &TransferPath<'_>) -> Freedoms {
-    if path.is_rotation { Freedoms::RZ } else { Freedoms::X }
-}
-
 /// Whether an element of a path is a mass or an inertia.
 fn is_mass(element: &PathElement<'_>) -> bool {
-    let keyword = element.element.kind.name();
-    keyword == "mass" || keyword == "inertia"
+    let row = element.element.kind.located();
+    row.is_some_and(|row| row.name == "mass" || row.name == "inertia")
 }
 
 /// An element between the two points along whose line it acts needs no direction but its own.

@@ -9,14 +9,19 @@ const FREEDOMS: [(Freedoms, &str); 3] = [(Freedoms::X, "x"), (Freedoms::Y, "y"),
 
 impl Display for Skeleton<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let (nodes, members, overall) = (self.nodes.len(), self.members.len(), self.overall());
-        writeln!(f, "# Size\n\n```text")?;
-        writeln!(f, "nodes {nodes}, members {members}, variables of the widest front {}", self.width().unwrap_or(0))?;
-        match overall.cuts.as_slice() {
-            [] => writeln!(f, "closed loops 0")?,
-            cuts => writeln!(f, "closed loops {}, cut at {}", cuts.len(), cuts.join(", "))?,
+        let (nodes, members) = (self.nodes.len(), self.members.len());
+        write!(f, "# Size\n\n```text\nnodes {nodes}, members {members}")?;
+        match (self.width().ok().flatten(), self.overall()) {
+            (Some(width), Some(overall)) => {
+                writeln!(f, ", variables of the widest front {width}")?;
+                match overall.cuts.as_slice() {
+                    [] => writeln!(f, "closed loops 0")?,
+                    cuts => writeln!(f, "closed loops {}, cut at {}", cuts.len(), cuts.join(", "))?,
+                }
+                writeln!(f, "unknowns of the overall transfer equation {}, root {}", overall.unknowns, overall.root)?;
+            }
+            _ => writeln!(f, "\nthe rest, and each ? below, depends on elements that only the compiler knows")?,
         }
-        writeln!(f, "unknowns of the overall transfer equation {}, root {}", overall.unknowns, overall.root)?;
         writeln!(f, "```\n\n# Nodes\n")?;
         writeln!(
             f,
@@ -33,21 +38,23 @@ impl Display for Skeleton<'_> {
 }
 
 impl Skeleton<'_> {
-    /// A line per node.
+    /// A line per node; what depends on elements that only the compiler knows is a question mark.
     fn lines(&self, order: NetworkOrder<'_>) -> Vec<String> {
         let longest = self.nodes.iter().map(|node| node.name.chars().count()).max().unwrap_or(0);
-        let mut left = 0;
+        let mut left = Some(0);
         let line = |&node: &usize| {
             let mut begin = Vec::new();
             for &end in order.incidence.ends(node) {
                 let member = &self.members[end / 2];
+                let count = member.freedoms.as_known().map(Freedoms::count);
                 if order.is_first_at(end, node) {
-                    left += 2 * member.freedoms.count();
+                    left = left.zip(count).map(|(left, count)| left + 2 * count);
                     begin.push(member.name.as_str());
                 }
-                left -= member.freedoms.count();
+                left = left.zip(count).map(|(left, count)| left - count);
             }
-            format!("{:longest$}   {:8} {left:3}   {}", self.nodes[node].name, self.moves(node), begin.join(", "))
+            let number = left.map_or_else(|| "?".to_owned(), |left| left.to_string());
+            format!("{:longest$}   {:8} {number:>3}   {}", self.nodes[node].name, self.moves(node), begin.join(", "))
         };
         order.nodes.iter().map(line).collect()
     }
@@ -55,7 +62,8 @@ impl Skeleton<'_> {
     /// The motions of a node.
     fn moves(&self, node: usize) -> String {
         let node = &self.nodes[node];
-        let free = |freedom: Freedoms| !node.held.contains(freedom);
+        let Some([_, held]) = node.known() else { return "?".to_owned() };
+        let free = |freedom: Freedoms| !held.contains(freedom);
         let mut names: Vec<&str> =
             FREEDOMS.iter().filter(|(freedom, _)| free(*freedom)).map(|(_, name)| *name).collect();
         if node.along.is_some() {

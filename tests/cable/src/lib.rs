@@ -1,6 +1,7 @@
 //! An element of one's own, in a crate of its own: a string in tension.
 #![no_std]
 
+mod member;
 mod motion;
 
 use mstmm::element::{

@@ -10,11 +10,10 @@ system! {
 //         ^^^^^^^^^^^^^ take `planar_hinge`
     conn b -> planar_body 4 { } -> fixed;
 //            ^^^^^^^^^^^ take `rigid_body`
-    conn a -> spatial_beam 5 { } -> crate::Cable 6 { } -> plnar_beam 7 { } -> pin8 -> conn b;
+    conn a -> spatial_beam 5 { } -> plnar_beam 7 { } -> pin8 -> conn b;
 //            ^^^^^^^^^^^^ did you mean `planar_beam`?
-//                                  ^^^^^^^^^^^^ `Cable` is a type of your own, which models with places do not take yet
-//                                                        ^^^^^^^^^^ did you mean `planar_beam`?
-//                                                                            ^^^^ put a space before the label, `pin 8`
+//                                  ^^^^^^^^^^ did you mean `planar_beam`?
+//                                                      ^^^^ put a space before the label, `pin 8`
 }
 
 fn main() {}

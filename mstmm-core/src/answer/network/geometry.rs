@@ -87,13 +87,13 @@ fn add_member<Y, S, const NODES: usize, const MEMBERS: usize>(
         geometry.move_vector(from, to, [c * length, s * length]);
     }
     for (end, motion) in states.motion.members.as_ref()[member].iter().enumerate() {
-        let sketched = &sketched.ends[end];
-        let node = sketch.node_of(sketched);
+        let joined = &sketched.ends[end];
+        let node = sketch.node_of(joined);
         let rotation = states.motion.nodes.as_ref()[node][2];
         // a spring knows nothing of what its node does across it
         let ([along, across, _], [fx, fy, _]) = (states.tied(member, end), motion.forces);
         let force = states.in_global_axes(member, end, motion.forces);
-        let [place, of_node] = [sketch.place_of(sketched), sketch.nodes[node].place];
+        let [place, of_node] = [sketch.place_of(joined), sketch.nodes[node].place];
         geometry.move_apart(place, of_node, [rotation * force[1], -(rotation * force[0])]);
         // a turn of the axes by dφ changes displacements along and across by their cross product with it
         let turn = fx * across - fy * along;
@@ -101,7 +101,7 @@ fn add_member<Y, S, const NODES: usize, const MEMBERS: usize>(
             let square = x * x + y * y;
             [-(turn * y) / square, turn * x / square]
         };
-        match sketched.axis {
+        match sketched.axis(end) {
             Axis::X | Axis::Y => {}
             Axis::Member => geometry.move_vector(from, to, by_direction(placement.vector(end))),
             Axis::FromTo(from, to) => geometry.move_vector(Some(from), Some(to), by_direction(placement.vector(end))),

@@ -25,7 +25,7 @@ fn entries_of(space: Space) -> Entries {
 
 /// Whether the states of a transfer matrix, each column with its input state, are in the relation of a chart, within a share of
 /// the terms of each row.
-fn assert_in_relation<S: Scalar>(chart: &Chart<S>, columns: &[Vec<S>], space: Space, tolerance: f64) {
+pub(super) fn assert_in_relation<S: Scalar>(chart: &Chart<S>, columns: &[Vec<S>], space: Space, tolerance: f64) {
     let Entries { displacements, forces } = entries_of(space);
     let count = displacements.len();
     let freedoms: Vec<usize> = (0..MOST_FREEDOMS).filter(|k| chart.freedoms.contains(Freedoms::SINGLE[*k])).collect();
@@ -69,7 +69,7 @@ fn assert_in_relation<S: Scalar>(chart: &Chart<S>, columns: &[Vec<S>], space: Sp
 }
 
 /// The columns of a transfer matrix, which are the output states of the unit states.
-fn columns<E, S>(built: &E::Built, x: S) -> Vec<Vec<S>>
+pub(super) fn columns<E, S>(built: &E::Built, x: S) -> Vec<Vec<S>>
 where
     E: TransferMatrix<S>,
     S: Scalar + Single,
@@ -154,7 +154,7 @@ fn joints_are_hinges() {
 }
 
 /// Frequencies at which waves are short, long, and near the poles of one form or of the other.
-fn frequencies() -> impl Iterator<Item = f64> {
+pub(super) fn frequencies() -> impl Iterator<Item = f64> {
     (0..400).map(|k| 1.09_f64.powi(k - 240))
 }
 

@@ -13,6 +13,18 @@ pub(crate) enum Tie<S> {
     Rigid,
 }
 
+impl<S: Scalar> Chart<S> {
+    /// The chart of what acts between its ends by a dynamic stiffness κ alone, along the member: a spring, a dashpot with `κ = Cλ`.
+    pub fn spring(kappa: S) -> Self {
+        connector(kappa, Freedoms::X)
+    }
+
+    /// The chart of a dynamic stiffness κ between the rotations of its ends.
+    pub fn torsion_spring(kappa: S) -> Self {
+        connector(kappa, Freedoms::RZ)
+    }
+}
+
 /// The chart of a dynamic stiffness κ between the displacements of two points.
 pub(crate) fn connector<S: Scalar>(kappa: S, freedoms: Freedoms) -> Chart<S> {
     chart_of_ties(core::iter::once((freedoms, Tie::Elastic(kappa))))

@@ -118,7 +118,7 @@ type Precise<Y, S> = <S as PlaneFrequency<<Y as System>::Parameter>>::Precise;
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
     note = "a system with a damper moves at a complex λ only: pass `Complex::new(re, im)` for λ [1/s], and search its `eigenvalues` \
-            instead of `natural_frequencies`"
+            instead of `natural_frequencies`; an element of your own implements `mstmm::element::MemberMotion<S>`"
 )]
 pub trait MovingNetwork<S>:
     PlacedCharts<S> + PlacedCharts<WithSlope<Self, S>> + PlacedCharts<Precise<Self, S>> + PlacedMotions<S>

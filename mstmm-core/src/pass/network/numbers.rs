@@ -76,7 +76,7 @@ impl Numbers<'_> {
         length: f64,
     ) -> Result<(), ParameterError> {
         let [from, to] = &member.ends;
-        let (distance, ends) = match (from.axis, to.axis) {
+        let (distance, ends) = match (member.axis(0), member.axis(1)) {
             (Axis::FromTo(from, to), _) | (_, Axis::FromTo(from, to)) => {
                 let [[x, y], [to_x, to_y]] = [self.places[from], self.places[to]];
                 ((to_x - x).abs().max((to_y - y).abs()), [Some(from), Some(to)])

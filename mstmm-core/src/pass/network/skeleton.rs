@@ -6,7 +6,7 @@ use crate::number::Real;
 use crate::pass::network::member::{End, Placement};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::numbers::Numbers;
-use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedEnd};
+use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedMember};
 use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
 use mstmm_plan::NetworkOrder;
 
@@ -44,7 +44,7 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
         }
         let mut placements = [Placement::nowhere(); MEMBERS];
         for (placement, member) in placements.iter_mut().zip(&sketch.members) {
-            let ends = member.ends.each_ref().map(|end| joined(sketch, &numbers, end));
+            let ends = [0, 1].map(|end| joined(sketch, &numbers, member, end));
             let [from, to] = [0, 1].map(|k| ends[k].node);
             let at_nodes = ([&nodes[from], &nodes[to]], [&motions[from], &motions[to]]);
             *placement = Placement::new(member.freedoms, [&ends[0], &ends[1]], at_nodes.0, at_nodes.1);
@@ -102,10 +102,11 @@ impl<T: Copy, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
 fn joined<T: Real, const NODES: usize, const MEMBERS: usize>(
     sketch: &NetworkSketch<NODES, MEMBERS>,
     numbers: &Numbers<'_>,
-    end: &SketchedEnd,
+    member: &SketchedMember,
+    end: usize,
 ) -> End<T> {
-    let (node, place) = (sketch.node_of(end), sketch.place_of(end));
-    let along = match end.axis {
+    let (node, place) = (sketch.node_of(&member.ends[end]), sketch.place_of(&member.ends[end]));
+    let along = match member.axis(end) {
         Axis::Member => None,
         Axis::X => Some([T::one(), T::zero()]),
         Axis::Y => Some([T::zero(), T::one()]),

@@ -1,7 +1,7 @@
 //! What `system!` says of a network: its nodes and members by indices, its numbers by their place in a list.
 
 use crate::model::{Hold, PlanePoint, Spot, Tied};
-use mstmm_plan::{Freedoms, PathMember, PathNode, in_motion, lead_paths};
+use mstmm_plan::{Freedoms, OrderRoom, PathMember, PathNode, in_motion, lead_paths, unknowns};
 
 /// A network without its numbers.
 ///
@@ -135,6 +135,27 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         pairs
     }
 
+    /// The largest number of variables of a front, given the order of its nodes.
+    pub const fn width(&self, order: &OrderRoom<NODES, MEMBERS>) -> usize {
+        let (mut motions, mut freedoms) = ([0; NODES], [0; MEMBERS]);
+        let mut node = 0;
+        while node < NODES {
+            motions[node] = self.nodes[node].motions();
+            node += 1;
+        }
+        let mut member = 0;
+        while member < MEMBERS {
+            freedoms[member] = self.members[member].freedoms.count();
+            member += 1;
+        }
+        order.order(NODES, MEMBERS).width(&motions, &freedoms)
+    }
+
+    /// Number of unknowns of its overall transfer equation, given its paths.
+    pub const fn unknowns(&self, paths: &[PathNode; NODES]) -> usize {
+        unknowns(paths, &self.path_members())
+    }
+
     /// The paths of its overall transfer equation.
     pub const fn paths(&self) -> [PathNode; NODES] {
         let mut nodes = [PathNode::NONE; NODES];
@@ -144,6 +165,12 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             nodes[node] = PathNode::new(freedoms, held, along.is_some());
             node += 1;
         }
+        lead_paths(&mut nodes, &self.path_members());
+        nodes
+    }
+
+    /// Its members as paths know them.
+    const fn path_members(&self) -> [PathMember; MEMBERS] {
         let mut members = [PathMember::NONE; MEMBERS];
         let mut member = 0;
         while member < MEMBERS {
@@ -152,8 +179,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             members[member] = PathMember { nodes, freedoms: *freedoms, released: 0 };
             member += 1;
         }
-        lead_paths(&mut nodes, &members);
-        nodes
+        members
     }
 
     /// The node of the end of a member.
@@ -195,9 +221,25 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
 }
 
 impl SketchedNode {
+    /// The motions that its supports leave.
+    const fn motions(&self) -> usize {
+        let free = Freedoms::ALL.without(self.held);
+        match self.along {
+            Some(_) => 1 + free.intersection(Freedoms::RZ).count(),
+            None => free.count(),
+        }
+    }
+
     /// Whether it has no motions.
     const fn rests(&self) -> bool {
-        self.along.is_none() && self.held.contains(Freedoms::ALL)
+        self.motions() == 0
+    }
+}
+
+impl SketchedMember {
+    /// The x axis of an end: what turns about z needs none but that of the plane.
+    pub(crate) const fn axis(&self, end: usize) -> Axis {
+        if self.freedoms.is(Freedoms::RZ) { Axis::X } else { self.ends[end].axis }
     }
 }
 

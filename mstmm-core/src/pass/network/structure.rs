@@ -12,6 +12,7 @@ use crate::pass::network::overall::PlacedTransfers;
 use crate::pass::network::stiffness::{PreciseCount, StiffnessModel, StiffnessRoom, precise_counts};
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
+use core::array;
 use core::fmt::Debug;
 use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
 
@@ -132,8 +133,11 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
             stiffness: stiffness.model(&order),
             order,
         };
-        let freedoms = |end: usize| network.placements[end / 2].freedoms.count();
-        match network.order.width(|node| network.motions[node].count, freedoms) {
+        let motions: [usize; NODES] =
+            array::from_fn(|node| network.motions.get(node).map_or(0, |of_node| of_node.count));
+        let freedoms: [usize; MEMBERS] =
+            array::from_fn(|member| network.placements.get(member).map_or(0, |placement| placement.freedoms.count()));
+        match network.order.width(&motions, &freedoms) {
             needed if needed > WIDTH => Err(NetworkError::Width { needed }),
             _ => Ok(network),
         }

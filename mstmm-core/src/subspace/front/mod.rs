@@ -18,6 +18,7 @@ pub(crate) mod fronts;
 mod laws;
 pub(crate) mod matrix;
 pub(crate) mod objects;
+mod path_chart;
 mod pivot;
 pub(crate) mod room;
 mod target;

@@ -5,7 +5,7 @@ use crate::keywords::{Dimension, Role};
 use crate::network::{Edge, Graph, Paths, Points};
 
 /// Checks which nodes each arrow joins, and where directions stand.
-pub(super) fn arrows(graph: &Graph<'_>, points: &Points, paths: &Paths, dimension: Dimension, errors: &mut Errors) {
+pub(super) fn arrows(graph: &Graph<'_>, points: &Points, paths: &Paths<'_>, dimension: Dimension, errors: &mut Errors) {
     for (index, edge) in graph.edges.iter().enumerate() {
         if edge.ends().iter().any(|&end| graph.role(end) == Role::Unknown) {
             continue;

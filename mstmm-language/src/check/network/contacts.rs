@@ -1,26 +1,34 @@
 //! Rules of paths of translation and rotation, and of the points on which they act.
 
 use super::dimension::counted;
-use crate::diagnostics::Errors;
+use super::findings::Findings;
+use crate::ast::Element;
+use crate::diagnostics::Place;
 use crate::keywords::{Dimension, Role, support_of};
-use crate::network::{Contact, Edge, Graph, Named, Path, Paths, Points};
-use mstmm_plan::Support;
+use crate::network::{Contact, Edge, Graph, Named, Path, PathMotion, Paths, Points};
+use mstmm_plan::{Space, Support};
 
 /// Checks each path and its contacts with points that have places.
-pub(super) fn contacts(graph: &Graph<'_>, points: &Points, paths: &Paths, dimension: Dimension, errors: &mut Errors) {
+pub(super) fn contacts<'a>(
+    graph: &Graph<'a>,
+    points: &Points,
+    paths: &Paths<'a>,
+    dimension: Dimension,
+    findings: &mut Findings<'a>,
+) {
     for path in paths.all.iter().filter(|path| !is_doubtful(graph, points, path)) {
-        if !is_mixed(graph, path, errors) {
-            directions(graph, points, path, dimension, errors);
+        if !is_mixed(graph, path, findings) && dimension == Dimension::Plane {
+            directions(graph, points, path, findings);
         }
     }
     if dimension == Dimension::Plane {
-        loose_points(graph, points, paths, errors);
+        loose_points(graph, points, paths, findings);
     }
 }
 
 /// Whether a path may have other contacts: one of its ends is missing, a node of unknown meaning stands at it, or a point
 /// whose place is missing.
-fn is_doubtful(graph: &Graph<'_>, points: &Points, path: &Path) -> bool {
+fn is_doubtful(graph: &Graph<'_>, points: &Points, path: &Path<'_>) -> bool {
     let edges = path.elements.iter().flat_map(|&element| graph.edges_of(element).map(move |edge| (element, edge)));
     let is_doubtful = |(element, (index, edge)): (usize, (usize, &Edge<'_>))| {
         let end = points.end(graph, index, element);
@@ -31,51 +39,80 @@ fn is_doubtful(graph: &Graph<'_>, points: &Points, path: &Path) -> bool {
 }
 
 /// Reports elements of translation and of rotation in one path.
-fn is_mixed(graph: &Graph<'_>, path: &Path, errors: &mut Errors) -> bool {
+fn is_mixed<'a>(graph: &Graph<'a>, path: &Path<'a>, findings: &mut Findings<'a>) -> bool {
     let brings = |element: usize| graph.vertices[element].row().map(|row| row.brings);
-    let Some((&first, others)) = path.elements.split_first() else { return false };
-    let Some(&other) = others.iter().find(|&&other| brings(other) != brings(first)) else { return false };
-    let (turns, moves) = if path.is_rotation(graph) { (first, other) } else { (other, first) };
-    let message = format!(
+    let known = path.elements.iter().copied().find(|&element| brings(element).is_some());
+    let Some(first) = known.or(path.elements.first().copied()) else { return false };
+    let mut is_mixed = false;
+    for &other in path.elements.iter().filter(|&&other| other != first) {
+        let moves_first = format_mixed(graph, other, first);
+        let turns_first = format_mixed(graph, first, other);
+        let place = graph.vertices[other].place();
+        let Some(own) = graph.vertices[other].as_element().filter(|_| brings(other).is_none()) else {
+            if !is_mixed && brings(other) != brings(first) {
+                is_mixed = true;
+                let turns = matches!(path.motion, PathMotion::Rotation);
+                findings.error(place, if turns { turns_first } else { moves_first });
+            }
+            continue;
+        };
+        match path.motion {
+            PathMotion::Translation => findings.suspect(place, moves_first, [(own, Space::Rotation)]),
+            PathMotion::Rotation => findings.suspect(place, turns_first, [(own, Space::Translation)]),
+            PathMotion::Of(first) => {
+                findings.suspect(place, turns_first, [(first, Space::Rotation), (own, Space::Translation)]);
+                findings.suspect(place, moves_first, [(first, Space::Translation), (own, Space::Rotation)]);
+            }
+        }
+    }
+    is_mixed
+}
+
+/// The message for an element that turns in a path with one that moves.
+fn format_mixed(graph: &Graph<'_>, turns: usize, moves: usize) -> String {
+    format!(
         "`{}` turns and `{}` moves, so they share no motion: join them at a connection with a place",
         graph.vertices[turns].name(),
         graph.vertices[moves].name()
-    );
-    errors.push(graph.vertices[other].place(), message);
-    true
+    )
 }
 
-/// Checks that the direction of a path is known at each of its contacts.
-fn directions(graph: &Graph<'_>, points: &Points, path: &Path, dimension: Dimension, errors: &mut Errors) {
-    let edge = |contact: &Contact| &graph.edges[contact.edge];
-    if dimension == Dimension::Line {
-        return;
-    }
-    if path.is_rotation(graph) {
-        for along in path.contacts.iter().filter_map(|contact| edge(contact).along()) {
-            let message = "a path of torsion elements turns about z, the one axis of the plane: remove `along`";
-            errors.push(along.keyword.span(), message);
+/// Checks that the direction of a path is known at each of its contacts if it moves, and that none is said if it turns.
+fn directions<'a>(graph: &Graph<'a>, points: &Points, path: &Path<'a>, findings: &mut Findings<'a>) {
+    match path.motion {
+        PathMotion::Translation => findings.errors_of(undirected(graph, points, path)),
+        PathMotion::Rotation => findings.errors_of(directed(graph, path)),
+        PathMotion::Of(element) => {
+            findings.suspect_all(undirected(graph, points, path), (element, Space::Translation));
+            findings.suspect_all(directed(graph, path), (element, Space::Rotation));
         }
-        return;
     }
+}
+
+/// What is wrong with directions of a path that turns.
+fn directed(graph: &Graph<'_>, path: &Path<'_>) -> Vec<(Place, String)> {
+    let along = path.contacts.iter().filter_map(|contact| graph.edges[contact.edge].along());
+    let message = "a path of torsion elements turns about z, the one axis of the plane: remove `along`";
+    along.map(|along| (along.keyword.span().into(), message.to_owned())).collect()
+}
+
+/// What is wrong with directions of a path that moves: it has one at each of its contacts, or at none.
+fn undirected(graph: &Graph<'_>, points: &Points, path: &Path<'_>) -> Vec<(Place, String)> {
+    let edge = |contact: &Contact| &graph.edges[contact.edge];
     let without: Vec<&Contact> = path.contacts.iter().filter(|contact| edge(contact).along().is_none()).collect();
     if without.len() == path.contacts.len() {
-        if let Some((contact, message)) = undirected(graph, points, path) {
-            errors.push(edge(contact).arrow.place, message);
-        }
-        return;
+        let missing = without_line(graph, points, path);
+        return missing.into_iter().map(|(contact, message)| (edge(contact).arrow.place, message)).collect();
     }
-    for contact in without {
-        let message = format!(
-            "this path says `along` where it meets other points: say it here too, {}",
-            example(graph, points, contact)
-        );
-        errors.push(edge(contact).arrow.place, message);
-    }
+    let message = |contact: &Contact| {
+        let example = example(graph, points, contact);
+        format!("this path says `along` where it meets other points: say it here too, {example}")
+    };
+    without.into_iter().map(|contact| (edge(contact).arrow.place, message(contact))).collect()
 }
 
 /// What is missing where no contact of a path says a direction: exactly two points at two places have a line through them.
-fn undirected<'p>(graph: &Graph<'_>, points: &Points, path: &'p Path) -> Option<(&'p Contact, String)> {
+fn without_line<'p>(graph: &Graph<'_>, points: &Points, path: &'p Path<'_>) -> Option<(&'p Contact, String)> {
     match path.contacts.as_slice() {
         [] => None,
         [contact] => {
@@ -120,7 +157,7 @@ fn example(graph: &Graph<'_>, points: &Points, contact: &Contact) -> String {
 }
 
 /// Reports points with places that one path alone moves: across it they have neither mass nor stiffness.
-fn loose_points(graph: &Graph<'_>, points: &Points, paths: &Paths, errors: &mut Errors) {
+fn loose_points<'a>(graph: &Graph<'a>, points: &Points, paths: &Paths<'a>, findings: &mut Findings<'a>) {
     let is_free_end = |&vertex: &usize| {
         leaves_all(graph, vertex)
             && graph.edges_of(vertex).all(|(_, edge)| graph.role(edge.other(vertex)) == Role::Path)
@@ -128,25 +165,46 @@ fn loose_points(graph: &Graph<'_>, points: &Points, paths: &Paths, errors: &mut 
     let free_ends = graph.with_role(Role::Support).filter(is_free_end);
     for vertex in graph.with_role(Role::Connection).chain(free_ends).filter(|&vertex| points.is_located(vertex)) {
         let point = points.point(vertex);
-        let moved = paths.all.iter().filter(|path| !path.is_rotation(graph)).flat_map(|path| {
-            path.contacts.iter().filter(|contact| contact.point == point).map(move |_| path.elements[0])
-        });
-        let moved: Vec<usize> = moved.collect();
         let is_alone = graph.edges_of(vertex).all(|(_, edge)| match graph.role(edge.other(vertex)) {
             Role::Path | Role::Connection => true,
             Role::Support => leaves_all(graph, edge.other(vertex)),
             _ => false,
         });
-        if let ([element], true, false) = (moved.as_slice(), is_alone, points.is_doubtful(point)) {
+        if !is_alone || points.is_doubtful(point) {
+            continue;
+        }
+        for (path, of) in alone_at(paths, point) {
             let message = format!(
                 "nothing holds `{}` across the path of `{}`: remove its place, so that it moves along the path alone, or \
                  hold it by a support",
                 graph.vertices[vertex].name(),
-                graph.vertices[*element].name()
+                graph.vertices[path.elements[0]].name()
             );
-            errors.push(graph.vertices[vertex].place(), message);
+            findings.suspect(graph.vertices[vertex].place(), message, of);
         }
     }
+}
+
+/// The paths that may be the only one that moves a point, each with what elements of the user's own then do.
+fn alone_at<'p, 'a>(paths: &'p Paths<'a>, point: usize) -> Vec<(&'p Path<'a>, Vec<(&'a Element, Space)>)> {
+    let at_point = paths
+        .all
+        .iter()
+        .flat_map(|path| path.contacts.iter().filter(|contact| contact.point == point).map(move |_| path));
+    let moving: Vec<&Path<'_>> = at_point.filter(|path| !matches!(path.motion, PathMotion::Rotation)).collect();
+    let alone = |index: usize| {
+        let mut of = Vec::new();
+        for (other, path) in moving.iter().enumerate() {
+            match path.motion {
+                PathMotion::Of(element) if other == index => of.push((element, Space::Translation)),
+                PathMotion::Of(element) => of.push((element, Space::Rotation)),
+                PathMotion::Translation | PathMotion::Rotation if other == index => {}
+                PathMotion::Translation | PathMotion::Rotation => return None,
+            }
+        }
+        Some((moving[index], of))
+    };
+    (0..moving.len()).filter_map(alone).collect()
 }
 
 /// Whether a support holds nothing.

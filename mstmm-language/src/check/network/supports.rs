@@ -1,20 +1,20 @@
 //! Rules of supports: one at a point, which holds what the point has.
 
-use crate::diagnostics::Errors;
+use super::findings::Findings;
 use crate::keywords::{Dimension, Role, freedom_of, support_of};
-use crate::network::{Graph, Named, Points};
-use mstmm_plan::{Freedoms, Support};
+use crate::network::{FreedomSet, Graph, Named, Points};
+use mstmm_plan::{Freedoms, Space, Support};
 use syn::ext::IdentExt;
 
 /// Checks the supports of each point.
 ///
 /// `freedoms` are those that elements bring to each point.
-pub(super) fn supports(
-    graph: &Graph<'_>,
+pub(super) fn supports<'a>(
+    graph: &Graph<'a>,
     points: &Points,
-    freedoms: &[Freedoms],
+    freedoms: &[FreedomSet<'a>],
     dimension: Dimension,
-    errors: &mut Errors,
+    findings: &mut Findings<'a>,
 ) {
     for point in points.all(graph) {
         let mut supports = points.vertices_at(graph, point).filter(|&vertex| graph.role(vertex) == Role::Support);
@@ -26,13 +26,10 @@ pub(super) fn supports(
                 name(graph, points, point),
                 graph.vertices[first].name()
             );
-            errors.push(graph.vertices[second].place(), message);
+            findings.error(graph.vertices[second].place(), message);
         }
         if !points.is_doubtful(point) {
-            // a point that no element moves has another message
-            let all = if freedoms[point].is_empty() { Freedoms::NONE } else { dimension.freedoms() };
-            let lacks = all.without(freedoms[point]);
-            support(graph, points, first, lacks, errors);
+            support(graph, points, first, (&freedoms[point], dimension), findings);
         }
     }
 }
@@ -43,8 +40,14 @@ fn name(graph: &Graph<'_>, points: &Points, point: usize) -> String {
     all.next().map_or_else(|| "this point".to_owned(), |vertex| format!("`{}`", graph.vertices[vertex].name()))
 }
 
-/// Checks one support against the freedoms that its point lacks.
-fn support(graph: &Graph<'_>, points: &Points, vertex: usize, lacks: Freedoms, errors: &mut Errors) {
+/// Checks one support against the freedoms that its point has.
+fn support<'a>(
+    graph: &Graph<'a>,
+    points: &Points,
+    vertex: usize,
+    (has, dimension): (&FreedomSet<'a>, Dimension),
+    findings: &mut Findings<'a>,
+) {
     let Named::Support(support) = graph.vertices[vertex].node else { return };
     let point = points.point(vertex);
     if !points.is_located(point) {
@@ -55,16 +58,20 @@ fn support(graph: &Graph<'_>, points: &Points, vertex: usize, lacks: Freedoms, e
                 "`{}` is no support of a path of springs, dampers and masses: its one motion is held by `fixed`, or `free`",
                 support.keyword
             );
-            errors.push(support.keyword.span(), message);
+            findings.error(support.keyword.span(), message);
         }
         return;
     }
+    // a point that no element moves has another message
+    let all = if has.possible().is_empty() { Freedoms::NONE } else { dimension.freedoms() };
+    let lacks = all.without(has.known);
     for held in support.held.iter().flatten() {
-        let is_lacking = freedom_of(&held.unraw().to_string()).is_some_and(|freedom| lacks.contains(freedom));
-        if is_lacking {
-            let message = format!("no element at {} has the freedom `{held}`: remove it", name(graph, points, point));
-            errors.push(held.span(), message);
-        }
+        let Some(freedom) = freedom_of(&held.unraw().to_string()).filter(|freedom| lacks.contains(*freedom)) else {
+            continue;
+        };
+        let message = format!("no element at {} has the freedom `{held}`: remove it", name(graph, points, point));
+        let other = if freedom.is(Freedoms::RZ) { Space::Translation } else { Space::Rotation };
+        findings.suspect(held.span(), message, has.own.iter().map(|&own| (own, other)));
     }
 }
 

@@ -90,14 +90,15 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
         errors.push(location.keyword.span(), message);
     }
     let text = element.kind.name().to_string();
-    let Some(row) = element.kind.located() else {
-        let message = match element.kind {
-            Kind::Type(_) => format!("`{text}` is a type of your own, which models with places do not take yet"),
-            Kind::Keyword(_) => {
-                let known = LOCATED.iter().filter(|row| row.instead(dimension).is_none());
-                unknown_keyword(&text, &known.map(|row| row.name).collect::<Vec<_>>())
-            }
+    if matches!(element.kind, Kind::Type(_)) {
+        return match element.parameters {
+            Some(_) => parameters::parameters(element, None, errors),
+            None => errors.push(element.place(), without_parameters(element, model)),
         };
+    }
+    let Some(row) = element.kind.located() else {
+        let known = LOCATED.iter().filter(|row| row.instead(dimension).is_none());
+        let message = unknown_keyword(&text, &known.map(|row| row.name).collect::<Vec<_>>());
         return errors.push(element.kind.place(), message);
     };
     if let Some(instead) = row.instead(dimension) {

@@ -9,7 +9,18 @@ use quote::quote_spanned;
 /// `N`, `PATHS`, `impl PlacedTransfers<S>` and `impl Evaluate<S>`.
 pub(super) fn overall(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let Names { private, system, frequency, .. } = names;
-    let (nodes, size) = (skeleton.nodes.len(), Literal::usize_unsuffixed(skeleton.overall().unknowns));
+    let nodes = skeleton.nodes.len();
+    // where the macro does not know the width the paths do
+    let (from_paths, size) = match skeleton.overall() {
+        Some(overall) => {
+            let size = Literal::usize_unsuffixed(overall.unknowns);
+            (TokenStream::new(), quote_spanned!(names.here=> #size))
+        }
+        None => {
+            let from_paths = quote_spanned!(names.here=> const N: ::core::primitive::usize = SKETCH.unknowns(PATHS););
+            (from_paths, quote_spanned!(names.here=> N))
+        }
+    };
     let single = quote_spanned!(names.here=> #frequency: #private::Single);
     let all_bounds: Vec<TokenStream> = bounds("TransferMatrix", skeleton, names).into_iter().chain([single]).collect();
     let transfers = answers_of_members(skeleton, names, |kind, span| {
@@ -41,6 +52,8 @@ pub(super) fn overall(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     quote_spanned! {names.here=>
         #[allow(long_running_const_eval)]
         const PATHS: &[#private::PathNode; #nodes] = &SKETCH.paths();
+
+        #from_paths
 
         impl #system {
             /// Width of the overall matrix: the number of unknowns at the boundaries and at cuts.

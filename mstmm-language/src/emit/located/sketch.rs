@@ -1,10 +1,11 @@
 //! Emits the skeleton as a constant, and the order of its nodes.
 
 use super::super::Names;
+use crate::network::FreedomSet;
 use crate::skeleton::{Axis, End, Member, Node, Point, Seat, Skeleton, Support};
 use mstmm_plan::Freedoms;
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote_spanned};
+use quote::{ToTokens, format_ident, quote_spanned};
 
 /// `SKETCH` and `ORDER`.
 pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
@@ -16,7 +17,7 @@ pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
         quote_spanned!(names.here=> #private::SketchedBody { name: #name, node: #node })
     });
     let points = skeleton.points.iter().map(|point| sketched_point(point, names));
-    let supports = skeleton.supports.iter().map(|support| sketched_support(support, names));
+    let supports = skeleton.supports.iter().map(|support| sketched_support(support, skeleton, names));
     let nodes = skeleton.nodes.iter().map(|node| sketched_node(node, names));
     let members = skeleton.members.iter().map(|member| sketched_member(member, names));
     let (node_count, member_count) = (skeleton.nodes.len(), skeleton.members.len());
@@ -38,25 +39,38 @@ pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
 fn sketched_point(point: &Point<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let Point { name, node, place, .. } = point;
-    let freedoms = freedoms(point.freedoms, names);
+    let freedoms = freedom_set(&point.freedoms, names);
     quote_spanned! {names.here=>
         #private::SketchedPoint { name: #name, node: #node, place: #place, freedoms: #freedoms }
     }
 }
 
-fn sketched_support(support: &Support, names: &Names) -> TokenStream {
+fn sketched_support(support: &Support, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let Support { name, point, node, .. } = support;
-    let (held, along) = (freedoms(support.held, names), option(support.along, names));
+    let (mut held, along) = (freedoms(support.held, names), option(support.along, names));
+    let of_point = &skeleton.points[*point].freedoms;
+    if of_point.as_known().is_none() {
+        let of_point = freedom_set(of_point, names);
+        held = quote_spanned!(names.here=> #held.intersection(#of_point));
+    }
     quote_spanned! {names.here=>
         #private::SketchedSupport { name: #name, point: #point, node: #node, held: #held, along: #along }
     }
 }
 
-fn sketched_node(node: &Node, names: &Names) -> TokenStream {
+fn sketched_node(node: &Node<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let (place, along) = (option(node.place, names), option(node.along, names));
-    let [own, held] = [node.freedoms, node.held].map(|set| freedoms(set, names));
+    let own = freedom_set(&node.freedoms, names);
+    let held = match node.known() {
+        Some([_, held]) => freedoms(held, names),
+        None => {
+            let [held, all] = [node.held, Freedoms::ALL].map(|set| freedoms(set, names));
+            let turns = node.along.map(|_| quote_spanned!(names.here=> .intersection(#private::Freedoms::RZ)));
+            quote_spanned!(names.here=> #held.union(#all.without(#own))#turns)
+        }
+    };
     quote_spanned! {names.here=>
         #private::SketchedNode { place: #place, freedoms: #own, held: #held, along: #along }
     }
@@ -65,7 +79,7 @@ fn sketched_node(node: &Node, names: &Names) -> TokenStream {
 fn sketched_member(member: &Member<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let (name, kind) = (&member.name, option(member.kind.as_ref(), names));
-    let freedoms = freedoms(member.freedoms, names);
+    let freedoms = freedom_set(&member.freedoms, names);
     let ends = member.ends.iter().map(|end| sketched_end(end, names));
     quote_spanned! {names.here=>
         #private::SketchedMember { name: #name, kind: #kind, freedoms: #freedoms, ends: [#(#ends),*] }
@@ -95,8 +109,21 @@ fn option(value: Option<impl ToTokens>, names: &Names) -> TokenStream {
     }
 }
 
-/// A set of freedoms.
-pub(super) fn freedoms(set: Freedoms, names: &Names) -> TokenStream {
+/// A set of freedoms; those of elements of the user's own are a constant of their types.
+pub(super) fn freedom_set(set: &FreedomSet<'_>, names: &Names) -> TokenStream {
+    let mut sum = freedoms(set.known, names);
+    let own = if set.as_known().is_some() { &[][..] } else { &set.own };
+    let within = freedoms(set.within, names);
+    for element in own {
+        let span = names.at_element(element);
+        let (brought, kind) = (names.function_at("brought", span), names.element_over(element, &format_ident!("f64")));
+        sum.extend(quote_spanned!(span=> .union(#brought::<#kind>().intersection(#within))));
+    }
+    sum
+}
+
+/// A set of known freedoms.
+fn freedoms(set: Freedoms, names: &Names) -> TokenStream {
     let private = &names.private;
     if set == Freedoms::ALL {
         return quote_spanned!(names.here=> #private::Freedoms::ALL);

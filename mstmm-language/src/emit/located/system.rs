@@ -80,7 +80,7 @@ fn built(index: usize, member: &Member<'_>, place: &mut usize, names: &Names) ->
     let (field, build) = (field(index, span), names.function_at("build_member", span));
     let value = match member.what {
         What::Rigid => {
-            let freedoms = super::sketch::freedoms(member.freedoms, names);
+            let freedoms = super::sketch::freedom_set(&member.freedoms, names);
             quote_spanned!(span=> <#kind>::rigid(#freedoms))
         }
         What::Hinge(element) => {
@@ -144,7 +144,7 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
 }
 
 /// `impl Placed`.
-pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names: &Names) -> TokenStream {
+pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let model = &model.parameters.ident;
     let (nodes, members) = (skeleton.nodes.len(), skeleton.members.len());
@@ -200,7 +200,7 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: usize, names
 }
 
 /// `impl PlacedCharts<S>` and `impl Characteristic<S>`.
-pub(super) fn charts(skeleton: &Skeleton<'_>, width: usize, names: &Names) -> TokenStream {
+pub(super) fn charts(skeleton: &Skeleton<'_>, width: &TokenStream, names: &Names) -> TokenStream {
     let Names { private, frequency, counter, .. } = names;
     let bounds = bounds("Charted", skeleton, names);
     let charts = answers_of_members(skeleton, names, |kind, span| {

@@ -4,6 +4,7 @@ mod accepted;
 mod contacts;
 mod grammar;
 mod joints;
+mod own;
 mod places;
 mod supports;
 mod words;

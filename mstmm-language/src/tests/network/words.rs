@@ -17,15 +17,11 @@ fn each_dimension_has_its_keywords() {
                | take `planar_hinge`
         conn b -> planar_body 4 { } -> fixed;
                   ^^^^^^^^^^^ `planar_body` has its points by offsets, which places replace: take `rigid_body`
-        conn a -> spatial_beam 5 { } -> crate::Cable 6 { } -> plnar_beam 7 { } -> pin8 -> conn b;
+        conn a -> spatial_beam 5 { } -> plnar_beam 7 { } -> pin8 -> conn b;
                   ^^^^^^^^^^^^ `spatial_beam` is not an element: did you mean `planar_beam`?
-                                        ^^^^^^^^^^^^ `Cable` is a type of your own, which models with places
-                                        | do not take yet
-                                                              ^^^^^^^^^^ `plnar_beam` is not an element: did
-                                                              | you mean `planar_beam`?
-                                                                                  ^^^^ `pin8` is not a
-                                                                                  | support: put a space
-                                                                                  | before the label, `pin 8`
+                                        ^^^^^^^^^^ `plnar_beam` is not an element: did you mean `planar_beam`?
+                                                            ^^^^ `pin8` is not a support: put a space before
+                                                            | the label, `pin 8`
         ",
     );
     assert_refused(

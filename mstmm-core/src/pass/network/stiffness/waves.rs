@@ -88,7 +88,7 @@ fn bending<S: Joins>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>) -> Be
     let factors = [beam.stiffness, first, first * beam.length];
     let mut k = 0;
     while k < 6 {
-        waves.stiffness[k] = waves.stiffness[k] * S::of(factors[k % 3]);
+        waves.stiffness[k] *= S::of(factors[k % 3]);
         k += 1;
     }
     // one less where `1 - ch c` has not yet the sign that it has beyond the last half wave
