@@ -121,7 +121,9 @@ fn two_ways_between_two_connections_are_a_loop() {
         struct Frame;
         fixed -> mass 1 { mass: 1.000 } -> conn 2 -> mass 3 { mass: 1.000 } -> conn 2 -> free;
                                                   ^^ `conn 2` has two outputs, and this one is part of a
-                                                  | closed loop: a model is a tree of paths, cut the loop open
+                                                  | closed loop: a model without places is a tree of paths;
+                                                  | cut the loop open, or give its connections and supports
+                                                  | places, `at (x, y)`
         ",
     );
 }

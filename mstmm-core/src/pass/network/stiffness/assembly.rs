@@ -3,10 +3,10 @@
 use crate::number::Size;
 use crate::pass::network::stiffness::front::{StiffnessFront, place, row};
 use crate::pass::network::stiffness::group::Group;
-use crate::pass::network::stiffness::joined::Joins;
 use crate::pass::network::stiffness::member::StiffnessMember;
+use crate::pass::network::stiffness::numbers::StiffnessNumber;
 
-impl<S: Joins> StiffnessFront<'_, S> {
+impl<S: StiffnessNumber> StiffnessFront<'_, S> {
     /// Adds a number times a body's mass matrix over motions, given its lower triangle.
     #[inline(always)]
     pub(super) fn add_body(&mut self, group: &Group, masses: &[S::Part; 6], lambda_squared: S) {

@@ -2,19 +2,13 @@
 //! for vectors on their own instruction set. Most structures have none.
 
 use crate::DoubleDouble;
-use crate::number::{Frequency, Single};
 use crate::pass::network::stiffness::front::StiffnessFront;
 use crate::pass::network::stiffness::member::StiffnessMember;
+use crate::pass::network::stiffness::numbers::StiffnessNumber;
 use crate::pass::network::stiffness::released::OwnStiffness;
 
-/// A number at which members are added.
-pub(super) trait Joins: Frequency<f64> {
-    /// What members are known by: numbers of one frequency, or of all that are in lanes.
-    type Part: Single;
-
-    /// A number of a member.
-    fn of(part: Self::Part) -> Self;
-
+/// A number at which such members are added.
+pub(super) trait Joins: StiffnessNumber {
     /// Adds a member that does not share all freedoms with its nodes.
     fn join<const N: usize>(
         own: &mut OwnStiffness<Self, N>,
@@ -26,13 +20,6 @@ pub(super) trait Joins: Frequency<f64> {
 macro_rules! alone {
     ($($number:ty),*) => {$(
         impl Joins for $number {
-            type Part = Self;
-
-            #[inline(always)]
-            fn of(part: Self) -> Self {
-                part
-            }
-
             #[inline(never)]
             fn join<const N: usize>(
                 own: &mut OwnStiffness<Self, N>,
@@ -49,7 +36,6 @@ alone!(f64, DoubleDouble);
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 mod in_vectors {
     use super::{Joins, OwnStiffness, StiffnessFront, StiffnessMember};
-    use crate::number::Scalar;
     use crate::number::lanes::Waving;
     use mstmm_lanes::{Eight, Four, Lanes, Part, Vector};
 
@@ -73,13 +59,6 @@ mod in_vectors {
     macro_rules! vectors {
         ($($vector:ty),*) => {$(
             impl Joins for Lanes<$vector> {
-                type Part = f64;
-
-                #[inline(always)]
-                fn of(part: f64) -> Self {
-                    Self::from_f64(part)
-                }
-
                 #[inline(never)]
                 fn join<const N: usize>(
                     own: &mut OwnStiffness<Self, N>,

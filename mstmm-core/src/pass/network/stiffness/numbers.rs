@@ -1,8 +1,45 @@
 //! The numbers from which the waves of a member follow at any frequency, computed from its parameters once.
 
+use crate::DoubleDouble;
 use crate::element::{LineNumbers, MemberNumbers};
-use crate::number::Scalar;
+use crate::number::{Frequency, Scalar, Single};
 use mstmm_plan::Freedoms;
+
+/// A number at which members are evaluated.
+pub(super) trait StiffnessNumber: Frequency<f64> {
+    /// What members are known by: numbers of one frequency, or of all that are in lanes.
+    type Part: Single;
+
+    /// A number of a member.
+    fn of(part: Self::Part) -> Self;
+}
+
+macro_rules! alone {
+    ($($number:ty),*) => {$(
+        impl StiffnessNumber for $number {
+            type Part = Self;
+
+            #[inline(always)]
+            fn of(part: Self) -> Self {
+                part
+            }
+        }
+    )*};
+}
+alone!(f64, DoubleDouble);
+
+#[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
+impl<V: crate::number::lanes::Waving> StiffnessNumber for mstmm_lanes::Lanes<V>
+where
+    Self: Frequency<f64>,
+{
+    type Part = f64;
+
+    #[inline(always)]
+    fn of(part: f64) -> Self {
+        Self::from_f64(part)
+    }
+}
 
 /// The bending of a uniform beam.
 #[derive(Clone, Copy, Debug, PartialEq)]

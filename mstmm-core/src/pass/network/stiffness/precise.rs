@@ -11,14 +11,8 @@ use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::model::StiffnessModel;
 use crate::pass::network::stiffness::numbers::Waving;
 use crate::pass::network::stiffness::pass::add_member;
+use crate::pass::network::stiffness::precise_count::PreciseCount;
 use crate::pass::network::stiffness::waves::BeamWaves;
-
-/// Δ over a constant, which is that of stiffnesses in `f64`, and the number of natural frequencies below.
-#[derive(Clone, Copy, Debug)]
-pub struct PreciseCount {
-    pub(crate) delta: Scaled<DoubleDouble>,
-    pub(crate) below: u64,
-}
 
 /// A pass in extended precision, for which members are computed once for all of its frequencies.
 struct Precise<'m, 'p, 'r> {

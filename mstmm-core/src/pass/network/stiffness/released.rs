@@ -2,8 +2,8 @@
 
 use crate::number::{Scalar, Size};
 use crate::pass::network::stiffness::front::{StiffnessFront, inherited};
-use crate::pass::network::stiffness::joined::Joins;
 use crate::pass::network::stiffness::member::StiffnessMember;
+use crate::pass::network::stiffness::numbers::StiffnessNumber;
 use crate::pass::network::stiffness::waves::{Bending, Line};
 
 /// The dynamic stiffness of a member over `N` freedoms of its ends.
@@ -15,7 +15,7 @@ pub(super) struct OwnStiffness<S: Scalar, const N: usize> {
     errors: [S::Size; N],
 }
 
-impl<S: Joins> OwnStiffness<S, 2> {
+impl<S: StiffnessNumber> OwnStiffness<S, 2> {
     /// A line in a freedom.
     #[inline(always)]
     pub(super) fn of_line(line: &Line<S>, freedom: usize) -> Self {
@@ -24,7 +24,7 @@ impl<S: Joins> OwnStiffness<S, 2> {
     }
 }
 
-impl<S: Joins> OwnStiffness<S, 4> {
+impl<S: StiffnessNumber> OwnStiffness<S, 4> {
     /// Bending, over deflection and rotation of each end.
     #[inline(always)]
     pub(super) fn of_bending(bending: &Bending<S>) -> Self {
@@ -40,7 +40,7 @@ impl<S: Joins> OwnStiffness<S, 4> {
     }
 }
 
-impl<S: Joins, const N: usize> OwnStiffness<S, N> {
+impl<S: StiffnessNumber, const N: usize> OwnStiffness<S, N> {
     /// A stiffness over freedoms.
     #[inline(always)]
     fn new(freedoms: [[usize; 2]; N], entries: [[S; N]; N]) -> Self {

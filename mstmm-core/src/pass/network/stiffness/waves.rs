@@ -2,9 +2,8 @@
 
 use crate::number::{FrequencyPowers, Scalar, Size, Truth, series, twice};
 use crate::pass::network::stiffness::arrangement::KEPT;
-use crate::pass::network::stiffness::joined::Joins;
 use crate::pass::network::stiffness::member::Seat;
-use crate::pass::network::stiffness::numbers::{BendingWave, LineWave};
+use crate::pass::network::stiffness::numbers::{BendingWave, LineWave, StiffnessNumber};
 use core::f64::consts::FRAC_1_PI;
 
 /// A dynamic stiffness over the displacements of both ends of a uniform member, with equal ends.
@@ -36,7 +35,7 @@ impl<S: Scalar, const ENTRIES: usize> Waves<S, ENTRIES> {
 /// The waves of beams, each different from the others.
 pub(super) struct BeamWaves<S: Scalar>([(Bending<S>, Line<S>); KEPT]);
 
-impl<S: Joins> BeamWaves<S> {
+impl<S: StiffnessNumber> BeamWaves<S> {
     /// No waves yet.
     #[inline(always)]
     pub(super) fn new() -> Self {
@@ -66,7 +65,7 @@ impl<S: Joins> BeamWaves<S> {
 /// z³ (ch s + sh c)   z² sh s   z (ch s - sh c)      -z³ (sh + s)   z² (ch - c)   z (sh - s)
 /// ```
 #[inline(always)]
-fn bending<S: Joins>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>) -> Bending<S> {
+fn bending<S: StiffnessNumber>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>) -> Bending<S> {
     let z = at.powers[0] * S::of(beam.wave);
     let x = at.powers[3] * S::of(beam.wave_fourth);
     let is_long = S::Size::of(1.0).is_below(x.size());
@@ -100,7 +99,7 @@ fn bending<S: Joins>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>) -> Be
 
 /// The stiffness of long waves over `EI/l³` and lengths.
 #[inline(always)]
-fn long_waves<S: Joins>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>, z: S) -> Bending<S> {
+fn long_waves<S: StiffnessNumber>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>, z: S) -> Bending<S> {
     let waves = z.wave_functions();
     let [circular, hyperbolic] = waves.exponents;
     let (sin, cos) = (waves.sin.times_power_of_two(-hyperbolic), waves.cos.times_power_of_two(-hyperbolic));
@@ -142,7 +141,7 @@ fn short_waves<S: Scalar>(x: S) -> Bending<S> {
 
 /// The stiffness of a line, `H/l` times `√κ coth √κ` and `-√κ / sinh √κ`.
 #[inline(always)]
-pub(super) fn line<S: Joins>(line: &LineWave<S::Part>, at: &FrequencyPowers<S>) -> Line<S> {
+pub(super) fn line<S: StiffnessNumber>(line: &LineWave<S::Part>, at: &FrequencyPowers<S>) -> Line<S> {
     if line.inertia.vanishes() && line.foundation.vanishes() {
         let own = S::of(line.stiffness);
         return Waves { stiffness: [own, -own], minor: S::one(), exponent: 0, below: S::Size::of(0.0) };
