@@ -337,6 +337,12 @@ const _: () = {
         ) -> ::core::option::Option<mstmm::__private::StiffnessModel<'_>> {
             self.skeleton.in_numbers(&mstmm::__private::Placed::order(self))
         }
+        fn precise_counts(
+            &self,
+            omega: [::core::primitive::f64; 2],
+        ) -> [::core::option::Option<mstmm::__private::PreciseCount>; 2] {
+            mstmm::__private::precise_counts(self, omega)
+        }
         fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
             self.estimates
         }

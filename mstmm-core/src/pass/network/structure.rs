@@ -20,7 +20,7 @@ use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
 #[derive(Clone, Copy, Debug)]
 pub enum InNetwork {}
 
-/// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 200 bytes per node, some 650 per member.
+/// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 200 bytes per node, some 720 per member.
 #[derive(Clone, Debug)]
 pub struct NetworkRoom<E: MemberElement, const NODES: usize, const MEMBERS: usize> {
     members: [Option<E::Built>; MEMBERS],
