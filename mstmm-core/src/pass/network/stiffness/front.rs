@@ -132,10 +132,11 @@ impl<S: Scalar> StiffnessFront<'_, S> {
             }
             errors[k] = core::mem::replace(&mut self.errors[first + k], S::Size::of(0.0));
         }
-        let mut product = S::one();
+        let (mut product, mut pivots) = (S::one(), [S::one(); GROUP]);
         for pivot in (0..count).rev() {
             self.look_at(own[pivot][pivot], errors[pivot]);
             product *= own[pivot][pivot];
+            pivots[pivot] = own[pivot][pivot];
             let inverse = S::one() / own[pivot][pivot];
             own[pivot][pivot] = inverse;
             let (rows, solved) = own.split_at_mut(pivot);
@@ -150,7 +151,7 @@ impl<S: Scalar> StiffnessFront<'_, S> {
                 }
             }
         }
-        self.total.multiply(product, 0);
+        self.total.multiply_by_all(product, &pivots[..count]);
         (own, errors)
     }
 

@@ -3,12 +3,13 @@
 extern crate std;
 
 use crate::DoubleDouble;
-use crate::elements::{Spring, TautString, TorsionSpring};
+use crate::elements::{Rod, Spring, TautString, TorsionSpring};
 use crate::number::Scaled;
 use crate::pass::characteristic::{System, count_and_value};
 use crate::pass::network::stiffness::{StiffnessBlock, StiffnessModel};
 use crate::pass::network::{End, Member, Network, NetworkRoom, Node};
 use crate::{Joint, Section, UndampedMember};
+use core::f64::consts::PI;
 use mstmm_plan::{Freedoms, Support};
 use std::vec::Vec;
 
@@ -89,6 +90,20 @@ fn a_portal() {
     ];
     let members = [[0, 1], [2, 1], [3, 2]].map(|[from, to]| Member::<Any>::new(from, to, section()));
     compare(&nodes, &members, &frequencies(0.5, 1.137, 80));
+}
+
+/// Products of three pivots are beyond the range where stiffnesses are this large or small.
+#[test]
+fn a_bend_in_extreme_units() {
+    let nodes = [Node::at([0.0, 0.0]).held(Support::Fixed.holds()), Node::at([0.0, 2.0]), Node::at([2.5, 2.0])];
+    for factor in [1e-120, 1e110] {
+        let Section { axial_stiffness, bending_stiffness, mass_per_length } = section();
+        let [axial_stiffness, bending_stiffness, mass_per_length] =
+            [axial_stiffness, bending_stiffness, mass_per_length].map(|number| number * factor);
+        let scaled = Section { axial_stiffness, bending_stiffness, mass_per_length };
+        let members = [[0, 1], [2, 1]].map(|[from, to]| Member::<Any>::new(from, to, scaled));
+        compare(&nodes, &members, &frequencies(0.5, 1.137, 80));
+    }
 }
 
 #[test]
@@ -251,6 +266,27 @@ fn fronts_are_as_wide_as_what_is_in_them_at_once() {
     let all = |points: usize| (0..points).flat_map(|k| (0..k).map(move |l| [l, k]));
     assert_eq!(width::<16, 120>(all(16)), Some(48));
     assert_eq!(width::<17, 136>(all(17)), None);
+}
+
+/// Rods whose lengths differ in the last digit have held frequencies so close that rounding of a wave number cannot tell on which side of one a
+/// frequency is: the sign of the minor does.
+#[test]
+fn frequencies_of_held_rods_are_told_apart_by_the_signs_of_their_minors() {
+    let held = Freedoms::Y.union(Freedoms::RZ);
+    let nodes = [Node::at([0.0, 0.0]).held(Support::Fixed.holds()), Node::at([1.0, 0.0]).held(held)];
+    let rod = |length: f64| Rod { length, axial_stiffness: 1.0, mass_per_length: 1.0, foundation_stiffness: 0.0 };
+    let members: [Member<Any>; 5] =
+        core::array::from_fn(|k| Member::new(0, 1, rod(1.0 + k as f64 * f64::EPSILON)).along([1.0, 0.0]));
+    let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
+    let network = Network::<_, 48, _, _>::new(&nodes, &members, &mut room).unwrap();
+    for halves in 1..20 {
+        for ulps in -8..8 {
+            let omega = f64::from(halves) * PI * (1.0 + f64::from(ulps) * f64::EPSILON);
+            let exactly = count_and_value::<true, _, DoubleDouble>(&network, DoubleDouble::from(omega)).0.below();
+            let counts = network.precise_counts([omega; 2]).map(|count| count.map(|count| count.below));
+            assert_eq!(counts, [Some(exactly); 2], "{halves} half waves, {ulps} last digits");
+        }
+    }
 }
 
 /// A ladder with rungs so many times as stiff as its legs.

@@ -7,6 +7,9 @@ use crate::pass::network::stiffness::waves::{Bending, Line, Waves};
 const SMALL: f64 = 1e-30;
 const LARGE: f64 = 1e30;
 
+/// Size of a product of pivots below which, or beyond whose inverse, they are multiplied one by one.
+const PRODUCT: f64 = 1e-200;
+
 /// The product of all pivots and minors, which is Δ but for a factor without zeros, and the count.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StiffnessTotal<S: Scalar> {
@@ -45,6 +48,18 @@ impl<S: Scalar> StiffnessTotal<S> {
         let size = self.product.size().first();
         if !(size > SMALL && size < LARGE) {
             self.take_power_out(size);
+        }
+    }
+
+    /// Multiplies Δ by a product, or by its factors one by one where that leaves the range.
+    #[inline(always)]
+    pub(super) fn multiply_by_all(&mut self, product: S, factors: &[S]) {
+        let size = product.size().first();
+        if size > PRODUCT && size < 1.0 / PRODUCT {
+            return self.multiply(product, 0);
+        }
+        for factor in factors {
+            self.multiply(*factor, 0);
         }
     }
 

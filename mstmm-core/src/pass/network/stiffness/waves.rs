@@ -149,8 +149,12 @@ pub(super) fn line<S: StiffnessNumber>(line: &LineWave<S::Part>, at: &FrequencyP
     let square = at.lambda_squared * S::of(line.inertia) + S::of(line.foundation);
     let waves = square.even_waves();
     let inverse = S::one() / waves.sinhc * S::of(line.stiffness);
+    // the half waves to the nearest frequency of the line with both ends held, on whose side the sign of the minor tells: rounding alone would not
     let travelling = S::select(square.is_negative(), -square, S::zero());
-    let (below, _) = (travelling.sqrt().size() * S::Size::of(FRAC_1_PI)).whole();
+    let half = S::Size::of(0.5);
+    let (half_waves, is_odd) = (travelling.sqrt().size() * S::Size::of(FRAC_1_PI) + half).whole();
+    let is_less = is_odd ^ waves.sinhc.is_negative();
+    let below = half_waves + S::Size::choose(is_less, S::Size::of(-1.0), S::Size::of(0.0));
     Waves {
         stiffness: [waves.cosh * inverse, -(waves.one * inverse)],
         minor: waves.sinhc,
