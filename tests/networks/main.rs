@@ -4,6 +4,7 @@ mod at_rest;
 mod by_minors;
 mod checks;
 mod choices;
+mod counts;
 mod damped;
 mod damped_members;
 mod directed;

@@ -27,14 +27,14 @@ where
     ) -> Result<Found<L>, SearchError> {
         let [first, last] = self.enclosing(start, end)?;
         let mut found = L::empty();
-        let mut lower = self.sample(first)?;
+        let mut lower = self.sample_end(first)?;
         let bottom = lower;
         if start.is_zero() {
             Self::push(&mut found, self.rigid_body_modes(lower.below))?;
         }
         let mut waiting = List::<Sample<T>, WAITING>::new();
         if end > lower.omega {
-            Self::wait(&mut waiting, self.sample(last)?)?;
+            Self::wait(&mut waiting, self.sample_end(last)?)?;
         }
         while let Some(root) = self.next(&mut lower, &mut waiting)? {
             self.doubt(&root, found.last());

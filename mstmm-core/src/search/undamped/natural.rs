@@ -2,7 +2,7 @@
 
 use crate::model::SearchError;
 use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar, Scaled, Store, refuses_doubt};
-use crate::pass::characteristic::{Characteristic, System, count_and_value};
+use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::pass::searched::Undamped;
 use crate::search::closed_range::ClosedRange;
 use crate::search::room::add;
@@ -253,11 +253,12 @@ const EXTENDED_MARGIN: f64 = 4.0;
 fn count_beside<Y, T>(system: &Y, omega: T) -> Result<Option<u64>, SearchError>
 where
     T: Real,
-    Y: Characteristic<T> + ?Sized,
+    Y: System + Characteristic<T> + ?Sized,
 {
     let away = omega * count_margin();
-    let both = [omega - away, omega + away].map(|x| count_and_value::<true, _, _>(system, x));
-    agreed(omega, both)
+    // fronts know what rounding has done to them where they are looked at as beside a root
+    let counter = || WittrickWilliams::new(Y::IS_NETWORK);
+    agreed(omega, [omega - away, omega + away].map(|x| counted_pass(system, x, counter())))
 }
 
 /// The count on which the passes below and above a frequency agree, if no sum cancelled in them.
@@ -270,7 +271,8 @@ pub(crate) fn agreed<T: Real>(
     if !(lower.size().is_finite() && upper.size().is_finite()) {
         return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
     }
-    let is_clear = !(lower.is_zero() || upper.is_zero() || below.cancelled().any() || above.cancelled().any());
+    let is_lost = [below.cancelled(), above.cancelled()].iter().any(|cancelled| cancelled.any() || cancelled.at_root);
+    let is_clear = !(lower.is_zero() || upper.is_zero() || is_lost);
     Ok((is_clear && below.below() == above.below()).then_some(below.below()))
 }
 

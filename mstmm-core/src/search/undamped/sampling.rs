@@ -118,6 +118,16 @@ where
         Ok(Sample { omega, below, value })
     }
 
+    /// The sample at the end of a range, which no certificate of a root confirms: fronts know what rounding has done to them where they are
+    /// looked at as beside a root.
+    pub(super) fn sample_end(&mut self, omega: T) -> Result<Sample<T>, SearchError> {
+        self.is_at_root = Y::IS_NETWORK && T::HAS_EXTENDED;
+        let sample = self.sample(omega)?;
+        self.is_doubtful |= self.is_at_root && core::mem::take(&mut self.is_ill_conditioned);
+        self.is_at_root = false;
+        Ok(sample)
+    }
+
     /// Count and Δ at a frequency of any type, of the size of ω.
     #[inline]
     pub(super) fn count<S: Single>(&mut self, x: S, omega: T) -> Result<(u64, Scaled<S>), SearchError>
