@@ -18,6 +18,7 @@ pub mod elements;
 mod model;
 mod number;
 mod pass;
+mod proof;
 pub mod search;
 mod subspace;
 

@@ -1,0 +1,160 @@
+//! The bending of a uniform beam over the displacements `y1, θ1 l, y2, θ2 l`, over `EI/l³`, by `x = z⁴ = m ω² l⁴/EI`.
+
+use crate::proof::ball::Ball;
+use crate::proof::functions::Level;
+use crate::proof::member::{BESIDE_POLE, Border, Member, any, both, half_wave, not, place};
+use crate::proof::word::Word;
+use core::f64::consts::FRAC_1_PI;
+
+/// The bending of a beam.
+pub(crate) type Bending<N> = Member<N, 4, 10>;
+
+/// Number of terms of the series in `(4x)^k/(4k + 4)!`, |x| <= 1: the next one is below 1e-2 of the rounding of a number of `TERMS`.
+const fn terms(of_squares: usize) -> usize {
+    of_squares * 2 / 3
+}
+
+/// The matrix of a beam from the stiffness of an end, `b, f, d`, and between its ends, `t, u, v`.
+#[inline(always)]
+pub(crate) fn symmetric<N: Level>([b, f, d, t, u, v]: [Ball<N>; 6]) -> [Ball<N>; 10] {
+    [b, f, d, -t, -u, b, u, v, -f, d]
+}
+
+/// The sizes of the four displacements' stiffnesses: the larger one of an end's own and that between the ends, since either may vanish.
+#[inline(always)]
+pub(crate) fn sizes_of<N: Level>([b, _, d, t, _, v]: [Ball<N>; 6]) -> [f64; 4] {
+    let larger = |own: Ball<N>, between: Ball<N>| own.mid.leading().first().abs().max(between.mid.leading().first().abs());
+    let (across, rotation) = (larger(b, t), larger(d, v));
+    [across, rotation, across, rotation]
+}
+
+/// The member at `x >= 0`.
+#[inline(always)]
+pub(crate) fn bending<N: Level>(x: Ball<N>) -> Bending<N> {
+    let is_short = x.largest().is_less(N::Word::of(1.0));
+    if N::Word::all(is_short) {
+        return short(x);
+    }
+    if !any::<N::Word>(is_short) {
+        return long(x);
+    }
+    let one = Ball::of(1.0);
+    let [at_most_one, at_least_one] = [Ball::select(is_short, x, one), Ball::select(is_short, one, x)];
+    Bending::select(is_short, short(at_most_one), long(at_least_one))
+}
+
+/// Short waves: series in x. The first frequency of a clamped beam is at z = 4.73.
+#[inline(always)]
+fn short<N: Level>(x: Ball<N>) -> Bending<N> {
+    let terms = terms(N::TERMS);
+    let y = x.scaled(-4.0);
+    let [b, f, d, e] = [1, 2, 3, 4].map(|first| y.series([first, 4, terms], 4.0));
+    let [t, u, v] = [1, 2, 3].map(|first| x.series([first, 4, terms], 1.0));
+    let (d, e) = (d.scaled(2.0), e.scaled(2.0));
+    let inverse = e.inverse();
+    let entries = [b, f, d, t, u, v].map(|entry| entry * inverse);
+    let zero = N::Word::of(0.0);
+    Bending {
+        sizes: sizes_of(entries),
+        stiffness: symmetric(entries),
+        border: None,
+        held: [zero; 2],
+        minor: e.mid.leading(),
+    }
+}
+
+/// Waves of z >= 1, all functions times `2e^-z`.
+#[inline(always)]
+fn long<N: Level>(x: Ball<N>) -> Bending<N> {
+    let word = N::Word::of;
+    let z = x.root().root();
+    let [s, c] = z.sin_cos();
+    let decay = z.decay();
+    let (square, one) = (decay * decay, Ball::of(1.0));
+    let (ch, sh, o) = (one + square, one - square, decay.scaled(2.0));
+    let (ch_s, sh_c) = (ch * s, sh * c);
+    let minor = o - ch * c;
+    let (b, f, d) = (ch_s + sh_c, sh * s, ch_s - sh_c);
+    let (t, u, v) = (sh + o * s, ch - o * c, sh - o * s);
+    let half_waves = z.mid.leading() * word(FRAC_1_PI);
+    let (middle, is_in_the_middle) = half_wave(half_waves);
+    let is_beside = minor.mid.size().is_less(word(BESIDE_POLE));
+    let is_bordered = both::<N::Word>(is_beside, is_in_the_middle);
+    let member = if N::Word::all(is_bordered) { None } else { Some(plain(z, minor, [b, f, d, t, u, v])) };
+    if !any::<N::Word>(is_bordered) {
+        return member.unwrap_or_else(|| plain(z, minor, [b, f, d, t, u, v]));
+    }
+    // minors of rows (1, i) and columns (1, j) over the minor of all, over b
+    let m = [o + ch * c, v, -(sh * s).scaled(2.0), -(ch + o * c), d, (ch * c).scaled(2.0)];
+    let bordered = bordered(z, minor, [b, f, t, u], m, middle, x);
+    member.map_or(bordered, |plain| Bending::select(is_bordered, bordered, plain))
+}
+
+/// The member away from its poles.
+#[inline(always)]
+fn plain<N: Level>(z: Ball<N>, minor: Ball<N>, [b, f, d, t, u, v]: [Ball<N>; 6]) -> Bending<N> {
+    let word = N::Word::of;
+    let first = z * minor.inverse();
+    let second = first * z;
+    let third = second * z;
+    let entries = [third * b, second * f, first * d, third * t, second * u, first * v];
+    let (is_negative, is_positive) = (minor.is_negative(), minor.is_positive());
+    // Near kπ a rounded quotient may be k or k - 1, and both give k - 1: there the sign of the minor is known, and has the parity of the count.
+    let half_waves = z.mid.leading() * word(FRAC_1_PI);
+    let below = (half_waves - word(0.5)).nearest();
+    let lacks = N::Word::select(is_negative, word(1.0), word(0.0));
+    let differs = (below - lacks).is_odd();
+    let held = (below - N::Word::select(differs, word(1.0), word(0.0))).or_larger(word(0.0));
+    let is_known = not::<N::Word>(both::<N::Word>(not::<N::Word>(is_negative), not::<N::Word>(is_positive)));
+    let fourth = z * z * (z * z);
+    Bending {
+        sizes: sizes_of(entries),
+        stiffness: symmetric(entries),
+        border: None,
+        held: [held; 2],
+        minor: minor.mid.leading() / fourth.mid.leading(),
+    }
+    .known_where(is_known)
+}
+
+/// The member beside a pole: Sylvester's identity `N = n nᵀ/n₁ + E M/n₁` of its numerators, n the first row, E the minor, M minors of two rows
+/// and columns over E in closed form.
+#[inline(always)]
+fn bordered<N: Level>(
+    z: Ball<N>,
+    minor: Ball<N>,
+    [b, f, t, u]: [Ball<N>; 4],
+    [m22, m23, m33, m24, m34, m44]: [Ball<N>; 6],
+    middle: N::Word,
+    x: Ball<N>,
+) -> Bending<N> {
+    let zero = Ball::of(0.0);
+    let square = z * z;
+    let kappa = square * z;
+    let over_b = b.inverse();
+    let [first, second, third] = [z, square, kappa].map(|power| power * over_b);
+    let mut stiffness = [zero; 10];
+    let entries = [(1, 1, m22 * first), (2, 1, m23 * second), (2, 2, m33 * third)];
+    let others = [(3, 1, m24 * first), (3, 2, m34 * second), (3, 3, m44 * first)];
+    for (row, column, entry) in entries.into_iter().chain(others) {
+        stiffness[place(row, column)] = entry;
+    }
+    let forces = [kappa * b, square * f, -(kappa * t), square * u];
+    let flexibility = kappa * (b * minor);
+    let (Border { forces, flexibility }, left) =
+        Bending::shifted(&mut stiffness, forces, flexibility, kappa.inverse());
+    // With y1 let go the frequencies are those of tan z = -tanh z, one in each (kπ - π/4, kπ): in the middle of a half wave the number of
+    // half waves below.
+    let held = middle - N::Word::of(1.0);
+    let scale = (kappa * b * x).mid.leading();
+    let size = kappa.mid.leading().first();
+    let rotation = z.mid.leading().first();
+    Bending {
+        stiffness,
+        border: Some(Border { forces, flexibility }),
+        held: [held; 2],
+        minor: -left.mid.leading() / scale,
+        sizes: [size, rotation, size, rotation],
+    }
+    .known_where(both::<N::Word>(left.is_positive(), b.mid.size().is_less(N::Word::of(f64::INFINITY))))
+}

@@ -1,0 +1,283 @@
+//! The elimination of a symmetric matrix whose errors are given to their own pivots: a bound of the number of its negative eigenvalues.
+//!
+//! A front holds the variables that are not eliminated yet. Parts are added, variables leave. What an entry may be off by is collected for the
+//! rows, as [the theorem](crate::proof) wants it: the exact matrix is no lower than the stored one less the errors on its diagonal, and no
+//! higher than the stored one with them added.
+
+use crate::number::{Scalar, Size};
+use crate::proof::ball::Ball;
+use crate::proof::number::Number;
+use crate::proof::word::Word;
+
+/// A variable in a front.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Variable<W> {
+    /// What its row may be off by, times its weight.
+    error: W,
+    /// The weight w by which the error δ of an entry is shared: `δ w_j/w_i` to row i and `δ w_i/w_j` to row j. Any positive number is valid; the
+    /// inverse root of the stiffness of the row is sharp.
+    weight: f64,
+    /// The sizes of the terms of its diagonal entry, from which the weight follows.
+    size: f64,
+    is_taken: bool,
+    /// While a variable leaves: the rows that it touches, from the first place on.
+    touched: usize,
+}
+
+impl<W: Word> Variable<W> {
+    /// No variable.
+    #[inline(always)]
+    pub(crate) fn none() -> Self {
+        Variable { error: W::of(0.0), weight: 1.0, size: 0.0, is_taken: false, touched: 0 }
+    }
+}
+
+/// A front in memory for its lower triangle, row after row, and for its variables.
+#[derive(Debug)]
+pub(crate) struct Front<'m, N: Number> {
+    entries: &'m mut [N],
+    variables: &'m mut [Variable<N::Word>],
+    /// Number of places that are in use or were.
+    width: usize,
+    /// -1 in lanes that are bounded from above: pivots are moved down there; 1 in those that are bounded from below.
+    toward: N::Word,
+    pub(crate) total: Total<N::Word>,
+}
+
+/// What the pivots so far tell.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Total<W> {
+    /// The number of negative pivots; NaN in a lane in which a bound was lost.
+    pub(crate) negative: W,
+    /// Their product over powers of two that are the same in all lanes, as near as words are: it decides nothing.
+    pub(crate) product: W,
+    pub(crate) exponent: i64,
+    /// The smallest pivot beside the terms of its diagonal entry, in the first lane, and how many variables had left before it.
+    pub(crate) smallest: f64,
+    pub(crate) smallest_at: usize,
+    pub(crate) left: usize,
+}
+
+/// Place of an entry of the lower triangle.
+#[inline(always)]
+fn place(row: usize, column: usize) -> usize {
+    if row < column { column * (column + 1) / 2 + row } else { row * (row + 1) / 2 + column }
+}
+
+/// Added to the error of each pivot, for the parts of some ten thousand products that underflow.
+const UNDERFLOWS: f64 = 1e-280;
+
+/// What a pivot becomes that is zero: any number on the right side of zero is valid.
+const SMALLEST_PIVOT: f64 = 1e-250;
+
+/// Errors are sums of rounded positive numbers, of up to a million of them.
+const ADDED_UP: f64 = 1.0 + 1e-9;
+
+/// The residual of an inverse below which that is one: what a quotient by it is off by is known to a relative `1e-10` then.
+const NEAR_INVERSE: f64 = 1e-11;
+
+/// Factor between the sizes of a row at which its weight is found anew.
+const GROWTH: f64 = 16.0;
+
+impl<'m, N: Number> Front<'m, N> {
+    /// An empty front.
+    #[inline(always)]
+    pub(crate) fn new(entries: &'m mut [N], variables: &'m mut [Variable<N::Word>], toward: N::Word) -> Self {
+        let total = Total {
+            negative: N::Word::of(0.0),
+            product: N::Word::of(1.0),
+            exponent: 0,
+            smallest: f64::INFINITY,
+            smallest_at: 0,
+            left: 0,
+        };
+        Front { entries, variables, width: 0, toward, total }
+    }
+
+    /// Takes a place for a variable; none where there is no room.
+    #[inline(always)]
+    pub(crate) fn enter(&mut self) -> Option<usize> {
+        let free = self.variables[..self.width].iter().position(|variable| !variable.is_taken);
+        let place_of = match free {
+            Some(free) => free,
+            None if self.width < self.variables.len() => {
+                self.width += 1;
+                self.width - 1
+            }
+            None => return None,
+        };
+        self.variables[place_of] = Variable { is_taken: true, ..Variable::none() };
+        for other in 0..self.width {
+            self.entries[place(place_of, other)] = N::of(0.0);
+        }
+        Some(place_of)
+    }
+
+    /// Tells a variable that its diagonal entry gets a term of this size.
+    #[inline(always)]
+    pub(crate) fn grow(&mut self, variable: usize, size: f64) {
+        let own = &mut self.variables[variable];
+        if !(size > 0.0 && size < f64::INFINITY) {
+            return;
+        }
+        let before = own.size;
+        own.size += size;
+        if own.size > before * GROWTH {
+            let weight = inverse_root(own.size);
+            own.error = own.error * N::Word::of(weight / own.weight);
+            own.weight = weight;
+        }
+    }
+
+    /// Adds a ball to an entry and to its mirror image.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, row: usize, column: usize, ball: Ball<N>) {
+        let entry = &mut self.entries[place(row, column)];
+        *entry = entry.plus(ball.mid);
+        let off = ball.rad + N::Word::of(N::SUM) * entry.size();
+        let weights = [self.variables[column].weight, self.variables[row].weight];
+        self.variables[row].add_error(off, weights[0]);
+        if row != column {
+            self.variables[column].add_error(off, weights[1]);
+        }
+    }
+
+    /// Eliminates a variable.
+    #[inline(always)]
+    pub(crate) fn leave(&mut self, variable: usize) {
+        let word = N::Word::of;
+        let own = self.variables[variable];
+        self.variables[variable].is_taken = false;
+        let entry = self.entries[place(variable, variable)];
+        // 2.1 SUM |entry| covers the rounding of the sum with the nudge, and that |entry| is taken by its leading word
+        let nudge = own.error * word(ADDED_UP / own.weight) + entry.size() * word(2.1 * N::SUM) + word(UNDERFLOWS);
+        let moved = entry.plus(N::of_word(self.toward * nudge));
+        let zero = N::of_word(self.toward * word(SMALLEST_PIVOT));
+        let is_nonzero = word(0.0).is_less(moved.size());
+        let is_lost = !N::Word::all(moved.size().is_less(word(f64::INFINITY)));
+        let pivot = if N::Word::all(is_nonzero) || is_lost { moved } else { N::select(is_nonzero, moved, zero) };
+        self.total.include(pivot.leading(), own.weight);
+        let inverse = pivot.near_inverse();
+        let residual = N::of(1.0).minus(pivot.times(inverse)).size() + word(1.01 * N::PRODUCT + N::SUM);
+        let of_inverse =
+            N::Word::select(residual.is_less(word(NEAR_INVERSE)), residual * word(1.0 + 1e-10), word(f64::INFINITY));
+        // of the factor l and of the product t = a l
+        let of_product = of_inverse + word(2.02 * N::PRODUCT);
+        let touched = self.touch(variable);
+        let of_row = of_product * word(touched as f64);
+        for k in 0..touched {
+            let row = self.variables[k].touched;
+            let a = self.entries[place(row, variable)];
+            let factor = a.times(inverse);
+            // |a_i a_j/d - t| shared by |a_i/a_j|: each row has the same part of its own |a_i l_i|
+            let weight = self.variables[row].weight;
+            let mut error = of_row * (factor.size() * a.size()) * word(weight);
+            for j in 0..=k {
+                let column = self.variables[j].touched;
+                let beside = self.entries[place(column, variable)];
+                let entry = &mut self.entries[place(row, column)];
+                *entry = entry.minus(factor.times(beside));
+                let off = word(N::SUM) * entry.size();
+                error = error + off * word(self.variables[column].weight);
+                if j < k {
+                    self.variables[column].add_error(off, weight);
+                }
+            }
+            self.variables[row].error = self.variables[row].error + error;
+        }
+    }
+
+    /// Puts a combination of other variables in the place of one, which no part knows any more: the exact matrix is transformed by exact
+    /// coefficients, of which these are balls.
+    #[inline(always)]
+    pub(crate) fn substitute(&mut self, variable: usize, row: &[(usize, Ball<N>)]) {
+        let word = N::Word::of;
+        let own = self.variables[variable];
+        self.variables[variable].is_taken = false;
+        let diagonal = Ball::exactly(self.entries[place(variable, variable)]);
+        for &(target, coefficient) in row {
+            let square = coefficient.largest() * coefficient.largest();
+            self.grow(target, own.size * square.first());
+            // e v² <= e n Σ c² w²
+            let error = own.error * word(row.len() as f64 / own.weight) * square;
+            let weight = self.variables[target].weight;
+            self.variables[target].add_error(error, weight);
+        }
+        for other in 0..self.width {
+            if !self.is_coupled(other, variable) {
+                continue;
+            }
+            let beside = Ball::exactly(self.entries[place(other, variable)]);
+            for &(target, coefficient) in row {
+                let term = coefficient * beside;
+                self.add(target, other, if target == other { term.scaled(2.0) } else { term });
+            }
+        }
+        for (index, &(target, coefficient)) in row.iter().enumerate() {
+            let scaled = coefficient * diagonal;
+            for &(other, of_other) in &row[..=index] {
+                self.add(target, other, scaled * of_other);
+            }
+        }
+    }
+
+    /// Whether an entry of the column of a variable is not zero in some lane.
+    #[inline(always)]
+    fn is_coupled(&self, row: usize, variable: usize) -> bool {
+        row != variable && self.variables[row].is_taken && !self.entries[place(row, variable)].leading().vanishes()
+    }
+
+    /// Lists the rows that are coupled to a variable; returns their number.
+    #[inline(always)]
+    fn touch(&mut self, variable: usize) -> usize {
+        let mut count = 0;
+        for row in 0..self.width {
+            if self.is_coupled(row, variable) {
+                self.variables[count].touched = row;
+                count += 1;
+            }
+        }
+        count
+    }
+}
+
+impl<W: Word> Variable<W> {
+    /// Adds a part of the error of an entry, given the weight of the other row.
+    #[inline(always)]
+    fn add_error(&mut self, off: W, weight: f64) {
+        self.error = self.error + off * W::of(weight);
+    }
+}
+
+impl<W: Word> Total<W> {
+    /// Counts a pivot.
+    #[inline(always)]
+    fn include(&mut self, pivot: W, weight: f64) {
+        // zero times what is not finite is NaN
+        self.negative = self.negative + pivot.one_if_negative() + pivot * W::of(0.0);
+        let in_units = pivot * W::of(weight) * W::of(weight);
+        let size = in_units.size().first();
+        if size < self.smallest {
+            (self.smallest, self.smallest_at) = (size, self.left);
+        }
+        self.left += 1;
+        self.multiply(in_units);
+    }
+
+    /// Multiplies the product by a number, and moves it back into the range by a power of two.
+    #[inline(always)]
+    pub(crate) fn multiply(&mut self, factor: W) {
+        self.product = self.product * factor;
+        if let Some(exponent) = Size::exponent(self.product.size().first())
+            && exponent.abs() > 200
+        {
+            self.product = self.product * W::of(f64::from(-exponent)).power_of_two();
+            self.exponent += i64::from(exponent);
+        }
+    }
+}
+
+/// Nearly `1/√size`: a power of two.
+fn inverse_root(size: f64) -> f64 {
+    1.0.times_power_of_two(Size::exponent(size).map_or(0, |exponent| -exponent / 2))
+}

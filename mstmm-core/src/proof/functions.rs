@@ -1,0 +1,123 @@
+//! Elementary functions of balls: the argument is reduced by exact products, a Taylor series is summed in balls, and what it leaves out is
+//! added to the bound. No function needs a proof of its own rounding.
+
+use crate::proof::ball::Ball;
+use crate::proof::constants::{HALF_PI, LN_2, RECIPROCAL_FACTORIALS};
+use crate::proof::number::{Number, TwoWords, UNDERFLOW};
+use crate::proof::word::Word;
+
+/// A number for which series have enough terms and constants enough words.
+pub(crate) trait Level: Number {
+    /// Relative bound of [`Number::of_product`].
+    const PRODUCT_OF_WORDS: f64 = 0.0;
+    /// Number of parts of π/2 and ln 2, and what they leave of either.
+    const PARTS: (usize, f64);
+    /// Number of terms of a series in `y^k/(2k)!` with |y| <= 1: the next one is below the rounding of the first.
+    const TERMS: usize;
+}
+
+impl<W: Word> Level for TwoWords<W> {
+    const PARTS: (usize, f64) = (4, 3e-66);
+    const TERMS: usize = 14;
+}
+
+#[cfg(test)]
+impl Level for crate::proof::number::OneWord {
+    const PRODUCT_OF_WORDS: f64 = crate::proof::number::U * (1.0 + 1e-10);
+    const PARTS: (usize, f64) = (4, 3e-66);
+    const TERMS: usize = 9;
+}
+
+/// Most quarter turns by which an angle is reduced: their products with parts of π/2 are exact in two words, and their bits in a word.
+const MOST_TURNS: f64 = 1_048_576.0;
+
+/// An exponent beyond which `e^-x` is a ball about zero.
+const MOST_DECAY: f64 = 650.0;
+
+/// A bound of `e^-x` beyond [`MOST_DECAY`], which is 5e-283.
+const LEAST_DECAY: f64 = 1e-282;
+
+impl<N: Level> Ball<N> {
+    /// The product of two words.
+    #[inline(always)]
+    pub(crate) fn of_product(a: N::Word, b: N::Word) -> Self {
+        let mid = N::of_product(a, b);
+        Ball { mid, rad: mid.size() * N::Word::of(N::PRODUCT_OF_WORDS) + N::Word::of(UNDERFLOW) }
+    }
+
+    /// `1/n!`: the words that are left out are below the rounding of a sum.
+    #[inline(always)]
+    pub(crate) fn reciprocal_factorial(n: usize) -> Self {
+        let parts = RECIPROCAL_FACTORIALS[n];
+        Ball { mid: N::of_parts(parts), rad: N::Word::of(parts[0] * N::SUM) }
+    }
+
+    /// The ball less a whole number times a constant in parts.
+    #[inline(always)]
+    fn reduced(self, whole: N::Word, parts: &[f64; 7]) -> Self {
+        let (count, rest) = N::PARTS;
+        let reduced = parts[..count].iter().fold(self, |sum, part| sum + Self::of_product(-whole, N::Word::of(*part)));
+        reduced.widened(whole.size() * N::Word::of(rest))
+    }
+
+    /// `Σ_k y^k / (stride k + first)!` with so many terms, for |y| <= `limit`: from one term to the next the rest falls by
+    /// `limit / (stride terms + first)^stride`, which has to be below a half.
+    #[inline(always)]
+    pub(crate) fn series(self, [first, stride, terms]: [usize; 3], limit: f64) -> Self {
+        let mut sum = Self::reciprocal_factorial(stride * (terms - 1) + first);
+        for k in (0..terms - 1).rev() {
+            sum = sum * self + Self::reciprocal_factorial(stride * k + first);
+        }
+        let mut rest = 2.0 * RECIPROCAL_FACTORIALS[stride * terms + first][0] * (1.0 + 1e-12);
+        for _ in 0..terms {
+            rest *= limit;
+        }
+        sum.widened(N::Word::of(rest))
+    }
+
+    /// Sine and cosine. Beyond [`MOST_TURNS`] quarter turns both are known to be in [-1, 1] alone.
+    #[inline(always)]
+    pub(crate) fn sin_cos(self) -> [Self; 2] {
+        let word = N::Word::of;
+        let turns = (self.mid.leading() * word(core::f64::consts::FRAC_2_PI)).nearest();
+        let is_known = turns.size().is_less(word(MOST_TURNS));
+        let turns = N::Word::select(is_known, turns, word(0.0));
+        let angle = self.reduced(turns, &HALF_PI);
+        // |angle| <= π/4 (1 + 1e-9), unless its ball is wide; then the bound of the rest is multiplied by it below
+        let square = angle * angle;
+        let y = -square;
+        let sine = angle + angle * (y * y.series([3, 2, N::TERMS], 1.0));
+        let cosine = Self::of(1.0) + y * y.series([2, 2, N::TERMS], 1.0);
+        let is_small = square.largest().is_less(word(1.0));
+        let is_odd = turns.is_odd();
+        // the second bit: that of the even number below
+        let half = (turns - N::Word::select(is_odd, word(1.0), word(0.0))) * word(0.5);
+        let is_turned = half.is_odd();
+        let [sin, cos] = [Self::select(is_odd, cosine, sine), Self::select(is_odd, -sine, cosine)];
+        let anywhere = Ball { mid: N::of(0.0), rad: word(1.0) };
+        [sin, cos].map(|value| {
+            let value = Self::select(is_turned, -value, value);
+            Self::select(is_known, Self::select(is_small, value, anywhere), anywhere)
+        })
+    }
+
+    /// `e^-x` for x >= 0.
+    #[inline(always)]
+    pub(crate) fn decay(self) -> Self {
+        let word = N::Word::of;
+        let is_moderate = self.mid.leading().is_less(word(MOST_DECAY));
+        let halvings = (self.mid.leading() * word(core::f64::consts::LOG2_E)).nearest();
+        let halvings = N::Word::select(is_moderate, halvings, word(0.0));
+        let rest = -self.reduced(halvings, &LN_2);
+        // |rest| <= ln 2 / 2 (1 + 1e-9), unless the ball is wide
+        let exponential = Self::of(1.0) + (rest + rest * (rest * rest.series([2, 1, 2 * N::TERMS - 3], 0.5)));
+        let is_small = rest.largest().is_less(word(0.5));
+        let power = (-halvings).power_of_two();
+        let decay = Ball { mid: exponential.mid.scaled(power), rad: exponential.rad * power + word(UNDERFLOW) };
+        let unknown = Ball { mid: N::of(0.0), rad: word(f64::INFINITY) };
+        let known = Self::select(is_small, decay, unknown);
+        let is_large = word(MOST_DECAY * (1.0 - 1e-9)).is_less(self.mid.leading() - self.rad);
+        let large = Self::select(is_large, Ball { mid: N::of(0.0), rad: word(LEAST_DECAY) }, unknown);
+        Self::select(is_moderate, known, large)
+    }
+}

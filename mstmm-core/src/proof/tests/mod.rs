@@ -1,0 +1,3 @@
+//! Tests of the proof.
+
+mod functions;
