@@ -103,7 +103,7 @@ pub use pass::network::{
     MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch, Node, OverallNetwork, Placed, PlacedCharts,
     PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, PreciseCount, Seat, Skeleton, SketchedBody, SketchedEnd,
     SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel, build_member, in_way_back,
-    network_pass, overall_determinant, overall_matrix, precise_counts,
+    network_pass, overall_determinant, overall_matrix, precise_counts, visit_network,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;
@@ -112,6 +112,7 @@ pub use pass::planned_list::{InList, ListParameter, PerParameter, PlannedList, R
 pub use pass::side_by_side::Lanewise;
 pub use pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 pub use pass::tree::{ExtendedTree, Planned, Tree};
+pub use proof::visit::{Visitor, visit_steps};
 pub use subspace::connecting::Connecting;
 pub use subspace::count::{Held, NoCount, RootCounter, WittrickWilliams};
 pub use subspace::front::chart::{Chart, JoinedEnd, MOST_ENTRIES, MOST_FREEDOMS, MOST_VARIABLES};

@@ -1,5 +1,6 @@
 //! Elements of any type in one, as lists of steps hold them.
 
+use crate::element::member_numbers::MemberNumbers;
 use crate::element::visit::{Visit, VisitStep};
 use crate::model::{Ends, Extent, FrequencyEstimates};
 use crate::number::{Real, Scalar};
@@ -36,6 +37,11 @@ pub trait ListElement {
 
     /// Names of the parameters, in the order of the fields.
     fn parameters(&self) -> &'static [&'static str];
+
+    /// The numbers from which its dynamic stiffness follows.
+    fn member_numbers(&self) -> MemberNumbers {
+        MemberNumbers::Other
+    }
 
     /// Adds the element to the estimates of the searches.
     fn estimate(&self, estimates: &mut FrequencyEstimates);

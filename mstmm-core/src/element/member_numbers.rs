@@ -1,40 +1,122 @@
-//! The parameters of a member as numbers, from which its dynamic stiffness follows at any frequency.
+//! An element as numbers, from which its dynamic stiffness follows at any frequency.
 
+use crate::number::Parameter;
 use mstmm_plan::Freedoms;
+
+/// A parameter, exactly: the sum of two words. The second one is zero but of numbers with more digits than an `f64` has.
+pub type Exact = [f64; 2];
 
 /// The parameters of a line: of a rod, a string or a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineNumbers {
     /// Length l.
-    pub(crate) length: f64,
+    pub(crate) length: Exact,
     /// Stiffness H: tension, axial stiffness or torsional stiffness.
-    pub(crate) stiffness: f64,
+    pub(crate) stiffness: Exact,
     /// Inertia per length, and the stiffness of a foundation per length.
-    pub(crate) inertia: f64,
-    pub(crate) foundation: f64,
+    pub(crate) inertia: Exact,
+    pub(crate) foundation: Exact,
 }
 
-/// What a member is made of, as far as its dynamic stiffness follows from these numbers.
+/// The parameters of a uniform beam.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BeamNumbers {
+    pub(crate) length: Exact,
+    /// Bending stiffness EI and mass per length m.
+    pub(crate) bending_stiffness: Exact,
+    pub(crate) mass_per_length: Exact,
+    /// Axial stiffness EA; zero without longitudinal vibration.
+    pub(crate) axial_stiffness: Exact,
+    /// What a plain beam has not; none of a plain one.
+    pub(crate) more: Option<MoreOfBeam>,
+}
+
+impl BeamNumbers {
+    /// Its longitudinal vibration, if it has one.
+    pub(crate) fn longitudinal(&self) -> Option<LineNumbers> {
+        (self.axial_stiffness != [0.0; 2]).then_some(LineNumbers {
+            length: self.length,
+            stiffness: self.axial_stiffness,
+            inertia: self.mass_per_length,
+            foundation: [0.0; 2],
+        })
+    }
+}
+
+/// Shear, rotary inertia, axial force and foundation of a beam, each zero where there is none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MoreOfBeam {
+    /// Shear flexibility f, or the shear stiffness that is its inverse; both zero without shear.
+    pub(crate) shear_flexibility: Exact,
+    pub(crate) shear_stiffness: Exact,
+    pub(crate) rotary_inertia: Exact,
+    /// Axial force, and the shear layer of the foundation, which acts as one in tension.
+    pub(crate) axial_force: Exact,
+    pub(crate) shear_layer: Exact,
+    pub(crate) foundation_stiffness: Exact,
+}
+
+/// The parameters of a rigid body or link in a bending path.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyNumbers {
+    pub(crate) mass: Exact,
+    /// Moment of inertia about the input end.
+    pub(crate) inertia: Exact,
+    /// Positions of the mass centre and of the output end.
+    pub(crate) centre_x: Exact,
+    pub(crate) output_x: Exact,
+    /// Axial force between both ends.
+    pub(crate) axial_force: Exact,
+}
+
+/// What an element is made of, as far as its dynamic stiffness follows from these numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum MemberNumbers {
     /// Something else.
     #[default]
     Other,
-    /// A beam as long as its places are apart: bending stiffness, mass per length, and axial stiffness, if it has longitudinal vibration.
-    Beam([f64; 2], Option<f64>),
+    /// A beam; between two places it is as long as these are apart.
+    Beam(BeamNumbers),
     /// A line in the freedom of that index.
     Line(usize, LineNumbers),
     /// A spring in the freedom of that index.
-    Spring(usize, f64),
+    Spring(usize, Exact),
     /// A joint, which ties freedoms rigidly or by springs; zero where there is none.
-    Joint(Freedoms, [f64; 3]),
+    Joint(Freedoms, [Exact; 3]),
+    /// A rigid body, or a mass or an inertia alone.
+    Body(BodyNumbers),
 }
 
 impl MemberNumbers {
     /// A uniform line in the freedom of an index, 0 along the member or 2 about z, as long as its parameter says:
     /// `H y'' = (mλ² + k) y` with the length, H, m and k.
     pub fn uniform_line(freedom: usize, [length, stiffness, inertia, foundation]: [f64; 4]) -> Self {
+        let [length, stiffness, inertia, foundation] = [length, stiffness, inertia, foundation].map(|x| [x, 0.0]);
         let numbers = LineNumbers { length, stiffness, inertia, foundation };
         if freedom < 3 { MemberNumbers::Line(freedom, numbers) } else { MemberNumbers::Other }
+    }
+
+    /// A plain beam, as long as its parameter says, without longitudinal vibration if its axial stiffness is zero.
+    pub(crate) fn beam<T: Parameter>([length, axial_stiffness, bending_stiffness, mass_per_length]: [T; 4]) -> Self {
+        MemberNumbers::Beam(BeamNumbers {
+            length: length.words(),
+            bending_stiffness: bending_stiffness.words(),
+            mass_per_length: mass_per_length.words(),
+            axial_stiffness: axial_stiffness.words(),
+            more: None,
+        })
+    }
+
+    /// The rigid body under an axial force.
+    pub(crate) fn under_axial_force(self, axial_force: Exact) -> Self {
+        match self {
+            MemberNumbers::Body(body) => MemberNumbers::Body(BodyNumbers { axial_force, ..body }),
+            other => other,
+        }
+    }
+
+    /// A point mass with its moment of inertia.
+    pub(crate) fn mass<T: Parameter>([mass, inertia]: [T; 2]) -> Self {
+        MemberNumbers::Body(BodyNumbers { mass: mass.words(), inertia: inertia.words(), ..BodyNumbers::default() })
     }
 }

@@ -1,7 +1,7 @@
 //! Elements of any type, for lists of steps.
 
 use crate::element::{
-    CarriesLoad, Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, Visit, VisitStep,
+    CarriesLoad, Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, MemberNumbers, Visit, VisitStep,
 };
 use crate::elements::*;
 use crate::model::{Ends, Extent, FrequencyEstimates, ParameterError, StateSpace};
@@ -63,6 +63,12 @@ macro_rules! any_element {
             fn parameters(&self) -> &'static [&'static str] {
                 match self {
                     $($name::$element(_) => &[$(stringify!($field)),*],)*
+                }
+            }
+
+            fn member_numbers(&self) -> MemberNumbers {
+                match self {
+                    $($name::$element(built) => <$element<T> as Element>::member_numbers(built),)*
                 }
             }
 

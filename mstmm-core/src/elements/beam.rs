@@ -97,8 +97,8 @@ impl<T: Parameter> Element for Beam<T> {
     }
 
     fn member_numbers(built: &BuiltBeam<T>) -> MemberNumbers {
-        let Beam { bending_stiffness, mass_per_length, .. } = built.parameters;
-        MemberNumbers::Beam([bending_stiffness, mass_per_length].map(T::to_f64), None)
+        let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
+        MemberNumbers::beam([length, T::zero(), bending_stiffness, mass_per_length])
     }
 }
 

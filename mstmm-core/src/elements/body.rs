@@ -1,6 +1,6 @@
 //! Rigid body in a bending path.
 
-use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BodyNumbers, MemberNumbers, BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::arm::Arm;
 use crate::elements::shared::line_forms::half;
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement};
@@ -48,6 +48,8 @@ pub struct BuiltBody<T> {
     mass: T,
     /// `J_C = J_I - m c1²`; below zero where the rounding of J_I has put it there.
     central_inertia: T,
+    /// J_I, as it was given.
+    inertia: T,
     /// b1 and c1.
     levers: Levers<T>,
     /// `b1 - c1`.
@@ -75,6 +77,7 @@ impl<T: Parameter> Element for Body<T> {
         Ok(BuiltBody {
             mass: self.mass,
             central_inertia: self.central_inertia(),
+            inertia: self.inertia,
             levers: Levers::new(Arm::new(self.output_x), Arm::new(self.centre_x)),
             centre_to_output: Arm::between(self.centre_x, self.output_x),
         })
@@ -93,6 +96,16 @@ impl<T: Parameter> Element for Body<T> {
     fn extent(built: &BuiltBody<T>) -> Extent {
         let [output, centre] = [built.levers.output, built.levers.centre].map(|arm| [arm.length.to_f64(), 0.0]);
         Extent { output, centre: Some(centre) }
+    }
+
+    fn member_numbers(built: &BuiltBody<T>) -> MemberNumbers {
+        MemberNumbers::Body(BodyNumbers {
+            mass: built.mass.words(),
+            inertia: built.inertia.words(),
+            centre_x: built.levers.centre.length.words(),
+            output_x: built.levers.output.length.words(),
+            axial_force: [0.0; 2],
+        })
     }
 }
 
@@ -170,7 +183,7 @@ struct Behind<S> {
 impl<T: Parameter, S: Frequency<T>> BodyCoefficients<T, S> {
     #[inline(always)]
     fn new(built: &BuiltBody<T>, lambda_squared: S) -> Self {
-        let BuiltBody { mass, central_inertia, levers, centre_to_output } = *built;
+        let BuiltBody { mass, central_inertia, levers, centre_to_output, .. } = *built;
         let (a, j) = (lambda_squared * mass, lambda_squared * central_inertia);
         let to_output = centre_to_output.times(a);
         BodyCoefficients { a, j, to_output, about_output: j + centre_to_output.times(to_output), levers }

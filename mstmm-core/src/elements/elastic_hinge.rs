@@ -1,11 +1,11 @@
 //! Elastic hinge in a bending path.
 
-use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{MemberNumbers, BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{elongations, half};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single, Size, Truth};
 use crate::subspace::{Connecting, Covector, Held, Plane, RootCounter, Subspace};
-use mstmm_plan::{Coordinate, Support};
+use mstmm_plan::{Coordinate, Freedoms, Support};
 use nalgebra::Matrix4;
 
 /// Massless elastic hinge: a translational and a torsion spring side by side in a bending path.
@@ -35,6 +35,11 @@ impl<T: Parameter> Element for ElasticHinge<T> {
     fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
         estimates.translational_stiffness(built.stiffness_y.to_f64());
         estimates.torsional_stiffness(built.stiffness_theta.to_f64());
+    }
+
+    fn member_numbers(built: &Self) -> MemberNumbers {
+        let [y, theta] = [built.stiffness_y, built.stiffness_theta].map(T::words);
+        MemberNumbers::Joint(Freedoms::NONE, [[0.0; 2], y, theta])
     }
 }
 

@@ -1,6 +1,6 @@
 //! The general uniform beam: shear, rotary inertia, axial force, elastic foundation.
 
-use crate::element::{Element, PlaneStep, TransferMatrix};
+use crate::element::{BeamNumbers, Element, MemberNumbers, MoreOfBeam, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::Units;
 use crate::model::{Bending, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Truth};
@@ -75,6 +75,8 @@ pub struct GeneralBeam<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltGeneralBeam<T> {
     parameters: GeneralBeam<T>,
+    /// The shear stiffness, if the shear flexibility is its rounded inverse; else zero.
+    shear_stiffness: T,
     constants: Constants<T>,
     units: Units<T>,
 }
@@ -89,6 +91,7 @@ impl<T: Parameter> Element for GeneralBeam<T> {
         self.check()?;
         let built = BuiltGeneralBeam {
             parameters: self,
+            shear_stiffness: T::zero(),
             constants: Constants::of(self),
             units: Units::new(self.bending_stiffness, T::one() / self.length),
         };
@@ -120,6 +123,34 @@ impl<T: Parameter> Element for GeneralBeam<T> {
 
     fn extent(built: &BuiltGeneralBeam<T>) -> Extent {
         Extent::along(built.parameters.length.to_f64())
+    }
+
+    fn member_numbers(built: &BuiltGeneralBeam<T>) -> MemberNumbers {
+        MemberNumbers::Beam(built.numbers(T::zero()))
+    }
+}
+
+impl<T: Parameter> BuiltGeneralBeam<T> {
+    /// Its numbers, with an axial stiffness; zero without longitudinal vibration.
+    fn numbers(&self, axial_stiffness: T) -> BeamNumbers {
+        BeamNumbers {
+            length: self.parameters.length.words(),
+            bending_stiffness: self.parameters.bending_stiffness.words(),
+            mass_per_length: self.parameters.mass_per_length.words(),
+            axial_stiffness: axial_stiffness.words(),
+            more: Some(MoreOfBeam {
+                shear_flexibility: if self.shear_stiffness.vanishes().all() {
+                    self.parameters.shear_flexibility.words()
+                } else {
+                    [0.0; 2]
+                },
+                shear_stiffness: self.shear_stiffness.words(),
+                rotary_inertia: self.parameters.rotary_inertia.words(),
+                axial_force: self.parameters.axial_force.words(),
+                shear_layer: self.parameters.foundation_shear_stiffness.words(),
+                foundation_stiffness: self.parameters.foundation_stiffness.words(),
+            }),
+        }
     }
 }
 

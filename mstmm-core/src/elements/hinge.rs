@@ -2,12 +2,12 @@
 //!
 //! They differ in the freedom that gives way.
 
-use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{MemberNumbers, BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{elongations, half, unit_of};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single, Size, Truth};
 use crate::subspace::{Covector, Held, Plane, RootCounter, Subspace};
-use mstmm_plan::Coordinate;
+use mstmm_plan::{Coordinate, Freedoms};
 use nalgebra::Matrix4;
 
 /// Declares hinges by the freedom that gives way and the estimate that their stiffness enters.
@@ -37,6 +37,14 @@ macro_rules! hinges {
 
             fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
                 estimates.$estimate(built.stiffness.to_f64());
+            }
+
+            fn member_numbers(built: &Self) -> MemberNumbers {
+                let (zero, stiffness) = ([0.0; 2], built.stiffness.words());
+                match Coordinate::$coordinate {
+                    Coordinate::Theta => MemberNumbers::Joint(Freedoms::Y, [zero, zero, stiffness]),
+                    _ => MemberNumbers::Joint(Freedoms::RZ, [zero, stiffness, zero]),
+                }
             }
         }
 

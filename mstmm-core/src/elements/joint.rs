@@ -95,7 +95,7 @@ impl<T: Parameter> Element for Joint<T> {
     }
 
     fn member_numbers(built: &Self) -> MemberNumbers {
-        MemberNumbers::Joint(built.rigid, built.elastic.map(|stiffness| stiffness.map_or(0.0, T::to_f64)))
+        MemberNumbers::Joint(built.rigid, built.elastic.map(|stiffness| stiffness.map_or([0.0; 2], T::words)))
     }
 }
 

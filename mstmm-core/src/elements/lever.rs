@@ -1,6 +1,6 @@
 //! Massless rigid link in a bending path; the same under an axial force.
 
-use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BodyNumbers, MemberNumbers, BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
 use crate::elements::shared::arm::Arm;
 use crate::elements::shared::axial_force::{AxialForce, before_stiffness, stiffened, under_axial_force};
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement};
@@ -35,6 +35,10 @@ impl<T: Parameter> Element for Lever<T> {
 
     fn extent(built: &Self) -> Extent {
         Extent::along(built.output_x.to_f64())
+    }
+
+    fn member_numbers(built: &Self) -> MemberNumbers {
+        MemberNumbers::Body(BodyNumbers { output_x: built.output_x.words(), ..BodyNumbers::default() })
     }
 }
 

@@ -63,7 +63,13 @@ macro_rules! line_elements {
 /// The numbers of an element that has these fields.
 macro_rules! numbers {
     ($built:ident, stiffness) => {
-        MemberNumbers::Spring(if is_rotation::<Self>() { 2 } else { 0 }, $built.stiffness.to_f64())
+        MemberNumbers::Spring(if is_rotation::<Self>() { 2 } else { 0 }, $built.stiffness.words())
+    };
+    ($built:ident, mass) => {
+        MemberNumbers::mass([$built.mass, T::zero()])
+    };
+    ($built:ident, inertia) => {
+        MemberNumbers::mass([T::zero(), $built.inertia])
     };
     ($built:ident, $($field:ident)*) => {
         MemberNumbers::Other

@@ -91,8 +91,8 @@ impl<T: Parameter> Element for PlanarBeam<T> {
     }
 
     fn member_numbers(built: &BuiltPlanarBeam<T>) -> MemberNumbers {
-        let PlanarBeam { axial_stiffness, bending_stiffness, mass_per_length, .. } = built.parameters;
-        MemberNumbers::Beam([bending_stiffness, mass_per_length].map(T::to_f64), Some(axial_stiffness.to_f64()))
+        let PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length } = built.parameters;
+        MemberNumbers::beam([length, axial_stiffness, bending_stiffness, mass_per_length])
     }
 }
 

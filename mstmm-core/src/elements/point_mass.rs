@@ -1,6 +1,6 @@
 //! Lumped mass inside a bending path.
 
-use crate::element::{BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, Element, Energies, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{displacements, half};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
@@ -35,6 +35,10 @@ impl<T: Parameter> Element for PointMass<T> {
     fn estimate(built: &Self, estimates: &mut FrequencyEstimates) {
         estimates.mass(built.mass.to_f64());
         estimates.moment_of_inertia(built.inertia.to_f64());
+    }
+
+    fn member_numbers(built: &Self) -> MemberNumbers {
+        MemberNumbers::mass([built.mass, built.inertia])
     }
 }
 

@@ -17,6 +17,12 @@ pub trait Parameter: Scalar {
     /// The nearest `f64`; of numbers in lanes the first.
     fn to_f64(self) -> f64;
 
+    /// The number as the sum of two words, exactly.
+    #[inline]
+    fn words(self) -> [f64; 2] {
+        [self.to_f64(), 0.0]
+    }
+
     /// `self - a b c`, rounded once where there is an extended precision. The difference may be far smaller than the product.
     #[inline]
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {

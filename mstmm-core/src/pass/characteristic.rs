@@ -1,9 +1,12 @@
 //! The interface of built systems to the searches: Δ by the plane method, with a counter.
 
+use crate::element::MemberNumbers;
 use crate::model::FrequencyEstimates;
 use crate::number::{Real, Scalar, Scaled};
 use crate::pass::network::stiffness::{PreciseCount, StiffnessModel};
+use crate::proof::visit::Visitor;
 use crate::subspace::{NoCount, RootCounter, WittrickWilliams};
+use mstmm_plan::Space;
 
 /// A built system with parameters of type `Self::Parameter`.
 pub trait System {
@@ -44,6 +47,13 @@ pub trait System {
     #[doc(hidden)]
     fn precise_counts(&self, _omega: [f64; 2]) -> [Option<PreciseCount>; 2] {
         [None; 2]
+    }
+
+    /// Names its parts one after the other, for the proof of natural frequencies.
+    #[doc(hidden)]
+    fn name_parts(&self, visitor: &mut dyn Visitor) {
+        // nothing is known of a system that names nothing
+        visitor.element(0, 0, Space::NONE, &MemberNumbers::Other);
     }
 
     /// Estimates from which the searches take their first steps.

@@ -6,6 +6,7 @@ use crate::number::{Frequency, FrequencyPowers, InLanes, Scalar, Scaled};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::inlining::into_root;
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
+use crate::proof::visit::Visitor;
 use crate::subspace::{Connecting, RootCounter, Subspace, connection};
 use core::fmt;
 use mstmm_plan::{Space, Support};
@@ -178,6 +179,28 @@ impl<E: ListElement> System for StepList<'_, E> {
     fn may_buckle(&self) -> bool {
         let may = |step: &ListStep<E>| matches!(step, ListStep::Element(element) if element.may_buckle());
         E::MAY_BUCKLE && self.steps.iter().any(may)
+    }
+
+    fn name_parts(&self, visitor: &mut dyn Visitor) {
+        // the steps that the open paths have come to
+        let (mut open, mut count) = ([0; OPEN_PATHS], 0);
+        for (step, entry) in self.steps.iter().enumerate() {
+            match entry {
+                ListStep::Tip(support) => {
+                    visitor.tip(step, *support);
+                    count += 1;
+                }
+                ListStep::Element(element) => {
+                    visitor.element(step, open[count - 1], element.space(), &element.member_numbers());
+                }
+                ListStep::Connection(inputs) => {
+                    visitor.connection(step, &open[count - inputs..count], next_space(self.steps, step));
+                    count -= inputs - 1;
+                }
+                ListStep::Root(support) => visitor.root(open[0], *support),
+            }
+            open[count - 1] = step;
+        }
     }
 
     fn estimates(&self) -> FrequencyEstimates {

@@ -7,6 +7,7 @@
 use crate::number::{Scalar, Size};
 use crate::proof::ball::Ball;
 use crate::proof::number::Number;
+use crate::proof::row::Term;
 use crate::proof::word::Word;
 
 /// A variable in a front.
@@ -94,6 +95,12 @@ impl<'m, N: Number> Front<'m, N> {
         Front { entries, variables, width: 0, toward, total }
     }
 
+    /// Whether the count of a lane is bounded from above.
+    #[inline(always)]
+    pub(crate) fn is_bounded_above(&self) -> <N::Word as Word>::Mask {
+        self.toward.is_less(N::Word::of(0.0))
+    }
+
     /// Takes a place for a variable; none where there is no room.
     #[inline(always)]
     pub(crate) fn enter(&mut self) -> Option<usize> {
@@ -127,6 +134,11 @@ impl<'m, N: Number> Front<'m, N> {
             own.error = own.error * N::Word::of(weight / own.weight);
             own.weight = weight;
         }
+    }
+
+    /// The size of the terms of the diagonal entry of a variable.
+    pub(crate) fn size(&self, variable: usize) -> f64 {
+        self.variables[variable].size
     }
 
     /// Adds a ball to an entry and to its mirror image.
@@ -190,12 +202,12 @@ impl<'m, N: Number> Front<'m, N> {
     /// Puts a combination of other variables in the place of one, which no part knows any more: the exact matrix is transformed by exact
     /// coefficients, of which these are balls.
     #[inline(always)]
-    pub(crate) fn substitute(&mut self, variable: usize, row: &[(usize, Ball<N>)]) {
+    pub(crate) fn substitute(&mut self, variable: usize, row: &[Term<N>]) {
         let word = N::Word::of;
         let own = self.variables[variable];
         self.variables[variable].is_taken = false;
         let diagonal = Ball::exactly(self.entries[place(variable, variable)]);
-        for &(target, coefficient) in row {
+        for &Term { variable: target, coefficient, .. } in row {
             let square = coefficient.largest() * coefficient.largest();
             self.grow(target, own.size * square.first());
             // e v² <= e n Σ c² w²
@@ -208,14 +220,14 @@ impl<'m, N: Number> Front<'m, N> {
                 continue;
             }
             let beside = Ball::exactly(self.entries[place(other, variable)]);
-            for &(target, coefficient) in row {
+            for &Term { variable: target, coefficient, .. } in row {
                 let term = coefficient * beside;
                 self.add(target, other, if target == other { term.scaled(2.0) } else { term });
             }
         }
-        for (index, &(target, coefficient)) in row.iter().enumerate() {
+        for (index, &Term { variable: target, coefficient, .. }) in row.iter().enumerate() {
             let scaled = coefficient * diagonal;
-            for &(other, of_other) in &row[..=index] {
+            for &Term { variable: other, coefficient: of_other, .. } in &row[..=index] {
                 self.add(target, other, scaled * of_other);
             }
         }

@@ -15,6 +15,11 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
     let of_numbers = of_numbers(model, plan, keeps_fields, names);
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
     let steps = plan.steps.len();
+    let numbers = plan.elements.iter().enumerate().map(|(index, element)| {
+        let (of_steps, field) = (plan.steps_of(index), element_field(element, names));
+        let kind = names.element_as(element, "Element");
+        quote_spanned!(names.at_element(element)=> #(#of_steps)|* => #kind::member_numbers(&self.#field),)
+    });
     let elements = first_of_each_type(plan, names).into_iter().map(|element| names.element_as(element, "Element"));
     let elements: Vec<TokenStream> = elements.collect();
     quote_spanned! {names.here=>
@@ -28,6 +33,14 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
             const STANDS_IN_LINE: bool = #steps <= #private::LONGEST_IN_LANES && Self::HAS_PHASES;
             const HAS_PHASES: bool = #(#elements::IS_STRAIGHT)&&*;
             const MAY_BUCKLE: bool = #(#elements::MAY_BUCKLE)||*;
+
+            fn name_parts(&self, visitor: &mut dyn #private::Visitor) {
+                let numbers = |step: ::core::primitive::usize| match step {
+                    #(#numbers)*
+                    _ => #private::MemberNumbers::Other,
+                };
+                #private::visit_steps(LAYOUT, &numbers, visitor);
+            }
 
             fn estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates

@@ -1,11 +1,18 @@
 //! Beams with some of the parameters of the general beam.
 
-use crate::element::{BackTransfer, CarriesLoad, Element, Energies, Inside, MatrixOf, PlaneStep, TransferMatrix};
+use crate::element::{MemberNumbers, BackTransfer, CarriesLoad, Element, Energies, Inside, MatrixOf, PlaneStep, TransferMatrix};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement, State};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::Support;
+
+/// The shear stiffness of a beam that has these fields, or zero.
+macro_rules! shear_stiffness {
+    ($beam:ident shear_stiffness $($other:ident)*) => { $beam.shear_stiffness };
+    ($beam:ident $other:ident $($field:ident)*) => { shear_stiffness!($beam $($field)*) };
+    ($beam:ident) => { T::zero() };
+}
 
 /// Declares beams by their parameters, the general beam that each is, and its derivatives as those of the general beam.
 macro_rules! kinds {
@@ -57,7 +64,11 @@ macro_rules! kinds {
 
             fn build(self) -> Result<BuiltGeneralBeam<T>, InvalidParameter> {
                 $(Requirement::$range.check(stringify!($checked), self.$checked)?;)*
-                self.general().build()
+                Ok(BuiltGeneralBeam { shear_stiffness: shear_stiffness!(self $($field)*), ..self.general().build()? })
+            }
+
+            fn member_numbers(built: &BuiltGeneralBeam<T>) -> MemberNumbers {
+                GeneralBeam::member_numbers(built)
             }
 
             fn estimate(built: &BuiltGeneralBeam<T>, estimates: &mut FrequencyEstimates) {

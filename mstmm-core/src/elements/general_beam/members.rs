@@ -1,6 +1,6 @@
 //! General beams between points: along a line, and in the plane, where they stretch as well.
 
-use crate::element::{
+use crate::element::{MemberNumbers, 
     CarriesLoad, Charted, Element, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberWork,
     TransferMatrix,
 };
@@ -177,6 +177,10 @@ macro_rules! in_plane {
 
             fn extent(built: &BuiltPlanarGeneralBeam<T>) -> Extent {
                 GeneralBeam::extent(&built.bending)
+            }
+
+            fn member_numbers(built: &BuiltPlanarGeneralBeam<T>) -> MemberNumbers {
+                MemberNumbers::Beam(built.bending.numbers(built.rod.section.stiffness))
             }
         }
 

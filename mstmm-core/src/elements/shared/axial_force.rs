@@ -76,6 +76,10 @@ macro_rules! under_axial_force {
             fn extent(built: &Self::Built) -> Extent {
                 <$rigid<T> as Element>::extent(&built.0)
             }
+
+            fn member_numbers(built: &Self::Built) -> MemberNumbers {
+                <$rigid<T> as Element>::member_numbers(&built.0).under_axial_force(built.1.force.words())
+            }
         }
 
         impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for $column<T> {

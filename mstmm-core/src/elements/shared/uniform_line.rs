@@ -116,7 +116,8 @@ impl<T: Parameter> UniformLine<T> {
 
     /// Its parameters.
     pub(crate) fn numbers(&self) -> LineNumbers {
-        let LineSection { length, stiffness, inertia, foundation } = self.section.map(T::to_f64);
+        let LineSection { length, stiffness, inertia, foundation } = self.section;
+        let [length, stiffness, inertia, foundation] = [length, stiffness, inertia, foundation].map(T::words);
         LineNumbers { length, stiffness, inertia, foundation }
     }
 

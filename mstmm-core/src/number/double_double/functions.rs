@@ -183,6 +183,11 @@ impl Parameter for DoubleDouble {
     fn to_f64(self) -> f64 {
         self.hi
     }
+
+    #[inline]
+    fn words(self) -> [f64; 2] {
+        [self.hi, self.lo]
+    }
 }
 
 impl Real for DoubleDouble {

@@ -18,6 +18,7 @@ mod skeleton;
 mod sketch;
 pub(crate) mod stiffness;
 mod structure;
+mod visit;
 #[cfg(test)]
 mod tests;
 
@@ -43,3 +44,4 @@ pub use sketch::{
 };
 pub use stiffness::{PreciseCount, StiffnessModel, precise_counts};
 pub use structure::{InNetwork, Network, NetworkRoom};
+pub use visit::visit_network;

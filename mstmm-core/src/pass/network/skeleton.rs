@@ -1,6 +1,6 @@
 //! The nodes of a sketched network and the placements of its members, with numbers.
 
-use crate::element::{Element, build};
+use crate::element::{Element, MemberNumbers, build};
 use crate::model::{FrequencyEstimates, ParameterError};
 use crate::number::Real;
 use crate::pass::network::member::{End, Placement};
@@ -90,6 +90,11 @@ impl<T: Copy, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
     /// Where a member stands.
     pub fn placement(&self, member: usize) -> &Placement<T> {
         &self.placements[member]
+    }
+
+    /// The members in numbers.
+    pub fn numbers(&self) -> &[MemberNumbers] {
+        self.stiffness.numbers()
     }
 
     /// The network in numbers, given its order, if all of its members are known in numbers.

@@ -1,6 +1,6 @@
 //! A network with its order of elimination.
 
-use crate::element::{MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
+use crate::element::{MemberNumbers, MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
 use crate::model::{FrequencyEstimates, is_size_of_direction};
 use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
@@ -10,7 +10,9 @@ use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::overall::PlacedTransfers;
 use crate::pass::network::stiffness::{PreciseCount, StiffnessModel, StiffnessRoom, precise_counts};
+use crate::pass::network::visit::visit_network;
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
+use crate::proof::visit::Visitor;
 use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
 use core::array;
 use core::fmt::Debug;
@@ -83,6 +85,8 @@ pub struct Network<'a, E: MemberElement, const WIDTH: usize, const NODES: usize,
     placements: &'a [Placement<E::Parameter>],
     /// Nodes and members in numbers, for searches at many frequencies at once.
     stiffness: Option<StiffnessModel<'a>>,
+    /// The members in numbers.
+    numbers: &'a [MemberNumbers],
     order: NetworkOrder<'a>,
 }
 
@@ -131,6 +135,7 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
             kinds: &kinds[..sizes.1],
             placements: &placements[..sizes.1],
             stiffness: stiffness.model(&order),
+            numbers: stiffness.numbers(),
             order,
         };
         let motions: [usize; NODES] =
@@ -223,6 +228,10 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
 
     fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
         self.stiffness
+    }
+
+    fn name_parts(&self, visitor: &mut dyn Visitor) {
+        visit_network(self, &|member| self.numbers[member], visitor);
     }
 
     fn precise_counts(&self, omega: [f64; 2]) -> [Option<PreciseCount>; 2] {

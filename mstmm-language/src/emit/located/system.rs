@@ -129,6 +129,10 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
                 self.skeleton.in_numbers(&#private::Placed::order(self))
             }
 
+            fn name_parts(&self, visitor: &mut dyn #private::Visitor) {
+                #private::visit_network(self, &|member| self.skeleton.numbers()[member], visitor);
+            }
+
             fn precise_counts(
                 &self,
                 omega: [::core::primitive::f64; 2],

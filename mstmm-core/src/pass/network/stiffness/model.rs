@@ -51,6 +51,11 @@ impl<const NODES: usize, const MEMBERS: usize> StiffnessRoom<NODES, MEMBERS> {
         *width = arrange(order, nodes, members, [joining, parting]);
     }
 
+    /// The members in numbers.
+    pub(crate) fn numbers(&self) -> &[MemberNumbers] {
+        &self.numbers
+    }
+
     /// The network, given its order, unless a member is not known in numbers, or too many displacements are in a front.
     pub(crate) fn model<'a>(&'a self, order: &NetworkOrder<'a>) -> Option<StiffnessModel<'a>> {
         let StiffnessRoom { nodes, members, numbers, joining, parting, width } = self;

@@ -1,7 +1,7 @@
 //! The numbers from which the waves of a member follow at any frequency, computed from its parameters once.
 
 use crate::DoubleDouble;
-use crate::element::{LineNumbers, MemberNumbers};
+use crate::element::{BeamNumbers, Exact, LineNumbers, MemberNumbers};
 use crate::number::{Frequency, Scalar, Single};
 use mstmm_plan::Freedoms;
 
@@ -80,21 +80,22 @@ pub(super) enum Waving<N> {
 impl<N: Scalar> Waving<N> {
     /// A member of a length that its places give.
     pub(super) fn new(numbers: &MemberNumbers, length: N) -> Self {
+        let of = |[upper, lower]: Exact| N::from_f64(upper) + N::from_f64(lower);
         match *numbers {
-            MemberNumbers::Other => Waving::Other,
-            MemberNumbers::Beam(across, along) => {
-                let [stiffness, mass] = across.map(N::from_f64);
-                let along = along.map(|along| LineWave::new([length, N::from_f64(along), mass, N::zero()]));
+            MemberNumbers::Beam(BeamNumbers { bending_stiffness, mass_per_length, axial_stiffness, more: None, .. }) => {
+                let [stiffness, mass, axial] = [bending_stiffness, mass_per_length, axial_stiffness].map(of);
+                let along = (axial_stiffness != [0.0; 2]).then(|| LineWave::new([length, axial, mass, N::zero()]));
                 Waving::Beam(BendingWave::new([length, stiffness, mass]), along)
             }
             MemberNumbers::Line(freedom, LineNumbers { length, stiffness, inertia, foundation }) => {
-                Waving::Line(freedom, LineWave::new([length, stiffness, inertia, foundation].map(N::from_f64)))
+                Waving::Line(freedom, LineWave::new([length, stiffness, inertia, foundation].map(of)))
             }
             MemberNumbers::Spring(freedom, stiffness) => Waving::Line(
                 freedom,
-                LineWave { inertia: N::zero(), foundation: N::zero(), stiffness: N::from_f64(stiffness) },
+                LineWave { inertia: N::zero(), foundation: N::zero(), stiffness: of(stiffness) },
             ),
-            MemberNumbers::Joint(rigid, elastic) => Waving::Joint(rigid, elastic.map(N::from_f64)),
+            MemberNumbers::Joint(rigid, elastic) => Waving::Joint(rigid, elastic.map(of)),
+            _ => Waving::Other,
         }
     }
 }

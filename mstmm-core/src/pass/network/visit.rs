@@ -1,0 +1,50 @@
+//! The visit of a network for the proof: members in the order in which they join, nodes in that in which they leave.
+
+use crate::element::MemberNumbers;
+use crate::number::Parameter;
+use crate::pass::network::evaluate::Placed;
+use crate::proof::visit::{MemberEnd, NodeNumbers, Visitor};
+use mstmm_plan::Freedoms;
+
+/// Names the members and nodes of a network, given the numbers of each member.
+pub fn visit_network<Y: Placed>(network: &Y, numbers: &dyn Fn(usize) -> MemberNumbers, visitor: &mut dyn Visitor) {
+    let order = network.order();
+    for &node in order.nodes {
+        let ends = order.incidence.ends(node);
+        // joints behind all others: what they tie has its stiffness then
+        for are_joints in [false, true] {
+            for &end in ends.iter().filter(|&&end| order.is_first_at(end, node)) {
+                let member = end / 2;
+                let numbers = numbers(member);
+                if matches!(numbers, MemberNumbers::Joint(..)) == are_joints {
+                    visitor.member(&numbers, &[0, 1].map(|end| end_of(network, member, end)), node);
+                }
+            }
+        }
+        let own = network.node(node).0;
+        if own.has_body() {
+            let centre = own.centre.map(Y::Parameter::words);
+            visitor.body(&node_of(network, node), own.mass.words(), own.inertia.words(), centre);
+        }
+        visitor.leave(node);
+    }
+}
+
+/// A node in numbers.
+fn node_of<Y: Placed>(network: &Y, index: usize) -> NodeNumbers {
+    let node = network.node(index).0;
+    let along = node.along.map(|direction| direction.map(Y::Parameter::words));
+    let held = if along.is_some() { node.held.union(Freedoms::X).union(Freedoms::Y) } else { node.held };
+    NodeNumbers { index, place: node.position.map(Y::Parameter::words), free: Freedoms::ALL.without(held), along }
+}
+
+/// The end of a member in numbers.
+fn end_of<Y: Placed>(network: &Y, member: usize, end: usize) -> MemberEnd {
+    let placement = network.placement(member);
+    MemberEnd {
+        node: node_of(network, placement.node_of(end)),
+        place: placement.place_of(end).map(Y::Parameter::words),
+        along: placement.along(end).map(|direction| direction.map(Y::Parameter::words)),
+        released: placement.released(end),
+    }
+}

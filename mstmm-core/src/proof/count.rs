@@ -1,0 +1,137 @@
+//! Bounds of the number of natural frequencies below a frequency: one run through the model.
+
+use crate::element::{Exact, MemberNumbers};
+use crate::proof::ball::Ball;
+use crate::proof::frame::Nodes;
+use crate::proof::front::{Front, Variable};
+use crate::proof::functions::Level;
+use crate::proof::joining::{Failure, Joining};
+use crate::proof::number::Number;
+use crate::proof::tree::Paths;
+use crate::proof::visit::{MemberEnd, NodeNumbers, Visitor};
+use crate::proof::word::Word;
+use mstmm_plan::{Space, Support};
+
+/// Which bound of a count is wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// At most so many frequencies are below.
+    AtMost,
+    /// At least so many are.
+    AtLeast,
+}
+
+impl Side {
+    /// The direction in which pivots are moved.
+    pub(crate) fn toward(self) -> f64 {
+        match self {
+            Side::AtMost => -1.0,
+            Side::AtLeast => 1.0,
+        }
+    }
+}
+
+/// What a run tells, a number in each lane.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Outcome<W> {
+    /// The bound; NaN where it was lost.
+    pub(crate) count: W,
+    /// Δ over `2^exponent` and over powers of two that are the same in all lanes: it decides nothing.
+    pub(crate) value: W,
+    pub(crate) exponent: i64,
+    /// The smallest pivot beside the terms of its entry, in the first lane, and what had left before it.
+    pub(crate) smallest: f64,
+    pub(crate) smallest_at: usize,
+}
+
+/// A model that names its parts.
+pub(crate) trait Visited {
+    /// Names them.
+    fn visit(&self, visitor: &mut dyn Visitor);
+}
+
+/// A run in progress.
+struct Run<'m, N: Number> {
+    joining: Joining<'m, N>,
+    paths: Paths<N>,
+    nodes: Nodes,
+}
+
+impl<N: Level> Visitor for Run<'_, N> {
+    fn tip(&mut self, step: usize, support: Support) {
+        self.paths.tip(step, support, &mut self.joining);
+    }
+
+    fn element(&mut self, step: usize, input: usize, space: Space, numbers: &MemberNumbers) {
+        if self.joining.failure.is_none() {
+            self.paths.element([step, input], space, numbers, &mut self.joining);
+        }
+    }
+
+    fn connection(&mut self, step: usize, inputs: &[usize], output: Option<Space>) {
+        if self.joining.failure.is_none() {
+            self.paths.connection(step, inputs, output, &mut self.joining);
+        }
+    }
+
+    fn root(&mut self, input: usize, support: Support) {
+        if self.joining.failure.is_none() {
+            self.paths.root(input, support, &mut self.joining);
+        }
+    }
+
+    fn member(&mut self, numbers: &MemberNumbers, ends: &[MemberEnd; 2], next: usize) {
+        if self.joining.failure.is_none() {
+            self.nodes.member(numbers, ends, next, &mut self.joining);
+        }
+    }
+
+    fn body(&mut self, node: &NodeNumbers, mass: Exact, inertia: Exact, centre: [Exact; 2]) {
+        if self.joining.failure.is_none() {
+            self.nodes.body(node, [mass, inertia], centre, &mut self.joining);
+        }
+    }
+
+    fn leave(&mut self, node: usize) {
+        if self.joining.failure.is_none() {
+            self.nodes.leave(node, &mut self.joining);
+        }
+    }
+}
+
+/// A run at ω², of either sign, in memory for a front of up to `W` variables with `E = W (W + 1)/2` entries.
+#[inline(never)]
+pub(crate) fn run<N: Level, const W: usize, const E: usize>(
+    model: &dyn Visited,
+    square: Ball<N>,
+    toward: N::Word,
+) -> Result<Outcome<N::Word>, Failure> {
+    let (mut entries, mut variables) = ([N::of(0.0); E], [Variable::none(); W]);
+    let front = Front::new(&mut entries, &mut variables, toward);
+    let mut run = Run { joining: Joining::new(front, square), paths: Paths::new(), nodes: Nodes::new() };
+    model.visit(&mut run);
+    let Joining { front, held, failure, .. } = run.joining;
+    if let Some(failure) = failure {
+        return Err(failure);
+    }
+    let total = front.total;
+    Ok(Outcome {
+        count: total.negative + held,
+        value: total.product,
+        exponent: total.exponent,
+        smallest: total.smallest,
+        smallest_at: total.smallest_at,
+    })
+}
+
+/// ω², of the sign of ω, of a frequency that is the sum of two words.
+pub(crate) fn signed_square<N: Level>(omega: [N::Word; 2], sign: f64) -> Ball<N> {
+    let [hi, lo] = omega;
+    let square = if lo.vanishes() {
+        Ball::of_product(hi, hi)
+    } else {
+        let omega = Ball::exactly(N::of_word(hi).plus(N::of_word(lo)));
+        omega * omega
+    };
+    square.scaled(sign)
+}

@@ -1,0 +1,272 @@
+//! A frame member by member: a node has up to three variables, from the first member that knows it until it leaves.
+
+use crate::element::{Exact, MemberNumbers};
+use crate::proof::ball::Ball;
+use crate::proof::functions::Level;
+use crate::proof::joining::{Failure, Joining};
+use crate::proof::number::Number;
+use crate::proof::row::{Row, difference, direction};
+use crate::proof::visit::{MemberEnd, NodeNumbers};
+use crate::proof::word::Word;
+use mstmm_plan::Freedoms;
+
+/// Most nodes that are in the front at once.
+const MOST_NODES: usize = 64;
+
+/// A node whose variables are in the front.
+#[derive(Clone, Copy, Debug)]
+struct Present {
+    index: usize,
+    /// The variables of its displacements along x, or along its direction, and y, and of its rotation.
+    variables: [Option<usize>; 3],
+}
+
+/// The nodes that are in the front.
+#[derive(Debug)]
+pub(crate) struct Nodes {
+    present: [Present; MOST_NODES],
+    count: usize,
+    /// Forces of rigid joints, each with the node behind which it leaves.
+    ties: [(usize, usize); MOST_NODES],
+    tie_count: usize,
+}
+
+/// Displacements along and across a member and rotations of its ends: how many there are.
+const LOCAL: usize = 3;
+
+impl Nodes {
+    /// No node.
+    pub(crate) fn new() -> Self {
+        let nobody = Present { index: 0, variables: [None; 3] };
+        Nodes { present: [nobody; MOST_NODES], count: 0, ties: [(0, 0); MOST_NODES], tie_count: 0 }
+    }
+
+    /// The variables of a node, which enter with the first part that knows it.
+    fn variables<N: Level>(&mut self, node: &NodeNumbers, joining: &mut Joining<'_, N>) -> [Option<usize>; 3] {
+        if let Some(present) = self.present[..self.count].iter().find(|present| present.index == node.index) {
+            return present.variables;
+        }
+        if self.count == MOST_NODES {
+            joining.failure = Some(Failure::Full);
+            return [None; 3];
+        }
+        let mut enter = |is_there: bool| is_there.then(|| joining.enter());
+        let variables = match node.along {
+            Some(_) => [enter(true), None, enter(node.free.contains(Freedoms::RZ))],
+            None => Freedoms::SINGLE.map(|freedom| enter(node.free.contains(freedom))),
+        };
+        self.present[self.count] = Present { index: node.index, variables };
+        self.count += 1;
+        variables
+    }
+
+    /// Displacements x and y and rotation of a place that is tied to a node.
+    fn motion<N: Level>(
+        &mut self,
+        node: &NodeNumbers,
+        place: [Exact; 2],
+        joining: &mut Joining<'_, N>,
+    ) -> [Row<N>; 3] {
+        let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<N, 1>::of));
+        let mut rows = [Row::none(); 3];
+        match node.along {
+            Some(along) => {
+                for (row, part) in rows.iter_mut().zip(along) {
+                    first.iter().for_each(|own| row.add(own, Ball::of_pair(part)));
+                }
+            }
+            None => {
+                for (row, own) in rows.iter_mut().zip([first, second]) {
+                    own.iter().for_each(|own| row.add(own, Ball::of(1.0)));
+                }
+            }
+        }
+        if let Some(rotation) = third {
+            let [x, y] = [0, 1].map(|k| difference(node.place[k], place[k]));
+            rows[0].add(&rotation, -y);
+            rows[1].add(&rotation, x);
+            rows[2].add(&rotation, Ball::of(1.0));
+        }
+        rows
+    }
+
+    /// Displacements along and across a member and rotation at one of its ends. What the end does not share with its node is a variable of its
+    /// own, which leaves when the member has joined.
+    fn local<N: Level>(
+        &mut self,
+        end: &MemberEnd,
+        [c, s]: [Ball<N>; 2],
+        wanted: Freedoms,
+        own: &mut Released,
+        joining: &mut Joining<'_, N>,
+    ) -> [Row<N>; LOCAL] {
+        let [x, y, rotation] = self.motion(&end.node, end.place, joining);
+        let mut rows = [Row::none(), Row::none(), rotation];
+        rows[0].add(&x, c);
+        rows[0].add(&y, s);
+        rows[1].add(&x, -s);
+        rows[1].add(&y, c);
+        for (row, freedom) in rows.iter_mut().zip(Freedoms::SINGLE) {
+            if end.released.contains(freedom) && wanted.contains(freedom) {
+                let variable = joining.enter();
+                own.list[own.count] = variable;
+                own.count += 1;
+                *row = Row::of(variable);
+            }
+        }
+        rows
+    }
+
+    /// A member joins.
+    #[inline(always)]
+    pub(crate) fn member<N: Level>(
+        &mut self,
+        numbers: &MemberNumbers,
+        ends: &[MemberEnd; 2],
+        next: usize,
+        joining: &mut Joining<'_, N>,
+    ) {
+        let between = [0, 1].map(|k| difference::<N>(ends[0].place[k], ends[1].place[k]));
+        let mut length = Ball::of(0.0);
+        let mut own = Released { list: [0; 2 * LOCAL], count: 0 };
+        let wanted = freedoms_of(numbers);
+        let [first, second] = [0, 1].map(|end| {
+            let axis = if wanted.is(Freedoms::RZ) {
+                [Ball::of(1.0), Ball::of(0.0)]
+            } else if let Some(along) = ends[end].along {
+                direction(along.map(Ball::of_pair)).0
+            } else {
+                let (axis, size) = direction(between);
+                length = size;
+                axis
+            };
+            self.local(&ends[end], axis, wanted, &mut own, joining)
+        });
+        match numbers {
+            MemberNumbers::Other | MemberNumbers::Body(_) => joining.failure = Some(Failure::NotInNumbers),
+            MemberNumbers::Beam(beam) => {
+                if let Some(line) = beam.longitudinal() {
+                    joining.add_line(&line, length, &[first[0], second[0]]);
+                }
+                joining.add_bending(beam, length, &[first[1], first[2], second[1], second[2]]);
+            }
+            MemberNumbers::Line(freedom, line) => {
+                joining.add_line(line, Ball::of_pair(line.length), &[first[*freedom], second[*freedom]]);
+            }
+            MemberNumbers::Spring(freedom, stiffness) => {
+                joining.add_spring(*stiffness, [&first[*freedom], &second[*freedom]]);
+            }
+            MemberNumbers::Joint(rigid, elastic) => {
+                for (freedom, stiffness) in Freedoms::SINGLE.into_iter().zip(elastic) {
+                    let index = freedom_index(freedom);
+                    if *stiffness != [0.0; 2] {
+                        joining.add_spring(*stiffness, [&first[index], &second[index]]);
+                    }
+                    if rigid.contains(freedom) {
+                        self.tie([&first[index], &second[index]], last_of(ends, next), joining);
+                    }
+                }
+            }
+        }
+        own.list[..own.count].iter().for_each(|variable| joining.front.leave(*variable));
+    }
+
+    /// A rigid joint: its force λ is a variable, `λ (row₂ - row₁)`, and one of the negative pivots. A stiffness of any size against what is zero
+    /// changes nothing and keeps pivots from vanishing.
+    fn tie<N: Level>(&mut self, rows: [&Row<N>; 2], last: usize, joining: &mut Joining<'_, N>) {
+        let mut gap = *rows[1];
+        gap.add(rows[0], Ball::of(-1.0));
+        let size = gap.terms().iter().map(|term| joining.front.size(term.variable)).fold(0.0, f64::max);
+        let stiffness = if size > 0.0 && size < f64::INFINITY { size } else { 1.0 };
+        joining.add_term(Ball::of(stiffness), &gap);
+        let force = joining.enter();
+        joining.front.grow(force, 1.0 / stiffness);
+        for term in gap.terms() {
+            joining.front.add(force, term.variable, term.times(Ball::of(1.0)));
+        }
+        joining.held = joining.held + N::Word::of(-1.0);
+        if self.tie_count == MOST_NODES {
+            joining.failure = Some(Failure::Full);
+            return;
+        }
+        self.ties[self.tie_count] = (force, last);
+        self.tie_count += 1;
+    }
+
+    /// A body moves with a node.
+    pub(crate) fn body<N: Level>(
+        &mut self,
+        node: &NodeNumbers,
+        [mass, inertia]: [Exact; 2],
+        centre: [Exact; 2],
+        joining: &mut Joining<'_, N>,
+    ) {
+        let [x, y, rotation] = self.motion(node, centre, joining);
+        let square = joining.square;
+        let term = |parameter: Exact| -(Ball::of_pair(parameter) * square);
+        if mass != [0.0; 2] {
+            joining.add_term(term(mass), &x);
+            joining.add_term(term(mass), &y);
+        }
+        if inertia != [0.0; 2] {
+            joining.add_term(term(inertia), &rotation);
+        }
+    }
+
+    /// The variables of a node leave, and what waits behind them.
+    #[inline(always)]
+    pub(crate) fn leave<N: Level>(&mut self, node: usize, joining: &mut Joining<'_, N>) {
+        let place = self.present[..self.count].iter().position(|present| present.index == node);
+        if let Some(place) = place {
+            for variable in self.present[place].variables.into_iter().flatten() {
+                joining.front.leave(variable);
+            }
+            self.count -= 1;
+            self.present.swap(place, self.count);
+        }
+        joining.leave_borders();
+        let mut kept = 0;
+        for k in 0..self.tie_count {
+            let (force, last) = self.ties[k];
+            if last == node {
+                joining.front.leave(force);
+            } else {
+                self.ties[kept] = self.ties[k];
+                kept += 1;
+            }
+        }
+        self.tie_count = kept;
+    }
+}
+
+/// Variables of a member's own.
+struct Released {
+    list: [usize; 2 * LOCAL],
+    count: usize,
+}
+
+/// The node of a member that leaves last, given the one that leaves next; a node without displacements is not eliminated.
+fn last_of(ends: &[MemberEnd; 2], next: usize) -> usize {
+    let moves = |node: &NodeNumbers| node.along.is_some() || !node.free.is_empty();
+    let other = ends.iter().map(|end| &end.node).find(|node| node.index != next && moves(node));
+    other.map_or(next, |node| node.index)
+}
+
+/// The index of a freedom.
+fn freedom_index(freedom: Freedoms) -> usize {
+    Freedoms::SINGLE.iter().position(|single| single.is(freedom)).unwrap_or(0)
+}
+
+/// The freedoms in which a member acts, in its own axes.
+fn freedoms_of(numbers: &MemberNumbers) -> Freedoms {
+    match numbers {
+        MemberNumbers::Other | MemberNumbers::Body(_) => Freedoms::ALL,
+        MemberNumbers::Beam(beam) if beam.axial_stiffness == [0.0; 2] => Freedoms::Y.union(Freedoms::RZ),
+        MemberNumbers::Beam(_) => Freedoms::ALL,
+        MemberNumbers::Line(freedom, _) | MemberNumbers::Spring(freedom, _) => Freedoms::SINGLE[*freedom],
+        MemberNumbers::Joint(rigid, elastic) => {
+            let elastic = Freedoms::SINGLE.into_iter().zip(elastic).filter(|(_, stiffness)| **stiffness != [0.0; 2]);
+            elastic.fold(*rigid, |sum, (freedom, _)| sum.union(freedom))
+        }
+    }
+}

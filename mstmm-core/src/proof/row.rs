@@ -1,0 +1,139 @@
+//! Rows: what a displacement of an end is of the variables of a front.
+
+use crate::element::Exact;
+use crate::proof::ball::Ball;
+use crate::proof::functions::Level;
+use crate::proof::number::Number;
+use crate::proof::word::Word;
+
+/// Most terms of the row of a member's end, or of the difference of two: of the three variables of each of two nodes.
+pub(crate) const TERMS: usize = 6;
+
+/// A variable and its coefficient.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Term<N: Number> {
+    pub(crate) variable: usize,
+    pub(crate) coefficient: Ball<N>,
+    /// Whether the coefficient is 1.
+    is_one: bool,
+}
+
+/// A sum of variables with their coefficients.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row<N: Number, const T: usize = TERMS> {
+    terms: [Term<N>; T],
+    count: usize,
+}
+
+/// Whether a ball is zero exactly.
+#[inline(always)]
+pub(crate) fn is_zero<N: Number>(ball: &Ball<N>) -> bool {
+    ball.mid.leading().vanishes() && ball.rad.vanishes()
+}
+
+impl<N: Level, const T: usize> Row<N, T> {
+    /// No variable: what does not move.
+    #[inline(always)]
+    pub(crate) fn none() -> Self {
+        Row { terms: [Term { variable: 0, coefficient: Ball::of(0.0), is_one: false }; T], count: 0 }
+    }
+
+    /// A variable alone.
+    #[inline(always)]
+    pub(crate) fn of(variable: usize) -> Self {
+        let mut row = Row::none();
+        row.terms[0] = Term { variable, coefficient: Ball::of(1.0), is_one: true };
+        row.count = 1;
+        row
+    }
+
+    /// The terms.
+    #[inline(always)]
+    pub(crate) fn terms(&self) -> &[Term<N>] {
+        &self.terms[..self.count]
+    }
+
+    /// Adds a row times a number.
+    #[inline(always)]
+    pub(crate) fn add<const U: usize>(&mut self, other: &Row<N, U>, factor: Ball<N>) {
+        if is_zero(&factor) {
+            return;
+        }
+        for term in other.terms() {
+            let coefficient = if term.is_one { factor } else { term.coefficient * factor };
+            let own = self.terms[..self.count].iter_mut().find(|own| own.variable == term.variable);
+            if let Some(own) = own {
+                *own = Term { coefficient: own.coefficient + coefficient, is_one: false, ..*own };
+            } else if self.count < T {
+                let is_one = term.is_one && is_one(&factor);
+                self.terms[self.count] = Term { variable: term.variable, coefficient, is_one };
+                self.count += 1;
+            } else {
+                // no row of a model has so many: nothing is known of it
+                self.terms[0].coefficient.rad = N::Word::of(f64::INFINITY);
+            }
+        }
+    }
+
+    /// The row with a combination of others in the place of a variable.
+    pub(crate) fn substituted<const U: usize>(&self, variable: usize, by: &Row<N, U>) -> Self {
+        let mut row = Row::none();
+        for term in self.terms() {
+            if term.variable == variable {
+                row.add(by, term.coefficient);
+            } else {
+                row.add(&Row::<N, 1>::of(term.variable), term.coefficient);
+            }
+        }
+        row
+    }
+
+    /// The row in room for another number of terms.
+    #[inline(always)]
+    pub(crate) fn widened<const U: usize>(&self) -> Row<N, U> {
+        let mut row = Row::none();
+        row.add(self, Ball::of(1.0));
+        row
+    }
+}
+
+/// Whether a ball is 1 exactly.
+#[inline(always)]
+pub(crate) fn is_one<N: Number>(ball: &Ball<N>) -> bool {
+    let rest = ball.mid.minus(N::of(1.0));
+    rest.leading().vanishes() && ball.rad.vanishes()
+}
+
+impl<N: Level> Term<N> {
+    /// A number times the coefficient.
+    #[inline(always)]
+    pub(crate) fn times(&self, factor: Ball<N>) -> Ball<N> {
+        if self.is_one { factor } else { factor * self.coefficient }
+    }
+}
+
+/// The difference of two parameters.
+#[inline(always)]
+pub(crate) fn difference<N: Level>(from: Exact, to: Exact) -> Ball<N> {
+    if from == to {
+        return Ball::of(0.0);
+    }
+    let [from, to] = [from, to].map(Ball::of_pair);
+    to - from
+}
+
+/// A direction as cosine and sine, from a vector of any length, and that length. Along an axis all are exact.
+#[inline(always)]
+pub(crate) fn direction<N: Level>([x, y]: [Ball<N>; 2]) -> ([Ball<N>; 2], Ball<N>) {
+    let sign = |part: Ball<N>| if part.mid.leading().first() < 0.0 { Ball::of(-1.0) } else { Ball::of(1.0) };
+    let size = |part: Ball<N>| if part.mid.leading().first() < 0.0 { -part } else { part };
+    if is_zero(&y) {
+        return ([sign(x), Ball::of(0.0)], size(x));
+    }
+    if is_zero(&x) {
+        return ([Ball::of(0.0), sign(y)], size(y));
+    }
+    let length = (x * x + y * y).root();
+    let inverse = length.inverse();
+    ([x * inverse, y * inverse], length)
+}

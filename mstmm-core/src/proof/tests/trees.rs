@@ -1,0 +1,53 @@
+//! Counts of small trees with closed forms.
+
+use crate::elements::{Beam, Mass, Spring};
+use crate::pass::characteristic::System;
+use crate::proof::count::{Side, Visited, run, signed_square};
+use crate::proof::number::TwoWords;
+use crate::proof::visit::Visitor;
+use crate::{AnyUndamped, ListStep, StepList, Support};
+
+struct Of<'a, Y: ?Sized>(&'a Y);
+impl<Y: System + ?Sized> Visited for Of<'_, Y> {
+    fn visit(&self, visitor: &mut dyn Visitor) {
+        self.0.name_parts(visitor);
+    }
+}
+
+fn bounds<Y: System>(system: &Y, omega: f64) -> [f64; 2] {
+    [Side::AtLeast, Side::AtMost].map(|side| {
+        run::<TwoWords<f64>, 8, 36>(&Of(system), signed_square([omega, 0.0], 1.0), side.toward()).unwrap().count
+    })
+}
+
+#[test]
+fn an_oscillator() {
+    let steps = [
+        ListStep::Tip(Support::Fixed),
+        ListStep::Element(AnyUndamped::try_from(Spring { stiffness: 8.0_f64 }).unwrap()),
+        ListStep::Element(Mass { mass: 2.0 }.try_into().unwrap()),
+        ListStep::Root(Support::Free),
+    ];
+    let list = StepList::new(&steps).unwrap();
+    assert_eq!(bounds(&list, 2.0_f64.next_down()), [0.0, 0.0]);
+    assert_eq!(bounds(&list, 2.0), [0.0, 1.0]);
+    assert_eq!(bounds(&list, 2.0_f64.next_up()), [1.0, 1.0]);
+}
+
+#[test]
+fn a_pinned_beam() {
+    let steps = [
+        ListStep::Tip(Support::Pinned),
+        ListStep::Element(
+            AnyUndamped::try_from(Beam { length: 1.0_f64, bending_stiffness: 1.0, mass_per_length: 1.0 }).unwrap(),
+        ),
+        ListStep::Root(Support::Pinned),
+    ];
+    let list = StepList::new(&steps).unwrap();
+    for k in 1..40 {
+        let root = (f64::from(k) * std::f64::consts::PI).powi(2);
+        let wide = [root * (1.0 - 1e-15), root * (1.0 + 1e-15)].map(|x| bounds(&list, x));
+        let k = f64::from(k);
+        assert_eq!(wide, [[k - 1.0; 2], [k; 2]]);
+    }
+}

@@ -1,0 +1,327 @@
+//! A tree step by step: each open path has at most two variables, of which displacement and rotation at its end are rows.
+
+use crate::element::MemberNumbers;
+use crate::proof::ball::Ball;
+use crate::proof::functions::Level;
+use crate::proof::joining::{Failure, Joining};
+use crate::proof::number::Number;
+use crate::proof::row::{Row, TERMS, Term, is_one, is_zero};
+use crate::proof::word::Word;
+use mstmm_plan::{Freedoms, Space, Support};
+
+/// Most paths that are open at once.
+pub(crate) const OPEN_PATHS: usize = 64;
+
+/// Displacement and rotation, in this order.
+const FREEDOMS: [Freedoms; 2] = [Freedoms::Y, Freedoms::RZ];
+
+/// What displacement and rotation of a point are of the variables; none where there is no such freedom.
+type PointRows<N> = [Option<Row<N, 2>>; 2];
+
+/// An open path.
+#[derive(Clone, Copy, Debug)]
+struct Path<N: Number> {
+    /// The step that it has come to.
+    step: usize,
+    /// The support behind which nothing has come yet.
+    support: Option<Support>,
+    rows: PointRows<N>,
+}
+
+/// The open paths of a tree.
+#[derive(Debug)]
+pub(crate) struct Paths<N: Number> {
+    paths: [Path<N>; OPEN_PATHS],
+    count: usize,
+}
+
+impl<N: Level> Paths<N> {
+    /// No path.
+    pub(crate) fn new() -> Self {
+        Paths { paths: [Path { step: 0, support: None, rows: [None; 2] }; OPEN_PATHS], count: 0 }
+    }
+
+    fn open(&mut self, path: Path<N>, joining: &mut Joining<'_, N>) {
+        if self.count == OPEN_PATHS {
+            joining.failure = Some(Failure::Full);
+            return;
+        }
+        self.paths[self.count] = path;
+        self.count += 1;
+    }
+
+    /// Takes the path that has come to a step.
+    fn take(&mut self, step: usize) -> Path<N> {
+        let last = self.count.saturating_sub(1);
+        let place = self.paths[..self.count].iter().rposition(|path| path.step == step).unwrap_or(last);
+        self.paths.swap(place, last);
+        self.count = last;
+        self.paths[last]
+    }
+
+    /// A path starts from a support.
+    pub(crate) fn tip(&mut self, step: usize, support: Support, joining: &mut Joining<'_, N>) {
+        self.open(Path { step, support: Some(support), rows: [None; 2] }, joining);
+    }
+
+    /// A path goes through an element.
+    #[inline(always)]
+    pub(crate) fn element(
+        &mut self,
+        [step, input]: [usize; 2],
+        space: Space,
+        numbers: &MemberNumbers,
+        joining: &mut Joining<'_, N>,
+    ) {
+        let path = self.take(input);
+        let rows = match path.support {
+            Some(support) => of_support(support, space, joining),
+            None => path.rows,
+        };
+        let rows = through(rows, step, numbers, joining);
+        self.open(Path { step, support: None, rows }, joining);
+    }
+
+    /// Paths are joined: their displacements and rotations are equal, supports hold them, and what does not go on leaves.
+    pub(crate) fn connection(
+        &mut self,
+        step: usize,
+        inputs: &[usize],
+        output: Option<Space>,
+        joining: &mut Joining<'_, N>,
+    ) {
+        let mut rows: PointRows<N> = [None; 2];
+        let mut held = Freedoms::NONE;
+        for &input in inputs {
+            let path = self.take(input);
+            if let Some(support) = path.support {
+                held = held.union(support.holds());
+                continue;
+            }
+            let mut others = path.rows;
+            for freedom in 0..2 {
+                match (rows[freedom], others[freedom]) {
+                    (Some(row), Some(other)) => {
+                        let mut constraint = other.widened();
+                        constraint.add(&row, Ball::of(-1.0));
+                        satisfy(&constraint, [&mut rows, &mut others], step, joining);
+                    }
+                    (None, other) => rows[freedom] = other,
+                    _ => {}
+                }
+            }
+            // a freedom that came in before the other one was substituted
+            for freedom in 0..2 {
+                rows[freedom] = rows[freedom].or(others[freedom]);
+            }
+        }
+        for (freedom, row) in FREEDOMS.into_iter().zip(&mut rows) {
+            if output.is_some_and(|output| output.contains(freedom)) && row.is_none() {
+                *row = Some(if held.contains(freedom) { Row::none() } else { Row::of(joining.enter()) });
+            }
+        }
+        hold(held, &mut rows, step, joining);
+        if let Some(output) = output {
+            for (freedom, row) in FREEDOMS.into_iter().zip([0, 1]) {
+                if !output.contains(freedom) && rows[row].is_some() {
+                    let before = rows;
+                    rows[row] = None;
+                    go_on(&before, &mut rows, step, joining);
+                }
+            }
+        }
+        self.open(Path { step, support: None, rows }, joining);
+    }
+
+    /// The last path ends in the root.
+    pub(crate) fn root(&mut self, input: usize, support: Support, joining: &mut Joining<'_, N>) {
+        let Path { mut rows, .. } = self.take(input);
+        hold(support.holds(), &mut rows, input, joining);
+        go_on(&rows, &mut [None; 2], input, joining);
+        joining.leave_borders();
+    }
+}
+
+/// What a support leaves of the freedoms of a space.
+fn of_support<N: Level>(support: Support, space: Space, joining: &mut Joining<'_, N>) -> PointRows<N> {
+    FREEDOMS.map(|freedom| {
+        space.contains(freedom).then(|| {
+            if support.holds().contains(freedom) { Row::none() } else { Row::of(joining.enter()) }
+        })
+    })
+}
+
+/// Holds the freedoms of a support.
+fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N>, step: usize, joining: &mut Joining<'_, N>) {
+    for (freedom, index) in FREEDOMS.into_iter().zip([0, 1]) {
+        if let (true, Some(row)) = (held.contains(freedom), rows[index]) {
+            satisfy(&row.widened(), [rows, &mut [None; 2]], step, joining);
+        }
+    }
+}
+
+/// Satisfies that a combination of variables is zero: one of them is a combination of the others. What is zero already needs nothing: it is held
+/// twice, by the same.
+fn satisfy<N: Level>(
+    constraint: &Row<N>,
+    rows: [&mut PointRows<N>; 2],
+    step: usize,
+    joining: &mut Joining<'_, N>,
+) {
+    let Some(pivot) = largest(constraint, |_| true) else { return };
+    let Some(by) = solved(constraint, &pivot) else {
+        joining.failure = Some(Failure::Redundant(step));
+        return;
+    };
+    joining.substitute(pivot.variable, &by);
+    for row in rows.into_iter().flatten().flatten() {
+        *row = row.substituted(pivot.variable, &by);
+    }
+}
+
+/// Whether a coefficient is 1 or -1 exactly, and the least size that it may have.
+fn rank<N: Level>(coefficient: &Ball<N>) -> (bool, f64) {
+    (is_one(coefficient) || is_one(&-*coefficient), coefficient.least().first())
+}
+
+/// The term with the largest coefficient among some variables; a unit goes before others, since it is exact.
+fn largest<N: Level>(row: &Row<N>, is_asked: impl Fn(usize) -> bool) -> Option<Term<N>> {
+    let asked = row.terms().iter().filter(|term| !is_zero(&term.coefficient) && is_asked(term.variable));
+    let best = asked.max_by(|one, other| {
+        let (one, other) = (rank(&one.coefficient), rank(&other.coefficient));
+        one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
+    });
+    best.copied()
+}
+
+/// What a variable is of the others where a combination of all is zero; none where its coefficient may be zero.
+fn solved<N: Level>(constraint: &Row<N>, pivot: &Term<N>) -> Option<Row<N>> {
+    let (is_unit, least) = rank(&pivot.coefficient);
+    if !(least > 0.0) {
+        return None;
+    }
+    let inverse = if is_unit { pivot.coefficient } else { pivot.coefficient.inverse() };
+    let mut by = Row::none();
+    for term in constraint.terms().iter().filter(|term| term.variable != pivot.variable) {
+        by.add(&Row::<N, 1>::of(term.variable), -(term.coefficient * inverse));
+    }
+    Some(by)
+}
+
+/// Eliminates the variables of a point that do not go on. As many go on as there are rows: a sum that goes on alone becomes a variable.
+fn go_on<N: Level>(before: &PointRows<N>, rows: &mut PointRows<N>, step: usize, joining: &mut Joining<'_, N>) {
+    let mut old = Variables::of(before);
+    for index in 0..2 {
+        let Some(row) = rows[index] else { continue };
+        let other = Variables::of(&[rows[1 - index], None]);
+        let alone = largest(&row.widened(), |variable| !other.contains(variable));
+        let all = Variables::of(rows);
+        let count = rows.iter().flatten().filter(|row| !row.terms().is_empty()).count();
+        if let (true, Some(pivot)) = (all.count > count, alone) {
+            let own = joining.enter();
+            let mut constraint = row.widened();
+            constraint.add(&Row::<N, 1>::of(own), Ball::of(-1.0));
+            let Some(by) = solved(&constraint, &pivot) else {
+                joining.failure = Some(Failure::Redundant(step));
+                return;
+            };
+            joining.substitute(pivot.variable, &by);
+            old.remove(pivot.variable);
+            rows[index] = Some(Row::of(own));
+        }
+    }
+    let kept = Variables::of(rows);
+    for &variable in old.list.iter().take(old.count).filter(|variable| !kept.contains(**variable)) {
+        joining.front.leave(variable);
+    }
+}
+
+/// The variables of a point.
+struct Variables {
+    list: [usize; 4],
+    count: usize,
+}
+
+impl Variables {
+    fn of<N: Level>(rows: &PointRows<N>) -> Self {
+        let mut all = Variables { list: [0; 4], count: 0 };
+        for term in rows.iter().flatten().flat_map(|row| row.terms()) {
+            if !all.contains(term.variable) {
+                all.list[all.count] = term.variable;
+                all.count += 1;
+            }
+        }
+        all
+    }
+
+    fn contains(&self, variable: usize) -> bool {
+        self.list[..self.count].contains(&variable)
+    }
+
+    fn remove(&mut self, variable: usize) {
+        if let Some(place) = self.list[..self.count].iter().position(|own| *own == variable) {
+            self.list.swap(place, self.count - 1);
+            self.count -= 1;
+        }
+    }
+}
+
+/// Takes the rows of a point through an element.
+#[inline(always)]
+fn through<N: Level>(
+    rows: PointRows<N>,
+    step: usize,
+    numbers: &MemberNumbers,
+    joining: &mut Joining<'_, N>,
+) -> PointRows<N> {
+    let wide = |row: Option<Row<N, 2>>| row.map_or(Row::none(), |row| row.widened::<{ TERMS }>());
+    let [y, theta] = rows.map(wide);
+    let mut next = rows;
+    match numbers {
+        MemberNumbers::Other => joining.failure = Some(Failure::NotInNumbers),
+        MemberNumbers::Body(body) => {
+            let [mass, inertia, centre] = [body.mass, body.inertia, body.centre_x].map(Ball::of_pair);
+            let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };
+            joining.add_inertia([mass, moment, inertia], &[y, theta]);
+            let output: Ball<N> = Ball::of_pair(body.output_x);
+            if body.axial_force != [0.0; 2] {
+                let length = if output.mid.leading().first() < 0.0 { -output } else { output };
+                joining.add_term(Ball::of_pair(body.axial_force) * length, &theta);
+            }
+            if let ([Some(row), Some(theta)], false) = (&mut next, is_zero(&output)) {
+                row.add(theta, output);
+            }
+            return next;
+        }
+        MemberNumbers::Spring(freedom, stiffness) => {
+            let index = usize::from(*freedom == 2);
+            let own = Row::<N, 2>::of(joining.enter());
+            joining.add_spring(*stiffness, [&[y, theta][index], &own.widened()]);
+            next[index] = Some(own);
+        }
+        MemberNumbers::Joint(rigid, stiffnesses) => {
+            for (index, freedom) in FREEDOMS.into_iter().enumerate() {
+                if !rigid.contains(freedom) {
+                    let own = Row::<N, 2>::of(joining.enter());
+                    joining.add_spring(stiffnesses[1 + index], [&[y, theta][index], &own.widened()]);
+                    next[index] = Some(own);
+                }
+            }
+        }
+        MemberNumbers::Line(freedom, line) => {
+            let index = usize::from(*freedom == 2);
+            let own = Row::<N, 2>::of(joining.enter());
+            joining.add_line(line, Ball::of_pair(line.length), &[[y, theta][index], own.widened()]);
+            next[index] = Some(own);
+        }
+        MemberNumbers::Beam(beam) => {
+            let own = [joining.enter(), joining.enter()].map(Row::<N, 2>::of);
+            let [far, far_theta] = own.map(|row| row.widened());
+            joining.add_bending(beam, Ball::of_pair(beam.length), &[y, theta, far, far_theta]);
+            next = own.map(Some);
+        }
+    }
+    go_on(&rows, &mut next, step, joining);
+    joining.leave_borders();
+    next
+}
