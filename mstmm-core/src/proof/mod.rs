@@ -3,6 +3,7 @@
 pub(crate) mod ball;
 pub(crate) mod bending;
 pub(crate) mod constants;
+pub(crate) mod four_words;
 pub(crate) mod front;
 pub(crate) mod functions;
 pub(crate) mod line;
