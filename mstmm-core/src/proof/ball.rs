@@ -30,10 +30,11 @@ impl<N: Number> Ball<N> {
         Self::exactly(N::of(number))
     }
 
-    /// The sum of two words in all lanes, exactly.
+    /// The sum of two words in all lanes: exactly, if a number has room for both.
     #[inline(always)]
     pub(crate) fn of_pair([hi, lo]: [f64; 2]) -> Self {
-        Self::exactly(N::of_parts([hi, lo, 0.0, 0.0]))
+        let mid = N::of(hi).plus(N::of(lo));
+        Ball { mid, rad: mid.size() * N::Word::of(N::SUM_OF_WORDS) }
     }
 
     /// The ball with a larger bound.
@@ -76,9 +77,11 @@ impl<N: Number> Ball<N> {
     pub(crate) fn root(self) -> Self {
         let mid = self.mid.near_root();
         let residual = self - Self::exactly(mid) * Self::exactly(mid);
-        let (zero, least) = (N::Word::of(0.0), self.mid.leading() * N::Word::of(LOWERED) - self.rad);
-        let rad = residual.largest() / (mid.size() * N::Word::of(LOWERED)) * N::Word::of(ROUNDED);
-        Ball { mid, rad: N::Word::select(zero.is_less(least), rad, N::Word::of(f64::INFINITY)) }
+        // a negative number is no root, and zero is a quotient without a bound
+        let rad = residual.largest() / (mid.leading() * N::Word::of(LOWERED)) * N::Word::of(ROUNDED);
+        let infinite = N::Word::of(f64::INFINITY);
+        let rad = N::Word::select(N::Word::of(0.0).is_less(mid.leading()), rad, infinite);
+        Ball { mid, rad: N::Word::select(self.is_positive(), rad, infinite) }
     }
 
     /// Whether all numbers of the ball are positive, in each lane.

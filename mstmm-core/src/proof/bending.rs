@@ -2,7 +2,7 @@
 
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
-use crate::proof::member::{BESIDE_POLE, Border, Member, any, both, half_wave, not, place};
+use crate::proof::member::{BESIDE_POLE, Border, Member, any, both, half_wave, is_nonzero, place};
 use crate::proof::word::Word;
 use core::f64::consts::FRAC_1_PI;
 
@@ -98,14 +98,13 @@ fn plain<N: Level>(z: Ball<N>, minor: Ball<N>, [b, f, d, t, u, v]: [Ball<N>; 6])
     let second = first * z;
     let third = second * z;
     let entries = [third * b, second * f, first * d, third * t, second * u, first * v];
-    let (is_negative, is_positive) = (minor.is_negative(), minor.is_positive());
+    let is_negative = minor.is_negative();
     // Near kπ a rounded quotient may be k or k - 1, and both give k - 1: there the sign of the minor is known, and has the parity of the count.
     let half_waves = z.mid.leading() * word(FRAC_1_PI);
     let below = (half_waves - word(0.5)).nearest();
     let lacks = N::Word::select(is_negative, word(1.0), word(0.0));
     let differs = (below - lacks).is_odd();
     let held = (below - N::Word::select(differs, word(1.0), word(0.0))).or_larger(word(0.0));
-    let is_known = not::<N::Word>(both::<N::Word>(not::<N::Word>(is_negative), not::<N::Word>(is_positive)));
     let fourth = z * z * (z * z);
     Bending {
         sizes: sizes_of(entries),
@@ -114,7 +113,7 @@ fn plain<N: Level>(z: Ball<N>, minor: Ball<N>, [b, f, d, t, u, v]: [Ball<N>; 6])
         held: [held; 2],
         minor: minor.mid.leading() / fourth.mid.leading(),
     }
-    .known_where(is_known)
+    .known_where(is_nonzero(minor))
 }
 
 /// The member beside a pole: Sylvester's identity `N = n nᵀ/n₁ + E M/n₁` of its numerators, n the first row, E the minor, M minors of two rows
@@ -144,7 +143,7 @@ fn bordered<N: Level>(
     let (Border { forces, flexibility }, left) =
         Bending::shifted(&mut stiffness, forces, flexibility, kappa.inverse());
     // With y1 let go the frequencies are those of tan z = -tanh z, one in each (kπ - π/4, kπ): in the middle of a half wave the number of
-    // half waves below.
+    // half waves below. They are where b vanishes: none is in the ball, if b does not.
     let held = middle - N::Word::of(1.0);
     let scale = (kappa * b * x).mid.leading();
     let size = kappa.mid.leading().first();
@@ -156,5 +155,5 @@ fn bordered<N: Level>(
         minor: -left.mid.leading() / scale,
         sizes: [size, rotation, size, rotation],
     }
-    .known_where(both::<N::Word>(left.is_positive(), b.mid.size().is_less(N::Word::of(f64::INFINITY))))
+    .known_where(both::<N::Word>(left.is_positive(), is_nonzero(b)))
 }

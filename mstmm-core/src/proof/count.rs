@@ -99,15 +99,15 @@ impl<N: Level> Visitor for Run<'_, N> {
     }
 }
 
-/// A run at ω², of either sign, in memory for a front of up to `W` variables with `E = W (W + 1)/2` entries.
-#[inline(never)]
-pub(crate) fn run<N: Level, const W: usize, const E: usize>(
+/// A run at ω², of either sign, in memory for a front.
+#[inline(always)]
+pub(crate) fn run<N: Level>(
     model: &dyn Visited,
+    (entries, variables): (&mut [N], &mut [Variable<N::Word>]),
     square: Ball<N>,
     toward: N::Word,
 ) -> Result<Outcome<N::Word>, Failure> {
-    let (mut entries, mut variables) = ([N::of(0.0); E], [Variable::none(); W]);
-    let front = Front::new(&mut entries, &mut variables, toward);
+    let front = Front::new(entries, variables, toward);
     let mut run = Run { joining: Joining::new(front, square), paths: Paths::new(), nodes: Nodes::new() };
     model.visit(&mut run);
     let Joining { front, held, failure, .. } = run.joining;
@@ -122,6 +122,74 @@ pub(crate) fn run<N: Level, const W: usize, const E: usize>(
         smallest: total.smallest,
         smallest_at: total.smallest_at,
     })
+}
+
+/// A run at one frequency, in memory for as many variables as the model has at once.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Memory {
+    /// Index of the smallest memory that may do.
+    class: usize,
+}
+
+impl Memory {
+    /// A run; where the front has no room it is made again with more.
+    pub(crate) fn run<N: Level<Word = f64>>(
+        &mut self,
+        model: &dyn Visited,
+        square: Ball<N>,
+        toward: f64,
+    ) -> Result<Outcome<f64>, Failure> {
+        loop {
+            let outcome = match self.class {
+                0 => on_stack::<N, 8, 36>(model, square, toward),
+                1 => on_stack::<N, 24, 300>(model, square, toward),
+                2 => on_stack::<N, 64, 2080>(model, square, toward),
+                class => return beyond_stack(class, model, square, toward),
+            };
+            match outcome {
+                Err(Failure::Full) => self.class += 1,
+                outcome => return outcome,
+            }
+        }
+    }
+}
+
+/// A run in memory for up to `W` variables with `E = W (W + 1)/2` entries.
+#[inline(never)]
+fn on_stack<N: Level, const W: usize, const E: usize>(
+    model: &dyn Visited,
+    square: Ball<N>,
+    toward: N::Word,
+) -> Result<Outcome<N::Word>, Failure> {
+    let (mut entries, mut variables) = ([N::of(0.0); E], [Variable::none(); W]);
+    run(model, (&mut entries, &mut variables), square, toward)
+}
+
+/// A run for a front that is too wide for the stack.
+#[cfg(feature = "std")]
+#[inline(never)]
+fn beyond_stack<N: Level<Word = f64>>(
+    _class: usize,
+    model: &dyn Visited,
+    square: Ball<N>,
+    toward: f64,
+) -> Result<Outcome<f64>, Failure> {
+    /// Variables of the widest front.
+    const WIDEST: usize = 512;
+    let mut entries = std::vec![N::of(0.0); WIDEST * (WIDEST + 1) / 2];
+    let mut variables = std::vec![Variable::none(); WIDEST];
+    run(model, (&mut entries, &mut variables), square, toward)
+}
+
+/// Without `std` there is no memory but the stack.
+#[cfg(not(feature = "std"))]
+fn beyond_stack<N: Level<Word = f64>>(
+    _class: usize,
+    _model: &dyn Visited,
+    _square: Ball<N>,
+    _toward: f64,
+) -> Result<Outcome<f64>, Failure> {
+    Err(Failure::Full)
 }
 
 /// ω², of the sign of ω, of a frequency that is the sum of two words.

@@ -6,7 +6,7 @@
 
 use crate::number::{Scalar, Size};
 use crate::proof::ball::Ball;
-use crate::proof::number::Number;
+use crate::proof::number::{Number, UNDERFLOW};
 use crate::proof::row::Term;
 use crate::proof::word::Word;
 
@@ -65,8 +65,12 @@ fn place(row: usize, column: usize) -> usize {
     if row < column { column * (column + 1) / 2 + row } else { row * (row + 1) / 2 + column }
 }
 
-/// Added to the error of each pivot, for the parts of some ten thousand products that underflow.
+/// What a million million errors lose where they underflow: each less than the smallest normal number, of the error itself or of that times its
+/// weight.
 const UNDERFLOWS: f64 = 1e-280;
+
+/// The least positive number: only zero is below it in size.
+const LEAST: f64 = f64::from_bits(1);
 
 /// What a pivot becomes that is zero: any number on the right side of zero is valid.
 const SMALLEST_PIVOT: f64 = 1e-250;
@@ -146,7 +150,7 @@ impl<'m, N: Number> Front<'m, N> {
     pub(crate) fn add(&mut self, row: usize, column: usize, ball: Ball<N>) {
         let entry = &mut self.entries[place(row, column)];
         *entry = entry.plus(ball.mid);
-        let off = ball.rad + N::Word::of(N::SUM) * entry.size();
+        let off = ball.rad + N::Word::of(N::SUM) * entry.size() + N::Word::of(UNDERFLOW);
         let weights = [self.variables[column].weight, self.variables[row].weight];
         self.variables[row].add_error(off, weights[0]);
         if row != column {
@@ -162,12 +166,11 @@ impl<'m, N: Number> Front<'m, N> {
         self.variables[variable].is_taken = false;
         let entry = self.entries[place(variable, variable)];
         // 2.1 SUM |entry| covers the rounding of the sum with the nudge, and that |entry| is taken by its leading word
-        let nudge = own.error * word(ADDED_UP / own.weight) + entry.size() * word(2.1 * N::SUM) + word(UNDERFLOWS);
+        let nudge = own.own_error() + entry.size() * word(2.1 * N::SUM);
         let moved = entry.plus(N::of_word(self.toward * nudge));
-        let zero = N::of_word(self.toward * word(SMALLEST_PIVOT));
-        let is_nonzero = word(0.0).is_less(moved.size());
-        let is_lost = !N::Word::all(moved.size().is_less(word(f64::INFINITY)));
-        let pivot = if N::Word::all(is_nonzero) || is_lost { moved } else { N::select(is_nonzero, moved, zero) };
+        // not of a NaN, which stays one
+        let is_zero = moved.size().is_less(word(LEAST));
+        let pivot = N::select(is_zero, N::of_word(self.toward * word(SMALLEST_PIVOT)), moved);
         self.total.include(pivot.leading(), own.weight);
         let inverse = pivot.near_inverse();
         let residual = N::of(1.0).minus(pivot.times(inverse)).size() + word(1.01 * N::PRODUCT + N::SUM);
@@ -177,13 +180,14 @@ impl<'m, N: Number> Front<'m, N> {
         let of_product = of_inverse + word(2.02 * N::PRODUCT);
         let touched = self.touch(variable);
         let of_row = of_product * word(touched as f64);
+        let underflows = self.underflows(variable, touched);
         for k in 0..touched {
             let row = self.variables[k].touched;
             let a = self.entries[place(row, variable)];
             let factor = a.times(inverse);
             // |a_i a_j/d - t| shared by |a_i/a_j|: each row has the same part of its own |a_i l_i|
             let weight = self.variables[row].weight;
-            let mut error = of_row * (factor.size() * a.size()) * word(weight);
+            let mut error = of_row * (factor.size() * a.size()) * word(weight) + underflows;
             for j in 0..=k {
                 let column = self.variables[j].touched;
                 let beside = self.entries[place(column, variable)];
@@ -210,8 +214,8 @@ impl<'m, N: Number> Front<'m, N> {
         for &Term { variable: target, coefficient, .. } in row {
             let square = coefficient.largest() * coefficient.largest();
             self.grow(target, own.size * square.first());
-            // e v² <= e n Σ c² w²
-            let error = own.error * word(row.len() as f64 / own.weight) * square;
+            // e (Σ c y)² <= e n Σ c² y²
+            let error = own.own_error() * word(row.len() as f64) * square;
             let weight = self.variables[target].weight;
             self.variables[target].add_error(error, weight);
         }
@@ -227,10 +231,27 @@ impl<'m, N: Number> Front<'m, N> {
         }
         for (index, &Term { variable: target, coefficient, .. }) in row.iter().enumerate() {
             let scaled = coefficient * diagonal;
-            for &Term { variable: other, coefficient: of_other, .. } in &row[..=index] {
-                self.add(target, other, scaled * of_other);
+            for (before, &Term { variable: other, coefficient: of_other, .. }) in row[..=index].iter().enumerate() {
+                let term = scaled * of_other;
+                // two terms of one variable have their product twice in its square
+                let is_twice = target == other && before < index;
+                self.add(target, other, if is_twice { term.scaled(2.0) } else { term });
             }
         }
+    }
+
+    /// What underflow does to a row while a variable leaves, times the weight of the row.
+    ///
+    /// A factor is off by `UNDERFLOW`, hence an entry by `UNDERFLOW (1 + |a|)` with its product: row i has `UNDERFLOW (1 + |a_j|) w_j` of each row j.
+    /// The sum over j is at most the product of the sums of both. The terms of errors lose far less than `UNDERFLOW (1 + w_j)`.
+    #[inline(always)]
+    fn underflows(&self, variable: usize, touched: usize) -> N::Word {
+        let (mut sizes, mut weights) = (N::Word::of(1.0), 0.0);
+        for listed in &self.variables[..touched] {
+            sizes = sizes + self.entries[place(listed.touched, variable)].size();
+            weights += 1.0 + self.variables[listed.touched].weight;
+        }
+        sizes * N::Word::of(2.0 * UNDERFLOW * weights)
     }
 
     /// Whether an entry of the column of a variable is not zero in some lane.
@@ -254,6 +275,12 @@ impl<'m, N: Number> Front<'m, N> {
 }
 
 impl<W: Word> Variable<W> {
+    /// No less than the error of the row.
+    #[inline(always)]
+    fn own_error(&self) -> W {
+        self.error * W::of(ADDED_UP / self.weight) + W::of(UNDERFLOWS * (1.0 + 1.0 / self.weight))
+    }
+
     /// Adds a part of the error of an entry, given the weight of the other row.
     #[inline(always)]
     fn add_error(&mut self, off: W, weight: f64) {

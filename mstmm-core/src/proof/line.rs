@@ -2,7 +2,7 @@
 
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
-use crate::proof::member::{BESIDE_POLE, Member, any, both, half_wave, not};
+use crate::proof::member::{BESIDE_POLE, Member, any, both, half_wave, is_nonzero, not};
 use crate::proof::word::Word;
 use core::f64::consts::FRAC_1_PI;
 
@@ -59,6 +59,7 @@ fn decaying<N: Level>(stiffness: Ball<N>) -> Line<N> {
     let over_sinh = z * (one - square).inverse();
     let minor = (one - square).mid.leading() / z.mid.leading();
     of(over_sinh * (one + square), -(over_sinh * decay.scaled(2.0)), [N::Word::of(0.0); 2], minor)
+        .known_where(stiffness.is_positive())
 }
 
 /// Waves of x >= 1.
@@ -74,13 +75,11 @@ fn waving<N: Level>(x: Ball<N>) -> Line<N> {
     let plain = || {
         let first = z * s.inverse();
         // sin z is (-1)^i between iπ and (i + 1)π: near iπ the nearest whole number is i, and the sign says whether it is reached
-        let (is_negative, is_positive) = (s.is_negative(), s.is_positive());
         let nearest = half_waves.nearest();
-        let lacks = N::Word::select(is_negative, word(1.0), word(0.0));
+        let lacks = N::Word::select(s.is_negative(), word(1.0), word(0.0));
         let differs = (nearest - lacks).is_odd();
         let held = nearest - N::Word::select(differs, word(1.0), word(0.0));
-        let is_known = not::<N::Word>(both::<N::Word>(not::<N::Word>(is_negative), not::<N::Word>(is_positive)));
-        of(first * c, -first, [held; 2], s.mid.leading() / z.mid.leading()).known_where(is_known)
+        of(first * c, -first, [held; 2], s.mid.leading() / z.mid.leading()).known_where(is_nonzero(s))
     };
     if !any::<N::Word>(is_bordered) {
         return plain();
@@ -100,10 +99,10 @@ fn bordered<N: Level>(z: Ball<N>, s: Ball<N>, c: Ball<N>, middle: N::Word) -> Li
     Line {
         stiffness,
         border: Some(border),
-        // with one end let go the frequencies are at odd quarter waves
+        // with one end let go the frequencies are at odd quarter waves, where the cosine vanishes
         held: [middle - N::Word::of(1.0); 2],
         minor: -left.mid.leading() / (z * z * c).mid.leading(),
         sizes: [size; 2],
     }
-    .known_where(left.is_positive())
+    .known_where(both::<N::Word>(left.is_positive(), is_nonzero(c)))
 }

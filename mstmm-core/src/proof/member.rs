@@ -11,7 +11,7 @@ pub(crate) struct Member<N: Number, const F: usize, const E: usize> {
     pub(crate) stiffness: [Ball<N>; E],
     /// One variable more, if a lane is beside a pole.
     pub(crate) border: Option<Border<N, F>>,
-    /// Bounds of the number of frequencies with both ends held; less 1 in a lane with a border.
+    /// Bounds of the number of frequencies with both ends held; NaN where it is not known. In a lane with a border they are less by 1 where σ > 0.
     pub(crate) held: [N::Word; 2],
     /// The factor of Δ, as near as a word: it decides nothing.
     pub(crate) minor: N::Word,
@@ -51,6 +51,12 @@ pub(crate) fn any<W: Word>(truth: W::Mask) -> bool {
 #[inline(always)]
 pub(crate) fn not<W: Word>(truth: W::Mask) -> W::Mask {
     W::select(truth, W::of(1.0), W::of(-1.0)).is_less(W::of(0.0))
+}
+
+/// Whether zero is not in a ball.
+#[inline(always)]
+pub(crate) fn is_nonzero<N: Number>(ball: Ball<N>) -> <N::Word as Word>::Mask {
+    N::Word::of(0.0).is_less(ball.least())
 }
 
 /// Both truths.
@@ -112,9 +118,11 @@ impl<N: Level, const F: usize, const E: usize> Member<N, F, E> {
         (Border { forces, flexibility: flexibility * left.inverse() }, left)
     }
 
-    /// A member of which nothing is known in the lanes where a truth does not hold.
+    /// A member of which nothing is known in the lanes where a truth does not hold: not its count either, since of a member whose ends are all held
+    /// nothing else is asked.
     #[inline(always)]
     pub(crate) fn known_where(mut self, truth: <N::Word as Word>::Mask) -> Self {
+        self.held = self.held.map(|bound| N::Word::select(truth, bound, N::Word::of(f64::NAN)));
         for entry in &mut self.stiffness {
             entry.rad = N::Word::select(truth, entry.rad, N::Word::of(f64::INFINITY));
         }

@@ -4,6 +4,7 @@ pub(crate) mod ball;
 pub(crate) mod bending;
 pub(crate) mod constants;
 pub(crate) mod count;
+pub(crate) mod four_words;
 pub(crate) mod frame;
 pub(crate) mod front;
 pub(crate) mod functions;

@@ -15,6 +15,8 @@ pub(crate) trait Number: Copy {
     const SUM: f64;
     /// Bound of a product.
     const PRODUCT: f64;
+    /// Bound of the sum of two words.
+    const SUM_OF_WORDS: f64 = 0.0;
 
     /// The sum of four words, each at most an ulp of the one before: the first ones that the number has room for.
     fn of_parts(parts: [f64; 4]) -> Self;
@@ -168,6 +170,7 @@ pub(crate) struct OneWord(pub(crate) f64);
 #[cfg(test)]
 impl Number for OneWord {
     type Word = f64;
+    const SUM_OF_WORDS: f64 = Self::SUM;
     const SUM: f64 = U * (1.0 + 2.0 * U);
     const PRODUCT: f64 = U * (1.0 + 2.0 * U);
 

@@ -2,7 +2,7 @@
 
 use crate::elements::{Beam, Mass, Spring};
 use crate::pass::characteristic::System;
-use crate::proof::count::{Side, Visited, run, signed_square};
+use crate::proof::count::{Memory, Side, Visited, signed_square};
 use crate::proof::number::TwoWords;
 use crate::proof::visit::Visitor;
 use crate::{AnyUndamped, ListStep, StepList, Support};
@@ -16,7 +16,7 @@ impl<Y: System + ?Sized> Visited for Of<'_, Y> {
 
 fn bounds<Y: System>(system: &Y, omega: f64) -> [f64; 2] {
     [Side::AtLeast, Side::AtMost].map(|side| {
-        run::<TwoWords<f64>, 8, 36>(&Of(system), signed_square([omega, 0.0], 1.0), side.toward()).unwrap().count
+        Memory::default().run::<TwoWords<f64>>(&Of(system), signed_square([omega, 0.0], 1.0), side.toward()).unwrap().count
     })
 }
 
