@@ -5,6 +5,7 @@ pub(crate) mod bending;
 pub(crate) mod constants;
 pub(crate) mod front;
 pub(crate) mod functions;
+pub(crate) mod general_bending;
 pub(crate) mod line;
 pub(crate) mod member;
 pub(crate) mod number;
