@@ -7,7 +7,7 @@ use crate::proof::front::Front;
 use crate::proof::functions::Level;
 use crate::proof::general_bending::{GeneralSection, general_bending};
 use crate::proof::line::line;
-use crate::proof::member::{Member, place};
+use crate::proof::member::{Member, any, place};
 use crate::proof::number::Number;
 use crate::proof::row::{Row, is_zero};
 use crate::proof::word::Word;
@@ -182,7 +182,7 @@ impl<'m, N: Level> Joining<'m, N> {
         let Some(more) = &numbers.more else { return self.add_plain_bending(numbers, length, rows) };
         let section = section_of(numbers, more);
         let whole = general_bending(&section, length, self.square);
-        if !whole.is_beside_pole {
+        if !any::<N::Word>(whole.is_beside_pole) {
             return self.add_bent(&whole.member, &section.bending_stiffness, length, rows);
         }
         // Beside a pole the beam is two beams. Not of equal length: every second pole of the whole is one of a half.

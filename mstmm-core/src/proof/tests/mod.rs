@@ -1,4 +1,5 @@
 //! Tests of the proof.
 
 mod functions;
+mod general_bending;
 mod trees;
