@@ -19,7 +19,7 @@ pub(crate) struct Candidate {
 /// The frequency at which elements give their usual stiffnesses: that of the motion, or the lowest estimate where that is zero,
 /// since inertia has no force there.
 pub(crate) fn comparable<S: Single, Y: Tree<S> + ?Sized>(system: &Y, x: S) -> FrequencyPowers<S> {
-    let slowest = || S::one().times_power_of_two(system.estimates().lowest_exponent());
+    let slowest = || S::one().times_power_of_two(system.frequency_estimates().lowest_exponent());
     Y::at(if x.is_zero() { slowest() } else { x })
 }
 

@@ -40,7 +40,7 @@ where
     /// `Im K/Im λ`.
     fn energy(&self, form: Form, step: usize) -> Y::Parameter {
         let energy = self.with_conjugate(form, step).re;
-        let is_lossy = matches!(form, Form::Damping) && self.system.estimates().has_loss();
+        let is_lossy = matches!(form, Form::Damping) && self.system.frequency_estimates().has_loss();
         if !is_lossy {
             return energy;
         }

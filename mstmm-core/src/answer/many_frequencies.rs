@@ -2,13 +2,10 @@
 
 use crate::model::SearchError;
 use crate::number::{Frequency, InLanes, Scaled};
-use crate::pass::at_once::{Block, InBlocks, MOST, characteristics, lanes};
+use crate::pass::at_once::{InBlocks, characteristics};
 use crate::pass::characteristic::System;
 use crate::pass::searched::Undamped;
-use crate::search::undamped::natural::{NaturalFrequencies, count_margin};
-use crate::search::undamped::stability::check_stability;
-use crate::subspace::Purpose;
-use num_traits::Zero;
+use crate::search::undamped::natural::NaturalFrequencies;
 
 /// Evaluations at many frequencies: each value takes a fraction of the time.
 ///
@@ -65,26 +62,8 @@ pub trait ManyFrequencies: System {
         Self: Undamped,
     {
         check_room(omegas, counts)?;
-        if let Err(error) = check_stability(self) {
-            for (count, &omega) in counts.iter_mut().zip(omegas) {
-                *count = if omega <= Self::Parameter::zero() { Ok(0) } else { Err(error) };
-            }
-            return Ok(());
-        }
-        let mut block = Block::new();
-        let margin = count_margin::<Self::Parameter>();
-        for (omegas, counts) in omegas.chunks(MOST / 2).zip(counts.chunks_mut(MOST / 2)) {
-            for (sides, &omega) in block.omega.chunks_mut(2).zip(omegas) {
-                let away = omega * margin;
-                sides.copy_from_slice(&[omega - away, omega + away]);
-            }
-            block.counts(self, 2 * omegas.len(), lanes::<Self::Parameter, Self>(), Purpose::Counts);
-            for (k, (count, &omega)) in counts.iter_mut().zip(omegas).enumerate() {
-                *count = match block.agreed_count(2 * k) {
-                    Some(below) if omega > Self::Parameter::zero() => Ok(below),
-                    _ => self.count_below(omega),
-                };
-            }
+        for (count, &omega) in counts.iter_mut().zip(omegas) {
+            *count = self.count_below(omega);
         }
         Ok(())
     }

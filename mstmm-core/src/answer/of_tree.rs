@@ -83,10 +83,10 @@ where
     }
 
     fn lowest_exponent(&self) -> i32 {
-        self.system.estimates().lowest_exponent()
+        self.system.frequency_estimates().lowest_exponent()
     }
 
     fn has_loss(&self) -> bool {
-        self.system.estimates().has_loss()
+        self.system.frequency_estimates().has_loss()
     }
 }

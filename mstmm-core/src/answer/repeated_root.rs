@@ -159,7 +159,7 @@ where
 
     /// The ring of the least error, by the change from the one before it and by rounding, and its dominant entry.
     fn of_best_distance(system: &'a Y, x: S, multiplicity: u64, widest: f64) -> Result<(Self, Candidate), MotionError> {
-        let lowest = 1.0.times_power_of_two(system.estimates().lowest_exponent());
+        let lowest = 1.0.times_power_of_two(system.frequency_estimates().lowest_exponent());
         let size = x.modulus();
         let scale = if x.is_zero() { lowest } else { size };
         let rounding = S::EPSILON * scale;

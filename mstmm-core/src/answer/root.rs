@@ -66,7 +66,7 @@ where
     Y: System + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
-    x.to_complex().im < Y::Parameter::zero() && system.estimates().has_loss()
+    x.to_complex().im < Y::Parameter::zero() && system.frequency_estimates().has_loss()
 }
 
 /// The frequency of a simple root.

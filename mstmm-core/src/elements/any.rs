@@ -1,7 +1,8 @@
 //! Elements of any type, for lists of steps.
 
 use crate::element::{
-    CarriesLoad, Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, MemberNumbers, Visit, VisitStep,
+    CarriesLoad, Element, Energies, ListElement, ListMoving, ListStepping, MOST_PARAMETERS, MemberNumbers, Visit,
+    VisitStep,
 };
 use crate::elements::*;
 use crate::model::{Ends, Extent, FrequencyEstimates, ParameterError, StateSpace};

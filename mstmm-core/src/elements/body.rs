@@ -1,6 +1,6 @@
 //! Rigid body in a bending path.
 
-use crate::element::{BodyNumbers, MemberNumbers, BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, BodyNumbers, Element, Energies, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::shared::arm::Arm;
 use crate::elements::shared::line_forms::half;
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement};

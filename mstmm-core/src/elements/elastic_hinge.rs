@@ -1,6 +1,6 @@
 //! Elastic hinge in a bending path.
 
-use crate::element::{MemberNumbers, BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, Element, Energies, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{elongations, half};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single, Size, Truth};

@@ -2,7 +2,7 @@
 //!
 //! They differ in the freedom that gives way.
 
-use crate::element::{MemberNumbers, BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, Element, Energies, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::shared::line_forms::{elongations, half, unit_of};
 use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single, Size, Truth};

@@ -1,6 +1,6 @@
 //! Massless rigid link in a bending path; the same under an axial force.
 
-use crate::element::{BodyNumbers, MemberNumbers, BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, BodyNumbers, Element, Energies, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::shared::arm::Arm;
 use crate::elements::shared::axial_force::{AxialForce, before_stiffness, stiffened, under_axial_force};
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement};

@@ -94,6 +94,15 @@ pub enum SearchError {
         /// Frequency near which this happened.
         near: f64,
     },
+    /// A count is not proven in the largest precision: rounding decides it, as next to a root. Both bounds are proven.
+    Unproven {
+        /// The frequency.
+        near: f64,
+        /// At most so many frequencies are below; `u64::MAX` where nothing is known.
+        at_most: u64,
+        /// At least so many are.
+        at_least: u64,
+    },
     /// The system is statically unstable: motions grow, and have no frequency. Their rates are real eigenvalues.
     Unstable {
         /// How many motions grow.
@@ -155,6 +164,13 @@ impl fmt::Display for SearchError {
             SearchError::Unresolved { near } => {
                 write!(f, "what is near {near} cannot be certified: too few digits are left there after rounding")
             }
+            SearchError::Unproven { near, at_most: u64::MAX, at_least } => {
+                write!(f, "nothing is proven of what is near {near}, but that at least {at_least} frequencies are below")
+            }
+            SearchError::Unproven { near, at_most, at_least } => write!(
+                f,
+                "rounding decides the count near {near}: at least {at_least} and at most {at_most} frequencies are below"
+            ),
             SearchError::Unstable { modes } => {
                 let grow = if modes == 1 { "motion grows" } else { "motions grow" };
                 write!(f, "the system is statically unstable: {modes} {grow} instead of vibrating; ")?;

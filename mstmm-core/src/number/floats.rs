@@ -177,6 +177,16 @@ macro_rules! real {
                 elementary!(<$type>::exp, $exp, self)
             }
 
+            #[inline]
+            fn next_above(self) -> Self {
+                self.next_up()
+            }
+
+            #[inline]
+            fn next_below(self) -> Self {
+                self.next_down()
+            }
+
             #[inline(always)]
             fn waves_of_part(self) -> WaveFunctions<Self> {
                 WaveFunctions::of_real(self)

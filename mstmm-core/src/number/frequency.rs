@@ -50,6 +50,18 @@ pub trait Real: Parameter + Single + PartialOrd + NumAssign {
     /// Exponential function.
     fn exp(self) -> Self;
 
+    /// The next number above a positive one; of numbers with more words than one, one that is an `EPSILON` above it.
+    #[inline]
+    fn next_above(self) -> Self {
+        self + self * Self::from_f64(Self::EPSILON)
+    }
+
+    /// The next number below a positive one.
+    #[inline]
+    fn next_below(self) -> Self {
+        self - self * Self::from_f64(Self::EPSILON)
+    }
+
     /// The wave functions of this number as a part of a complex one.
     #[inline(always)]
     fn waves_of_part(self) -> WaveFunctions<Self> {

@@ -58,7 +58,7 @@ pub trait System {
 
     /// Estimates from which the searches take their first steps.
     #[doc(hidden)]
-    fn estimates(&self) -> FrequencyEstimates;
+    fn frequency_estimates(&self) -> FrequencyEstimates;
 }
 
 /// A system that the plane method can evaluate at a frequency `x`: ω for a real scalar (undamped systems only), λ for a

@@ -7,6 +7,7 @@ use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 use crate::pass::tree::{Planned, Tree};
+use crate::proof::visit::Visitor;
 use crate::subspace::RootCounter;
 use core::fmt::Debug;
 use mstmm_plan::{Place, Scheme, Step, Support};
@@ -150,8 +151,12 @@ impl<E: ListElement, const STEPS: usize> System for PlannedList<'_, E, STEPS> {
         self.list.may_buckle()
     }
 
-    fn estimates(&self) -> FrequencyEstimates {
-        self.list.estimates()
+    fn name_parts(&self, visitor: &mut dyn Visitor) {
+        self.list.name_parts(visitor);
+    }
+
+    fn frequency_estimates(&self) -> FrequencyEstimates {
+        self.list.frequency_estimates()
     }
 }
 

@@ -1,11 +1,10 @@
 //! What searches ask of a system: a pass at numbers of several types.
 
-use crate::number::{Dual, Growth, InLanes, Real};
+use crate::number::{Dual, InLanes, Real};
 use crate::pass::characteristic::{Characteristic, System};
 use num_complex::Complex;
 
-/// The passes of a search for natural frequencies: Δ and its derivative in the precision of the parameters and in extended precision, and Δ
-/// where motions grow.
+/// The passes of a search for natural frequencies: Δ and its derivative in the precision of the parameters.
 #[doc(hidden)]
 pub trait RealPasses:
     System<Parameter: InLanes + Real>
@@ -13,10 +12,6 @@ pub trait RealPasses:
     + Characteristic<<<Self as System>::Parameter as InLanes>::OnAvx512>
     + Characteristic<<<Self as System>::Parameter as InLanes>::OnAvx2>
     + Characteristic<Dual<<Self as System>::Parameter>>
-    + Characteristic<<<Self as System>::Parameter as Real>::Extended>
-    + Characteristic<Dual<<<Self as System>::Parameter as Real>::Extended>>
-    + Characteristic<Growth<<Self as System>::Parameter>>
-    + Characteristic<Growth<<<Self as System>::Parameter as Real>::Extended>>
 {
 }
 
@@ -26,10 +21,6 @@ impl<Y> RealPasses for Y where
         + Characteristic<<<Y as System>::Parameter as InLanes>::OnAvx512>
         + Characteristic<<<Y as System>::Parameter as InLanes>::OnAvx2>
         + Characteristic<Dual<<Y as System>::Parameter>>
-        + Characteristic<<<Y as System>::Parameter as Real>::Extended>
-        + Characteristic<Dual<<<Y as System>::Parameter as Real>::Extended>>
-        + Characteristic<Growth<<Y as System>::Parameter>>
-        + Characteristic<Growth<<<Y as System>::Parameter as Real>::Extended>>
         + ?Sized
 {
 }

@@ -203,7 +203,7 @@ impl<E: ListElement> System for StepList<'_, E> {
         }
     }
 
-    fn estimates(&self) -> FrequencyEstimates {
+    fn frequency_estimates(&self) -> FrequencyEstimates {
         let mut estimates = FrequencyEstimates::default();
         for step in self.steps {
             if let ListStep::Element(element) = step {

@@ -23,7 +23,8 @@ pub(crate) fn symmetric<N: Level>([b, f, d, t, u, v]: [Ball<N>; 6]) -> [Ball<N>;
 /// The sizes of the four displacements' stiffnesses: the larger one of an end's own and that between the ends, since either may vanish.
 #[inline(always)]
 pub(crate) fn sizes_of<N: Level>([b, _, d, t, _, v]: [Ball<N>; 6]) -> [f64; 4] {
-    let larger = |own: Ball<N>, between: Ball<N>| own.mid.leading().first().abs().max(between.mid.leading().first().abs());
+    let larger =
+        |own: Ball<N>, between: Ball<N>| own.mid.leading().first().abs().max(between.mid.leading().first().abs());
     let (across, rotation) = (larger(b, t), larger(d, v));
     [across, rotation, across, rotation]
 }
@@ -140,8 +141,7 @@ fn bordered<N: Level>(
     }
     let forces = [kappa * b, square * f, -(kappa * t), square * u];
     let flexibility = kappa * (b * minor);
-    let (Border { forces, flexibility }, left) =
-        Bending::shifted(&mut stiffness, forces, flexibility, kappa.inverse());
+    let (Border { forces, flexibility }, left) = Bending::shifted(&mut stiffness, forces, flexibility, kappa.inverse());
     // With y1 let go the frequencies are those of tan z = -tanh z, one in each (kπ - π/4, kπ): in the middle of a half wave the number of
     // half waves below. They are where b vanishes: none is in the ball, if b does not.
     let held = middle - N::Word::of(1.0);

@@ -4,7 +4,6 @@ use crate::element::{Exact, MemberNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining};
-use crate::proof::number::Number;
 use crate::proof::row::{Row, difference, direction};
 use crate::proof::visit::{MemberEnd, NodeNumbers};
 use crate::proof::word::Word;
@@ -61,12 +60,7 @@ impl Nodes {
     }
 
     /// Displacements x and y and rotation of a place that is tied to a node.
-    fn motion<N: Level>(
-        &mut self,
-        node: &NodeNumbers,
-        place: [Exact; 2],
-        joining: &mut Joining<'_, N>,
-    ) -> [Row<N>; 3] {
+    fn motion<N: Level>(&mut self, node: &NodeNumbers, place: [Exact; 2], joining: &mut Joining<'_, N>) -> [Row<N>; 3] {
         let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<N, 1>::of));
         let mut rows = [Row::none(); 3];
         match node.along {

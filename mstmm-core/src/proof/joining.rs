@@ -189,10 +189,9 @@ impl<'m, N: Level> Joining<'m, N> {
         let variables = [self.enter(), self.enter()];
         let middle = variables.map(Row::of);
         let part = |share: f64| length * Ball::of(share);
-        for (share, rows) in [
-            (0.375, [rows[0], rows[1], middle[0], middle[1]]),
-            (0.625, [middle[0], middle[1], rows[2], rows[3]]),
-        ] {
+        for (share, rows) in
+            [(0.375, [rows[0], rows[1], middle[0], middle[1]]), (0.625, [middle[0], middle[1], rows[2], rows[3]])]
+        {
             let piece = general_bending(&section, part(share), self.square);
             self.add_bent(&piece.member, &section.bending_stiffness, part(share), &rows);
         }

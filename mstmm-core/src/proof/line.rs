@@ -25,7 +25,8 @@ pub(crate) fn line<N: Level>(x: Ball<N>) -> Line<N> {
         return short(x);
     }
     let is_stiff = x.mid.leading().is_less(word(0.0));
-    let (is_short_or_stiff, one) = (not::<N::Word>(both::<N::Word>(not::<N::Word>(is_short), not::<N::Word>(is_stiff))), Ball::of(1.0));
+    let (is_short_or_stiff, one) =
+        (not::<N::Word>(both::<N::Word>(not::<N::Word>(is_short), not::<N::Word>(is_stiff))), Ball::of(1.0));
     let of_lanes = |truth, x: Ball<N>| Ball::select(truth, x, one);
     let mut member = if any::<N::Word>(not::<N::Word>(is_short_or_stiff)) {
         waving(of_lanes(not::<N::Word>(is_short_or_stiff), x))

@@ -2,6 +2,8 @@
 
 pub(crate) mod ball;
 pub(crate) mod bending;
+pub(crate) mod bisection;
+pub(crate) mod certificate;
 pub(crate) mod constants;
 pub(crate) mod count;
 pub(crate) mod four_words;

@@ -145,9 +145,9 @@ impl<N: Level> Paths<N> {
 /// What a support leaves of the freedoms of a space.
 fn of_support<N: Level>(support: Support, space: Space, joining: &mut Joining<'_, N>) -> PointRows<N> {
     FREEDOMS.map(|freedom| {
-        space.contains(freedom).then(|| {
-            if support.holds().contains(freedom) { Row::none() } else { Row::of(joining.enter()) }
-        })
+        space
+            .contains(freedom)
+            .then(|| if support.holds().contains(freedom) { Row::none() } else { Row::of(joining.enter()) })
     })
 }
 
@@ -162,12 +162,7 @@ fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N>, step: usize, joining:
 
 /// Satisfies that a combination of variables is zero: one of them is a combination of the others. What is zero already needs nothing: it is held
 /// twice, by the same.
-fn satisfy<N: Level>(
-    constraint: &Row<N>,
-    rows: [&mut PointRows<N>; 2],
-    step: usize,
-    joining: &mut Joining<'_, N>,
-) {
+fn satisfy<N: Level>(constraint: &Row<N>, rows: [&mut PointRows<N>; 2], step: usize, joining: &mut Joining<'_, N>) {
     let Some(pivot) = largest(constraint, |_| true) else { return };
     let Some(by) = solved(constraint, &pivot) else {
         joining.failure = Some(Failure::Redundant(step));

@@ -12,13 +12,7 @@ const SHIFT: f64 = 6_755_399_441_055_744.0;
 
 /// A binary floating-point number with rounding to nearest, alone or in lanes.
 pub(crate) trait Word:
-    Copy
-    + Debug
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// A truth per lane.
     type Mask: Copy + Debug;

@@ -1,23 +1,29 @@
 //! Critical loads: the factors of a load at which a structure at rest loses its stability, certified by counts.
 
 use crate::model::{LoadError, ParameterError, SearchError};
-use crate::number::{Frequency, List, Parameter, Real, Scalar, Scaled, Single};
-use crate::pass::characteristic::{Characteristic, System, counted_pass};
+use crate::number::{List, Parameter, Real, Scalar};
+use crate::pass::characteristic::System;
+use crate::proof::certificate::{Bound, Precision, Prover, zero_of};
+use crate::proof::count::Side;
 use crate::search::closed_range::ClosedRange;
 use crate::search::room::add;
-use crate::subspace::WittrickWilliams;
+use crate::search::undamped::proven::Parts;
 use core::ops::Deref;
-
-/// Half the relative width of a certified interval, in units of eps, as that of a frequency.
-const HALF_WIDTH: f64 = 16.0;
-
-/// Steps of the secant method within which a bracket has to be halved.
-const PATIENCE: u32 = 3;
 
 /// Upper ends of brackets that wait: each is half of the one before.
 const WAITING: usize = 128;
 
-/// A factor of a load at which stability is lost, certified by the counts of motions that grow just below and just above it.
+/// Steps of a bracket: the bits of a word, with a step of the secant method before each.
+const STEPS: usize = 160;
+
+/// Width of an interval, in units of eps, that holds several loads or one that rounding cannot narrow: more bisection separates nothing.
+const WIDEST: f64 = 4.0;
+
+/// Binary exponent of the part of a range below which a factor counts as zero.
+const ZERO_EXPONENT: i32 = -60;
+
+/// A factor of a load at which stability is lost: of the model at `lower` at most `index - 1` motions grow, of that at `upper` at least
+/// `index + multiplicity - 1`. Both counts are proven, whatever the load does between them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CriticalLoad<T = f64> {
     /// The load factor.
@@ -28,6 +34,8 @@ pub struct CriticalLoad<T = f64> {
     pub upper: T,
     /// Number of motions that begin to grow there.
     pub multiplicity: u64,
+    /// Index of the first of them, from 1 on: one more than the number of motions that grow under a load just below.
+    pub index: u64,
 }
 
 /// Critical loads in ascending order; dereferences to a slice.
@@ -40,20 +48,6 @@ impl<T, const CAP: usize> Deref for CriticalLoads<T, CAP> {
     fn deref(&self) -> &[CriticalLoad<T>] {
         &self.0
     }
-}
-
-/// A system at rest whose counts of motions that grow are known, in its own and in extended precision.
-pub trait AtRest:
-    System + Characteristic<<Self as System>::Parameter> + Characteristic<<<Self as System>::Parameter as Real>::Extended>
-{
-}
-
-impl<Y> AtRest for Y where
-    Y: System
-        + Characteristic<<Y as System>::Parameter>
-        + Characteristic<<<Y as System>::Parameter as Real>::Extended>
-        + ?Sized
-{
 }
 
 /// Every factor of a range at which the structure under that load begins to have a motion that grows, each certified, with multiplicity.
@@ -69,7 +63,7 @@ impl<Y> AtRest for Y where
 ///
 /// # Source
 /// Wittrick and Williams for buckling: the count of clamped elements and of signs at ω = 0.
-pub fn critical_loads<const CAP: usize, Y: AtRest>(
+pub fn critical_loads<const CAP: usize, Y: System>(
     factors: impl ClosedRange<Y::Parameter>,
     build: impl FnMut(Y::Parameter) -> Result<Y, ParameterError>,
 ) -> Result<CriticalLoads<Y::Parameter, CAP>, LoadError> {
@@ -78,189 +72,196 @@ pub fn critical_loads<const CAP: usize, Y: AtRest>(
     if !is_range {
         return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() }.into());
     }
-    Search { build, is_extended: false, least: (end - start).times_power_of_two(-60) }.all(start, end)
+    Search { build, least: (end - start).times_power_of_two(ZERO_EXPONENT) }.all(start, end)
 }
 
-/// A factor with its count and Δ.
+/// A factor with bounds of the number of motions that grow, and Δ at rest.
 #[derive(Clone, Copy, Debug)]
-struct Sample<T: Scalar> {
+struct Sample<T> {
     factor: T,
-    below: u64,
-    value: Scaled<T>,
+    least: u64,
+    most: u64,
+    bound: Option<Bound>,
 }
 
 impl<T: Real> Default for Sample<T> {
     fn default() -> Self {
-        Sample { factor: T::zero(), below: 0, value: Scaled::new(T::one(), 0) }
+        Sample { factor: T::zero(), least: 0, most: 0, bound: None }
     }
 }
 
 /// A search in progress.
 struct Search<T, F> {
     build: F,
-    /// Whether counts are taken in extended precision.
-    is_extended: bool,
     /// The size below which a factor counts as zero.
     least: T,
 }
 
 impl<T: Real, F> Search<T, F> {
-    /// Half the width of the interval about a factor.
-    fn room(&self, factor: T) -> T {
-        let size = if factor.abs() > self.least { factor.abs() } else { self.least };
-        size * T::from_f64(HALF_WIDTH * T::EPSILON)
-    }
-
     fn all<Y, const CAP: usize>(&mut self, start: T, end: T) -> Result<CriticalLoads<T, CAP>, LoadError>
     where
-        Y: AtRest + System<Parameter = T>,
+        Y: System<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
     {
-        let mut found = List::<_, CAP>::new();
-        let mut lower = self.sample(start)?;
+        let mut found = List::<CriticalLoad<T>, CAP>::new();
         let mut waiting = List::<Sample<T>, WAITING>::new();
-        let mut upper = self.sample(end)?;
+        // the ends move outward where a load is at them
+        let mut lower = self.end::<Y>(start, false)?;
+        let mut upper = self.end::<Y>(end, true)?;
         loop {
-            let count = grown(&lower, &upper)?;
-            let width = upper.factor - lower.factor;
-            let root = if count == 0 {
+            if upper.most < lower.least {
+                return Err(LoadError::Falls { factor: lower.factor.to_f64() });
+            }
+            let is_empty = upper.most == lower.least;
+            let narrow = self.size(upper.factor) * T::from_f64(WIDEST * T::EPSILON);
+            let root = if is_empty {
                 None
-            } else if count == 1 {
-                Some(self.certified(lower, upper)?)
-            } else if width <= self.room(upper.factor) {
-                Some(self.settled(&lower, &upper))
+            } else if upper.factor - lower.factor <= narrow {
+                Some(interval(&lower, &upper))
+            } else if lower.most == lower.least && upper.least == lower.most + 1 && upper.most == upper.least {
+                Some(self.single::<Y>(lower, upper)?)
             } else {
-                let middle = self.sample(lower.factor + width * T::from_f64(0.5))?;
-                waiting.push(upper).map_err(|lost| SearchError::Unresolved { near: lost.factor.to_f64() })?;
-                upper = middle;
-                continue;
+                let middle = lower.factor + (upper.factor - lower.factor) * T::from_f64(0.5);
+                let is_between = lower.factor < middle && middle < upper.factor;
+                if is_between {
+                    let middle = self.sample::<Y>(middle)?;
+                    waiting.push(upper).map_err(|lost| unproven(&lost))?;
+                    upper = middle;
+                    continue;
+                }
+                Some(interval(&lower, &upper))
             };
             if let Some(root) = root {
-                add(&mut found, root)?;
+                push(&mut found, root, narrow)?;
             }
             let Some(next) = waiting.pop() else { return Ok(CriticalLoads(found)) };
             (lower, upper) = (upper, next);
         }
     }
 
-    /// Count and Δ at rest under a factor of the load; where Δ vanishes, as it does under a critical load that is a round number, under one
-    /// beside it.
-    fn sample<Y>(&mut self, factor: T) -> Result<Sample<T>, LoadError>
-    where
-        Y: AtRest + System<Parameter = T>,
-        F: FnMut(T) -> Result<Y, ParameterError>,
-    {
-        let beside = factor + self.room(factor) * T::from_f64(0.5);
-        for factor in [factor, beside] {
-            if let Some(sample) = self.evaluated(factor)? {
-                return Ok(sample);
-            }
-        }
-        Err(SearchError::Zero { points: 1, at: None }.into())
+    /// The size of a factor, no less than what counts as zero.
+    fn size(&self, factor: T) -> T {
+        if factor.abs() > self.least { factor.abs() } else { self.least }
     }
 
-    /// Count and Δ at rest under a factor of the load; `None` where Δ vanishes.
-    fn evaluated<Y>(&mut self, factor: T) -> Result<Option<Sample<T>>, LoadError>
+    /// Bounds of the number of motions that grow under a factor of the load.
+    fn sample<Y>(&mut self, factor: T) -> Result<Sample<T>, LoadError>
     where
-        Y: AtRest + System<Parameter = T>,
+        Y: System<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
     {
         let at = factor.to_f64();
         let system = (self.build)(factor).map_err(|error| LoadError::Parameter { factor: at, error })?;
-        if !self.is_extended {
-            let (below, value, is_clear) = at_rest(&system, T::zero());
-            if !value.mantissa().size().is_finite() {
-                return Err(SearchError::NotANumber { x: at, y: 0.0 }.into());
-            }
-            if is_clear || !T::HAS_EXTENDED {
-                return Ok(Some(Sample { factor, below, value }));
+        let parts = Parts(&system);
+        let mut prover = Prover::new(&parts);
+        let mut sample = Sample { factor, least: 0, most: u64::MAX, bound: None };
+        for precision in [Precision::Two, Precision::Four] {
+            let least = prover.bound_at(T::zero(), 1.0, Side::AtLeast, precision);
+            let most = prover.bound_at(T::zero(), 1.0, Side::AtMost, precision);
+            sample.least = least.count.unwrap_or(0).max(sample.least);
+            sample.most = most.count.unwrap_or(u64::MAX).min(sample.most);
+            sample.bound = Some(most);
+            if sample.least == sample.most {
+                break;
             }
         }
-        let zero = <T::Extended as Frequency<T>>::from_parameter(T::zero());
-        let (below, value, _) = at_rest(&system, zero);
-        let mantissa = T::from_f64(value.mantissa().to_f64());
-        let value = Scaled::new(mantissa, value.exponent());
-        Ok((!mantissa.is_zero()).then_some(Sample { factor, below, value }))
+        Ok(sample)
     }
 
-    /// The single root of a bracket, confirmed in extended precision where there is one.
-    fn certified<Y>(&mut self, lower: Sample<T>, upper: Sample<T>) -> Result<CriticalLoad<T>, LoadError>
+    /// The end of a range; where rounding decides how many motions grow there, one beside it.
+    fn end<Y>(&mut self, factor: T, is_upper: bool) -> Result<Sample<T>, LoadError>
     where
-        Y: AtRest + System<Parameter = T>,
+        Y: System<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
     {
-        let root = self.polished(lower, upper)?;
-        if !T::HAS_EXTENDED || self.is_extended {
-            return Ok(root);
+        let mut sample = self.sample::<Y>(factor)?;
+        for steps in [1.0, 2.0, 4.0, 8.0] {
+            if sample.least == sample.most {
+                return Ok(sample);
+            }
+            let away = self.size(factor) * T::from_f64(steps * T::EPSILON);
+            sample = self.sample::<Y>(if is_upper { factor + away } else { factor - away })?;
         }
-        self.is_extended = true;
-        let counts = [self.sample(root.lower)?.below, self.sample(root.upper)?.below];
-        let root = if counts == [lower.below, upper.below] { Ok(root) } else { self.polished(lower, upper) };
-        self.is_extended = false;
-        root
+        if sample.least == sample.most { Ok(sample) } else { Err(SearchError::Zero { points: 5, at: None }.into()) }
     }
 
-    /// The single root of a bracket by the secant method inside of counts.
-    fn polished<Y>(&mut self, mut lower: Sample<T>, mut upper: Sample<T>) -> Result<CriticalLoad<T>, LoadError>
+    /// The single load of a bracket with proven ends, by the secant method and halves.
+    fn single<Y>(&mut self, mut lower: Sample<T>, mut upper: Sample<T>) -> Result<CriticalLoad<T>, LoadError>
     where
-        Y: AtRest + System<Parameter = T>,
+        Y: System<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
     {
-        let counts = [lower.below, upper.below];
-        let half = T::from_f64(0.5);
-        let (mut before, mut last) = (lower, upper);
-        let (mut width, mut patience) = (upper.factor - lower.factor, PATIENCE);
-        while upper.factor - lower.factor > self.room(upper.factor) {
-            let secant = secant(&before, &last);
-            let is_inside = secant > lower.factor && secant < upper.factor;
-            patience = patience.saturating_sub(1);
-            let point =
-                if is_inside && patience > 0 { secant } else { lower.factor + (upper.factor - lower.factor) * half };
-            let sample = self.sample(point)?;
-            if sample.below <= counts[0] {
-                lower = sample
+        let before = lower.most;
+        for step in 0..STEPS {
+            let half = lower.factor + (upper.factor - lower.factor) * T::from_f64(0.5);
+            let is_between = |factor: T| lower.factor < factor && factor < upper.factor;
+            if !is_between(half) {
+                break;
+            }
+            let secant = match (lower.bound, upper.bound) {
+                (Some(below), Some(above)) if step % 3 != 2 => {
+                    // a unit beside the zero, so that both ends move
+                    let zero = zero_of([lower.factor, upper.factor], [below, above]);
+                    let unit = self.size(zero) * T::from_f64(T::EPSILON);
+                    if step % 3 == 0 { zero + unit } else { zero - unit }
+                }
+                _ => half,
+            };
+            let sample = self.sample::<Y>(if is_between(secant) { secant } else { half })?;
+            if sample.most <= before {
+                lower = sample;
+            } else if sample.least > before {
+                upper = sample;
+            } else if upper.factor - lower.factor <= self.size(upper.factor) * T::from_f64(WIDEST * T::EPSILON) {
+                break;
             } else {
-                upper = sample
-            }
-            if (upper.factor - lower.factor) * T::from_f64(2.0) <= width || patience == 0 {
-                (width, patience) = (upper.factor - lower.factor, PATIENCE);
-            }
-            let is_close = (sample.factor - last.factor).abs() <= self.room(point) * half;
-            (before, last) = (last, sample);
-            if is_close {
-                let room = self.room(point);
-                let [below, above] = [self.sample(point - room)?, self.sample(point + room)?];
-                if [below.below, above.below] == counts {
-                    let [lower, upper] = [below.factor, above.factor];
-                    return Ok(CriticalLoad { factor: point, lower, upper, multiplicity: counts[1] - counts[0] });
+                let sample = self.sample::<Y>(half)?;
+                if sample.most <= before {
+                    lower = sample;
+                } else if sample.least > before {
+                    upper = sample;
+                } else {
+                    return Err(unproven(&sample).into());
                 }
             }
         }
-        Ok(self.settled(&lower, &upper))
-    }
-
-    /// The roots of a bracket that is as narrow as an interval.
-    fn settled(&self, lower: &Sample<T>, upper: &Sample<T>) -> CriticalLoad<T> {
-        let factor = lower.factor + (upper.factor - lower.factor) * T::from_f64(0.5);
-        let room = self.room(factor);
-        let multiplicity = upper.below - lower.below;
-        CriticalLoad { factor, lower: lower.factor - room, upper: upper.factor + room, multiplicity }
+        Ok(interval(&lower, &upper))
     }
 }
 
-/// The number of motions that begin to grow between two factors.
-fn grown<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> Result<u64, LoadError> {
-    upper.below.checked_sub(lower.below).ok_or(LoadError::Falls { factor: lower.factor.to_f64() })
+/// The loads between two proven ends.
+fn interval<T: Real>(lower: &Sample<T>, upper: &Sample<T>) -> CriticalLoad<T> {
+    let factor = match (lower.bound, upper.bound) {
+        (Some(below), Some(above)) => zero_of([lower.factor, upper.factor], [below, above]),
+        _ => lower.factor,
+    };
+    let is_between = lower.factor <= factor && factor <= upper.factor;
+    let middle = lower.factor + (upper.factor - lower.factor) * T::from_f64(0.5);
+    CriticalLoad {
+        factor: if is_between { factor } else { middle },
+        lower: lower.factor,
+        upper: upper.factor,
+        multiplicity: upper.least - lower.most,
+        index: lower.most + 1,
+    }
 }
 
-/// The zero of the chord through two samples.
-fn secant<T: Real>(before: &Sample<T>, last: &Sample<T>) -> T {
-    let (a, b) = (before.value.over_power(last.value.exponent()), last.value.mantissa());
-    last.factor - b * (last.factor - before.factor) / (b - a)
+/// Adds loads; those that are as close to the ones before as one interval is wide are one entry with them.
+fn push<T: Real, const CAP: usize>(
+    found: &mut List<CriticalLoad<T>, CAP>,
+    root: CriticalLoad<T>,
+    narrow: T,
+) -> Result<(), SearchError> {
+    if let Some(last) = found.as_mut_slice().last_mut()
+        && root.upper - last.lower <= narrow
+    {
+        (last.upper, last.multiplicity) = (root.upper, last.multiplicity + root.multiplicity);
+        return Ok(());
+    }
+    add(found, root)
 }
 
-/// Count and Δ at rest, and whether no sum cancelled.
-fn at_rest<S: Single, Y: Characteristic<S> + ?Sized>(system: &Y, zero: S) -> (u64, Scaled<S>, bool) {
-    let (count, value) = counted_pass(system, zero, WittrickWilliams::<f64>::default());
-    (count.below(), value, !(count.cancelled().any() || value.mantissa().is_zero()))
+/// The error of a count that rounding decides.
+fn unproven<T: Real>(sample: &Sample<T>) -> SearchError {
+    SearchError::Unproven { near: sample.factor.to_f64(), at_most: sample.most, at_least: sample.least }
 }

@@ -11,7 +11,7 @@ pub(crate) mod undamped;
 
 pub use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 pub use closed_range::ClosedRange;
-pub use critical_loads::{AtRest, CriticalLoad, CriticalLoads, critical_loads};
+pub use critical_loads::{CriticalLoad, CriticalLoads, critical_loads};
 pub use damped::eigenvalues::Eigenvalues;
 pub use damped::found::{Eigenvalue, EigenvalueList, Region};
 pub use minima::fmin1d::{Minimum1d, fmin1d};

@@ -42,7 +42,7 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
                 #private::visit_steps(LAYOUT, &numbers, visitor);
             }
 
-            fn estimates(&self) -> #private::FrequencyEstimates {
+            fn frequency_estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates
             }
         }

@@ -24,7 +24,7 @@ impl Steps {
 impl System for Steps {
     type Parameter = f64;
     fn estimates(&self) -> FrequencyEstimates {
-        self.list().estimates()
+        self.list().frequency_estimates()
     }
 }
 

@@ -60,7 +60,7 @@ where
 
     /// The form of damping of the motion and its conjugate, with what a loss factor takes, `Im K/Im λ`.
     fn dissipation(&self, forms: &Forms<S>) -> S {
-        if !self.system.estimates().has_loss() {
+        if !self.system.frequency_estimates().has_loss() {
             return forms.damping;
         }
         let lost = forms.stiffness.to_complex().im / self.x.to_complex().im;

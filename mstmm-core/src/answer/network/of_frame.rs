@@ -91,6 +91,6 @@ where
     }
 
     fn has_loss(&self) -> bool {
-        self.system.estimates().has_loss()
+        self.system.frequency_estimates().has_loss()
     }
 }

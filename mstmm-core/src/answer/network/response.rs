@@ -100,7 +100,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
             Quantity::Reaction(..) | Quantity::Internal { .. } => states.motion.largest_force(1.0),
         };
         let size = value.size().max(size);
-        if self.system.estimates().has_loss() {
+        if self.system.frequency_estimates().has_loss() {
             return Ok(Part { value, size, mirrored: self.continued(-x)?.value(self.entry)? });
         }
         Ok(Part::new(value, size))
@@ -108,7 +108,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
 
     /// Logarithm to base 2 of a frequency below all roots but those at zero.
     pub(super) fn lowest_exponent(&self) -> i32 {
-        self.system.estimates().lowest_exponent()
+        self.system.frequency_estimates().lowest_exponent()
     }
 
     /// The response over a range of ω [rad/s], refined where it bends: between two samples it differs from the straight line at the middle by

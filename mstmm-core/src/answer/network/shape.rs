@@ -209,7 +209,7 @@ where
     fn beside(self) -> Self {
         let x = self.x.precise();
         let nearer = if self.x.is_zero() {
-            S::steady(self.system.estimates().least_exponent() - BESIDE_REST / 2)
+            S::steady(self.system.frequency_estimates().least_exponent() - BESIDE_REST / 2)
         } else {
             x + x.times_power_of_two(-BESIDE)
         };

@@ -1,6 +1,6 @@
 //! Rigid body under an axial force.
 
-use crate::element::{MemberNumbers, BackTransfer, Element, Energies, PlaneStep, TransferMatrix};
+use crate::element::{BackTransfer, Element, Energies, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::body::Body;
 use crate::elements::shared::axial_force::{AxialForce, before_stiffness, stiffened, under_axial_force};
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement};

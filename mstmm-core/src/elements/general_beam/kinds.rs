@@ -1,6 +1,8 @@
 //! Beams with some of the parameters of the general beam.
 
-use crate::element::{MemberNumbers, BackTransfer, CarriesLoad, Element, Energies, Inside, MatrixOf, PlaneStep, TransferMatrix};
+use crate::element::{
+    BackTransfer, CarriesLoad, Element, Energies, Inside, MatrixOf, MemberNumbers, PlaneStep, TransferMatrix,
+};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement, State};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};

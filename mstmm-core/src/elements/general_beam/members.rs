@@ -1,8 +1,8 @@
 //! General beams between points: along a line, and in the plane, where they stretch as well.
 
-use crate::element::{MemberNumbers, 
-    CarriesLoad, Charted, Element, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberWork,
-    TransferMatrix,
+use crate::element::{
+    CarriesLoad, Charted, Element, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
+    MemberWork, TransferMatrix,
 };
 use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};

@@ -18,9 +18,9 @@ mod skeleton;
 mod sketch;
 pub(crate) mod stiffness;
 mod structure;
-mod visit;
 #[cfg(test)]
 mod tests;
+mod visit;
 
 pub(crate) use chart_load::{load_on_chart, load_work};
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};

@@ -1,6 +1,8 @@
 //! A network with its order of elimination.
 
-use crate::element::{MemberNumbers, MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
+use crate::element::{
+    MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberTransfer, MemberVisit, VisitMember,
+};
 use crate::model::{FrequencyEstimates, is_size_of_direction};
 use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
@@ -242,7 +244,7 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
         E::MAY_BUCKLE && self.members.iter().flatten().any(E::may_buckle)
     }
 
-    fn estimates(&self) -> FrequencyEstimates {
+    fn frequency_estimates(&self) -> FrequencyEstimates {
         let mut estimates = FrequencyEstimates::default();
         for member in self.members.iter().flatten() {
             E::estimate(member, &mut estimates);

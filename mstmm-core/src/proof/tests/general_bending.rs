@@ -77,7 +77,8 @@ impl Case {
         let sigma = &one / (&one + &tension * &flexibility);
         let tau = &flexibility * &sigma / &scale;
         let g = (&sigma * tension - pair(section.rotary_inertia) * &square) * &scale;
-        let h = (pair(section.mass_per_length) * square - pair(section.foundation_stiffness)) * scale * &length * length;
+        let h =
+            (pair(section.mass_per_length) * square - pair(section.foundation_stiffness)) * scale * &length * length;
         [sigma, tau, g, h]
     }
 
@@ -87,14 +88,18 @@ impl Case {
         let part = exact(0.5f64.powi(halvings));
         let [sigma, tau, g, h] = [sigma, tau, g, h].map(|number| number * &part);
         // of the state (Y, Θ, M, Q): a column of the product has few terms
-        let next = |row: &[Exact; 4]| [&row[3] * &h, &row[0] * &sigma + &row[2] * &g, &row[1] * &part, &row[2] * &sigma - &row[0] * &tau];
+        let next = |row: &[Exact; 4]| {
+            [&row[3] * &h, &row[0] * &sigma + &row[2] * &g, &row[1] * &part, &row[2] * &sigma - &row[0] * &tau]
+        };
         let identity: Matrix<4> = from_fn(|i| from_fn(|j| exact(f64::from(u8::from(i == j)))));
         let (mut transfer, mut term) = (identity.clone(), identity);
         for n in 1..90 {
             term = from_fn(|i| next(&term[i]).map(|entry| entry / exact(f64::from(n))));
             transfer = sum(&transfer, &term);
         }
-        let block = |row: usize, column: usize| -> Matrix<2> { from_fn(|i| from_fn(|j| transfer[row + i][column + j].clone())) };
+        let block = |row: usize, column: usize| -> Matrix<2> {
+            from_fn(|i| from_fn(|j| transfer[row + i][column + j].clone()))
+        };
         // the forces that do work on y and θ are (Q, -M) at the near end and (-Q, M) at the far one
         let forces = |m: Matrix<2>| -> Matrix<2> {
             let [moments, shears] = m;
@@ -129,7 +134,13 @@ impl Case {
             let point = sum(first, last);
             let (det, trace) = (determinant(&point), &point[0][0] + &point[1][1]);
             let zero = exact(0.0);
-            let negative = if det < zero { 1 } else if trace < zero { 2 } else { 0 };
+            let negative = if det < zero {
+                1
+            } else if trace < zero {
+                2
+            } else {
+                0
+            };
             let flexible = inverse(&point);
             let transposed: Matrix<2> = from_fn(|i| from_fn(|j| between[j][i].clone()));
             let through = product(between, &flexible);

@@ -16,7 +16,10 @@ impl<Y: System + ?Sized> Visited for Of<'_, Y> {
 
 fn bounds<Y: System>(system: &Y, omega: f64) -> [f64; 2] {
     [Side::AtLeast, Side::AtMost].map(|side| {
-        Memory::default().run::<TwoWords<f64>>(&Of(system), signed_square([omega, 0.0], 1.0), side.toward()).unwrap().count
+        Memory::default()
+            .run::<TwoWords<f64>>(&Of(system), signed_square([omega, 0.0], 1.0), side.toward())
+            .unwrap()
+            .count
     })
 }
 

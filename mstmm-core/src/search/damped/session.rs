@@ -34,7 +34,7 @@ where
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     pub(super) fn new(system: &'a Y) -> Self {
-        let estimates = system.estimates();
+        let estimates = system.frequency_estimates();
         let smallest = T::one().times_power_of_two(estimates.negligible_exponent());
         let precision = <Y::Parameter as Scalar>::EPSILON;
         EigenvalueSearch {

@@ -5,18 +5,24 @@ use crate::number::{List, Real};
 use core::fmt;
 use core::ops::Deref;
 
-/// A natural frequency, certified by the count just below and just above it.
+/// A natural frequency with the interval that holds it.
+///
+/// Where it [is proven](Self::is_proven), the count of natural frequencies is at most `index - 1` at `lower` and at least
+/// `index + multiplicity - 1` at `upper`: so the frequencies of these indices lie in `[lower, upper)`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NaturalFrequency<T = f64> {
     /// Angular frequency ω [rad/s].
     pub omega: T,
-    /// Lower end of the certified interval [rad/s]: no more than the frequencies listed before lie below.
+    /// Lower end of the interval [rad/s].
     pub lower: T,
-    /// Upper end of the certified interval [rad/s].
+    /// Upper end of the interval [rad/s].
     pub upper: T,
-    /// Number of frequencies in the interval: more than one where several coincide, or where the arithmetic cannot tell
-    /// them apart.
+    /// Number of frequencies in the interval: more than one where several are within a few units in the last place.
     pub multiplicity: u64,
+    /// Index of the first of them among all natural frequencies, from 1 on; frequencies at rest have the first ones.
+    pub index: u64,
+    /// Whether the interval is a theorem; else it was counted in arithmetic of which no bound is known.
+    pub is_proven: bool,
 }
 
 impl<T: Real> NaturalFrequency<T> {
@@ -50,24 +56,25 @@ impl<T: Real> NaturalFrequency<T> {
 pub(super) struct Found<L> {
     pub(super) frequencies: L,
     pub(super) evaluations: usize,
-    pub(super) extended: usize,
+    /// Runs of the proof in two words and in four.
+    pub(super) runs: [usize; 2],
 }
 
 /// Frequencies in ascending order and the number of evaluations they took; dereferences to a slice.
 ///
-/// An evaluation is one pass, of Δ with or without its count; a pass that also gives the derivative counts as two.
+/// An evaluation is one pass of the search, of Δ with or without its count; a pass that also gives the derivative counts as two.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencyList<T, const CAP: usize> {
     pub(super) frequencies: List<NaturalFrequency<T>, CAP>,
     pub(super) evaluations: usize,
-    pub(super) extended: usize,
+    pub(super) runs: [usize; 2],
 }
 
 impl<T, const CAP: usize> From<Found<List<NaturalFrequency<T>, CAP>>> for FrequencyList<T, CAP> {
     #[inline]
     fn from(found: Found<List<NaturalFrequency<T>, CAP>>) -> Self {
-        let Found { frequencies, evaluations, extended } = found;
-        FrequencyList { frequencies, evaluations, extended }
+        let Found { frequencies, evaluations, runs } = found;
+        FrequencyList { frequencies, evaluations, runs }
     }
 }
 
@@ -78,11 +85,10 @@ impl<T, const CAP: usize> FrequencyList<T, CAP> {
         self.evaluations
     }
 
-    /// Number of evaluations among these in extended precision, which judged what was doubtful: two for an interval, and more where the
-    /// search was made again. Each takes some six times as long as another one.
+    /// Number of runs of the proof besides: in two words, and in four, where two do not decide.
     #[inline]
-    pub fn extended_evaluations(&self) -> usize {
-        self.extended
+    pub fn proof_runs(&self) -> [usize; 2] {
+        self.runs
     }
 }
 

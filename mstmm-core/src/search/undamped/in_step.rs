@@ -1,17 +1,16 @@
-//! The lowest frequencies of several models at once, a lane for each: what one model does in a step, all do.
+//! Estimates of the lowest frequencies of several models at once, a lane for each: what one model does in a step, all do.
 //!
-//! A model that does not keep step, since its roots coincide, sums cancel or waves have to be scaled, is left to the search for one model.
+//! A model that does not keep step, since its roots coincide or waves have to be scaled, is left to the search for one model.
 
 use crate::number::{List, Scalar};
 use crate::pass::at_once::Block;
 use crate::pass::searched::Undamped;
 use crate::pass::side_by_side::{Built, Lanewise, MODELS, SideBySide};
 use crate::search::undamped::approach::{Approaches, GoesOn, PerRoot};
-use crate::search::undamped::certificate::Sides;
-use crate::search::undamped::found::{FrequencyList, NaturalFrequency};
+use crate::search::undamped::found::{Found, NaturalFrequency};
 use crate::search::undamped::interpolation::{Point, Sample};
 use crate::search::undamped::sampling::Isolation;
-use crate::search::undamped::together::{BEYOND, TRIES};
+use crate::search::undamped::together::BEYOND;
 use crate::subspace::Purpose;
 use core::f64::consts::PI;
 
@@ -36,6 +35,9 @@ type Alone<'a, M> = Isolation<'a, Built<M>, f64>;
 /// The roots of a model.
 type Roots<const N: usize> = List<NaturalFrequency<f64>, N>;
 
+/// What is proposed for a model.
+pub(super) type Proposals<const N: usize> = Found<Roots<N>>;
+
 /// A search for the lowest frequencies of models in step.
 pub(super) struct InStep<'a, M: Lanewise<System<f64>: Undamped>> {
     systems: &'a SideBySide<M>,
@@ -54,22 +56,22 @@ impl<'a, M: Lanewise<System<f64>: Undamped<Parameter = f64>>> InStep<'a, M> {
     pub(super) fn first<const N: usize>(
         models: &[Option<M>; MODELS],
         alone: &'a [Option<Alone<'a, M>>; MODELS],
-    ) -> [Option<FrequencyList<f64, N>>; MODELS] {
+    ) -> [Option<Proposals<N>>; MODELS] {
         let is_worth_it = alone.iter().flatten().count() >= FEWEST;
         let has_waves = alone.iter().flatten().all(|one| one.estimates.wave_sum() > 0.0);
         if !is_worth_it || !has_waves || PER_ROOT * N + 2 > MOST_SAMPLES {
-            return [None; MODELS];
+            return [const { None }; MODELS];
         }
         let mut built = [None; MODELS];
         for ((place, model), alone) in built.iter_mut().zip(models).zip(alone) {
             *place = model.as_ref().filter(|_| alone.is_some());
         }
-        let Some(systems) = SideBySide::new(&built) else { return [None; MODELS] };
+        let Some(systems) = SideBySide::new(&built) else { return [const { None }; MODELS] };
         InStep { systems: &systems, alone, block: Block::new(), evaluations: 0, idle: [1.0; MODELS], lost: 0 }.search()
     }
 
     /// The lowest frequencies of each model.
-    fn search<const N: usize>(mut self) -> [Option<FrequencyList<f64, N>>; MODELS] {
+    fn search<const N: usize>(mut self) -> [Option<Proposals<N>>; MODELS] {
         self.idle = self.each(|one| one.just_above_zero);
         for (lane, alone) in self.alone.iter().enumerate() {
             self.lost |= u32::from(alone.is_none()) << lane;
@@ -78,14 +80,11 @@ impl<'a, M: Lanewise<System<f64>: Undamped<Parameter = f64>>> InStep<'a, M> {
         let mut approaches = self.approaches(&mut found);
         self.polish(&mut approaches);
         for (below, approaches) in approaches.iter().enumerate() {
-            self.certify(approaches, below as f64, &mut found);
+            self.list(approaches, below as f64, &mut found);
         }
-        let mut lists = [None; MODELS];
+        let mut lists = [const { None }; MODELS];
         for lane in lanes_of(!self.lost) {
-            // those of its stability
-            let (before, extended) = self.alone[lane].as_ref().map_or((0, 0), |one| (one.evaluations, one.extended));
-            let evaluations = before + self.evaluations;
-            lists[lane] = Some(FrequencyList { frequencies: found[lane], evaluations, extended });
+            lists[lane] = Some(Found { frequencies: found[lane], evaluations: self.evaluations, runs: [0; 2] });
         }
         lists
     }
@@ -158,7 +157,8 @@ impl<'a, M: Lanewise<System<f64>: Undamped<Parameter = f64>>> InStep<'a, M> {
         found: &mut Roots<N>,
     ) -> Option<()> {
         let zeros = samples.first()?.below;
-        Alone::<'a, M>::push(found, self.alone[lane].as_ref()?.rigid_body_modes(zeros as u64)).ok()?;
+        let alone = self.alone[lane].as_ref()?;
+        alone.push(found, alone.at_rest(zeros as u64)).ok()?;
         let mut lower = 0;
         for (root, approaches) in approaches.iter_mut().enumerate().skip(zeros as usize) {
             let below = root as f64;
@@ -204,48 +204,17 @@ impl<'a, M: Lanewise<System<f64>: Undamped<Parameter = f64>>> InStep<'a, M> {
         open & !self.lost
     }
 
-    /// Certifies the root above so many others, of all models that have it above zero, by the counts on both sides; where these are not
-    /// between them, once more from the zero of Δ beside them.
-    fn certify<const N: usize>(&mut self, approaches: &Approaches<POINTS>, below: f64, found: &mut [Roots<N>; MODELS]) {
-        let inner = self.each(|one| one.half_width * 0.5);
-        let mut roots = approaches.estimate.map(|s| NaturalFrequency { omega: s * s, ..NaturalFrequency::default() });
-        let mut sought = 0;
-        for (lane, counted) in approaches.below.iter().enumerate() {
-            sought |= u32::from(*counted == below) << lane;
-        }
-        let mut open = sought;
-        for _ in 0..TRIES {
-            open &= !self.lost;
-            if open == 0 {
-                break;
+    /// Lists the estimates of the root above so many others, of all models that have it above zero.
+    fn list<const N: usize>(&mut self, approaches: &Approaches<POINTS>, below: f64, found: &mut [Roots<N>; MODELS]) {
+        for lane in lanes_of(!self.lost) {
+            if approaches.below[lane] != below {
+                continue;
             }
-            let [lower, upper] = [-1.0, 1.0].map(|side| {
-                for (lane, root) in roots.iter().enumerate() {
-                    self.block.omega[lane] = root.omega + side * (root.omega * inner[lane]);
-                }
-                self.evaluate(Purpose::Certificates);
-                self.block
-            });
-            for lane in lanes_of(open & !self.lost) {
-                let sides = Sides {
-                    omega: [lower.omega[lane], upper.omega[lane]],
-                    value: [lower.value[lane], upper.value[lane]],
-                    below: [lower.below[lane], upper.below[lane]],
-                };
-                let omega = roots[lane].omega;
-                match sides.certificate(approaches, lane, omega, omega * inner[lane]) {
-                    Some(root) => roots[lane] = root,
-                    None => self.lost |= 1 << lane,
-                }
-                open &= !(u32::from(roots[lane].multiplicity > 0) << lane);
-            }
-        }
-        self.lost |= open;
-        for lane in lanes_of(sought & !self.lost) {
-            let may_have_moved = |one: &Alone<'a, M>| one.may_have_moved(&roots[lane], found[lane].last());
-            if self.alone[lane].as_ref().is_none_or(may_have_moved) || found[lane].push(roots[lane]).is_err() {
-                self.lost |= 1 << lane;
-            }
+            let omega = approaches.estimate[lane] * approaches.estimate[lane];
+            let is_listed = self.alone[lane]
+                .as_ref()
+                .is_some_and(|one| one.push(&mut found[lane], Some(one.estimate(omega, 1))).is_ok());
+            self.lost |= u32::from(!is_listed) << lane;
         }
     }
 }

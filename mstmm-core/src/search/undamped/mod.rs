@@ -1,9 +1,6 @@
-//! Natural frequencies of undamped systems: certified by counts.
+//! Natural frequencies of undamped systems: proposed by searches that nobody has to trust, and proven.
 
 pub(crate) mod approach;
-mod beyond_doubt;
-pub(crate) mod certificate;
-pub(crate) mod confirm;
 pub(crate) mod found;
 pub(crate) mod in_step;
 mod interpolation;
@@ -11,7 +8,7 @@ pub(crate) mod isolation;
 pub(crate) mod natural;
 mod network_samples;
 pub(crate) mod polish;
+pub(crate) mod proven;
 pub(crate) mod sampling;
-pub(crate) mod stability;
 pub(crate) mod sweep;
 pub(crate) mod together;

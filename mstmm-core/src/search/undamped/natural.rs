@@ -1,42 +1,38 @@
 //! Natural frequencies of undamped systems: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar, Scaled, Store, refuses_doubt};
-use crate::pass::characteristic::{Characteristic, System, counted_pass};
+use crate::number::{List, Parameter, Real, Scalar, Store};
+use crate::pass::characteristic::{System, counted_pass};
 use crate::pass::searched::Undamped;
 use crate::search::closed_range::ClosedRange;
-use crate::search::room::add;
 use crate::search::undamped::found::{Found, FrequencyList, NaturalFrequency};
+use crate::search::undamped::proven::{Certification, Parts, Sought};
 use crate::search::undamped::sampling::Isolation;
-use crate::search::undamped::stability::check_stability;
 use crate::search::undamped::together::Together;
 use crate::subspace::WittrickWilliams;
-use core::ops::RangeInclusive;
 use num_traits::Zero;
 
-/// The certified searches of undamped systems.
+/// The proven searches of undamped systems.
+///
+/// A fast search proposes frequencies, and a proof decides: bounds of the count of Wittrick and Williams at both ends of an interval, with all
+/// rounding in them, in two words and where these do not do in four. What is not proven is bisected by proven counts, or refused with numbers,
+/// [`Unproven`](SearchError::Unproven). Without the feature `judge`, and for a system with an element that is known by its transfer matrix
+/// alone, results are those of the fast search: [`is_proven`](NaturalFrequency::is_proven) is false.
 ///
 /// A system with motions that grow, as of a column that buckles, has no list of frequencies: its searches say
 /// [`Unstable`](SearchError::Unstable). Frequencies at zero are those of rigid bodies and of what is just about to buckle.
-///
-/// A result that is doubtful (roots coincide or nearly do, slopes do not fit, sums cancel) is confirmed by counts in extended
-/// precision, double-double for `f64`, or the search is made again there. Without the feature `judge` a doubtful result is refused.
 ///
 /// A thread of 128 kB is enough, of 384 kB in debug builds.
 pub trait NaturalFrequencies: System {
     /// Number of natural frequencies below `omega` [rad/s], with multiplicity; rigid-body modes count from ω > 0 on. It is 0 for
     /// `omega <= 0`.
     ///
-    /// It takes two evaluations, a relative 4e-6 below and above `omega`. Where their counts differ, or sums cancel in one of them,
-    /// the count is taken in extended precision, a relative 9e-16 below and above.
-    ///
     /// # Errors
-    /// [`SearchError::Unstable`] for a system with motions that grow; [`SearchError::Unresolved`] where extended precision fails, too, as
-    /// at a frequency itself; [`SearchError::Zero`] for a model in
-    /// which something is held twice; [`SearchError::NotANumber`] for a NaN, or an `omega` so large that numbers overflow.
+    /// [`SearchError::Unstable`] for a system with motions that grow; [`SearchError::Unproven`] where rounding decides the count in four words,
+    /// as at a frequency itself; [`SearchError::Zero`] for a model in which something is held twice, or by nothing.
     ///
     /// # Source
-    /// Wittrick and Williams along the tree of transfer paths.
+    /// Wittrick and Williams: the clamped counts of members and the negative pivots of the dynamic stiffness.
     #[inline]
     fn count_below(&self, omega: Self::Parameter) -> Result<u64, SearchError>
     where
@@ -45,20 +41,41 @@ pub trait NaturalFrequencies: System {
         if omega <= Self::Parameter::zero() {
             return Ok(0);
         }
-        check_stability(self)?;
-        match count_beside(self, omega)? {
-            Some(below) => Ok(below),
-            None if Self::Parameter::HAS_EXTENDED => extended_count(self, omega),
-            None => Err(SearchError::Unresolved { near: omega.to_f64() }),
+        if !omega.size().is_finite() {
+            return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
         }
+        let parts = Parts(self);
+        match certification(self, &parts) {
+            Some(mut certification) => {
+                if const { Self::MAY_BUCKLE } && self.may_buckle() {
+                    certification.check_stability()?;
+                }
+                certification.count(omega)
+            }
+            None => Ok(counted_pass(self, omega, WittrickWilliams::<f64>::default()).0.below()),
+        }
+    }
+
+    /// Bounds of the number of natural frequencies below `omega` [rad/s], motions that grow included: at least so many, and at most so many. Both are
+    /// proven; they differ where rounding decides the count, as at a frequency itself.
+    ///
+    /// Where nothing is known, as without the feature `judge`, they are 0 and `u64::MAX`.
+    #[inline]
+    fn count_bounds(&self, omega: Self::Parameter) -> [u64; 2]
+    where
+        Self: Undamped,
+    {
+        let parts = Parts(self);
+        let bounds = certification(self, &parts).map(|mut proof| proof.prover.bounds(omega, 1.0));
+        let [least, most] = bounds.unwrap_or_default();
+        [least.unwrap_or(0), most.unwrap_or(u64::MAX)]
     }
 
     /// Number of motions that grow: of modes with `ω² < 0`, as those of a column under more than its buckling load. Each has a pair of
     /// real eigenvalues ±λ, which [`eigenvalues`](crate::search::Eigenvalues::eigenvalues) finds.
     ///
-    /// It is the count J at `ω² = -ε²`, with ε below all frequencies but those that are zero, so that J just above zero less this number
-    /// is the number of modes at rest. No system is evaluated whose elements all have positive stiffness
-    /// ([`Element::MAY_BUCKLE`](crate::element::Element::MAY_BUCKLE)).
+    /// It is the count J at `ω² = 0`; where something rests, at `ω² = -ε²`, with ε below all frequencies but those that are zero. No system is
+    /// evaluated whose elements all have positive stiffness ([`Element::MAY_BUCKLE`](crate::element::Element::MAY_BUCKLE)).
     ///
     /// ```
     /// use mstmm_core::elements::{Mass, Spring};
@@ -76,8 +93,8 @@ pub trait NaturalFrequencies: System {
     /// ```
     ///
     /// # Errors
-    /// [`SearchError::Unresolved`] where sums cancel in extended precision, too, or there is none and a mode is next to rest;
-    /// [`SearchError::Zero`] for a model in which something is held twice; [`SearchError::NotANumber`] where numbers overflow.
+    /// [`SearchError::Unproven`] where rounding decides it in four words, and where nothing is proven;
+    /// [`SearchError::Zero`] for a model in which something is held twice, or by nothing.
     ///
     /// # Source
     /// Wittrick and Williams, whose count holds for ω² of either sign.
@@ -86,12 +103,18 @@ pub trait NaturalFrequencies: System {
     where
         Self: Undamped,
     {
-        Isolation::<Self, Self::Parameter>::new(self).unstable_modes()
+        if const { !Self::MAY_BUCKLE } || !self.may_buckle() {
+            return Ok(0);
+        }
+        match certification(self, &Parts(self)) {
+            Some(mut certification) => certification.unstable_modes(),
+            None => Err(SearchError::Unproven { near: 0.0, at_most: u64::MAX, at_least: 0 }),
+        }
     }
 
-    /// Every natural frequency in a range [rad/s], each certified, with multiplicity.
+    /// Every natural frequency in a range [rad/s], each proven, with multiplicity.
     ///
-    /// A frequency belongs to the range if its certified interval meets it; ω = 0, with the number of rigid-body modes
+    /// A frequency belongs to the range if its interval meets it; ω = 0, with the number of rigid-body modes
     /// as its multiplicity, belongs to a range that starts at 0.
     ///
     /// # Errors
@@ -105,7 +128,7 @@ pub trait NaturalFrequencies: System {
     where
         Self: Undamped,
     {
-        in_range::<_, List<_, CAP>>(self, range.closed()).map(FrequencyList::from)
+        in_range::<_, List<_, CAP>>(self, ends(range)).map(FrequencyList::from)
     }
 
     /// Every natural frequency in a range [rad/s], as [`natural_frequencies`](NaturalFrequencies::natural_frequencies) finds them, in a
@@ -139,7 +162,7 @@ pub trait NaturalFrequencies: System {
     where
         Self: Undamped,
     {
-        in_range::<_, std::vec::Vec<_>>(self, range.closed()).map(|found| found.frequencies)
+        in_range::<_, std::vec::Vec<_>>(self, ends(range)).map(|found| found.frequencies)
     }
 
     /// The lowest natural frequencies, rigid-body modes at ω = 0 included: the fewest entries whose multiplicities add up
@@ -155,7 +178,7 @@ pub trait NaturalFrequencies: System {
     where
         Self: Undamped,
     {
-        first::<_, List<_, N>>(self, N as u64).map(FrequencyList::from)
+        searched::<_, List<_, N>>(self, Sought::Lowest(N as u64)).map(FrequencyList::from)
     }
 
     /// The lowest natural frequencies, as [`first_frequencies`](NaturalFrequencies::first_frequencies) finds them, where their number n
@@ -184,7 +207,19 @@ pub trait NaturalFrequencies: System {
     where
         Self: Undamped,
     {
-        first::<_, std::vec::Vec<_>>(self, n as u64).map(|found| found.frequencies)
+        searched::<_, std::vec::Vec<_>>(self, Sought::Lowest(n as u64)).map(|found| found.frequencies)
+    }
+
+    /// Estimates of the lowest natural frequencies, at the cost of the fast search alone: nothing is proven, and one that is missed is missed.
+    ///
+    /// # Errors
+    /// As [`first_frequencies`](NaturalFrequencies::first_frequencies).
+    #[inline]
+    fn estimates<const N: usize>(&self) -> Result<FrequencyList<Self::Parameter, N>, SearchError>
+    where
+        Self: Undamped,
+    {
+        proposed::<_, List<_, N>>(self, Sought::Lowest(N as u64)).map(FrequencyList::from)
     }
 }
 
@@ -193,154 +228,104 @@ impl<Y: System + ?Sized> NaturalFrequencies for Y {}
 /// The result of a search that collects frequencies in a list of type `L`.
 type Searched<L> = Result<Found<L>, SearchError>;
 
+/// The two ends of a range.
+fn ends<T: Real>(range: impl ClosedRange<T>) -> [T; 2] {
+    let (start, end) = range.closed().into_inner();
+    [start, end]
+}
+
+/// What proves claims about a system; none without the feature `judge`, and where a part of it is not known in numbers.
+#[inline]
+pub(crate) fn certification<'a, Y: System + ?Sized>(
+    system: &Y,
+    parts: &'a Parts<'_, Y>,
+) -> Option<Certification<'a, Y::Parameter>> {
+    if cfg!(feature = "judge") { Certification::new(parts, system.frequency_estimates()) } else { None }
+}
+
 /// Every frequency in a range.
 #[inline]
-fn in_range<Y, L>(system: &Y, range: RangeInclusive<Y::Parameter>) -> Searched<L>
+fn in_range<Y, L>(system: &Y, [start, end]: [Y::Parameter; 2]) -> Searched<L>
 where
     Y: Undamped + ?Sized,
     L: Store<NaturalFrequency<Y::Parameter>>,
 {
-    let mut plain = Isolation::<Y, Y::Parameter>::new(system);
-    plain.check_stability()?;
-    if let Some(found) = Together::new(&mut plain).and_then(|together| together.in_range(&range)) {
+    let valid = start >= Y::Parameter::zero() && start < end && end.size().is_finite();
+    if !valid {
+        return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() });
+    }
+    searched::<Y, L>(system, Sought::Range([start, end])).and_then(|found| found.meeting([start, end]))
+}
+
+/// The proven list of the lowest frequencies, given what is proposed for it.
+#[inline]
+pub(super) fn proven_list<Y, const N: usize>(
+    system: &Y,
+    proposals: Found<List<NaturalFrequency<Y::Parameter>, N>>,
+) -> Result<FrequencyList<Y::Parameter, N>, SearchError>
+where
+    Y: Undamped + ?Sized,
+{
+    proven(system, Sought::Lowest(N as u64), || Ok(proposals)).map(FrequencyList::from)
+}
+
+/// What is sought, proven where that can be.
+#[inline]
+fn searched<Y, L>(system: &Y, sought: Sought<Y::Parameter>) -> Searched<L>
+where
+    Y: Undamped + ?Sized,
+    L: Store<NaturalFrequency<Y::Parameter>>,
+{
+    proven(system, sought, || proposed(system, sought))
+}
+
+/// What is sought, proven where that can be, given what is proposed.
+#[inline]
+fn proven<Y, L>(system: &Y, sought: Sought<Y::Parameter>, proposed: impl FnOnce() -> Searched<L>) -> Searched<L>
+where
+    Y: Undamped + ?Sized,
+    L: Store<NaturalFrequency<Y::Parameter>>,
+{
+    let parts = Parts(system);
+    let Some(mut certification) = certification(system, &parts) else { return proposed() };
+    if const { Y::MAY_BUCKLE } && system.may_buckle() {
+        certification.check_stability()?;
+    }
+    let proposals = proposed();
+    let (list, evaluations) = match &proposals {
+        Ok(found) => (&*found.frequencies, found.evaluations),
+        Err(_) => (&[][..], 0),
+    };
+    match certification.certified(list, sought) {
+        Ok(frequencies) => Ok(Found { frequencies, evaluations, runs: certification.runs() }),
+        // the search knows better what is wrong with numbers
+        Err(error @ SearchError::Unproven { .. }) => Err(proposals.err().filter(is_about_numbers).unwrap_or(error)),
+        Err(error) => Err(error),
+    }
+}
+
+/// Whether an error says that numbers leave their range.
+fn is_about_numbers(error: &SearchError) -> bool {
+    matches!(error, SearchError::NotANumber { .. })
+}
+
+/// What the fast search proposes.
+#[inline]
+fn proposed<Y, L>(system: &Y, sought: Sought<Y::Parameter>) -> Searched<L>
+where
+    Y: Undamped + ?Sized,
+    L: Store<NaturalFrequency<Y::Parameter>>,
+{
+    let mut isolation = Isolation::<Y, Y::Parameter>::new(system);
+    let together = Together::new(&mut isolation).and_then(|together| match sought {
+        Sought::Range(range) => together.in_range(range),
+        Sought::Lowest(wanted) => together.first(wanted),
+    });
+    if let Some(found) = together {
         return Ok(found);
     }
-    let (start, end) = range.into_inner();
-    let found = plain.in_range(start, end);
-    judged(system, found, plain.is_doubtful, Sought::Range([start, end]))
-}
-
-/// The lowest frequencies, so many of them.
-#[inline]
-fn first<Y, L>(system: &Y, wanted: u64) -> Searched<L>
-where
-    Y: Undamped + ?Sized,
-    L: Store<NaturalFrequency<Y::Parameter>>,
-{
-    let mut plain = Isolation::<Y, Y::Parameter>::new(system);
-    plain.check_stability()?;
-    if let Some(found) = Together::new(&mut plain).and_then(|together| together.first(wanted)) {
-        return Ok(found);
+    match sought {
+        Sought::Range([start, end]) => isolation.in_range(start, end),
+        Sought::Lowest(wanted) => isolation.first(wanted),
     }
-    let found = plain.first(wanted);
-    judged(system, found, plain.is_doubtful, Sought::Lowest(wanted))
-}
-
-/// What a search is asked for.
-#[derive(Clone, Copy)]
-enum Sought<T> {
-    /// All frequencies between two ends.
-    Range([T; 2]),
-    /// So many of the lowest.
-    Lowest(u64),
-}
-
-/// Relative distance on both sides of a frequency at which counts are taken, in square roots of eps. Where several paths share a
-/// frequency, rounding may move counts to the other side within a tenth of it.
-const COUNT_MARGIN: f64 = 256.0;
-
-/// The relative distance at which counts are taken, for numbers of type `T`.
-#[inline]
-pub(crate) fn count_margin<T: Real>() -> T {
-    T::from_f64(T::EPSILON).sqrt() * T::from_f64(COUNT_MARGIN)
-}
-
-/// Relative distance at which counts are taken in extended precision, in units in the last place of a parameter.
-const EXTENDED_MARGIN: f64 = 4.0;
-
-/// The count near a frequency, if it is equal on both sides and no sum cancelled.
-#[inline]
-fn count_beside<Y, T>(system: &Y, omega: T) -> Result<Option<u64>, SearchError>
-where
-    T: Real,
-    Y: System + Characteristic<T> + ?Sized,
-{
-    let away = omega * count_margin();
-    // fronts know what rounding has done to them where they are looked at as beside a root
-    let counter = || WittrickWilliams::new(Y::IS_NETWORK);
-    agreed(omega, [omega - away, omega + away].map(|x| counted_pass(system, x, counter())))
-}
-
-/// The count on which the passes below and above a frequency agree, if no sum cancelled in them.
-#[inline]
-pub(crate) fn agreed<T: Real>(
-    omega: T,
-    [(below, at_below), (above, at_above)]: [(WittrickWilliams, Scaled<T>); 2],
-) -> Result<Option<u64>, SearchError> {
-    let [lower, upper] = [at_below, at_above].map(|value| value.mantissa());
-    if !(lower.size().is_finite() && upper.size().is_finite()) {
-        return Err(SearchError::NotANumber { x: omega.to_f64(), y: 0.0 });
-    }
-    let is_lost = [below.cancelled(), above.cancelled()].iter().any(|cancelled| cancelled.any() || cancelled.at_root);
-    let is_clear = !(lower.is_zero() || upper.is_zero() || is_lost);
-    Ok((is_clear && below.below() == above.below()).then_some(below.below()))
-}
-
-/// The count in extended precision.
-#[cold]
-#[inline(never)]
-fn extended_count<Y, T>(system: &Y, omega: T) -> Result<u64, SearchError>
-where
-    T: Real,
-    Y: Characteristic<T::Extended> + Characteristic<Dual<T::Extended>> + System<Parameter = T> + ?Sized,
-{
-    let mut judge = Isolation::<Y, T::Extended>::new(system);
-    let x = <T::Extended as Frequency<T>>::from_parameter(omega);
-    let away = x * <T::Extended as Scalar>::from_f64(EXTENDED_MARGIN * T::EPSILON);
-    let (below, above) = (judge.sample(x - away)?, judge.sample(x + away)?);
-    let is_clear = !(below.value.mantissa().is_zero() || above.value.mantissa().is_zero());
-    if is_clear && below.below == above.below {
-        return Ok(below.below);
-    }
-    Err(SearchError::Unresolved { near: omega.to_f64() })
-}
-
-/// The result of a search in a range or of the lowest frequencies. Where it is doubtful, extended precision confirms it by counts, or
-/// searches anew.
-#[inline]
-fn judged<Y, L>(system: &Y, found: Searched<L>, is_doubtful: bool, sought: Sought<Y::Parameter>) -> Searched<L>
-where
-    Y: Undamped + ?Sized,
-    L: Store<NaturalFrequency<Y::Parameter>>,
-{
-    if !is_doubtful {
-        return found;
-    }
-    if !Y::Parameter::HAS_EXTENDED {
-        let near = |list: Found<L>| list.frequencies.first().map_or(0.0, |root| root.omega.to_f64());
-        let refused = |list| {
-            if refuses_doubt::<Y::Parameter>() { Err(SearchError::Unresolved { near: near(list) }) } else { Ok(list) }
-        };
-        return found.and_then(refused);
-    }
-    let mut judge = Isolation::<Y, <Y::Parameter as Real>::Extended>::new(system);
-    let range = match sought {
-        Sought::Range(ends) => Some(ends.map(Frequency::from_parameter)),
-        Sought::Lowest(_) => None,
-    };
-    // those of the search before
-    let mut plain = 0;
-    if let Ok(found) = found {
-        judge.evaluations = found.evaluations;
-        plain = found.evaluations - found.extended;
-        // where counts fail, a search says why
-        if judge.confirms(&found.frequencies, range).unwrap_or(false) {
-            let (evaluations, extended) = (judge.evaluations, judge.evaluations - plain);
-            return Ok(Found { evaluations, extended, ..found });
-        }
-    }
-    let judged: Found<L::Of<NaturalFrequency<<Y::Parameter as Real>::Extended>>> = match sought {
-        Sought::Range(ends) => {
-            let [start, end] = ends.map(Frequency::from_parameter);
-            judge.in_range(start, end)?
-        }
-        Sought::Lowest(wanted) => judge.first(wanted)?,
-    };
-    let mut frequencies = L::empty();
-    for root in judged.frequencies.iter() {
-        let [omega, lower, upper] = [root.omega, root.lower, root.upper].map(|x| Scalar::from_f64(x.to_f64()));
-        add(&mut frequencies, NaturalFrequency { omega, lower, upper, multiplicity: root.multiplicity })?;
-    }
-    let evaluations = judged.evaluations;
-    Ok(Found { frequencies, evaluations, extended: evaluations - plain })
 }

@@ -12,7 +12,7 @@ const ROUNDS: usize = 8;
 impl<T, Y> Together<'_, '_, Y, T>
 where
     T: InLanes + Real,
-    Y: System<Parameter = T> + InBlocks<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
+    Y: System<Parameter = T> + InBlocks<T> + Characteristic<Dual<T>> + ?Sized,
 {
     /// Samples a window at the first so many frequencies of the block, and between those where several roots are.
     pub(super) fn sample_network(&mut self, points: usize) -> Option<()> {
@@ -42,22 +42,11 @@ where
         None
     }
 
-    /// Adds samples at the first so many frequencies of the block. Where rounding may have decided a count it is taken alone.
+    /// Adds samples at the first so many frequencies of the block.
     fn sample(&mut self, points: usize, purpose: Purpose) -> Option<()> {
         self.compute(points, purpose);
-        for lane in 0..points {
-            if self.block.unknown >> lane & 1 != 0 && !self.count_alone(lane) {
-                return None;
-            }
-        }
         // phases are none
         self.block.phase = [f64::NAN; MOST];
         self.push_samples(points)
-    }
-
-    /// Counts at one frequency of the block by fronts. Returns whether the count is beyond doubt.
-    fn count_alone(&mut self, lane: usize) -> bool {
-        self.single.evaluations += 1;
-        self.block.count_alone(self.single.system, lane)
     }
 }

@@ -5,7 +5,7 @@ use crate::pass::searched::Undamped;
 use crate::pass::side_by_side::{Lanewise, MODELS};
 use crate::search::undamped::found::FrequencyList;
 use crate::search::undamped::in_step::InStep;
-use crate::search::undamped::natural::NaturalFrequencies;
+use crate::search::undamped::natural::{NaturalFrequencies, proven_list};
 use crate::search::undamped::sampling::Isolation;
 use core::fmt;
 
@@ -45,7 +45,7 @@ pub trait Sweep: Iterator + Sized {
     /// [`first_frequencies`](NaturalFrequencies::first_frequencies) of the built system gives them, in the order of the models.
     ///
     /// With `std`, in release builds on x86-64 with AVX-512, eight models at a time are searched in step, each in a lane; what does not
-    /// keep step is searched alone, as all models are elsewhere. Both ways give certified intervals that hold the same roots. Nothing is
+    /// keep step is searched alone, as all models are elsewhere. Both ways give proven intervals. Nothing is
     /// allocated; several threads take a part of the models each. A thread of 256 kB is enough, of 512 kB in debug builds.
     ///
     /// # Errors
@@ -103,18 +103,14 @@ where
     M: Lanewise<System<f64>: Undamped<Parameter = f64>>,
 {
     let systems = models.each_ref().map(|model| model.as_ref().map(M::build));
-    let alone = systems.each_ref().map(|system| {
-        let mut alone = Isolation::new(system.as_ref()?.as_ref().ok()?);
-        // a model that is refused is asked again, for the error
-        alone.check_stability().ok().map(|()| alone)
-    });
+    let alone = systems.each_ref().map(|system| Some(Isolation::new(system.as_ref()?.as_ref().ok()?)));
     let in_step = InStep::first(models, &alone);
     let mut found = [const { None }; MODELS];
     for ((found, system), in_step) in found.iter_mut().zip(&systems).zip(in_step) {
         *found = system.as_ref().map(|system| match (system, in_step) {
-            (_, Some(found)) => Ok(found),
+            (Ok(system), Some(proposals)) => proven_list(system, proposals).map_err(SweepError::Search),
             (Ok(system), None) => system.first_frequencies().map_err(SweepError::Search),
-            (Err(error), None) => Err(SweepError::Parameter(*error)),
+            (Err(error), _) => Err(SweepError::Parameter(*error)),
         });
     }
     found

@@ -1,19 +1,17 @@
-//! All roots of a window of frequencies at once: isolated by one block of counts, polished and certified side by side.
+//! All roots of a window of frequencies at once: isolated by one block of counts, and polished side by side.
 //!
-//! Evaluations that do not wait for each other share the lanes of a vector. What does not hold here, since roots coincide, sums cancel
-//! or waves have to be scaled, is left to the search that goes from root to root.
+//! Evaluations that do not wait for each other share the lanes of a vector. What does not hold here, since roots coincide or waves have to be
+//! scaled, is left to the search that goes from root to root.
 
 use crate::number::{Dual, InLanes, List, Real, Store};
 use crate::pass::at_once::{Block, InBlocks, MOST, lanes};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::undamped::approach::{Approaches, GoesOn, ROOTS};
-use crate::search::undamped::certificate::Sides;
 use crate::search::undamped::found::{Found, NaturalFrequency};
 use crate::search::undamped::interpolation::{Point, Sample};
 use crate::search::undamped::sampling::Isolation;
 use crate::subspace::Purpose;
 use core::f64::consts::PI;
-use core::ops::RangeInclusive;
 
 /// Roots that are sought in one window.
 const ROOTS_PER_WINDOW: f64 = 6.0;
@@ -26,9 +24,6 @@ pub(super) const SAMPLES: usize = 48;
 
 /// Rounds within which roots settle.
 const ROUNDS: usize = 8;
-
-/// Times that a root is counted.
-pub(super) const TRIES: usize = 2;
 
 /// The square root of a frequency.
 fn root<T: Real>(omega: T) -> f64 {
@@ -51,7 +46,7 @@ pub(super) struct Together<'a, 's, Y: System + ?Sized, T: Real> {
 impl<'a, 's, T, Y> Together<'a, 's, Y, T>
 where
     T: InLanes + Real,
-    Y: System<Parameter = T> + InBlocks<T> + Characteristic<Dual<T>> + Characteristic<T::Extended> + ?Sized,
+    Y: System<Parameter = T> + InBlocks<T> + Characteristic<Dual<T>> + ?Sized,
 {
     /// A search beside another; none for numbers that are no `f64`, without waves, which space roots evenly, and without `std`, where
     /// there are no vectors and size counts.
@@ -63,7 +58,7 @@ where
         suits.then(|| Together { single, block: Block::new(), samples: List::new(), waves, lanes: 1 })
     }
 
-    /// The lowest frequencies, if all of them are certified.
+    /// Estimates of the lowest frequencies, if all of them are single.
     pub(super) fn first<L: Store<NaturalFrequency<T>>>(mut self, wanted: u64) -> Option<Found<L>> {
         let wanted = wanted as f64;
         let mut found = L::empty();
@@ -79,16 +74,15 @@ where
             let last = self.samples.last()?;
             (from, below) = (last.point.s, last.below);
         }
-        Some(Found { frequencies: found, evaluations: self.single.evaluations, extended: self.single.extended })
+        Some(Found { frequencies: found, evaluations: self.single.evaluations, runs: [0; 2] })
     }
 
-    /// The frequencies of a range, if all of them are certified.
-    pub(super) fn in_range<L>(mut self, range: &RangeInclusive<T>) -> Option<Found<L>>
+    /// Estimates of the frequencies of a range, if all of them are single.
+    pub(super) fn in_range<L>(mut self, [start, end]: [T; 2]) -> Option<Found<L>>
     where
         L: Store<NaturalFrequency<T>>,
     {
-        let (start, end) = (*range.start(), *range.end());
-        let [mut from, last] = self.single.enclosing(start, end).ok()?.map(root);
+        let [mut from, last] = self.single.enclosing(start, end).map(root);
         if from >= last {
             // nothing but what is zero
             return None;
@@ -105,18 +99,13 @@ where
             self.roots(f64::INFINITY, &mut found)?;
             from = self.samples.last()?.point.s;
         }
-        // a root in the margin may not meet the range
-        let mut frequencies = L::empty();
-        for root in found.iter().filter(|root| root.upper >= start && root.lower <= end) {
-            frequencies.append(*root).ok()?;
-        }
-        Some(Found { frequencies, evaluations: self.single.evaluations, extended: self.single.extended })
+        Some(Found { frequencies: found, evaluations: self.single.evaluations, runs: [0; 2] })
     }
 
     /// The entry of frequencies that are zero, if there are any.
     fn push_rigid_body_modes<L: Store<NaturalFrequency<T>>>(&self, found: &mut L) -> Option<()> {
-        let modes = self.single.rigid_body_modes(self.samples.first()?.below as u64);
-        Isolation::<Y, T>::push(found, modes).ok()
+        let modes = self.single.at_rest(self.samples.first()?.below as u64);
+        self.single.push(found, modes).ok()
     }
 
     /// Evaluates the first so many frequencies of the block.
@@ -224,7 +213,7 @@ where
                 }
             }
             if count == 0 {
-                return self.certify(&approaches, brackets, found);
+                return self.list(&approaches, found);
             }
             // of the same code as counts: another one would take as long to compile
             self.evaluate(count, Purpose::Values)?;
@@ -238,75 +227,19 @@ where
             }
             approaches.go_on();
         }
-        // what has not settled yet is for fronts
-        if Y::IS_NETWORK { self.certify(&approaches, brackets, found) } else { None }
+        self.list(&approaches, found)
     }
 
-    /// Certifies the roots of all approaches by the counts on both sides; where these are not between them, once more from the zero
-    /// of Δ beside them. A root of a network for which stiffnesses do not do is taken by fronts, from its estimate or from its bracket.
-    fn certify<const POINTS: usize, L: Store<NaturalFrequency<T>>>(
+    /// Lists the estimates of all approaches.
+    fn list<const POINTS: usize, L: Store<NaturalFrequency<T>>>(
         &mut self,
         approaches: &Approaches<POINTS>,
-        brackets: &[usize],
         found: &mut L,
     ) -> Option<()> {
-        let mut roots = [NaturalFrequency::<T>::default(); ROOTS];
-        for (root, estimate) in roots.iter_mut().zip(&approaches.estimate) {
-            root.omega = T::from_f64(estimate * estimate);
-        }
-        let roots = &mut roots[..approaches.count];
-        for _ in 0..TRIES {
-            let mut count = 0;
-            for root in roots.iter().filter(|root| root.multiplicity == 0) {
-                // counts half a width inside the interval: the other half is room for their own rounding
-                let inner = root.omega * self.inner();
-                self.block.omega[count..count + 2].copy_from_slice(&[root.omega - inner, root.omega + inner]);
-                count += 2;
-            }
-            if count == 0 {
-                break;
-            }
-            self.compute(count, Purpose::Certificates);
-            if self.block.unknown != 0 && !Y::IS_NETWORK {
-                return None;
-            }
-            let mut lower = 0;
-            for (k, root) in roots.iter_mut().enumerate().filter(|(_, root)| root.multiplicity == 0) {
-                let is_known = self.block.unknown >> lower & 0b11 == 0;
-                let sides = Sides {
-                    omega: [self.block.omega[lower], self.block.omega[lower + 1]],
-                    value: [self.block.value[lower], self.block.value[lower + 1]],
-                    below: [self.block.below[lower], self.block.below[lower + 1]],
-                };
-                let inner = root.omega * self.inner();
-                let certified = is_known.then(|| sides.certificate(approaches, k, root.omega, inner)).flatten();
-                *root = match certified {
-                    Some(root) => root,
-                    None if Y::IS_NETWORK => self.certify_by_fronts(root.omega, brackets[k])?,
-                    None => return None,
-                };
-                lower += 2;
-            }
-        }
-        for root in roots {
-            if root.multiplicity == 0 || self.single.may_have_moved(root, found.last()) {
-                return None;
-            }
-            found.append(*root).ok()?;
+        for estimate in &approaches.estimate[..approaches.count] {
+            let root = self.single.estimate(T::from_f64(estimate * estimate), 1);
+            self.single.push(found, Some(root)).ok()?;
         }
         Some(())
-    }
-
-    /// The root of a network between two samples, given its estimate.
-    #[cold]
-    fn certify_by_fronts(&mut self, estimate: T, lower: usize) -> Option<NaturalFrequency<T>> {
-        let ends = [lower, lower + 1].map(|k| T::from_f64(self.samples[k].point.s * self.samples[k].point.s));
-        self.single.certify_beyond_doubt(estimate, self.samples[lower].below as u64, ends)
-    }
-
-    /// Relative distance from a root at which it is counted.
-    #[inline]
-    fn inner(&self) -> T {
-        self.single.half_width * T::from_f64(0.5)
     }
 }

@@ -140,7 +140,7 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
                 #private::precise_counts(self, omega)
             }
 
-            fn estimates(&self) -> #private::FrequencyEstimates {
+            fn frequency_estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates
             }
         }

@@ -82,7 +82,13 @@ impl<N: Scalar> Waving<N> {
     pub(super) fn new(numbers: &MemberNumbers, length: N) -> Self {
         let of = |[upper, lower]: Exact| N::from_f64(upper) + N::from_f64(lower);
         match *numbers {
-            MemberNumbers::Beam(BeamNumbers { bending_stiffness, mass_per_length, axial_stiffness, more: None, .. }) => {
+            MemberNumbers::Beam(BeamNumbers {
+                bending_stiffness,
+                mass_per_length,
+                axial_stiffness,
+                more: None,
+                ..
+            }) => {
                 let [stiffness, mass, axial] = [bending_stiffness, mass_per_length, axial_stiffness].map(of);
                 let along = (axial_stiffness != [0.0; 2]).then(|| LineWave::new([length, axial, mass, N::zero()]));
                 Waving::Beam(BendingWave::new([length, stiffness, mass]), along)
@@ -90,10 +96,9 @@ impl<N: Scalar> Waving<N> {
             MemberNumbers::Line(freedom, LineNumbers { length, stiffness, inertia, foundation }) => {
                 Waving::Line(freedom, LineWave::new([length, stiffness, inertia, foundation].map(of)))
             }
-            MemberNumbers::Spring(freedom, stiffness) => Waving::Line(
-                freedom,
-                LineWave { inertia: N::zero(), foundation: N::zero(), stiffness: of(stiffness) },
-            ),
+            MemberNumbers::Spring(freedom, stiffness) => {
+                Waving::Line(freedom, LineWave { inertia: N::zero(), foundation: N::zero(), stiffness: of(stiffness) })
+            }
             MemberNumbers::Joint(rigid, elastic) => Waving::Joint(rigid, elastic.map(of)),
             _ => Waving::Other,
         }

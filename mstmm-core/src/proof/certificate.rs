@@ -1,0 +1,255 @@
+//! Certificates: an interval holds the frequencies from one index on, so many of them.
+//!
+//! `J(lower) <= k - 1`, bounded from above, and `J(upper) >= k + m - 1`, bounded from below, are the statement that the frequencies k to
+//! k + m - 1 lie in `[lower, upper)`. Nothing else is in a certificate, and nothing that proposed it has to be trusted.
+
+use crate::number::{Real, Scalar};
+use crate::proof::count::{Memory, Outcome, Side, Visited, signed_square};
+use crate::proof::four_words::FourWords;
+use crate::proof::joining::Failure;
+use crate::proof::number::TwoWords;
+
+/// Half widths of the intervals that are claimed where two neighbouring numbers fail, in units of eps.
+const WIDER: [f64; 3] = [4.0, 16.0, 32.0];
+
+/// Times that an estimate is moved to the zero of Δ between the ends of its claim.
+const MOVES: usize = 4;
+
+/// Relative distance to which the zero of Δ between two neighbouring numbers is followed: from farther away it is no better than a guess.
+const FOLLOWED: f64 = 1e-6;
+
+/// Frequencies of an interval that is proven.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Proven<T> {
+    /// The end that is nearer to the zero of Δ; of several frequencies either.
+    pub(crate) omega: T,
+    pub(crate) lower: T,
+    pub(crate) upper: T,
+    /// The index of the first frequency, from 1 on.
+    pub(crate) index: u64,
+    pub(crate) multiplicity: u64,
+}
+
+/// What comes of a claim.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Claim<T> {
+    /// It is proven.
+    Proven(Proven<T>),
+    /// The frequency of that index is proven to be below this.
+    Below(T),
+    /// It is proven to be at this or above.
+    Above(T),
+    /// Rounding decides it even in four words.
+    Undecided,
+}
+
+/// The precision of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Precision {
+    /// Two words.
+    Two,
+    /// Four words.
+    Four,
+}
+
+/// A bound of a count with Δ.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bound {
+    /// The bound; none where nothing is known.
+    pub(crate) count: Option<u64>,
+    value: f64,
+    exponent: i64,
+    /// The smallest pivot beside the terms of its entry.
+    pub(crate) smallest: f64,
+    pub(crate) smallest_at: usize,
+}
+
+/// What proves claims about a model.
+pub(crate) struct Prover<'a> {
+    model: &'a dyn Visited,
+    memory: Memory,
+    /// Runs so far, in two words and in four.
+    pub(crate) runs: usize,
+    pub(crate) long_runs: usize,
+    /// Why the last run told nothing.
+    pub(crate) failure: Option<Failure>,
+}
+
+impl<'a> Prover<'a> {
+    /// What proves claims about a model.
+    pub(crate) fn new(model: &'a dyn Visited) -> Self {
+        Prover { model, memory: Memory::default(), runs: 0, long_runs: 0, failure: None }
+    }
+
+    /// A bound of the count at `sign ω²`.
+    pub(crate) fn bound_at<T: Real>(&mut self, omega: T, sign: f64, side: Side, precision: Precision) -> Bound {
+        let (words, toward) = (omega.words(), side.toward());
+        let outcome = match precision {
+            Precision::Two => {
+                self.runs += 1;
+                self.memory.run::<TwoWords<f64>>(self.model, signed_square(words, sign), toward)
+            }
+            Precision::Four => {
+                self.long_runs += 1;
+                self.memory.run::<FourWords>(self.model, signed_square(words, sign), toward)
+            }
+        };
+        match outcome {
+            Ok(Outcome { count, value, exponent, smallest, smallest_at }) => {
+                // a lower bound may be negative, and says nothing then; an upper one is not, unless no model has it
+                let count = if side == Side::AtLeast { count.max(0.0) } else { count };
+                Bound { count: (count >= 0.0).then_some(count as u64), value, exponent, smallest, smallest_at }
+            }
+            Err(failure) => {
+                self.failure = Some(failure);
+                Bound { count: None, value: f64::NAN, exponent: 0, smallest: 0.0, smallest_at: 0 }
+            }
+        }
+    }
+
+    /// A bound of the number of frequencies below ω.
+    fn bound<T: Real>(&mut self, omega: T, side: Side, precision: Precision) -> Bound {
+        self.bound_at(omega, 1.0, side, precision)
+    }
+
+    /// Both bounds of the count at `sign ω²`, in four words where two do not decide it.
+    pub(crate) fn bounds<T: Real>(&mut self, omega: T, sign: f64) -> [Option<u64>; 2] {
+        let mut both = [None; 2];
+        for precision in [Precision::Two, Precision::Four] {
+            let [least, most] =
+                [Side::AtLeast, Side::AtMost].map(|side| self.bound_at(omega, sign, side, precision).count);
+            both = [larger(both[0], least), smaller(both[1], most)];
+            if both[0].is_some() && both[0] == both[1] {
+                break;
+            }
+        }
+        both
+    }
+
+    /// The count at `sign ω²`, where both bounds agree.
+    pub(crate) fn count<T: Real>(&mut self, omega: T, sign: f64) -> Result<u64, [Option<u64>; 2]> {
+        match self.bounds(omega, sign) {
+            [Some(least), Some(most)] if least == most => Ok(least),
+            bounds => Err(bounds),
+        }
+    }
+
+    /// Claims that the frequency of an index is beside an estimate, and at `floor` or above.
+    pub(crate) fn claim<T: Real>(&mut self, index: u64, estimate: T, floor: T) -> Claim<T> {
+        for precision in [Precision::Two, Precision::Four] {
+            let mut omega = estimate;
+            for _ in 0..MOVES {
+                let ends = [or_floor(omega.next_below(), floor), omega.next_above()];
+                if !(ends[0] < ends[1]) {
+                    break;
+                }
+                let bounds = self.ends(ends, precision);
+                if let Some(proven) = proven(index, ends, bounds) {
+                    return Claim::Proven(self.narrowed(proven, bounds, precision));
+                }
+                if bounds[0].count.is_none_or(|below| below >= index)
+                    && self.bound(ends[0], Side::AtLeast, precision).count.is_some_and(|below| below >= index)
+                {
+                    return Claim::Below(ends[0]);
+                }
+                if bounds[1].count.is_none_or(|below| below < index)
+                    && self.bound(ends[1], Side::AtMost, precision).count.is_some_and(|below| below < index)
+                {
+                    return Claim::Above(ends[1]);
+                }
+                let moved = zero_of(ends, bounds);
+                let is_near = (moved - omega).abs() < omega * T::from_f64(FOLLOWED);
+                if !is_near || moved == omega {
+                    break;
+                }
+                omega = moved;
+            }
+            for half in WIDER {
+                let away = omega * T::from_f64(half * T::EPSILON);
+                let ends = [or_floor(omega - away, floor), omega + away];
+                let bounds = self.ends(ends, precision);
+                if let Some(proven) = proven(index, ends, bounds) {
+                    return Claim::Proven(proven);
+                }
+            }
+        }
+        Claim::Undecided
+    }
+
+    /// The bounds that a claim needs at its ends.
+    fn ends<T: Real>(&mut self, [lower, upper]: [T; 2], precision: Precision) -> [Bound; 2] {
+        [self.bound(lower, Side::AtMost, precision), self.bound(upper, Side::AtLeast, precision)]
+    }
+
+    /// The interval between two neighbouring numbers, if it is proven that all its frequencies are there.
+    fn narrowed<T: Real>(&mut self, proven: Proven<T>, bounds: [Bound; 2], precision: Precision) -> Proven<T> {
+        let Proven { lower, upper, index, multiplicity, .. } = proven;
+        let middle = lower.next_above();
+        if !(middle < upper) {
+            return proven;
+        }
+        let is_below = zero_of([lower, upper], bounds) < middle || share_of(bounds) < 0.5;
+        for below in [is_below, !is_below] {
+            let side = if below { Side::AtLeast } else { Side::AtMost };
+            let Some(count) = self.bound(middle, side, precision).count else { continue };
+            if below && count >= index + multiplicity - 1 {
+                return Proven { upper: middle, omega: nearer(lower, middle, share_of(bounds) * 2.0), ..proven };
+            }
+            if !below && count < index {
+                return Proven { lower: middle, omega: nearer(middle, upper, share_of(bounds) * 2.0 - 1.0), ..proven };
+            }
+        }
+        proven
+    }
+}
+
+/// What is proven by the bounds at both ends.
+fn proven<T: Real>(index: u64, ends: [T; 2], bounds: [Bound; 2]) -> Option<Proven<T>> {
+    let [most, least] = bounds.map(|bound| bound.count);
+    let (most, least) = (most?, least?);
+    let [lower, upper] = ends;
+    (most < index && least >= index).then(|| Proven {
+        omega: zero_of(ends, bounds),
+        lower,
+        upper,
+        index,
+        multiplicity: least - (index - 1),
+    })
+}
+
+/// The larger of two lower bounds.
+fn larger(one: Option<u64>, other: Option<u64>) -> Option<u64> {
+    one.max(other)
+}
+
+/// The smaller of two upper bounds.
+fn smaller(one: Option<u64>, other: Option<u64>) -> Option<u64> {
+    match (one, other) {
+        (Some(one), Some(other)) => Some(one.min(other)),
+        _ => one.or(other),
+    }
+}
+
+/// An end that is no lower than another interval's upper end.
+fn or_floor<T: Real>(lower: T, floor: T) -> T {
+    if lower < floor { floor } else { lower }
+}
+
+/// The zero of the chord of Δ, as a share of the distance of both ends.
+fn share_of([lower, upper]: [Bound; 2]) -> f64 {
+    let shift = (upper.exponent - lower.exponent).clamp(-2000, 2000) as i32;
+    let other = upper.value.times_power_of_two(shift);
+    lower.value / (lower.value - other)
+}
+
+/// The zero of the chord of Δ, or the middle where there is none.
+pub(crate) fn zero_of<T: Real>([lower, upper]: [T; 2], bounds: [Bound; 2]) -> T {
+    let share = share_of(bounds);
+    let share = if share.is_finite() { share.clamp(-1e9, 1e9) } else { 0.5 };
+    lower + (upper - lower) * T::from_f64(share)
+}
+
+/// The end that is nearer to a share of their distance.
+fn nearer<T: Real>(lower: T, upper: T, share: f64) -> T {
+    if share < 0.5 { lower } else { upper }
+}

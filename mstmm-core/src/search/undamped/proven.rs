@@ -1,0 +1,277 @@
+//! What a search proposes is proven, and what is not proven is bisected by proven counts: nobody has to trust the search.
+
+use crate::model::{FrequencyEstimates, SearchError, Spot};
+use crate::number::{Real, Store};
+use crate::pass::characteristic::System;
+use crate::proof::bisection::Refusal;
+use crate::proof::certificate::{Claim, Precision, Proven, Prover};
+use crate::proof::count::{Side, Visited};
+use crate::proof::joining::Failure;
+use crate::proof::visit::Visitor;
+use crate::search::room::add;
+use crate::search::undamped::found::{Found, NaturalFrequency};
+
+/// Parts of the next frequency below which those at rest are sought, least first.
+const AT_REST: [f64; 3] = [1e-9, 1e-6, 1e-3];
+
+/// Steps of one number by which the end of a range moves outward where rounding decides the count at it.
+const OUTWARD: usize = 8;
+
+/// Frequencies far from each other at which no count is decided where something is held twice, or by nothing.
+const FAR_APART: [f64; 5] = [0.037, 0.31, 1.7, 5.3, 23.0];
+
+/// Width, in units of eps, within which frequencies are one entry.
+const ONE_ENTRY: f64 = 4.0;
+
+/// Binary exponents above the highest estimate of a model without waves beyond which it has no frequency.
+const BEYOND: i32 = 30;
+
+/// The parts of a system.
+pub(crate) struct Parts<'a, Y: ?Sized>(pub(crate) &'a Y);
+
+impl<Y: System + ?Sized> Visited for Parts<'_, Y> {
+    fn visit(&self, visitor: &mut dyn Visitor) {
+        self.0.name_parts(visitor);
+    }
+}
+
+/// What a search is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Sought<T> {
+    /// All frequencies between two ends.
+    Range([T; 2]),
+    /// So many of the lowest.
+    Lowest(u64),
+}
+
+/// Proofs of what is proposed for a system.
+pub(crate) struct Certification<'a, T> {
+    pub(crate) prover: Prover<'a>,
+    estimates: FrequencyEstimates,
+    /// The frequency beyond which a search gives up.
+    limit: T,
+}
+
+impl<'a, T: Real> Certification<'a, T> {
+    /// Proofs for a system; none where a part is not known in numbers.
+    pub(crate) fn new(parts: &'a dyn Visited, estimates: FrequencyEstimates) -> Option<Self> {
+        let mut prover = Prover::new(parts);
+        let power = |exponent| T::one().times_power_of_two(exponent);
+        let _ = prover.bound_at(power(estimates.lowest_exponent()), 1.0, Side::AtLeast, Precision::Two);
+        if prover.failure == Some(Failure::NotInNumbers) {
+            return None;
+        }
+        let limit = if estimates.is_continuous() { T::from_f64(1e150) } else { power(estimates.highest_exponent() + BEYOND) };
+        Some(Certification { prover, estimates, limit })
+    }
+
+    /// Runs of the proof so far, in two words and in four.
+    pub(crate) fn runs(&self) -> [usize; 2] {
+        [self.prover.runs, self.prover.long_runs]
+    }
+
+    /// The number of motions that grow: at rest itself, or just below where something rests.
+    pub(crate) fn unstable_modes(&mut self) -> Result<u64, SearchError> {
+        if let Ok(count) = self.prover.count(T::zero(), 1.0) {
+            return Ok(count);
+        }
+        let scale = T::one().times_power_of_two(self.estimates.least_exponent());
+        for part in AT_REST {
+            if let Ok(count) = self.prover.count(scale * T::from_f64(part), -1.0) {
+                return Ok(count);
+            }
+        }
+        Err(self.refused(T::zero()))
+    }
+
+    /// Refuses a model with motions that grow.
+    pub(crate) fn check_stability(&mut self) -> Result<(), SearchError> {
+        match self.unstable_modes()? {
+            0 => Ok(()),
+            modes => Err(SearchError::Unstable { modes }),
+        }
+    }
+
+    /// The count at a frequency.
+    pub(crate) fn count(&mut self, omega: T) -> Result<u64, SearchError> {
+        self.prover.count(omega, 1.0).map_err(|_| self.refused(omega))
+    }
+
+    /// Why a count near a frequency is not proven: something is held twice, or rounding decides it.
+    #[cold]
+    pub(crate) fn refused(&mut self, near: T) -> SearchError {
+        if let Some(Failure::Redundant(step)) = self.prover.failure {
+            return SearchError::Zero { points: FAR_APART.len(), at: Some(Spot::Step(step)) };
+        }
+        let scale = if near > T::zero() { near } else { T::one().times_power_of_two(self.estimates.lowest_exponent()) };
+        let is_nowhere_decided =
+            FAR_APART.iter().all(|part| self.prover.count(scale * T::from_f64(*part), 1.0).is_err());
+        if is_nowhere_decided {
+            return SearchError::Zero { points: FAR_APART.len(), at: None };
+        }
+        let [at_least, at_most] = self.prover.bounds(near, 1.0);
+        SearchError::Unproven {
+            near: near.to_f64(),
+            at_least: at_least.unwrap_or(0),
+            at_most: at_most.unwrap_or(u64::MAX),
+        }
+    }
+
+    /// The proven list of what is sought, given what a search proposes, in ascending order.
+    pub(super) fn certified<L: Store<NaturalFrequency<T>>>(
+        &mut self,
+        proposals: &[NaturalFrequency<T>],
+        sought: Sought<T>,
+    ) -> Result<L, SearchError> {
+        let mut found = L::empty();
+        let starts_at_rest = !matches!(sought, Sought::Range([start, _]) if !start.is_zero());
+        let (mut settled, mut floor) = match sought {
+            Sought::Range([start, _]) if !starts_at_rest => self.end(start, false)?,
+            _ => (0, T::zero()),
+        };
+        let last = match sought {
+            Sought::Range([_, end]) => self.end(end, true)?.0,
+            Sought::Lowest(wanted) => wanted,
+        };
+        let rests = proposals.first().is_some_and(|root| root.omega.is_zero());
+        let mut proposals = proposals.iter().map(|root| root.omega).filter(|omega| !omega.is_zero()).peekable();
+        if starts_at_rest && settled < last {
+            // what is proposed is the first frequency, unless something rests
+            let first = proposals.peek().copied();
+            let claim = first.filter(|_| !rests).map(|first| self.prover.claim(1, first, floor));
+            if let Some(Claim::Proven(proven)) = claim {
+                proposals.next();
+                (settled, floor) = (proven.multiplicity, proven.upper);
+                push(&mut found, proven)?;
+            } else if let Some((modes, upper)) = self.at_rest(first) {
+                let rest = Proven { omega: T::zero(), lower: T::zero(), upper, index: 1, multiplicity: modes };
+                (settled, floor) = (modes, upper);
+                push(&mut found, rest)?;
+            }
+        }
+        while settled < last {
+            let next = self.next(settled + 1, floor, &mut proposals);
+            let proven = next.map_err(|refusal| self.error(refusal, last))?;
+            (settled, floor) = (proven.index + proven.multiplicity - 1, proven.upper);
+            push(&mut found, proven)?;
+        }
+        if let (true, Some(rest)) = (starts_at_rest, found.values().first().copied().filter(|root| root.omega.is_zero())) {
+            let next = found.values().get(1).map(|root| root.lower);
+            found.values()[0].upper = self.upper_of_rest(rest, next);
+        }
+        Ok(found)
+    }
+
+    /// The frequency of an index at `floor` or above, by what is proposed or by bisection.
+    fn next(
+        &mut self,
+        index: u64,
+        floor: T,
+        proposals: &mut core::iter::Peekable<impl Iterator<Item = T>>,
+    ) -> Result<Proven<T>, Refusal> {
+        let mut lower = floor;
+        let mut guess = T::one().times_power_of_two(self.estimates.lowest_exponent());
+        while let Some(&proposal) = proposals.peek() {
+            if proposal < floor {
+                proposals.next();
+                continue;
+            }
+            guess = proposal;
+            match self.prover.claim(index, proposal, floor) {
+                Claim::Proven(proven) => {
+                    proposals.next();
+                    return Ok(proven);
+                }
+                // a frequency that was not proposed: what is proposed may be a later one
+                Claim::Below(end) => return self.prover.bisected(index, lower, end, self.limit),
+                Claim::Above(end) => {
+                    proposals.next();
+                    lower = end;
+                }
+                Claim::Undecided => {
+                    proposals.next();
+                }
+            }
+        }
+        let guess = if guess > lower { guess } else { lower * T::from_f64(1.5) };
+        self.prover.bisected(index, lower, guess, self.limit)
+    }
+
+    /// The number of frequencies at rest, and a frequency that is proven to be above them and below all others; none where nothing rests.
+    fn at_rest(&mut self, next: Option<T>) -> Option<(u64, T)> {
+        let least = T::one().times_power_of_two(self.estimates.least_exponent());
+        for scale in [next, Some(least)].into_iter().flatten() {
+            for part in AT_REST {
+                let omega = scale * T::from_f64(part);
+                let below = self.prover.bound_at(omega, -1.0, Side::AtMost, Precision::Two).count;
+                if let (Some(0), Ok(count)) = (below, self.prover.count(omega, 1.0)) {
+                    return (count > 0).then_some((count, omega));
+                }
+            }
+        }
+        None
+    }
+
+    /// The least part of the next frequency below which those at rest are proven to be.
+    fn upper_of_rest(&mut self, rest: NaturalFrequency<T>, next: Option<T>) -> T {
+        let Some(next) = next else { return rest.upper };
+        for part in AT_REST {
+            let omega = next * T::from_f64(part);
+            let at_least = self.prover.bound_at(omega, 1.0, Side::AtLeast, Precision::Two).count;
+            let below = self.prover.bound_at(omega, -1.0, Side::AtMost, Precision::Two).count;
+            if at_least >= Some(rest.multiplicity) && below == Some(0) {
+                return omega;
+            }
+        }
+        rest.upper
+    }
+
+    /// The count at the end of a range, which moves outward where rounding decides it, and that end.
+    fn end(&mut self, end: T, is_upper: bool) -> Result<(u64, T), SearchError> {
+        let mut omega = if is_upper { end.next_above() } else { end.next_below() };
+        for _ in 0..OUTWARD {
+            if let Ok(count) = self.prover.count(omega, 1.0) {
+                return Ok((count, omega));
+            }
+            omega = if is_upper { omega.next_above() } else { omega.next_below() };
+        }
+        Err(self.refused(end))
+    }
+
+    /// What a refusal means to a search for so many frequencies.
+    #[cold]
+    fn error(&mut self, refusal: Refusal, wanted: u64) -> SearchError {
+        match refusal {
+            Refusal::Fewer(found) => SearchError::TooFewRoots { found, wanted },
+            Refusal::Undecided { near } => self.refused(T::from_f64(near)),
+        }
+    }
+}
+
+/// Adds a proven entry; frequencies within a few units in the last place are one entry with the one before.
+fn push<T: Real, L: Store<NaturalFrequency<T>>>(found: &mut L, proven: Proven<T>) -> Result<(), SearchError> {
+    let Proven { omega, lower, upper, index, multiplicity } = proven;
+    if let Some(last) = found.values().last_mut()
+        && !last.omega.is_zero()
+        && upper - last.lower <= upper * T::from_f64(ONE_ENTRY * T::EPSILON)
+    {
+        last.omega = last.lower + (upper - last.lower) * T::from_f64(0.5);
+        (last.upper, last.multiplicity) = (upper, last.multiplicity + multiplicity);
+        return Ok(());
+    }
+    add(found, NaturalFrequency { omega, lower, upper, multiplicity, index, is_proven: true })
+}
+
+impl<L> Found<L> {
+    /// The entries that meet a range.
+    pub(super) fn meeting<T: Real>(self, [start, end]: [T; 2]) -> Result<Self, SearchError>
+    where
+        L: Store<NaturalFrequency<T>>,
+    {
+        let mut frequencies = L::empty();
+        for root in self.frequencies.iter().filter(|root| root.upper >= start && root.lower <= end) {
+            add(&mut frequencies, *root)?;
+        }
+        Ok(Found { frequencies, ..self })
+    }
+}
