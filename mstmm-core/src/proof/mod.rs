@@ -8,6 +8,7 @@ pub(crate) mod functions;
 pub(crate) mod line;
 pub(crate) mod member;
 pub(crate) mod number;
+pub(crate) mod tapered;
 pub(crate) mod word;
 
 #[cfg(test)]

@@ -1,3 +1,4 @@
 //! Tests of the proof.
 
 mod functions;
+mod tapered;
