@@ -58,6 +58,15 @@ pub(crate) fn pieces<N: Level>(
     square: Ball<N>,
     each: &mut dyn FnMut(Member<N, 4, 10>),
 ) -> Option<()> {
+    places(section, square, &mut |_, member| each(member))
+}
+
+/// The same with where a piece starts and how wide it is, in shares of the length: exact.
+pub(in crate::proof) fn places<N: Level>(
+    section: &TaperedSection,
+    square: Ball<N>,
+    each: &mut dyn FnMut([f64; 2], Member<N, 4, 10>),
+) -> Option<()> {
     let [sin, _] = Ball::<N>::of_pair(section.setting_angle).sin_cos();
     let turned = Ball::of_pair(section.rotation_speed) * sin;
     let beam = Beam { section, square, of_mass: square + turned * turned };
@@ -65,19 +74,20 @@ pub(crate) fn pieces<N: Level>(
     for _ in 0..MOST_PIECES {
         let rest = PARTS - start;
         width += width / 2;
-        let piece = loop {
+        let (place, piece) = loop {
             // two pieces share what one cannot reach: none is far shorter than the one before
             width = if width < rest { width.min(rest.div_ceil(2)) } else { rest };
-            let piece = beam.piece(start as f64 / PARTS as f64, width as f64 / PARTS as f64);
+            let place = [start, width].map(|parts| parts as f64 / PARTS as f64);
+            let piece = beam.piece(place);
             if piece.is_short() {
-                break piece;
+                break (place, piece);
             }
             width -= width / 4;
             if width < LEAST_PARTS {
                 return None;
             }
         };
-        each(piece.member());
+        each(place, piece.member());
         start += width;
         if start == PARTS {
             return Some(());
@@ -104,10 +114,11 @@ impl<N: Level> Beam<'_, N> {
     }
 
     /// The piece of a width at a share.
-    fn piece(&self, start: f64, width: f64) -> Piece<N> {
+    fn piece(&self, [start, width]: [f64; 2]) -> Piece<N> {
         let (section, one) = (self.section, Ball::of(1.0));
         let [b, h, radius] = self.at(start);
-        let [b_change, h_change] = [section.width_taper, section.height_taper].map(|c| -Ball::of_pair(c) * Ball::of(width));
+        let [b_change, h_change] =
+            [section.width_taper, section.height_taper].map(|c| -Ball::of_pair(c) * Ball::of(width));
         let (beta, eta) = (b_change * b.inverse(), h_change * h.inverse());
         let area: [_; 3] = product(&[one, beta], &[one, eta]);
         let bending: [_; 5] = product(&area, &product::<N, 3>(&[one, eta], &[one, eta]));
