@@ -51,8 +51,8 @@ const PARTS: u64 = 1 << 48;
 const LEAST_PARTS: u64 = 16;
 const MOST_PIECES: usize = 4096;
 
-/// Calls `each` for the pieces of a beam from input to output, over the displacements `y1, θ1, y2, θ2`, at ω² of either sign. They are the
-/// same in all lanes. None where they would be too many, or a number leaves the range: what was called before is of no use then.
+/// Calls `each` for the pieces of a beam from input to output, over the displacements `y1, θ1, y2, θ2`, at ω² of either sign. The pieces
+/// are the same in all lanes. None if they are too many or if a number leaves the range; the pieces before are of no use then.
 pub(crate) fn pieces<N: Level>(
     section: &TaperedSection,
     square: Ball<N>,
