@@ -16,6 +16,7 @@ pub(crate) mod line;
 pub(crate) mod member;
 pub(crate) mod number;
 pub(crate) mod row;
+pub(crate) mod tapered;
 pub(crate) mod tree;
 pub(crate) mod visit;
 pub(crate) mod word;

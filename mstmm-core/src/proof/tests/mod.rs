@@ -2,4 +2,5 @@
 
 mod functions;
 mod general_bending;
+mod tapered;
 mod trees;
