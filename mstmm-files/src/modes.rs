@@ -47,7 +47,7 @@ impl Mode {
 /// use mstmm_files::{Mode, write_modes};
 /// use mstmm_core::search::NaturalFrequency;
 ///
-/// let root = NaturalFrequency { omega: 2.0, lower: 1.75, upper: 2.25, multiplicity: 1 };
+/// let root = NaturalFrequency { omega: 2.0, lower: 1.75, upper: 2.25, multiplicity: 1, ..NaturalFrequency::default() };
 /// let mut file = Vec::new();
 /// write_modes(&mut file, &["tip"], [Mode::from(root).with_shape([0.5])])?;
 /// let file = String::from_utf8(file)?;

@@ -65,7 +65,7 @@ fn modes_are_read_back() {
 
 #[test]
 fn natural_frequencies_have_no_damping() {
-    let root = NaturalFrequency { omega: 3.0, lower: 2.5, upper: 3.25, multiplicity: 2 };
+    let root = NaturalFrequency { omega: 3.0, lower: 2.5, upper: 3.25, multiplicity: 2, ..NaturalFrequency::default() };
     let mut table = Vec::new();
     write_modes(&mut table, &[], [root, NaturalFrequency { omega: 0.0, ..root }]).unwrap();
     let columns = columns(&table);
@@ -80,7 +80,7 @@ fn what_is_no_table_is_refused() {
     let write = |samples: &[(f64, f64)]| write_response(Vec::new(), samples.iter().copied()).unwrap_err();
     assert!(matches!(write(&[]), FileError::Empty));
     assert!(matches!(write(&[(1.0, 1.0), (f64::NAN, 1.0)]), FileError::NotFinite { row: 1 }));
-    let root = NaturalFrequency { omega: 3.0, lower: 3.0, upper: 3.0, multiplicity: 1 };
+    let root = NaturalFrequency { omega: 3.0, lower: 3.0, upper: 3.0, multiplicity: 1, ..NaturalFrequency::default() };
     let modes = |points: &[&str], mode: Mode| write_modes(Vec::new(), points, [mode]).unwrap_err();
     let shape = modes(&["a", "b"], Mode::from(root).with_shape([1.0]));
     assert!(matches!(shape, FileError::Shape { row: 0, values: 1, points: 2 }), "{shape}");

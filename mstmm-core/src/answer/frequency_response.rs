@@ -122,7 +122,9 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         if let Some(held) = self.held_at_rest()? {
             return Ok(held);
         }
-        let rest = AtRest::of::<Y::Parameter>(self.route.system.frequency_estimates().lowest_exponent(), 0.0, |x| self.sized(x));
+        let rest = AtRest::of::<Y::Parameter>(self.route.system.frequency_estimates().lowest_exponent(), 0.0, |x| {
+            self.sized(x)
+        });
         let moves_off = Err(MotionError::Resonance { frequency: 0.0 });
         match rest {
             Ok(AtRest { double, simple, finite, .. }) if double.is_zero() && simple.is_zero() => Ok(finite),
@@ -139,7 +141,8 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         S: Oscillation<Y::Parameter>,
     {
         let step = self.route.load.step;
-        let low = <Y::Parameter as One>::one().times_power_of_two(self.route.system.frequency_estimates().lowest_exponent());
+        let low =
+            <Y::Parameter as One>::one().times_power_of_two(self.route.system.frequency_estimates().lowest_exponent());
         let rest = self.route.passes(S::zero());
         let (own, beside) = (rest.meeting(step).delta(), self.route.passes(S::of_omega(low)).meeting(step).delta());
         if own.mantissa().is_zero() || own.over(beside).magnitude().value() <= VANISHING * S::EPSILON {

@@ -18,7 +18,7 @@ pub struct LineNumbers {
     pub(crate) foundation: Exact,
 }
 
-/// The parameters of a uniform beam.
+/// The parameters of a uniform beam, each zero where the beam has nothing of that kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BeamNumbers {
     pub(crate) length: Exact,
@@ -27,11 +27,24 @@ pub struct BeamNumbers {
     pub(crate) mass_per_length: Exact,
     /// Axial stiffness EA; zero without longitudinal vibration.
     pub(crate) axial_stiffness: Exact,
-    /// What a plain beam has not; none of a plain one.
-    pub(crate) more: Option<MoreOfBeam>,
+    /// Shear flexibility f, or the shear stiffness that is its inverse; both zero without shear.
+    pub(crate) shear_flexibility: Exact,
+    pub(crate) shear_stiffness: Exact,
+    pub(crate) rotary_inertia: Exact,
+    /// Axial force, and the shear layer of the foundation, which acts as one in tension.
+    pub(crate) axial_force: Exact,
+    pub(crate) shear_layer: Exact,
+    pub(crate) foundation_stiffness: Exact,
 }
 
 impl BeamNumbers {
+    /// Whether it has no shear, no rotary inertia, no axial force and no foundation.
+    pub(crate) fn is_plain(&self) -> bool {
+        let shear = [self.shear_flexibility, self.shear_stiffness];
+        let others = [self.rotary_inertia, self.axial_force, self.shear_layer, self.foundation_stiffness];
+        shear.iter().chain(&others).all(|parameter| *parameter == [0.0; 2])
+    }
+
     /// Its longitudinal vibration, if it has one.
     pub(crate) fn longitudinal(&self) -> Option<LineNumbers> {
         (self.axial_stiffness != [0.0; 2]).then_some(LineNumbers {
@@ -41,19 +54,6 @@ impl BeamNumbers {
             foundation: [0.0; 2],
         })
     }
-}
-
-/// Shear, rotary inertia, axial force and foundation of a beam, each zero where there is none.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MoreOfBeam {
-    /// Shear flexibility f, or the shear stiffness that is its inverse; both zero without shear.
-    pub(crate) shear_flexibility: Exact,
-    pub(crate) shear_stiffness: Exact,
-    pub(crate) rotary_inertia: Exact,
-    /// Axial force, and the shear layer of the foundation, which acts as one in tension.
-    pub(crate) axial_force: Exact,
-    pub(crate) shear_layer: Exact,
-    pub(crate) foundation_stiffness: Exact,
 }
 
 /// The parameters of a rigid body or link in a bending path.
@@ -69,6 +69,22 @@ pub struct BodyNumbers {
     pub(crate) axial_force: Exact,
 }
 
+/// The parameters of a [tapered beam](crate::elements::TaperedBeam).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TaperedNumbers {
+    pub(crate) length: Exact,
+    pub(crate) bending_stiffness: Exact,
+    pub(crate) mass_per_length: Exact,
+    pub(crate) width_taper: Exact,
+    pub(crate) height_taper: Exact,
+    pub(crate) rotary_inertia: Exact,
+    pub(crate) axial_force: Exact,
+    pub(crate) rotation_speed: Exact,
+    pub(crate) hub_radius: Exact,
+    pub(crate) setting_angle: Exact,
+    pub(crate) foundation_stiffness: Exact,
+}
+
 /// What an element is made of, as far as its dynamic stiffness follows from these numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum MemberNumbers {
@@ -77,6 +93,8 @@ pub enum MemberNumbers {
     Other,
     /// A beam; between two places it is as long as these are apart.
     Beam(BeamNumbers),
+    /// A tapered beam, which rotates or not.
+    Tapered(TaperedNumbers),
     /// A line in the freedom of that index.
     Line(usize, LineNumbers),
     /// A spring in the freedom of that index.
@@ -103,7 +121,7 @@ impl MemberNumbers {
             bending_stiffness: bending_stiffness.words(),
             mass_per_length: mass_per_length.words(),
             axial_stiffness: axial_stiffness.words(),
-            more: None,
+            ..BeamNumbers::default()
         })
     }
 

@@ -1,6 +1,6 @@
 //! The general uniform beam: shear, rotary inertia, axial force, elastic foundation.
 
-use crate::element::{BeamNumbers, Element, MemberNumbers, MoreOfBeam, PlaneStep, TransferMatrix};
+use crate::element::{BeamNumbers, Element, MemberNumbers, PlaneStep, TransferMatrix};
 use crate::elements::shared::compound::Units;
 use crate::model::{Bending, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single, Truth};
@@ -138,18 +138,16 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
             bending_stiffness: self.parameters.bending_stiffness.words(),
             mass_per_length: self.parameters.mass_per_length.words(),
             axial_stiffness: axial_stiffness.words(),
-            more: Some(MoreOfBeam {
-                shear_flexibility: if self.shear_stiffness.vanishes().all() {
-                    self.parameters.shear_flexibility.words()
-                } else {
-                    [0.0; 2]
-                },
-                shear_stiffness: self.shear_stiffness.words(),
-                rotary_inertia: self.parameters.rotary_inertia.words(),
-                axial_force: self.parameters.axial_force.words(),
-                shear_layer: self.parameters.foundation_shear_stiffness.words(),
-                foundation_stiffness: self.parameters.foundation_stiffness.words(),
-            }),
+            shear_flexibility: if self.shear_stiffness.vanishes().all() {
+                self.parameters.shear_flexibility.words()
+            } else {
+                [0.0; 2]
+            },
+            shear_stiffness: self.shear_stiffness.words(),
+            rotary_inertia: self.parameters.rotary_inertia.words(),
+            axial_force: self.parameters.axial_force.words(),
+            shear_layer: self.parameters.foundation_shear_stiffness.words(),
+            foundation_stiffness: self.parameters.foundation_stiffness.words(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The tapered beam: width and height vary evenly along it, with axial force and rotation.
 
-use crate::element::{Element, PlaneStep, TransferMatrix};
+use crate::element::{Element, MemberNumbers, PlaneStep, TaperedNumbers, TransferMatrix};
 use crate::elements::shared::compound::Units;
 use crate::model::{Bending, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scaled, Single};
@@ -126,6 +126,23 @@ impl<T: Parameter> Element for TaperedBeam<T> {
 
     fn extent(built: &BuiltTaperedBeam<T>) -> Extent {
         Extent::along(built.parameters.length.to_f64())
+    }
+
+    fn member_numbers(built: &BuiltTaperedBeam<T>) -> MemberNumbers {
+        let beam = built.parameters.map(T::words);
+        MemberNumbers::Tapered(TaperedNumbers {
+            length: beam.length,
+            bending_stiffness: beam.bending_stiffness,
+            mass_per_length: beam.mass_per_length,
+            width_taper: beam.width_taper,
+            height_taper: beam.height_taper,
+            rotary_inertia: beam.rotary_inertia,
+            axial_force: beam.axial_force,
+            rotation_speed: beam.rotation_speed,
+            hub_radius: beam.hub_radius,
+            setting_angle: beam.setting_angle,
+            foundation_stiffness: beam.foundation_stiffness,
+        })
     }
 }
 

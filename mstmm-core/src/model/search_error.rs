@@ -165,7 +165,10 @@ impl fmt::Display for SearchError {
                 write!(f, "what is near {near} cannot be certified: too few digits are left there after rounding")
             }
             SearchError::Unproven { near, at_most: u64::MAX, at_least } => {
-                write!(f, "nothing is proven of what is near {near}, but that at least {at_least} frequencies are below")
+                write!(
+                    f,
+                    "nothing is proven of what is near {near}, but that at least {at_least} frequencies are below"
+                )
             }
             SearchError::Unproven { near, at_most, at_least } => write!(
                 f,

@@ -49,13 +49,7 @@ impl Prover<'_> {
     }
 
     /// The frequency of an index, which is known to be at `lower` or above, sought from a guess on up to a limit.
-    pub(crate) fn bisected<T: Real>(
-        &mut self,
-        index: u64,
-        lower: T,
-        guess: T,
-        limit: T,
-    ) -> Result<Proven<T>, Refusal> {
+    pub(crate) fn bisected<T: Real>(&mut self, index: u64, lower: T, guess: T, limit: T) -> Result<Proven<T>, Refusal> {
         let (mut lower, mut upper) = ((lower, None), (guess, None));
         for _ in 0..STEPS {
             match self.place(index, upper.0) {

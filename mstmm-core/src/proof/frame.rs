@@ -137,7 +137,9 @@ impl Nodes {
             self.local(&ends[end], axis, wanted, &mut own, joining)
         });
         match numbers {
-            MemberNumbers::Other | MemberNumbers::Body(_) => joining.failure = Some(Failure::NotInNumbers),
+            MemberNumbers::Other | MemberNumbers::Body(_) | MemberNumbers::Tapered(_) => {
+                joining.failure = Some(Failure::NotInNumbers)
+            }
             MemberNumbers::Beam(beam) => {
                 if let Some(line) = beam.longitudinal() {
                     joining.add_line(&line, length, &[first[0], second[0]]);
@@ -254,7 +256,7 @@ fn freedom_index(freedom: Freedoms) -> usize {
 /// The freedoms in which a member acts, in its own axes.
 fn freedoms_of(numbers: &MemberNumbers) -> Freedoms {
     match numbers {
-        MemberNumbers::Other | MemberNumbers::Body(_) => Freedoms::ALL,
+        MemberNumbers::Other | MemberNumbers::Body(_) | MemberNumbers::Tapered(_) => Freedoms::ALL,
         MemberNumbers::Beam(beam) if beam.axial_stiffness == [0.0; 2] => Freedoms::Y.union(Freedoms::RZ),
         MemberNumbers::Beam(_) => Freedoms::ALL,
         MemberNumbers::Line(freedom, _) | MemberNumbers::Spring(freedom, _) => Freedoms::SINGLE[*freedom],

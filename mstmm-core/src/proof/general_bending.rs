@@ -2,6 +2,7 @@
 //!
 //! Lengths are in l and forces in EI/l². With `T = N + G` the state obeys `Y' = σΘ - τQ`, `Θ' = M`, `M' = gΘ + σQ`, `Q' = hY`.
 
+use crate::element::BeamNumbers;
 use crate::proof::ball::Ball;
 use crate::proof::bending::{Bending, sizes_of, symmetric};
 use crate::proof::constants::{HALF_PI, RECIPROCAL_FACTORIALS};
@@ -10,20 +11,6 @@ use crate::proof::member::{BESIDE_POLE, any, both, not};
 use crate::proof::number::Number;
 use crate::proof::word::Word;
 use core::f64::consts::FRAC_1_PI;
-
-/// The parameters of a general beam, each the exact sum of two words. EI, m and `1 + (N + G) f` are positive, f and r zero or positive.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct GeneralSection {
-    pub(crate) bending_stiffness: [f64; 2],
-    pub(crate) mass_per_length: [f64; 2],
-    /// `f = 1/(k G A)`, or `k G A` where it is not zero; a beam without shear has zero for both.
-    pub(crate) shear_flexibility: [f64; 2],
-    pub(crate) shear_stiffness: [f64; 2],
-    pub(crate) rotary_inertia: [f64; 2],
-    pub(crate) axial_force: [f64; 2],
-    pub(crate) shear_layer: [f64; 2],
-    pub(crate) foundation_stiffness: [f64; 2],
-}
 
 /// A general beam at a frequency.
 #[derive(Clone, Copy, Debug)]
@@ -78,9 +65,9 @@ const MOST_HALF_WAVES: f64 = 1e9;
 
 /// The beam at a squared frequency of either sign.
 #[inline(always)]
-pub(crate) fn general_bending<N: Level>(section: &GeneralSection, length: Ball<N>, square: Ball<N>) -> General<N> {
+pub(crate) fn general_bending<N: Level>(beam: &BeamNumbers, length: Ball<N>, square: Ball<N>) -> General<N> {
     let word = N::Word::of;
-    let at = Equations::of(section, length, square);
+    let at = Equations::of(beam, length, square);
     let Equations { sigma, tau, g, h, cut, waves, .. } = at;
     // whole balls are short: the bound of the series' rest needs it
     let is_short = both::<N::Word>(waves.sum.largest().is_less(word(2.0)), waves.product.largest().is_less(word(1.0)));
@@ -106,7 +93,7 @@ pub(crate) fn general_bending<N: Level>(section: &GeneralSection, length: Ball<N
         c3 * (tau * tau * h + variance) - tau * c1,
     ]
     .map(|entry| entry * inverse);
-    let shears = [section.shear_flexibility, section.shear_stiffness] != [[0.0; 2]; 2];
+    let shears = [beam.shear_flexibility, beam.shear_stiffness] != [[0.0; 2]; 2];
     let (pinned, is_counted) = at.pinned(shears, is_short, roots);
     let held = clamped(pinned, minor, rotation);
     let is_beside = (minor.mid.size() / terms.mid.size()).is_less(word(BESIDE_POLE));
@@ -126,22 +113,19 @@ pub(crate) fn general_bending<N: Level>(section: &GeneralSection, length: Ball<N
 
 impl<N: Level> Equations<N> {
     #[inline(always)]
-    fn of(section: &GeneralSection, length: Ball<N>, square: Ball<N>) -> Self {
+    fn of(beam: &BeamNumbers, length: Ball<N>, square: Ball<N>) -> Self {
         let [stiffness, mass, flexibility, rotary, axial, layer, foundation] = [
-            section.bending_stiffness,
-            section.mass_per_length,
-            section.shear_flexibility,
-            section.rotary_inertia,
-            section.axial_force,
-            section.shear_layer,
-            section.foundation_stiffness,
+            beam.bending_stiffness,
+            beam.mass_per_length,
+            beam.shear_flexibility,
+            beam.rotary_inertia,
+            beam.axial_force,
+            beam.shear_layer,
+            beam.foundation_stiffness,
         ]
         .map(Ball::<N>::of_pair);
-        let flexibility = if section.shear_stiffness == [0.0; 2] {
-            flexibility
-        } else {
-            Ball::of_pair(section.shear_stiffness).inverse()
-        };
+        let flexibility =
+            if beam.shear_stiffness == [0.0; 2] { flexibility } else { Ball::of_pair(beam.shear_stiffness).inverse() };
         let (one, tension, inertia) = (Ball::of(1.0), axial + layer, rotary * square);
         let length_squared = length * length;
         let scale = length_squared * stiffness.inverse();

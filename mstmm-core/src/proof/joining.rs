@@ -1,15 +1,16 @@
 //! Parts join the front: each is a symmetric matrix of balls over rows of variables, and a count with its rows held.
 
-use crate::element::{BeamNumbers, Exact, LineNumbers, MoreOfBeam};
+use crate::element::{BeamNumbers, Exact, LineNumbers, TaperedNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::bending::{Bending, bending};
 use crate::proof::front::Front;
 use crate::proof::functions::Level;
-use crate::proof::general_bending::{GeneralSection, general_bending};
+use crate::proof::general_bending::general_bending;
 use crate::proof::line::line;
 use crate::proof::member::{Member, any, place};
 use crate::proof::number::Number;
 use crate::proof::row::{Row, is_zero};
+use crate::proof::tapered::pieces;
 use crate::proof::word::Word;
 
 /// Most members beside a pole that may join before a node leaves.
@@ -37,6 +38,8 @@ pub(crate) enum Failure {
     Full,
     /// A part is known by its transfer matrix alone.
     NotInNumbers,
+    /// A part has no enclosure at this frequency.
+    NotEnclosed,
     /// Whether one of the freedoms at a step is held twice is not decided.
     Redundant(usize),
 }
@@ -179,11 +182,12 @@ impl<'m, N: Level> Joining<'m, N> {
     /// Adds the bending of a beam over the rows of displacement and rotation of both ends.
     #[inline(always)]
     pub(crate) fn add_bending(&mut self, numbers: &BeamNumbers, length: Ball<N>, rows: &[Row<N>; 4]) {
-        let Some(more) = &numbers.more else { return self.add_plain_bending(numbers, length, rows) };
-        let section = section_of(numbers, more);
-        let whole = general_bending(&section, length, self.square);
+        if numbers.is_plain() {
+            return self.add_plain_bending(numbers, length, rows);
+        }
+        let whole = general_bending(numbers, length, self.square);
         if !any::<N::Word>(whole.is_beside_pole) {
-            return self.add_bent(&whole.member, &section.bending_stiffness, length, rows);
+            return self.add_bent(&whole.member, &numbers.bending_stiffness, length, rows);
         }
         // Beside a pole the beam is two beams. Not of equal length: every second pole of the whole is one of a half.
         let variables = [self.enter(), self.enter()];
@@ -192,8 +196,8 @@ impl<'m, N: Level> Joining<'m, N> {
         for (share, rows) in
             [(0.375, [rows[0], rows[1], middle[0], middle[1]]), (0.625, [middle[0], middle[1], rows[2], rows[3]])]
         {
-            let piece = general_bending(&section, part(share), self.square);
-            self.add_bent(&piece.member, &section.bending_stiffness, part(share), &rows);
+            let piece = general_bending(numbers, part(share), self.square);
+            self.add_bent(&piece.member, &numbers.bending_stiffness, part(share), &rows);
         }
         variables.into_iter().for_each(|variable| self.leaves_behind(variable));
     }
@@ -216,6 +220,25 @@ impl<'m, N: Level> Joining<'m, N> {
         self.add_member(member, rows, [mixed * inverse, mixed, moment], [false, true, false, true]);
     }
 
+    /// Adds a tapered beam piece by piece. The last inner end leaves behind the first end of the beam: before that its pivot is a pole where
+    /// the beam vibrates between held ends.
+    pub(crate) fn add_tapered(&mut self, numbers: &TaperedNumbers, rows: &[Row<N>; 4]) {
+        let (mut input, mut inner) = ([rows[0], rows[1]], None::<[usize; 2]>);
+        let found = pieces(numbers, self.square, &mut |piece, is_last| {
+            let variables = (!is_last).then(|| [self.enter(), self.enter()]);
+            let output = variables.map_or([rows[2], rows[3]], |variables| variables.map(Row::of));
+            let one = Ball::of(1.0);
+            self.add_member(&piece, &[input[0], input[1], output[0], output[1]], [one; 3], [false; 4]);
+            for variable in inner.into_iter().flatten() {
+                if is_last { self.leaves_behind(variable) } else { self.front.leave(variable) }
+            }
+            (input, inner) = (output, variables);
+        });
+        if found.is_none() {
+            self.failure = Some(Failure::NotEnclosed);
+        }
+    }
+
     /// Adds a spring, or another stiffness, between two rows.
     #[inline(always)]
     pub(crate) fn add_spring(&mut self, stiffness: Exact, rows: [&Row<N>; 2]) {
@@ -231,19 +254,5 @@ impl<'m, N: Level> Joining<'m, N> {
         let entries = [mass, moment, inertia].map(|entry| if is_zero(&entry) { entry } else { -(entry * self.square) });
         let sizes = [entries[0], entries[2]].map(|entry| entry.mid.size().first());
         self.add(entries, rows, sizes);
-    }
-}
-
-/// The section of a general beam.
-fn section_of(numbers: &BeamNumbers, more: &MoreOfBeam) -> GeneralSection {
-    GeneralSection {
-        bending_stiffness: numbers.bending_stiffness,
-        mass_per_length: numbers.mass_per_length,
-        shear_flexibility: more.shear_flexibility,
-        shear_stiffness: more.shear_stiffness,
-        rotary_inertia: more.rotary_inertia,
-        axial_force: more.axial_force,
-        shear_layer: more.shear_layer,
-        foundation_stiffness: more.foundation_stiffness,
     }
 }

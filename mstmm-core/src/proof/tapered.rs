@@ -16,27 +16,12 @@
 //! beam has `∫ y''² >= 4.73⁴ ∫ y²`, more than 500. ∎ The number of frequencies below is that of the negative squares of this form, for ω²
 //! of either sign.
 
+use crate::element::TaperedNumbers;
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
 use crate::proof::member::Member;
 use crate::proof::number::Number;
 use crate::proof::word::Word;
-
-/// The parameters of a [tapered beam](crate::elements::TaperedBeam), each the exact sum of two words.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct TaperedSection {
-    pub(crate) length: [f64; 2],
-    pub(crate) bending_stiffness: [f64; 2],
-    pub(crate) mass_per_length: [f64; 2],
-    pub(crate) width_taper: [f64; 2],
-    pub(crate) height_taper: [f64; 2],
-    pub(crate) rotary_inertia: [f64; 2],
-    pub(crate) axial_force: [f64; 2],
-    pub(crate) rotation_speed: [f64; 2],
-    pub(crate) hub_radius: [f64; 2],
-    pub(crate) setting_angle: [f64; 2],
-    pub(crate) foundation_stiffness: [f64; 2],
-}
 
 mod series;
 
@@ -51,19 +36,19 @@ const PARTS: u64 = 1 << 48;
 const LEAST_PARTS: u64 = 16;
 const MOST_PIECES: usize = 4096;
 
-/// Calls `each` for the pieces of a beam from input to output, over the displacements `y1, θ1, y2, θ2`, at ω² of either sign. The pieces
+/// Calls `each` for the pieces of a beam from input to output, with whether it is the last one, over the displacements `y1, θ1, y2, θ2`, at ω² of either sign. The pieces
 /// are the same in all lanes. None if they are too many or if a number leaves the range; the pieces before are of no use then.
 pub(crate) fn pieces<N: Level>(
-    section: &TaperedSection,
+    section: &TaperedNumbers,
     square: Ball<N>,
-    each: &mut dyn FnMut(Member<N, 4, 10>),
+    each: &mut dyn FnMut(Member<N, 4, 10>, bool),
 ) -> Option<()> {
-    places(section, square, &mut |_, member| each(member))
+    places(section, square, &mut |[start, width], member| each(member, start + width == 1.0))
 }
 
 /// The same with where a piece starts and how wide it is, in shares of the length: exact.
 pub(in crate::proof) fn places<N: Level>(
-    section: &TaperedSection,
+    section: &TaperedNumbers,
     square: Ball<N>,
     each: &mut dyn FnMut([f64; 2], Member<N, 4, 10>),
 ) -> Option<()> {
@@ -98,7 +83,7 @@ pub(in crate::proof) fn places<N: Level>(
 
 /// A beam at a frequency, with `ω² + Ω² sin² ψ`.
 struct Beam<'s, N: Number> {
-    section: &'s TaperedSection,
+    section: &'s TaperedNumbers,
     square: Ball<N>,
     of_mass: Ball<N>,
 }
@@ -106,7 +91,7 @@ struct Beam<'s, N: Number> {
 impl<N: Level> Beam<'_, N> {
     /// Width, height and position from the axis at a share, as means of those at the ends: of positive numbers no digits are lost.
     fn at(&self, share: f64) -> [Ball<N>; 3] {
-        let TaperedSection { width_taper, height_taper, hub_radius, length, .. } = *self.section;
+        let TaperedNumbers { width_taper, height_taper, hub_radius, length, .. } = *self.section;
         let (one, hub) = (Ball::of(1.0), Ball::of_pair(hub_radius));
         let [width, height] = [width_taper, height_taper].map(|taper| one - Ball::of_pair(taper));
         let mean = |inner, outer| inner * Ball::of(1.0 - share) + outer * Ball::of(share);

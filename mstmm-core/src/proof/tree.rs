@@ -309,6 +309,12 @@ fn through<N: Level>(
             joining.add_line(line, Ball::of_pair(line.length), &[[y, theta][index], own.widened()]);
             next[index] = Some(own);
         }
+        MemberNumbers::Tapered(beam) => {
+            let own = [joining.enter(), joining.enter()].map(Row::<N, 2>::of);
+            let [far, far_theta] = own.map(|row| row.widened());
+            joining.add_tapered(beam, &[y, theta, far, far_theta]);
+            next = own.map(Some);
+        }
         MemberNumbers::Beam(beam) => {
             let own = [joining.enter(), joining.enter()].map(Row::<N, 2>::of);
             let [far, far_theta] = own.map(|row| row.widened());

@@ -18,7 +18,7 @@ use num_traits::Zero;
 ///
 /// // a share of 2 % at 50 rad/s by the masses, and as much at 200 rad/s by the stiffnesses
 /// let damping = ProportionalDamping::new(2.0_f64, 2e-4, 0.0)?;
-/// let root = NaturalFrequency { omega: 50.0, lower: 50.0, upper: 50.0, multiplicity: 1 };
+/// let root = NaturalFrequency { omega: 50.0, lower: 50.0, upper: 50.0, multiplicity: 1, ..NaturalFrequency::default() };
 /// let [first, second] = damping.eigenvalues(&root);
 /// let share = (2.0 / 50.0 + 2e-4 * 50.0) / 2.0;
 /// assert!((first.unwrap().damping_ratio() - share).abs() < 1e-15);

@@ -28,6 +28,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
     let parameters = parameters(model);
     let keeps_fields = sensitivity::keeps_fields(plan, derivatives);
     let system = system::system(model, plan, keeps_fields, &names);
+    let implementation = system::implementation(plan, &names);
     let sensitivity = sensitivity::sensitivity(model, plan, derivatives, &names);
     let labels = labels::labels(model, &names);
     let layout = layout::layout(plan, &names);
@@ -48,6 +49,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
         const _: () = {
             #labels
             #layout
+            #implementation
             #evaluate
             #characteristic
             #planned

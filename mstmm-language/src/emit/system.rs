@@ -8,11 +8,20 @@ use crate::plan::Plan;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
-/// The struct of elements, the functions that make it from the parameters, and what all systems have.
+/// The struct of elements, and the functions that make it from the parameters.
 pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let definition = definition(model, plan, keeps_fields, names);
     let build = build(model, plan, names);
     let of_numbers = of_numbers(model, plan, keeps_fields, names);
+    quote_spanned! {names.here=>
+        #definition
+        #build
+        #of_numbers
+    }
+}
+
+/// `impl System`: what searches ask of all systems, and the visit of its parts.
+pub(super) fn implementation(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
     let steps = plan.steps.len();
     let numbers = plan.elements.iter().enumerate().map(|(index, element)| {
@@ -23,10 +32,6 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
     let elements = first_of_each_type(plan, names).into_iter().map(|element| names.element_as(element, "Element"));
     let elements: Vec<TokenStream> = elements.collect();
     quote_spanned! {names.here=>
-        #definition
-        #build
-        #of_numbers
-
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
             type Parameter = #parameter;

@@ -113,7 +113,7 @@ macro_rules! natural_frequency {
     ($model:expr, $index:expr) => {{
         let root = $model.build().unwrap().first_frequencies::<8>().unwrap()[$index];
         let [omega, lower, upper] = [root.omega, root.lower, root.upper].map(Counted::from);
-        NaturalFrequency { omega, lower, upper, multiplicity: 1 }
+        NaturalFrequency { omega, lower, upper, multiplicity: 1, ..NaturalFrequency::default() }
     }};
 }
 

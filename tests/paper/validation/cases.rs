@@ -23,7 +23,10 @@ impl Steps {
 
 impl System for Steps {
     type Parameter = f64;
-    fn estimates(&self) -> FrequencyEstimates {
+    fn name_parts(&self, visitor: &mut dyn mstmm::__private::Visitor) {
+        self.list().name_parts(visitor);
+    }
+    fn frequency_estimates(&self) -> FrequencyEstimates {
         self.list().frequency_estimates()
     }
 }

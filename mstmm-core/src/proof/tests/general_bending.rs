@@ -1,8 +1,9 @@
 //! The general beam against halves of halves of a short piece, whose stiffness is a series of matrices in 160 digits.
 
+use crate::element::BeamNumbers;
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
-use crate::proof::general_bending::{General, GeneralSection, general_bending};
+use crate::proof::general_bending::{General, general_bending};
 use crate::proof::member::place;
 use crate::proof::number::{Number, OneWord, TwoWords};
 use crate::proof::word::Word;
@@ -55,7 +56,7 @@ fn inverse(a: &Matrix<2>) -> Matrix<2> {
 /// A beam at a frequency.
 #[derive(Clone, Copy, Debug)]
 struct Case {
-    section: GeneralSection,
+    section: BeamNumbers,
     length: f64,
     square: f64,
 }
@@ -267,7 +268,7 @@ impl Random {
             _ => self.decade(-2.0, 5.0),
         };
         let [bending, mass, length] = [self.decade(-0.5, 0.5), self.decade(-0.5, 0.5), self.decade(-0.3, 0.3)];
-        let section = GeneralSection {
+        let section = BeamNumbers {
             bending_stiffness: tail(bending, self),
             mass_per_length: tail(mass, self),
             shear_flexibility: tail(f, self),
@@ -276,6 +277,7 @@ impl Random {
             axial_force: tail(n, self),
             shear_layer: if kind % 3 == 0 { tail(0.3 * n.abs(), self) } else { [0.0; 2] },
             foundation_stiffness: tail(k, self),
+            ..BeamNumbers::default()
         };
         Case { section, length, square }
     }

@@ -1,5 +1,6 @@
 //! Tapered beams against Ritz's method in 500 bits: polynomials of high degree in elements of their own, which know no differential equation.
 
+use crate::element::TaperedNumbers;
 use crate::element::{Element, TransferMatrix};
 use crate::elements::TaperedBeam;
 use crate::proof::ball::Ball;
@@ -7,7 +8,7 @@ use crate::proof::bending::bending;
 use crate::proof::front::{Front, Variable};
 use crate::proof::member::place;
 use crate::proof::number::{Number, TwoWords};
-use crate::proof::tapered::{TaperedSection, pieces, places as pieces_with_places};
+use crate::proof::tapered::{pieces, places as pieces_with_places};
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use std::vec::Vec;
@@ -39,8 +40,8 @@ const UNIFORM: TaperedBeam<f64> = TaperedBeam {
     ..BLADE
 };
 
-fn section(beam: TaperedBeam<f64>) -> TaperedSection {
-    TaperedSection {
+fn section(beam: TaperedBeam<f64>) -> TaperedNumbers {
+    TaperedNumbers {
         length: [beam.length, 0.0],
         bending_stiffness: [beam.bending_stiffness, 0.0],
         mass_per_length: [beam.mass_per_length, 0.0],
@@ -60,7 +61,7 @@ fn big(number: f64) -> Exact {
 }
 
 /// The lower triangle of a whole beam from its pieces, its clamped count as that of the negative pivots, and the number of pieces.
-fn joined(section: &TaperedSection, square: f64) -> ([Ball<Two>; 10], usize, usize) {
+fn joined(section: &TaperedNumbers, square: f64) -> ([Ball<Two>; 10], usize, usize) {
     let mut whole: Option<[Ball<Two>; 10]> = None;
     let (mut count, mut negative) = (0, 0);
     pieces::<Two>(section, Ball::of(square), &mut |member| {
@@ -361,7 +362,7 @@ fn uniform_beams_are_those_of_the_closed_form() {
 }
 
 /// Bounds of the number of frequencies below of a beam with free ends.
-fn count_of_free(section: &TaperedSection, omega: f64) -> [f64; 2] {
+fn count_of_free(section: &TaperedNumbers, omega: f64) -> [f64; 2] {
     // bounds from above are those that pivots lowered by their errors give
     [1.0, -1.0].map(|toward| {
         let (mut entries, mut variables) = ([Two::of(0.0); 10], [Variable::none(); 4]);
@@ -388,7 +389,7 @@ fn count_of_free(section: &TaperedSection, omega: f64) -> [f64; 2] {
 }
 
 /// The neighbouring floats about a frequency, by bounds that meet.
-fn bracket(section: &TaperedSection, index: f64, mut range: [f64; 2]) -> [f64; 2] {
+fn bracket(section: &TaperedNumbers, index: f64, mut range: [f64; 2]) -> [f64; 2] {
     while range[1] > range[0].next_up() {
         let middle = (range[0] + 0.5 * (range[1] - range[0])).clamp(range[0].next_up(), range[1].next_down());
         let [least, most] = count_of_free(section, middle);

@@ -20,7 +20,11 @@ where
 {
     /// Estimates of all frequencies of a range.
     #[inline]
-    pub(super) fn in_range<L: Store<NaturalFrequency<T>>>(&mut self, start: T, end: T) -> Result<Found<L>, SearchError> {
+    pub(super) fn in_range<L: Store<NaturalFrequency<T>>>(
+        &mut self,
+        start: T,
+        end: T,
+    ) -> Result<Found<L>, SearchError> {
         let [first, last] = self.enclosing(start, end);
         let mut found = L::empty();
         let mut lower = self.sample(first)?;

@@ -61,7 +61,8 @@ impl<'a, T: Real> Certification<'a, T> {
         if prover.failure == Some(Failure::NotInNumbers) {
             return None;
         }
-        let limit = if estimates.is_continuous() { T::from_f64(1e150) } else { power(estimates.highest_exponent() + BEYOND) };
+        let limit =
+            if estimates.is_continuous() { T::from_f64(1e150) } else { power(estimates.highest_exponent() + BEYOND) };
         Some(Certification { prover, estimates, limit })
     }
 
@@ -155,7 +156,9 @@ impl<'a, T: Real> Certification<'a, T> {
             (settled, floor) = (proven.index + proven.multiplicity - 1, proven.upper);
             push(&mut found, proven)?;
         }
-        if let (true, Some(rest)) = (starts_at_rest, found.values().first().copied().filter(|root| root.omega.is_zero())) {
+        if let (true, Some(rest)) =
+            (starts_at_rest, found.values().first().copied().filter(|root| root.omega.is_zero()))
+        {
             let next = found.values().get(1).map(|root| root.lower);
             found.values()[0].upper = self.upper_of_rest(rest, next);
         }

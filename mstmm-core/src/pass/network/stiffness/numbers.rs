@@ -82,13 +82,8 @@ impl<N: Scalar> Waving<N> {
     pub(super) fn new(numbers: &MemberNumbers, length: N) -> Self {
         let of = |[upper, lower]: Exact| N::from_f64(upper) + N::from_f64(lower);
         match *numbers {
-            MemberNumbers::Beam(BeamNumbers {
-                bending_stiffness,
-                mass_per_length,
-                axial_stiffness,
-                more: None,
-                ..
-            }) => {
+            MemberNumbers::Beam(beam) if beam.is_plain() => {
+                let BeamNumbers { bending_stiffness, mass_per_length, axial_stiffness, .. } = beam;
                 let [stiffness, mass, axial] = [bending_stiffness, mass_per_length, axial_stiffness].map(of);
                 let along = (axial_stiffness != [0.0; 2]).then(|| LineWave::new([length, axial, mass, N::zero()]));
                 Waving::Beam(BendingWave::new([length, stiffness, mass]), along)
