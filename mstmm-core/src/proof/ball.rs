@@ -30,10 +30,11 @@ impl<N: Number> Ball<N> {
         Self::exactly(N::of(number))
     }
 
-    /// The sum of two words in all lanes, exactly.
+    /// The sum of two words in all lanes, the second at most half an ulp of the first: exactly, unless the number has room for one alone.
     #[inline(always)]
     pub(crate) fn of_pair([hi, lo]: [f64; 2]) -> Self {
-        Self::exactly(N::of_parts([hi, lo, 0.0, 0.0]))
+        let mid = N::of_parts([hi, lo, 0.0, 0.0]);
+        Ball { mid, rad: mid.minus(N::of(hi)).minus(N::of(lo)).size() }
     }
 
     /// The ball with a larger bound.
