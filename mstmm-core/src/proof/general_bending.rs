@@ -82,8 +82,7 @@ pub(crate) fn general_bending<N: Level>(section: &GeneralSection, length: Ball<N
     let at = Equations::of(section, length, square);
     let Equations { sigma, tau, g, h, cut, waves, .. } = at;
     // whole balls are short: the bound of the series' rest needs it
-    let is_short =
-        both::<N::Word>(waves.sum.largest().is_less(word(2.0)), waves.product.largest().is_less(word(1.0)));
+    let is_short = both::<N::Word>(waves.sum.largest().is_less(word(2.0)), waves.product.largest().is_less(word(1.0)));
     let is_together = waves.square.mid.leading().is_less(waves.product.mid.leading() * word(4.0));
     let is_apart = not::<N::Word>(either::<N::Word>(is_short, is_together));
     let roots = if N::Word::all(is_short) { [Ball::of(0.0); 3] } else { waves.roots() };
@@ -338,9 +337,7 @@ fn clamped<N: Level>([least, most]: [N::Word; 2], minor: Ball<N>, rotation: Ball
     let is_negative = minor.is_negative();
     let parity = N::Word::select(is_negative, word(1.0), word(0.0));
     let mean = Ball::select(is_negative, -rotation, rotation);
-    let less = |pinned: N::Word, even: N::Word| {
-        pinned - N::Word::select((pinned - parity).is_odd(), word(1.0), even)
-    };
+    let less = |pinned: N::Word, even: N::Word| pinned - N::Word::select((pinned - parity).is_odd(), word(1.0), even);
     let [few, many] = [(mean.is_positive(), 0.0, 2.0), (mean.is_negative(), 2.0, 0.0)]
         .map(|(truth, number, other)| N::Word::select(truth, word(number), word(other)));
     [less(least, few).or_larger(parity), less(most, many)]
