@@ -2,3 +2,4 @@
 
 mod functions;
 mod general_bending;
+mod lanes;
