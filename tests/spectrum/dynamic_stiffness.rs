@@ -243,8 +243,13 @@ fn discs_are_judged_by_the_closed_form() {
 fn intervals_are_judged_by_the_closed_form() {
     let cantilever = Stiffness::of(&one_beam(Support::Fixed, Support::Free));
     let omega = 3.516_015_268_500_151_2;
-    let interval =
-        |omega: f64, half: f64| NaturalFrequency { omega, lower: omega - half, upper: omega + half, multiplicity: 1, ..NaturalFrequency::default() };
+    let interval = |omega: f64, half: f64| NaturalFrequency {
+        omega,
+        lower: omega - half,
+        upper: omega + half,
+        multiplicity: 1,
+        ..NaturalFrequency::default()
+    };
     assert_eq!(cantilever.judge_intervals(&[interval(omega, 1e-15)], 0), [Verdict::Holds]);
     assert_eq!(cantilever.judge_intervals(&[interval(omega + 3e-14, 1e-14)], 0), [Verdict::Misses(4.0)]);
     assert_eq!(cantilever.judge_intervals(&[interval(omega - 3e-14, 1e-14)], 0), [Verdict::Misses(4.0)]);

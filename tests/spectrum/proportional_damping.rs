@@ -55,7 +55,13 @@ fn eigenvalues_are_those_of_dampers_in_proportion() {
 /// Closed form: `λ = iω √(1 + iη)` decays, and its mirror image, which would grow, is none.
 #[test]
 fn a_loss_factor_has_one_eigenvalue_for_each_frequency() {
-    let root = NaturalFrequency { omega: 3.0, lower: 3.0 - 1e-15, upper: 3.0 + 1e-15, multiplicity: 2, ..NaturalFrequency::default() };
+    let root = NaturalFrequency {
+        omega: 3.0,
+        lower: 3.0 - 1e-15,
+        upper: 3.0 + 1e-15,
+        multiplicity: 2,
+        ..NaturalFrequency::default()
+    };
     let eta = 0.2_f64;
     let [found, mirror] = ProportionalDamping::new(0.0, 0.0, eta).unwrap().eigenvalues(&root);
     let exact = Complex::new(0.0, 3.0) * Complex::new(1.0, eta).sqrt();
@@ -67,7 +73,8 @@ fn a_loss_factor_has_one_eigenvalue_for_each_frequency() {
 #[test]
 fn rigid_bodies_and_critical_damping() {
     let at = |omega: f64, alpha: f64| {
-        let root = NaturalFrequency { omega, lower: omega, upper: omega, multiplicity: 1, ..NaturalFrequency::default() };
+        let root =
+            NaturalFrequency { omega, lower: omega, upper: omega, multiplicity: 1, ..NaturalFrequency::default() };
         ProportionalDamping::new(alpha, 0.0, 0.0).unwrap().eigenvalues(&root).map(|root| root.unwrap().lambda)
     };
     assert_eq!(at(0.0, 0.5).map(|lambda| lambda.re).iter().sum::<f64>(), -0.5);

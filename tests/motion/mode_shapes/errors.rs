@@ -17,7 +17,10 @@ fn error<Y: mstmm::motion::Tree<S> + ?Sized, S: mstmm::number::Single>(
 fn a_multiple_root_has_not_one_shape() {
     let system = Star3 { l1: 1.0, l2: 1.0, l3: 1.0 }.build().unwrap();
     let root = *first::<10>(&system).iter().find(|root| root.multiplicity == 2).unwrap();
-    assert_eq!(error(system.mode_shape(&root)), MotionError::Multiple { root: root.omega, multiplicity: 2, ..NaturalFrequency::default() });
+    assert_eq!(
+        error(system.mode_shape(&root)),
+        MotionError::Multiple { root: root.omega, multiplicity: 2, ..NaturalFrequency::default() }
+    );
     assert_eq!(system.mode_shapes::<1, _>(&root).err(), Some(MotionError::Capacity { capacity: 1 }));
     assert_eq!(system.mode_shapes::<0, _>(&root).err(), Some(MotionError::Capacity { capacity: 0 }));
     let simple = *first::<10>(&system).iter().find(|root| root.multiplicity == 1).unwrap();
@@ -40,7 +43,8 @@ fn a_frequency_between_roots_is_none() {
         }
     }
     for omega in [f64::NAN, f64::INFINITY] {
-        let root = NaturalFrequency { omega, lower: omega, upper: omega, multiplicity: 1, ..NaturalFrequency::default() };
+        let root =
+            NaturalFrequency { omega, lower: omega, upper: omega, multiplicity: 1, ..NaturalFrequency::default() };
         assert!(matches!(error(system.mode_shape(&root)), MotionError::NotFinite { .. }), "{omega}");
     }
     let lambda = Complex::new(-0.1, f64::NAN);

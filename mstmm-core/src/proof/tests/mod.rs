@@ -2,5 +2,6 @@
 
 mod functions;
 mod general_bending;
+mod lanes;
 mod tapered;
 mod trees;

@@ -64,7 +64,7 @@ fn big(number: f64) -> Exact {
 fn joined(section: &TaperedNumbers, square: f64) -> ([Ball<Two>; 10], usize, usize) {
     let mut whole: Option<[Ball<Two>; 10]> = None;
     let (mut count, mut negative) = (0, 0);
-    pieces::<Two>(section, Ball::of(square), &mut |member| {
+    pieces::<Two>(section, Ball::of(square), &mut |member, _| {
         assert!(member.border.is_none() && member.held == [0.0; 2]);
         count += 1;
         let Some(before) = whole else {
@@ -368,7 +368,7 @@ fn count_of_free(section: &TaperedNumbers, omega: f64) -> [f64; 2] {
         let (mut entries, mut variables) = ([Two::of(0.0); 10], [Variable::none(); 4]);
         let mut front = Front::<Two>::new(&mut entries, &mut variables, toward);
         let mut ends = [front.enter().unwrap(), front.enter().unwrap()];
-        pieces(section, Ball::of_product(omega, omega), &mut |member| {
+        pieces(section, Ball::of_product(omega, omega), &mut |member, _| {
             let others = [front.enter().unwrap(), front.enter().unwrap()];
             let all = [ends[0], ends[1], others[0], others[1]];
             for row in 0..4 {
@@ -450,7 +450,7 @@ fn stiffness_is_that_of_the_element() {
 fn too_many_pieces_are_refused() {
     let torn = TaperedBeam { axial_force: -1e50, ..BLADE };
     for (beam, square) in [(BLADE, 1e60), (BLADE, f64::INFINITY), (BLADE, f64::NAN), (torn, 0.0)] {
-        assert!(pieces::<Two>(&section(beam), Ball::of(square), &mut |_| ()).is_none());
+        assert!(pieces::<Two>(&section(beam), Ball::of(square), &mut |_, _| ()).is_none());
     }
 }
 

@@ -1,0 +1,197 @@
+//! The functions of the two squared wave numbers of which a general beam's stiffness is made, in three forms: no divisor is small.
+
+use crate::proof::ball::Ball;
+use crate::proof::constants::RECIPROCAL_FACTORIALS;
+use crate::proof::functions::Level;
+use crate::proof::general_bending::equations::{Equations, Roots, WavePair, either, select_all};
+use crate::proof::member::{any, not};
+use crate::proof::word::Word;
+
+/// With `C = cosh √κ` and `S = sinh √κ/√κ`: `W = (κ₁ S₁ C₂ - κ₂ C₁ S₂)/(κ₁ - κ₂)`, `R = S₁ S₂`, `V = (C₁ S₂ - S₁ C₂)/(2(κ₁ - κ₂))`,
+/// `E = (1 - C₁ C₂ + s R/2)/δ`, `D = R/2 - (g + τh) E`, `c₁ = (κ₁ S₂ - κ₂ S₁)/(κ₁ - κ₂)`, `c₂ = (C₁ - C₂)/(κ₁ - κ₂)` and
+/// `c₃ = (S₁ - S₂)/(κ₁ - κ₂)`. Last is about the size of the terms of `τR + 2σ²E`. All are times the same positive number.
+pub(crate) type Products<N> = [Ball<N>; 9];
+
+/// C and S, both times `e^-x`; x, which is √κ where that is real and not small, else 0; `e^-x`; the amplitudes of C and S.
+type Waves<N> = [Ball<N>; 6];
+
+impl<N: Level> Equations<N> {
+    /// Series, where `|s| <= 2` and `|d| <= 1`.
+    ///
+    /// With `u = s + 2√d` and `v = s - 2√d`, `H_k` is the sum of all products of k of u and v. So `H_k = 2s H_(k-1) - δ H_(k-2)`, and
+    /// `p_k = (u^k + v^k)/2 = H_k - s H_(k-1)`. The sums `h_k` of κ₁ and κ₂ are `h_k = s h_(k-1) - d h_(k-2)`. Neither u nor v is beyond 4 in
+    /// size, and no κ beyond `1 + √2`. So `H_k`, `p_k` and `h_k` are `(k + 1) 4^k` at most. From one term to the next these bounds over
+    /// factorials fall by more than a half: the rest is twice the first one.
+    #[inline(always)]
+    pub(crate) fn short(&self, WavePair { sum: s, product: d, square }: WavePair<N>) -> Products<N> {
+        let (zero, one) = (Ball::of(0.0), Ball::of(1.0));
+        let terms = short_terms(N::TERMS);
+        let firsts = [1, 2, 3, 4, 2, 3, 5];
+        let (mut last, mut before) = ([one; 2], [zero; 2]);
+        let mut sums = [zero; 7];
+        for k in 0..terms {
+            let [big, small] = last;
+            let powers = [big - s * before[0], big, big, big, small, small, small];
+            for (sum, (power, first)) in sums.iter_mut().zip(powers.into_iter().zip(firsts)) {
+                *sum = *sum + power * Ball::reciprocal_factorial(2 * k + first);
+            }
+            let next = [s.scaled(2.0) * big - square * before[0], s * small - d * before[1]];
+            (before, last) = (last, next);
+        }
+        let count = terms as f64;
+        let power = N::Word::of(2.0 * count).power_of_two() * N::Word::of(2.0 * (count + 1.0) * (1.0 + 1e-12));
+        for (sum, first) in sums.iter_mut().zip(firsts) {
+            *sum = sum.widened(power * N::Word::of(RECIPROCAL_FACTORIALS[2 * terms + first][0]));
+        }
+        let [w, half_r, v, e, c2, c3, rest] = sums;
+        let r = half_r.scaled(2.0);
+        [w, r, v, e, half_r - self.coupling * e, one - d * rest, c2, c3, self.terms([r, e].map(|ball| ball.mid.size()))]
+    }
+
+    /// By κ₁ and κ₂, where `δ >= 4d`.
+    #[inline(always)]
+    pub(crate) fn apart(&self, [first, second, gap]: Roots<N>) -> Products<N> {
+        let [[c1, s1, _, e1, c1_size, s1_size], [c2, s2, _, e2, c2_size, s2_size]] = [first, second].map(waves);
+        let (sigma, t, inverse) = (self.sigma, self.coupling, gap.inverse());
+        let (p, r, sc, cs) = (c1 * c2, s1 * s2, s1 * c2, c1 * s2);
+        let variance = sigma * sigma;
+        let (over_square, less) = (inverse * inverse, e1 * e2 - p);
+        let e = (less + (first + second) * r.scaled(0.5)) * over_square;
+        // R/2 - tE by δ = t² + 4hσ² and s = t - 2τh: strings have no other form without cancellation
+        let product = self.tau * self.h;
+        let difference = (((self.h * variance).scaled(2.0) + t * product) * r - t * less) * over_square;
+        let (c1, s1, c2, s2) = (c1 * e2, s1 * e2, c2 * e1, s2 * e1);
+        // 2σ²E is (2σ² (1 - P) + σ²sR)/δ
+        let [both_c, both_s] = [(c1_size, c2_size), (s1_size, s2_size)].map(|(a, b)| a.mid.size() * b.mid.size());
+        let of_r = (self.tau + variance * (first + second) * over_square).mid.size() * both_s;
+        let of_p = (variance * over_square).scaled(2.0).mid.size() * both_c;
+        [
+            (first * sc - second * cs) * inverse,
+            r,
+            ((cs - sc) * inverse).scaled(0.5),
+            e,
+            difference,
+            (first * s2 - second * s1) * inverse,
+            (c1 - c2) * inverse,
+            (s1 - s2) * inverse,
+            size_of(of_r + of_p),
+        ]
+    }
+
+    /// By `u/4` and `v/4`, where `δ < 4d`: `cosh √u = C² + u S²/4`, `sinh √u/√u = S C` and `(cosh √u - 1)/u = S²/2` of them.
+    ///
+    /// By F, G and H for these three, `R = 2(F_u - F_v)/(u - v)`, `W = (G_u + G_v)/2`, `V = (G_u - G_v)/(u - v)`, and `E = (H_u - H_v)/(u - v)`.
+    /// The one of u and v that is larger in size is a sum, the other one is δ over it.
+    #[inline(always)]
+    pub(crate) fn together(&self, WavePair { sum, product, square }: WavePair<N>) -> Products<N> {
+        let (zero, one, root) = (N::Word::of(0.0), Ball::of(1.0), product.root());
+        // (u - v)/4
+        let root = Ball::select(sum.mid.leading().is_less(zero), -root, root);
+        let u = sum + root.scaled(2.0);
+        let quarters = [u, square * u.inverse()].map(|number| number.scaled(0.25));
+        let [first, second] = quarters.map(waves);
+        // all are times the same: e^-2x of the one that grows more
+        let ahead = first[2] - second[2];
+        let is_behind = ahead.mid.leading().is_less(zero);
+        let factor = Ball::select(is_behind, -ahead, ahead).decay();
+        let twice = factor * factor;
+        let shares = [Ball::select(is_behind, twice, one), Ball::select(is_behind, one, twice)];
+        let whole = |quarter: Ball<N>, [c, s, _, _, c_size, s_size]: Waves<N>, share: Ball<N>| {
+            let (squared, sizes) = (s * s, [c_size * c_size, (s_size * s_size).scaled(0.5)]);
+            let f = (c * c + quarter * squared) * share;
+            let [c_size, s_size] = sizes.map(|size| (size * share).mid.size());
+            (f, s * c * share, squared.scaled(0.5) * share, [c_size.or_larger(f.mid.size()), s_size])
+        };
+        let (f, g, h, f_sizes) = whole(quarters[0], first, shares[0]);
+        let (other_f, other_g, other_h, other_sizes) = whole(quarters[1], second, shares[1]);
+        let inverse = root.inverse();
+        let (r, e) = (((f - other_f) * inverse).scaled(0.5), ((h - other_h) * inverse).scaled(0.25));
+        let [half, quarter] = [0.5, 0.25].map(|part| inverse.mid.size() * N::Word::of(part));
+        let sizes = [(f_sizes[0] + other_sizes[0]) * half, (f_sizes[1] + other_sizes[1]) * quarter];
+        let (a, b) = (first[0] * second[1] * factor, first[1] * second[0] * factor);
+        let [one_first, one_second] = quarters;
+        let (mostly_first, mostly_second) =
+            (one_first.scaled(2.0) + one_first + one_second, one_first + one_second.scaled(2.0) + one_second);
+        [
+            (g + other_g).scaled(0.5),
+            r,
+            ((g - other_g) * inverse).scaled(0.25),
+            e,
+            r.scaled(0.5) - self.coupling * e,
+            ((b * mostly_first - a * mostly_second) * inverse).scaled(0.5),
+            (first[1] * second[1] * factor).scaled(0.5),
+            ((a - b) * inverse).scaled(0.5),
+            self.terms(sizes),
+        ]
+    }
+
+    /// About the size of the terms of `τR + 2σ²E`, for those of R and E.
+    #[inline(always)]
+    fn terms(&self, [r, e]: [N::Word; 2]) -> Ball<N> {
+        let [sigma, tau] = [self.sigma, self.tau].map(|ball| ball.mid.size());
+        size_of(tau * r + (sigma * sigma + sigma * sigma) * e)
+    }
+}
+
+/// `cosh √κ` and `sinh √κ/√κ`, entire in κ, in the form that its size and its sign give.
+#[inline(always)]
+fn waves<N: Level>(kappa: Ball<N>) -> Waves<N> {
+    let (zero, one) = (Ball::of(0.0), Ball::of(1.0));
+    let size = |ball: Ball<N>| size_of(ball.mid.size());
+    let is_small = kappa.largest().is_less(N::Word::of(1.0));
+    let is_positive = not::<N::Word>(kappa.mid.leading().is_less(N::Word::of(0.0)));
+    let travels = not::<N::Word>(either::<N::Word>(is_small, is_positive));
+    of_forms::<N, 6>(
+        [is_small, travels],
+        |truth| {
+            let kappa = Ball::select(truth, kappa, zero);
+            let [c, s] = [0, 1].map(|first| kappa.series([first, 2, N::TERMS + 1], 1.0));
+            [c, s, zero, one, size(c), size(s)]
+        },
+        |truth| {
+            let phase = Ball::select(truth, -kappa, one).root();
+            let ([s, c], inverse) = (phase.sin_cos(), phase.inverse());
+            [c, s * inverse, zero, one, one, size(inverse)]
+        },
+        |truth| {
+            let growth = Ball::select(truth, kappa, one).root();
+            let decay = growth.decay();
+            let square = decay * decay;
+            let (c, s) = ((one + square).scaled(0.5), (one - square).scaled(0.5) * growth.inverse());
+            [c, s, growth, decay, size(c), size(s)]
+        },
+    )
+}
+
+/// Numbers in the form of each lane: a form gets the truth where it is asked for, and its other lanes are not used.
+#[inline(always)]
+pub(crate) fn of_forms<N: Level, const K: usize>(
+    [is_first, is_second]: [<N::Word as Word>::Mask; 2],
+    first: impl Fn(<N::Word as Word>::Mask) -> [Ball<N>; K],
+    second: impl Fn(<N::Word as Word>::Mask) -> [Ball<N>; K],
+    third: impl Fn(<N::Word as Word>::Mask) -> [Ball<N>; K],
+) -> [Ball<N>; K] {
+    let is_third = not::<N::Word>(either::<N::Word>(is_first, is_second));
+    let mut numbers = [Ball::of(0.0); K];
+    if any::<N::Word>(is_first) {
+        numbers = first(is_first);
+    }
+    if any::<N::Word>(is_second) {
+        numbers = select_all(is_second, second(is_second), numbers);
+    }
+    if any::<N::Word>(is_third) {
+        numbers = select_all(is_third, third(is_third), numbers);
+    }
+    numbers
+}
+
+/// A size that decides nothing, among balls.
+#[inline(always)]
+fn size_of<N: Level>(size: N::Word) -> Ball<N> {
+    Ball::exactly(N::of_word(size))
+}
+
+/// Number of terms of the series of short waves: the first one that is left out is below the rounding of a number of `TERMS`.
+const fn short_terms(of_squares: usize) -> usize {
+    of_squares + of_squares / 3 + 1
+}
