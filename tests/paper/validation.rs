@@ -82,7 +82,7 @@ fn assert_certified(
     condition: f64,
     id: &str,
 ) {
-    let NaturalFrequency { omega, lower, upper, multiplicity } = *root;
+    let NaturalFrequency { omega, lower, upper, multiplicity, .. } = *root;
     assert!(is_within(exact, lower, upper), "{id}, mode {index}: {exact} is not in [{lower:?}, {upper:?}]");
     assert!(lower <= omega && omega <= upper, "{id}, mode {index}: {omega} is not in [{lower:?}, {upper:?}]");
     let width = (upper - lower) / omega;

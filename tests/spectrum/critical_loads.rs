@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing helper fails the test that called it")]
 
 use mstmm::prelude::*;
-use mstmm::search::{AtRest, CriticalLoad, LoadError, SearchError, critical_loads};
+use mstmm::search::{CriticalLoad, LoadError, SearchError, critical_loads};
 use std::f64::consts::PI;
 
 /// Declares columns of length 1 and EI = 1 under a force, between two supports.
@@ -50,7 +50,7 @@ system! {
     pinned -> beam_column 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: force } -> pinned
 }
 
-fn loads<const N: usize, Y: AtRest + mstmm::search::System<Parameter = f64>>(
+fn loads<const N: usize, Y: mstmm::search::System<Parameter = f64>>(
     end: f64,
     build: impl FnMut(f64) -> Result<Y, mstmm::element::ParameterError>,
 ) -> Vec<CriticalLoad> {

@@ -1,7 +1,7 @@
 //! The interface of built systems to the searches: Δ by the plane method, with a counter.
 
 use crate::element::MemberNumbers;
-use crate::model::FrequencyEstimates;
+use crate::model::{FrequencyEstimates, Spot};
 use crate::number::{Real, Scalar, Scaled};
 use crate::pass::network::stiffness::{PreciseCount, StiffnessModel};
 use crate::proof::visit::Visitor;
@@ -54,6 +54,12 @@ pub trait System {
     fn name_parts(&self, visitor: &mut dyn Visitor) {
         // nothing is known of a system that names nothing
         visitor.element(0, 0, Space::NONE, &MemberNumbers::Other);
+    }
+
+    /// What a node or a step of it is called.
+    #[doc(hidden)]
+    fn spot_of(&self, place: usize) -> Spot {
+        Spot::Step(place)
     }
 
     /// Estimates from which the searches take their first steps.

@@ -3,11 +3,13 @@
 //! `J(lower) <= k - 1`, bounded from above, and `J(upper) >= k + m - 1`, bounded from below, are the statement that the frequencies k to
 //! k + m - 1 lie in `[lower, upper)`. Nothing else is in a certificate, and nothing that proposed it has to be trusted.
 
+use crate::model::Spot;
 use crate::number::{Real, Scalar};
-use crate::proof::count::{Memory, Outcome, Side, Visited, signed_square};
+use crate::proof::count::{Memory, Outcome, Side, signed_square};
 use crate::proof::four_words::FourWords;
 use crate::proof::joining::Failure;
 use crate::proof::number::TwoWords;
+use crate::proof::visit::Visited;
 
 /// Half widths of the intervals that are claimed where two neighbouring numbers fail, in units of eps.
 const WIDER: [f64; 3] = [4.0, 16.0, 32.0];
@@ -59,9 +61,6 @@ pub(crate) struct Bound {
     pub(crate) count: Option<u64>,
     value: f64,
     exponent: i64,
-    /// The smallest pivot beside the terms of its entry.
-    pub(crate) smallest: f64,
-    pub(crate) smallest_at: usize,
 }
 
 /// What proves claims about a model.
@@ -73,12 +72,19 @@ pub(crate) struct Prover<'a> {
     pub(crate) long_runs: usize,
     /// Why the last run told nothing.
     pub(crate) failure: Option<Failure>,
+    /// The node or the step of the smallest pivot of the last run.
+    pub(crate) smallest_at: usize,
 }
 
 impl<'a> Prover<'a> {
     /// What proves claims about a model.
     pub(crate) fn new(model: &'a dyn Visited) -> Self {
-        Prover { model, memory: Memory::default(), runs: 0, long_runs: 0, failure: None }
+        Prover { model, memory: Memory::default(), runs: 0, long_runs: 0, failure: None, smallest_at: 0 }
+    }
+
+    /// What a node or a step is called.
+    pub(crate) fn spot(&self, place: usize) -> Spot {
+        self.model.spot(place)
     }
 
     /// A bound of the count at `sign ω²`.
@@ -95,14 +101,15 @@ impl<'a> Prover<'a> {
             }
         };
         match outcome {
-            Ok(Outcome { count, value, exponent, smallest, smallest_at }) => {
+            Ok(Outcome { count, value, exponent, smallest_at }) => {
+                self.smallest_at = smallest_at;
                 // a lower bound may be negative, and says nothing then; an upper one is not, unless no model has it
                 let count = if side == Side::AtLeast { count.max(0.0) } else { count };
-                Bound { count: (count >= 0.0).then_some(count as u64), value, exponent, smallest, smallest_at }
+                Bound { count: (count >= 0.0).then_some(count as u64), value, exponent }
             }
             Err(failure) => {
                 self.failure = Some(failure);
-                Bound { count: None, value: f64::NAN, exponent: 0, smallest: 0.0, smallest_at: 0 }
+                Bound { count: None, value: f64::NAN, exponent: 0 }
             }
         }
     }

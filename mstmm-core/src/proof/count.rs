@@ -8,7 +8,7 @@ use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining};
 use crate::proof::number::Number;
 use crate::proof::tree::Paths;
-use crate::proof::visit::{MemberEnd, NodeNumbers, Visitor};
+use crate::proof::visit::{MemberEnd, NodeNumbers, Visited, Visitor};
 use crate::proof::word::Word;
 use mstmm_plan::{Space, Support};
 
@@ -39,15 +39,8 @@ pub(crate) struct Outcome<W> {
     /// Δ over `2^exponent` and over powers of two that are the same in all lanes: it decides nothing.
     pub(crate) value: W,
     pub(crate) exponent: i64,
-    /// The smallest pivot beside the terms of its entry, in the first lane, and what had left before it.
-    pub(crate) smallest: f64,
+    /// The node or the step of the pivot that is smallest beside the terms of its entry, in the first lane.
     pub(crate) smallest_at: usize,
-}
-
-/// A model that names its parts.
-pub(crate) trait Visited {
-    /// Names them.
-    fn visit(&self, visitor: &mut dyn Visitor);
 }
 
 /// A run in progress.
@@ -63,18 +56,21 @@ impl<N: Level> Visitor for Run<'_, N> {
     }
 
     fn element(&mut self, step: usize, input: usize, space: Space, numbers: &MemberNumbers) {
+        self.joining.front.total.place = step;
         if self.joining.failure.is_none() {
             self.paths.element([step, input], space, numbers, &mut self.joining);
         }
     }
 
     fn connection(&mut self, step: usize, inputs: &[usize], output: Option<Space>) {
+        self.joining.front.total.place = step;
         if self.joining.failure.is_none() {
             self.paths.connection(step, inputs, output, &mut self.joining);
         }
     }
 
     fn root(&mut self, input: usize, support: Support) {
+        self.joining.front.total.place = input;
         if self.joining.failure.is_none() {
             self.paths.root(input, support, &mut self.joining);
         }
@@ -93,6 +89,7 @@ impl<N: Level> Visitor for Run<'_, N> {
     }
 
     fn leave(&mut self, node: usize) {
+        self.joining.front.total.place = node;
         if self.joining.failure.is_none() {
             self.nodes.leave(node, &mut self.joining);
         }
@@ -119,7 +116,6 @@ pub(crate) fn run<N: Level>(
         count: total.negative + held,
         value: total.product,
         exponent: total.exponent,
-        smallest: total.smallest,
         smallest_at: total.smallest_at,
     })
 }

@@ -53,10 +53,11 @@ pub(crate) struct Total<W> {
     /// Their product over powers of two that are the same in all lanes, as near as words are: it decides nothing.
     pub(crate) product: W,
     pub(crate) exponent: i64,
-    /// The smallest pivot beside the terms of its diagonal entry, in the first lane, and how many variables had left before it.
-    pub(crate) smallest: f64,
+    /// The node or the step whose variables leave.
+    pub(crate) place: usize,
+    /// The smallest pivot beside the terms of its diagonal entry, in the first lane, and its place.
+    smallest: f64,
     pub(crate) smallest_at: usize,
-    pub(crate) left: usize,
 }
 
 /// Place of an entry of the lower triangle.
@@ -92,9 +93,9 @@ impl<'m, N: Number> Front<'m, N> {
             negative: N::Word::of(0.0),
             product: N::Word::of(1.0),
             exponent: 0,
+            place: 0,
             smallest: f64::INFINITY,
             smallest_at: 0,
-            left: 0,
         };
         Front { entries, variables, width: 0, toward, total }
     }
@@ -297,9 +298,8 @@ impl<W: Word> Total<W> {
         let in_units = pivot * W::of(weight) * W::of(weight);
         let size = in_units.size().first();
         if size < self.smallest {
-            (self.smallest, self.smallest_at) = (size, self.left);
+            (self.smallest, self.smallest_at) = (size, self.place);
         }
-        self.left += 1;
         self.multiply(in_units);
     }
 

@@ -1,6 +1,7 @@
 //! The visit: a model names its parts one after the other, and adds no other code to a proof.
 
 use crate::element::{Exact, MemberNumbers};
+use crate::model::Spot;
 use mstmm_plan::{Freedoms, Scheme, Space, Step, Support};
 
 /// What a model names its parts to: a tree its steps, a frame its members and nodes.
@@ -20,6 +21,44 @@ pub trait Visitor {
     fn body(&mut self, node: &NodeNumbers, mass: Exact, inertia: Exact, centre: [Exact; 2]);
     /// All parts that know a node have been named.
     fn leave(&mut self, node: usize);
+}
+
+/// A model that names its parts.
+pub(crate) trait Visited {
+    /// Names them.
+    fn visit(&self, visitor: &mut dyn Visitor);
+    /// What a node or a step is called.
+    fn spot(&self, place: usize) -> Spot;
+}
+
+/// Whether all parts of a model are known in numbers.
+pub(crate) fn is_in_numbers(model: &dyn Visited) -> bool {
+    let mut known = Known(true);
+    model.visit(&mut known);
+    known.0
+}
+
+/// Looks whether all parts are known in numbers.
+struct Known(bool);
+
+impl Visitor for Known {
+    fn tip(&mut self, _: usize, _: Support) {}
+
+    fn element(&mut self, _: usize, _: usize, _: Space, numbers: &MemberNumbers) {
+        self.0 &= !matches!(numbers, MemberNumbers::Other);
+    }
+
+    fn connection(&mut self, _: usize, _: &[usize], _: Option<Space>) {}
+
+    fn root(&mut self, _: usize, _: Support) {}
+
+    fn member(&mut self, numbers: &MemberNumbers, _: &[MemberEnd; 2], _: usize) {
+        self.0 &= !matches!(numbers, MemberNumbers::Other);
+    }
+
+    fn body(&mut self, _: &NodeNumbers, _: Exact, _: Exact, _: [Exact; 2]) {}
+
+    fn leave(&mut self, _: usize) {}
 }
 
 /// A node of a frame in numbers.

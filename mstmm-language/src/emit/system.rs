@@ -47,6 +47,10 @@ pub(super) fn implementation(plan: &Plan<'_>, names: &Names) -> TokenStream {
                 #private::visit_steps(LAYOUT, &numbers, visitor);
             }
 
+            fn spot_of(&self, place: ::core::primitive::usize) -> #private::Spot {
+                #private::DrawnTree::name(self, place)
+            }
+
             fn frequency_estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates
             }

@@ -170,31 +170,6 @@ impl mstmm::__private::Model for DampedMass {
         self.build_as()
     }
 }
-#[automatically_derived]
-impl<T: mstmm::__private::Real> mstmm::__private::System for DampedMassSystem<T> {
-    type Parameter = T;
-    const STANDS_IN_LINE: bool = 7usize <= mstmm::__private::LONGEST_IN_LANES
-        && Self::HAS_PHASES;
-    const HAS_PHASES: bool = <mstmm::__private::elements::Damper<
-        T,
-    > as mstmm::__private::Element>::IS_STRAIGHT
-        && <mstmm::__private::elements::Mass<
-            T,
-        > as mstmm::__private::Element>::IS_STRAIGHT
-        && <mstmm::__private::elements::Spring<
-            T,
-        > as mstmm::__private::Element>::IS_STRAIGHT;
-    const MAY_BUCKLE: bool = <mstmm::__private::elements::Damper<
-        T,
-    > as mstmm::__private::Element>::MAY_BUCKLE
-        || <mstmm::__private::elements::Mass<T> as mstmm::__private::Element>::MAY_BUCKLE
-        || <mstmm::__private::elements::Spring<
-            T,
-        > as mstmm::__private::Element>::MAY_BUCKLE;
-    fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
-        self.estimates
-    }
-}
 /// The labels of the sketch: elements and connections, as results about motions take them.
 #[allow(dead_code, non_upper_case_globals)]
 impl DampedMass {
@@ -312,6 +287,57 @@ const _: () = {
     impl DampedMassSystem {
         /// Width of the reduced overall matrix: the number of unknowns at the boundaries.
         pub const N: usize = 3;
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::System for DampedMassSystem<T> {
+        type Parameter = T;
+        const STANDS_IN_LINE: bool = 7usize <= mstmm::__private::LONGEST_IN_LANES
+            && Self::HAS_PHASES;
+        const HAS_PHASES: bool = <mstmm::__private::elements::Damper<
+            T,
+        > as mstmm::__private::Element>::IS_STRAIGHT
+            && <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::Element>::IS_STRAIGHT
+            && <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::Element>::IS_STRAIGHT;
+        const MAY_BUCKLE: bool = <mstmm::__private::elements::Damper<
+            T,
+        > as mstmm::__private::Element>::MAY_BUCKLE
+            || <mstmm::__private::elements::Mass<
+                T,
+            > as mstmm::__private::Element>::MAY_BUCKLE
+            || <mstmm::__private::elements::Spring<
+                T,
+            > as mstmm::__private::Element>::MAY_BUCKLE;
+        fn name_parts(&self, visitor: &mut dyn mstmm::__private::Visitor) {
+            let numbers = |step: ::core::primitive::usize| match step {
+                1usize => {
+                    <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::Element>::member_numbers(&self.element_1)
+                }
+                3usize => {
+                    <mstmm::__private::elements::Damper<
+                        T,
+                    > as mstmm::__private::Element>::member_numbers(&self.element_3)
+                }
+                5usize => {
+                    <mstmm::__private::elements::Mass<
+                        T,
+                    > as mstmm::__private::Element>::member_numbers(&self.element_4)
+                }
+                _ => mstmm::__private::MemberNumbers::Other,
+            };
+            mstmm::__private::visit_steps(LAYOUT, &numbers, visitor);
+        }
+        fn spot_of(&self, place: ::core::primitive::usize) -> mstmm::__private::Spot {
+            mstmm::__private::DrawnTree::name(self, place)
+        }
+        fn frequency_estimates(&self) -> mstmm::__private::FrequencyEstimates {
+            self.estimates
+        }
     }
     #[automatically_derived]
     impl<T, S> mstmm::__private::Evaluate<S> for DampedMassSystem<T>

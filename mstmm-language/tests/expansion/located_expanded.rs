@@ -337,13 +337,23 @@ const _: () = {
         ) -> ::core::option::Option<mstmm::__private::StiffnessModel<'_>> {
             self.skeleton.in_numbers(&mstmm::__private::Placed::order(self))
         }
+        fn name_parts(&self, visitor: &mut dyn mstmm::__private::Visitor) {
+            mstmm::__private::visit_network(
+                self,
+                &|member| self.skeleton.numbers()[member],
+                visitor,
+            );
+        }
+        fn spot_of(&self, place: ::core::primitive::usize) -> mstmm::__private::Spot {
+            mstmm::__private::Placed::spot(self, place)
+        }
         fn precise_counts(
             &self,
             omega: [::core::primitive::f64; 2],
         ) -> [::core::option::Option<mstmm::__private::PreciseCount>; 2] {
             mstmm::__private::precise_counts(self, omega)
         }
-        fn estimates(&self) -> mstmm::__private::FrequencyEstimates {
+        fn frequency_estimates(&self) -> mstmm::__private::FrequencyEstimates {
             self.estimates
         }
     }

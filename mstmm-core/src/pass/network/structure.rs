@@ -3,7 +3,7 @@
 use crate::element::{
     MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberTransfer, MemberVisit, VisitMember,
 };
-use crate::model::{FrequencyEstimates, is_size_of_direction};
+use crate::model::{FrequencyEstimates, Spot, is_size_of_direction};
 use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
@@ -234,6 +234,10 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
 
     fn name_parts(&self, visitor: &mut dyn Visitor) {
         visit_network(self, &|member| self.numbers[member], visitor);
+    }
+
+    fn spot_of(&self, place: usize) -> Spot {
+        self.spot(place)
     }
 
     fn precise_counts(&self, omega: [f64; 2]) -> [Option<PreciseCount>; 2] {

@@ -2,22 +2,15 @@
 
 use crate::elements::{Beam, Mass, Spring};
 use crate::pass::characteristic::System;
-use crate::proof::count::{Memory, Side, Visited, signed_square};
+use crate::proof::count::{Memory, Side, signed_square};
 use crate::proof::number::TwoWords;
-use crate::proof::visit::Visitor;
+use crate::search::undamped::proven::Parts;
 use crate::{AnyUndamped, ListStep, StepList, Support};
-
-struct Of<'a, Y: ?Sized>(&'a Y);
-impl<Y: System + ?Sized> Visited for Of<'_, Y> {
-    fn visit(&self, visitor: &mut dyn Visitor) {
-        self.0.name_parts(visitor);
-    }
-}
 
 fn bounds<Y: System>(system: &Y, omega: f64) -> [f64; 2] {
     [Side::AtLeast, Side::AtMost].map(|side| {
         Memory::default()
-            .run::<TwoWords<f64>>(&Of(system), signed_square([omega, 0.0], 1.0), side.toward())
+            .run::<TwoWords<f64>>(&Parts(system), signed_square([omega, 0.0], 1.0), side.toward())
             .unwrap()
             .count
     })

@@ -5,9 +5,9 @@ use crate::number::{Real, Store};
 use crate::pass::characteristic::System;
 use crate::proof::bisection::Refusal;
 use crate::proof::certificate::{Claim, Precision, Proven, Prover};
-use crate::proof::count::{Side, Visited};
+use crate::proof::count::Side;
 use crate::proof::joining::Failure;
-use crate::proof::visit::Visitor;
+use crate::proof::visit::{Visited, Visitor, is_in_numbers};
 use crate::search::room::add;
 use crate::search::undamped::found::{Found, NaturalFrequency};
 
@@ -33,6 +33,10 @@ impl<Y: System + ?Sized> Visited for Parts<'_, Y> {
     fn visit(&self, visitor: &mut dyn Visitor) {
         self.0.name_parts(visitor);
     }
+
+    fn spot(&self, place: usize) -> Spot {
+        self.0.spot_of(place)
+    }
 }
 
 /// What a search is asked for.
@@ -55,15 +59,13 @@ pub(crate) struct Certification<'a, T> {
 impl<'a, T: Real> Certification<'a, T> {
     /// Proofs for a system; none where a part is not known in numbers.
     pub(crate) fn new(parts: &'a dyn Visited, estimates: FrequencyEstimates) -> Option<Self> {
-        let mut prover = Prover::new(parts);
-        let power = |exponent| T::one().times_power_of_two(exponent);
-        let _ = prover.bound_at(power(estimates.lowest_exponent()), 1.0, Side::AtLeast, Precision::Two);
-        if prover.failure == Some(Failure::NotInNumbers) {
+        if !is_in_numbers(parts) {
             return None;
         }
+        let power = |exponent| T::one().times_power_of_two(exponent);
         let limit =
             if estimates.is_continuous() { T::from_f64(1e150) } else { power(estimates.highest_exponent() + BEYOND) };
-        Some(Certification { prover, estimates, limit })
+        Some(Certification { prover: Prover::new(parts), estimates, limit })
     }
 
     /// Runs of the proof so far, in two words and in four.
@@ -102,13 +104,14 @@ impl<'a, T: Real> Certification<'a, T> {
     #[cold]
     pub(crate) fn refused(&mut self, near: T) -> SearchError {
         if let Some(Failure::Redundant(step)) = self.prover.failure {
-            return SearchError::Zero { points: FAR_APART.len(), at: Some(Spot::Step(step)) };
+            return SearchError::Zero { points: FAR_APART.len(), at: Some(self.prover.spot(step)) };
         }
         let scale = if near > T::zero() { near } else { T::one().times_power_of_two(self.estimates.lowest_exponent()) };
         let is_nowhere_decided =
             FAR_APART.iter().all(|part| self.prover.count(scale * T::from_f64(*part), 1.0).is_err());
         if is_nowhere_decided {
-            return SearchError::Zero { points: FAR_APART.len(), at: None };
+            let at = self.prover.spot(self.prover.smallest_at);
+            return SearchError::Zero { points: FAR_APART.len(), at: Some(at) };
         }
         let [at_least, at_most] = self.prover.bounds(near, 1.0);
         SearchError::Unproven {

@@ -133,6 +133,10 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
                 #private::visit_network(self, &|member| self.skeleton.numbers()[member], visitor);
             }
 
+            fn spot_of(&self, place: ::core::primitive::usize) -> #private::Spot {
+                #private::Placed::spot(self, place)
+            }
+
             fn precise_counts(
                 &self,
                 omega: [::core::primitive::f64; 2],
