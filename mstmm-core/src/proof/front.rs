@@ -304,6 +304,33 @@ impl<W: Word> Total<W> {
     }
 }
 
+/// What tests look at and set.
+#[cfg(test)]
+impl<N: Number<Word = f64>> Front<'_, N> {
+    /// What the pivot of a variable would be moved by, but for the rounding of that sum.
+    pub(crate) fn error(&self, variable: usize) -> f64 {
+        self.variables[variable].own_error()
+    }
+
+    pub(crate) fn weight(&self, variable: usize) -> f64 {
+        self.variables[variable].weight
+    }
+
+    pub(crate) fn entry(&self, row: usize, column: usize) -> N {
+        self.entries[place(row, column)]
+    }
+
+    /// Puts a number in the place of an entry and of its mirror image, without an error.
+    pub(crate) fn put(&mut self, row: usize, column: usize, number: N) {
+        self.entries[place(row, column)] = number;
+    }
+
+    /// Adds to the error of a variable.
+    pub(crate) fn disturb(&mut self, variable: usize, by: f64) {
+        self.variables[variable].error += by * self.variables[variable].weight;
+    }
+}
+
 /// Nearly `1/√size`: a power of two.
 fn inverse_root(size: f64) -> f64 {
     1.0.times_power_of_two(Size::exponent(size).map_or(0, |exponent| -exponent / 2))
