@@ -31,7 +31,11 @@ fn arithmetic<N: Level<Word = f64> + Exactly>(runs: usize) {
     for run in 0..runs {
         let a = number::<N>(&mut random, 20.0);
         // every other one nearly cancels
-        let b = if run % 2 == 0 { number::<N>(&mut random, 20.0) } else { a.negated().plus(a.times(number(&mut random, 10.0))) };
+        let b = if run % 2 == 0 {
+            number::<N>(&mut random, 20.0)
+        } else {
+            a.negated().plus(a.times(number(&mut random, 10.0)))
+        };
         let ([a, b], [x, y]) = ([Ball::exactly(a), Ball::exactly(b)], [a.exactly(), b.exactly()]);
         note(0, a + b, &(&x + &y));
         note(1, a * b, &(&x * &y));
@@ -77,7 +81,8 @@ fn words_are_distilled_to_half_an_ulp_of_the_one_before() {
     let mut random = Random::new(3);
     for run in 0..300 {
         let a = number::<FourWords>(&mut random, 5.0);
-        let b = if run % 2 == 0 { number(&mut random, 5.0) } else { a.negated().plus(a.times(number(&mut random, 20.0))) };
+        let b =
+            if run % 2 == 0 { number(&mut random, 5.0) } else { a.negated().plus(a.times(number(&mut random, 20.0))) };
         for words in [a.plus(b), a.times(b)].map(FourWords::words) {
             for pair in words.windows(2) {
                 assert_eq!(pair[0] + pair[1], pair[0], "{words:?}");

@@ -26,7 +26,13 @@ fn ball<N: Exactly>(random: &mut Random, scale: f64, radius: f64) -> (Ball<N>, E
 
 impl Assembled {
     /// Adds balls, of radii beside their sizes, at random places.
-    fn new<N: Exactly>(front: &mut Front<'_, N>, random: &mut Random, size: usize, radius: f64, is_mixed: bool) -> Self {
+    fn new<N: Exactly>(
+        front: &mut Front<'_, N>,
+        random: &mut Random,
+        size: usize,
+        radius: f64,
+        is_mixed: bool,
+    ) -> Self {
         let scales: Vec<f64> = (0..size).map(|_| 10f64.powf(4.0 * random.signed())).collect();
         let mut exact = vec![vec![exact(0.0); size]; size];
         for _ in 0..size {
@@ -159,5 +165,35 @@ fn errors_cover_much_that_is_added_and_replaced() {
     for way in WAYS {
         choose(way, way, 0.0, 5);
         check::<Worst>(20_000);
+    }
+}
+
+/// What an entry between a stiff row and a soft one is off by does not drown the soft one.
+#[test]
+fn soft_rows_beside_stiff_ones_have_small_errors() {
+    let (mut entries, mut variables) = ([OneWord(0.0); 3], [Variable::none(); 2]);
+    let mut front = Front::<OneWord>::new(&mut entries, &mut variables, -1.0);
+    for (row, size) in [(0, 1.0), (1, 1e12)] {
+        front.enter().unwrap();
+        front.grow(row, size);
+    }
+    front.add(1, 0, Ball { mid: OneWord(1e6), rad: 1e-7 });
+    let [soft, stiff] = [0, 1].map(|row| front.error(row));
+    assert!(soft < 4e-13 && stiff < 0.4 && soft * stiff >= 1e-14, "{soft} {stiff}");
+}
+
+/// Errors that underflow beside their weights are not lost.
+#[test]
+fn errors_that_underflow_are_not_lost() {
+    for size in [1e200, 1.0, 1e-200] {
+        let (mut entries, mut variables) = ([OneWord(0.0); 3], [Variable::none(); 2]);
+        let mut front = Front::<OneWord>::new(&mut entries, &mut variables, -1.0);
+        for row in 0..2 {
+            front.enter().unwrap();
+            front.grow(row, size);
+        }
+        let rad = 1e-250;
+        front.add(1, 0, Ball { mid: OneWord(0.0), rad });
+        assert!(front.error(0) >= rad && front.error(1) >= rad, "{size:e}");
     }
 }

@@ -84,8 +84,8 @@ fn held_frequencies_are_counted() {
 #[test]
 #[ignore = "long: .ci/long"]
 fn held_frequencies_are_counted_at_many_places() {
-    check::<OneWord>(10_000, 1);
-    check::<TwoWords<f64>>(10_000, 1);
+    check::<OneWord>(3_000, 1);
+    check::<TwoWords<f64>>(3_000, 1);
     check::<FourWords>(1_000, 1);
 }
 

@@ -61,9 +61,9 @@ fn sines_cosines_and_decays_are_in_their_balls() {
 #[test]
 #[ignore = "long: .ci/long"]
 fn many_sines_cosines_and_decays_are_in_their_balls() {
-    check::<OneWord>(20_000);
-    check::<TwoWords<f64>>(20_000);
-    check::<FourWords>(20_000);
+    check::<OneWord>(4_000);
+    check::<TwoWords<f64>>(4_000);
+    check::<FourWords>(4_000);
 }
 
 #[test]

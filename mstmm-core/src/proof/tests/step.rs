@@ -2,7 +2,7 @@
 
 use crate::proof::four_words::FourWords;
 use crate::proof::front::{Front, Variable};
-use crate::proof::number::{OneWord, TwoWords};
+use crate::proof::number::{Number, OneWord, TwoWords};
 use crate::proof::tests::arithmetic::number;
 use crate::proof::tests::exact::{Exact, Exactly, exact, word};
 use crate::proof::tests::random::Random;
@@ -51,10 +51,14 @@ fn step<N: Exactly>(random: &mut Random, size: usize, kind: Kind) -> f64 {
         for column in 1..=row {
             let product = front.entry(row, 0).times(front.entry(column, 0)).times(pivot.near_inverse());
             let any = number::<N>(random, 0.3).times(N::of(scales[row])).times(N::of(scales[column]));
-            front.put(row, column, match kind {
-                Kind::Products => product,
-                Kind::Any | Kind::Sums => any,
-            });
+            front.put(
+                row,
+                column,
+                match kind {
+                    Kind::Products => product,
+                    Kind::Any | Kind::Sums => any,
+                },
+            );
         }
     }
     // the pivot has an error, of which most of the ones are small
@@ -149,5 +153,25 @@ fn what_has_no_inverse_is_lost() {
         front.leave(1);
         // a pivot far below what underflows is one of that size, and a bound
         assert!(front.total.negative.is_nan() || pivot == 1e-320, "{pivot} {of_inverses}");
+    }
+}
+
+/// A pivot that is exactly zero after it was moved counts against the claim.
+#[test]
+fn a_pivot_of_zero_is_on_the_safe_side() {
+    for (toward, negative) in [(-1.0, 1.0), (1.0, 0.0)] {
+        let (mut entries, mut variables) = ([OneWord(0.0); 1], [Variable::none(); 1]);
+        let mut front = Front::<OneWord>::new(&mut entries, &mut variables, toward);
+        front.enter().unwrap();
+        front.disturb(0, 0.3);
+        // the entry that the nudge takes away
+        let mut size = 0.3;
+        for _ in 0..20 {
+            size = front.error(0) + size * (2.1 * OneWord::SUM);
+        }
+        front.put(0, 0, OneWord(-toward * size));
+        front.leave(0);
+        assert!(front.total.smallest < 1e-200, "not a test");
+        assert_eq!(front.total.negative, negative);
     }
 }

@@ -116,7 +116,8 @@ fn count(matrix: &[Vec<i128>], toward: i128, random: &mut Random) -> usize {
         let inverse = Ratio::new(pivot.under, pivot.over);
         exact = (1..entries.len())
             .map(|i| {
-                let complement = |j: usize| entries[i][j].plus(entries[i][0].times(entries[0][j]).times(inverse).negated());
+                let complement =
+                    |j: usize| entries[i][j].plus(entries[i][0].times(entries[0][j]).times(inverse).negated());
                 (1..entries.len()).map(complement).collect()
             })
             .collect();
