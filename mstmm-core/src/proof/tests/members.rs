@@ -125,7 +125,13 @@ fn compare<N: Exactly, const F: usize, const E: usize>(
             }
         }
     }
-    member.stiffness.iter().all(|entry| entry.rad < f64::INFINITY)
+    // the factor of Δ decides nothing, but its sign is that of the minor; a border has a pivot of its own
+    let own = member.border.map_or(Ball::of(-1.0), |border| border.flexibility);
+    let is_known = member.stiffness.iter().all(|entry| entry.rad < f64::INFINITY);
+    if is_known && (own.is_positive() || own.is_negative()) {
+        assert!(-own.mid.leading() * member.minor * word(&oracle.minor) > 0.0, "{}: Δ at {at:e}", N::NAME);
+    }
+    is_known
 }
 
 /// Arguments z: random decades, the nearest ones to kπ/2 and to what is given, and both sides of 1.
