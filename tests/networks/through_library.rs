@@ -145,7 +145,7 @@ pub(crate) fn first(structure: &Structure) -> Result<Vec<Found>, String> {
 pub(crate) fn first_by(structure: &Structure) -> Result<(Vec<Found>, [usize; 2]), String> {
     asked(structure, |network| {
         let found = network.first_frequencies::<10>().map_err(|error| error.to_string())?;
-        Ok((found.iter().map(entry).collect(), [found.evaluations(), found.extended_evaluations()]))
+        Ok((found.iter().map(entry).collect(), [found.evaluations(), found.proof_runs()[1]]))
     })
 }
 

@@ -56,7 +56,7 @@ pub(crate) struct Total<W> {
     /// The node or the step whose variables leave.
     pub(crate) place: usize,
     /// The smallest pivot beside the terms of its diagonal entry, in the first lane, and its place.
-    smallest: f64,
+    pub(crate) smallest: f64,
     pub(crate) smallest_at: usize,
 }
 
@@ -76,8 +76,9 @@ const LEAST: f64 = f64::from_bits(1);
 /// What a pivot becomes that is zero: any number on the right side of zero is valid.
 const SMALLEST_PIVOT: f64 = 1e-250;
 
-/// Errors are sums of rounded positive numbers, of up to a million of them.
-const ADDED_UP: f64 = 1.0 + 1e-9;
+/// Errors are sums of rounded positive numbers, of up to 9e9 of them: each sum loses u of itself at most. A joint of a million members adds some ten
+/// million. The squares of rounding in the parts of errors are covered by it, too.
+const ADDED_UP: f64 = 1.0 + 1e-6;
 
 /// The residual of an inverse below which that is one: what a quotient by it is off by is known to a relative `1e-10` then.
 const NEAR_INVERSE: f64 = 1e-11;
@@ -313,6 +314,29 @@ impl<W: Word> Total<W> {
             self.product = self.product * W::of(f64::from(-exponent)).power_of_two();
             self.exponent += i64::from(exponent);
         }
+    }
+}
+
+/// What tests look at and set.
+#[cfg(test)]
+impl<N: Number<Word = f64>> Front<'_, N> {
+    /// What the pivot of a variable would be moved by, but for the rounding of that sum.
+    pub(crate) fn error(&self, variable: usize) -> f64 {
+        self.variables[variable].own_error()
+    }
+
+    pub(crate) fn entry(&self, row: usize, column: usize) -> N {
+        self.entries[place(row, column)]
+    }
+
+    /// Puts a number in the place of an entry and of its mirror image, without an error.
+    pub(crate) fn put(&mut self, row: usize, column: usize, number: N) {
+        self.entries[place(row, column)] = number;
+    }
+
+    /// Adds to the error of a variable.
+    pub(crate) fn disturb(&mut self, variable: usize, by: f64) {
+        self.variables[variable].error += by * self.variables[variable].weight;
     }
 }
 

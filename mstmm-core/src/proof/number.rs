@@ -7,7 +7,7 @@ pub(crate) const U: f64 = 1.110_223_024_625_156_5e-16;
 
 /// A number whose operations are rounded within bounds: `|fl(a op b) - (a op b)| <= BOUND |fl(a op b)|`, with [`UNDERFLOW`] more for a
 /// product.
-pub(crate) trait Number: Copy {
+pub(crate) trait Number: Copy + core::fmt::Debug {
     /// What its parts and all bounds are.
     type Word: Word;
 

@@ -137,3 +137,11 @@ pub(crate) fn direction<N: Level>([x, y]: [Ball<N>; 2]) -> ([Ball<N>; 2], Ball<N
     let inverse = length.inverse();
     ([x * inverse, y * inverse], length)
 }
+
+#[cfg(test)]
+impl<N: Number> Term<N> {
+    /// A variable with a coefficient.
+    pub(crate) fn new(variable: usize, coefficient: Ball<N>) -> Self {
+        Term { variable, coefficient, is_one: false }
+    }
+}

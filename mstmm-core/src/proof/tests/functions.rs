@@ -1,21 +1,111 @@
-//! Functions and members against many digits: nothing is outside of its ball.
+//! Elementary functions against many digits: nothing is outside of its ball.
 
 use crate::proof::ball::Ball;
-use crate::proof::bending::bending;
-use crate::proof::line::line;
+use crate::proof::four_words::FourWords;
+use crate::proof::functions::Level;
 use crate::proof::number::{OneWord, TwoWords};
+use crate::proof::tests::exact::{Exact, Exactly, exact, pi, share, word};
+use crate::proof::tests::random::Random;
+use std::vec::Vec;
+
+/// Arguments: random ones in decades, the nearest floats to kπ/2, and those beside the limit of decays.
+fn arguments(random: &mut Random, runs: usize) -> Vec<f64> {
+    let mut all: Vec<f64> = (0..runs).map(|_| 10f64.powf(-6.0 + 11.0 * random.unit())).collect();
+    let half_pi = pi() / exact(2.0);
+    for count in 0..runs / 4 {
+        let k = if count < 9 { count + 1 } else { 1 + random.below(1_048_575) };
+        let near = word(&(&half_pi * exact(k as f64)));
+        all.extend([near, near.next_up(), near.next_down(), near * (1.0 + 1e-12 * random.signed())]);
+        // where the nearest number of quarter turns changes
+        all.push(word(&(&half_pi * exact(k as f64 - 0.5))));
+    }
+    all.extend([0.0, 1.0, 1.0f64.next_up(), 650.0, 650.0f64.next_down(), 649.9999999, 700.0, 1e6, 1e9]);
+    all
+}
+
+fn check<N: Level<Word = f64> + Exactly>(runs: usize) {
+    let mut random = Random::new(4);
+    let mut used = [0.0f64; 3];
+    let mut note = |k: usize, ball: Ball<N>, expected: &Exact, [at, rad]: [f64; 2]| {
+        let share = share(ball, expected);
+        assert!(share <= 1.0, "{}: function {k} at {at:e}, {ball:?}, uses {share}", N::NAME);
+        // of a wide ball the ends use all
+        if rad == 0.0 {
+            used[k] = used[k].max(share);
+        }
+    };
+    for x in arguments(&mut random, runs) {
+        // the rounded last word of an argument beside the exact one; every third one is a ball
+        let mid = N::of(x).plus(N::of(x * 1e-17 * random.signed()));
+        let rad = if random.below(3) == 0 { x * 10f64.powf(-30.0 * random.unit()) } else { 0.0 };
+        let ball = Ball { mid, rad };
+        let ([sine, cosine], decay) = (ball.sin_cos(), ball.decay());
+        for end in if rad > 0.0 { [-1.0, 1.0].as_slice() } else { &[0.0] } {
+            let at = mid.exactly() + exact(rad) * exact(*end);
+            let (s, c) = at.sin_cos();
+            note(0, sine, &s, [x, rad]);
+            note(1, cosine, &c, [x, rad]);
+            note(2, decay, &(-at).exp(), [x, rad]);
+        }
+    }
+    std::println!("{}: sine, cosine, decay use {used:.3?} of their radii", N::NAME);
+}
 
 #[test]
-fn quick_look() {
-    for x in [0.3, 1.0, 4.0, 700.3, 123456.789] {
-        let [s, c] = Ball::<TwoWords<f64>>::of(x).sin_cos();
-        std::println!("{x}: {:e} {:e} rad {:e}; {:e}", s.mid.hi - x.sin(), c.mid.hi - x.cos(), s.rad, c.rad);
-        let e = Ball::<TwoWords<f64>>::of(x).decay();
-        std::println!("decay {:e} {:e} rad {:e}", e.mid.hi, (-x).exp(), e.rad);
-        let m = bending(Ball::<TwoWords<f64>>::of(x));
-        std::println!("{:?}", m.stiffness.map(|b| (b.mid.hi, b.rad / b.mid.hi)));
-        std::println!("{:?} {:?}", m.held, m.border.map(|b| (b.forces, b.flexibility)));
-        let m = line(Ball::<OneWord>::of(x));
-        std::println!("{:?} {:?}", m.stiffness.map(|b| (b.mid.0, b.rad)), m.held);
+fn sines_cosines_and_decays_are_in_their_balls() {
+    check::<OneWord>(60);
+    check::<TwoWords<f64>>(60);
+    check::<FourWords>(60);
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn many_sines_cosines_and_decays_are_in_their_balls() {
+    check::<OneWord>(4_000);
+    check::<TwoWords<f64>>(4_000);
+    check::<FourWords>(4_000);
+}
+
+#[test]
+fn functions_have_nearly_all_digits() {
+    fn check<N: Level<Word = f64>>() {
+        for x in [1e-3, 0.3, 1.0, 3.0, 20.0] {
+            let ball = Ball::<N>::of(x);
+            let [sine, cosine] = ball.sin_cos();
+            for (value, factor) in [(sine, 40.0), (cosine, 40.0), (ball.decay(), 40.0)] {
+                assert!(value.rad <= factor * N::SUM, "{x}: {value:?}");
+            }
+        }
     }
+    check::<OneWord>();
+    check::<TwoWords<f64>>();
+    check::<FourWords>();
+}
+
+#[test]
+fn series_are_in_their_balls() {
+    fn check<N: Level<Word = f64> + Exactly>() {
+        let mut random = Random::new(5);
+        let mut used = 0.0f64;
+        for (stride, terms, limit) in [(2, N::TERMS, 1.0), (1, 2 * N::TERMS - 3, 0.5), (4, N::TERMS * 2 / 3, 4.0)] {
+            for run in 0..30 {
+                let first = random.below(4);
+                let y = if run < 2 { limit * (1.0 - 2.0 * run as f64) } else { limit * random.signed() };
+                let ball = Ball::<N>::of(y).series([first, stride, terms], limit);
+                let mut term = (1..=first).fold(exact(1.0), |term, n| term / exact(n as f64));
+                let mut sum = exact(0.0);
+                for k in 0..120 {
+                    sum += &term;
+                    term = (1..=stride).fold(term * exact(y), |term, n| term / exact((stride * k + first + n) as f64));
+                }
+                let share = share(ball, &sum);
+                assert!(share <= 1.0, "{}: {y} {first} {stride}", N::NAME);
+                used = used.max(share);
+            }
+        }
+        std::println!("{}: series use {used:.3} of their radii", N::NAME);
+    }
+    check::<OneWord>();
+    check::<TwoWords<f64>>();
+    check::<FourWords>();
 }

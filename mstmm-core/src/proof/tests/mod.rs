@@ -1,7 +1,17 @@
 //! Tests of the proof.
 
+mod arithmetic;
+mod assembly;
+mod counts;
+mod exact;
 mod functions;
 mod general_bending;
 mod lanes;
+mod members;
+mod random;
+mod singular;
+mod step;
 mod tapered;
+mod theorem;
 mod trees;
+mod worst;
