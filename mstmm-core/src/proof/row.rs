@@ -60,19 +60,28 @@ impl<N: Level, const T: usize> Row<N, T> {
             return;
         }
         for term in other.terms() {
-            let coefficient = if term.is_one { factor } else { term.coefficient * factor };
-            let own = self.terms[..self.count].iter_mut().find(|own| own.variable == term.variable);
-            if let Some(own) = own {
-                *own = Term { coefficient: own.coefficient + coefficient, is_one: false, ..*own };
+            let coefficient = term.times(factor);
+            if let Some(place) = self.terms().iter().position(|own| own.variable == term.variable) {
+                let sum = self.terms[place].coefficient + coefficient;
+                if is_zero(&sum) {
+                    self.count -= 1;
+                    self.terms.swap(place, self.count);
+                } else {
+                    self.terms[place] = Term { coefficient: sum, is_one: is_one(&sum), ..self.terms[place] };
+                }
             } else if self.count < T {
-                let is_one = term.is_one && is_one(&factor);
-                self.terms[self.count] = Term { variable: term.variable, coefficient, is_one };
+                self.terms[self.count] = Term { variable: term.variable, coefficient, is_one: is_one(&coefficient) };
                 self.count += 1;
             } else {
                 // no row of a model has so many: nothing is known of it
                 self.terms[0].coefficient.rad = N::Word::of(f64::INFINITY);
             }
         }
+    }
+
+    /// Whether a variable is in it.
+    pub(crate) fn contains(&self, variable: usize) -> bool {
+        self.terms().iter().any(|term| term.variable == variable)
     }
 
     /// The row with a combination of others in the place of a variable.
@@ -108,7 +117,15 @@ impl<N: Level> Term<N> {
     /// A number times the coefficient.
     #[inline(always)]
     pub(crate) fn times(&self, factor: Ball<N>) -> Ball<N> {
-        if self.is_one { factor } else { factor * self.coefficient }
+        if self.is_one {
+            factor
+        } else if is_one(&factor) {
+            self.coefficient
+        } else if is_one(&-factor) {
+            -self.coefficient
+        } else {
+            factor * self.coefficient
+        }
     }
 }
 

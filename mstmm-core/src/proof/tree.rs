@@ -104,7 +104,14 @@ impl<N: Level> Paths<N> {
                     (Some(row), Some(other)) => {
                         let mut constraint = other.widened();
                         constraint.add(&row, Ball::of(-1.0));
-                        satisfy(&constraint, [&mut rows, &mut others], step, joining);
+                        (rows[freedom], others[freedom]) = (None, None);
+                        let replaced = satisfy(&constraint, [&mut rows, &mut others], step, joining);
+                        // both rows are equal now: that without the variable goes on
+                        rows[freedom] = Some(match replaced {
+                            Some((variable, _)) if !row.contains(variable) => row,
+                            Some((variable, by)) => other.substituted(variable, &by),
+                            None => row,
+                        });
                     }
                     (None, other) => rows[freedom] = other,
                     _ => {}
@@ -161,17 +168,23 @@ fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N>, step: usize, joining:
 }
 
 /// Satisfies that a combination of variables is zero: one of them is a combination of the others. What is zero already needs nothing: it is held
-/// twice, by the same.
-fn satisfy<N: Level>(constraint: &Row<N>, rows: [&mut PointRows<N>; 2], step: usize, joining: &mut Joining<'_, N>) {
-    let Some(pivot) = largest(constraint, |_| true) else { return };
+/// twice, by the same. Returns that variable and the combination.
+fn satisfy<N: Level>(
+    constraint: &Row<N>,
+    rows: [&mut PointRows<N>; 2],
+    step: usize,
+    joining: &mut Joining<'_, N>,
+) -> Option<(usize, Row<N>)> {
+    let pivot = largest(constraint, |_| true)?;
     let Some(by) = solved(constraint, &pivot) else {
         joining.failure = Some(Failure::Redundant(step));
-        return;
+        return None;
     };
     joining.substitute(pivot.variable, &by);
     for row in rows.into_iter().flatten().flatten() {
         *row = row.substituted(pivot.variable, &by);
     }
+    Some((pivot.variable, by))
 }
 
 /// Whether a coefficient is 1 or -1 exactly, and the least size that it may have.

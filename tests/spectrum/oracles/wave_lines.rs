@@ -81,7 +81,9 @@ impl Web {
                     let phase = rate * length;
                     let is_travelling = !wave.is_negative();
                     if is_travelling {
-                        held += (phase / number(core::f64::consts::PI)).to_f64().floor() as u64;
+                        held += (phase / (number(core::f64::consts::PI) + number(1.224_646_799_147_353_2e-16)))
+                            .to_f64()
+                            .floor() as u64;
                     }
                     // far beyond the range of a hyperbolic sine nothing comes through
                     let (sin, cos) = match phase.to_f64() {

@@ -103,6 +103,11 @@ impl<'a, T: Real> Certification<'a, T> {
     /// Why a count near a frequency is not proven: something is held twice, or rounding decides it.
     #[cold]
     pub(crate) fn refused(&mut self, near: T) -> SearchError {
+        #[cfg(feature = "std")]
+        if std::env::var("DEBUG_PROOF").is_ok() {
+            let b = self.prover.bounds(near, 1.0);
+            std::eprintln!("refused near {near:?}: {:?} {b:?}", self.prover.failure);
+        }
         if let Some(Failure::Redundant(step)) = self.prover.failure {
             return SearchError::Zero { points: FAR_APART.len(), at: Some(self.prover.spot(step)) };
         }
