@@ -50,7 +50,7 @@ pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub use element::member_gradient::{MemberGradient, MemberWork};
 pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
-pub use element::member_numbers::MemberNumbers;
+pub use element::member_numbers::{MemberNumbers, OwnPart};
 pub use element::member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
 pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
@@ -108,6 +108,7 @@ pub use pass::network::{
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;
 pub use pass::overall::evaluate::Evaluate;
+pub use pass::own::own_part;
 pub use pass::planned_list::{InList, ListParameter, PerParameter, PlannedList, Room};
 pub use pass::side_by_side::Lanewise;
 pub use pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};

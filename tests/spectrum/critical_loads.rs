@@ -50,7 +50,7 @@ system! {
     pinned -> beam_column 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: force } -> pinned
 }
 
-fn loads<const N: usize, Y: mstmm::search::System<Parameter = f64>>(
+fn loads<const N: usize, Y: mstmm::search::Undamped<Parameter = f64>>(
     end: f64,
     build: impl FnMut(f64) -> Result<Y, mstmm::element::ParameterError>,
 ) -> Vec<CriticalLoad> {

@@ -105,6 +105,26 @@ pub enum MemberNumbers {
     Body(BodyNumbers),
 }
 
+/// What an element that is no numbers is at a frequency, as far as it is known: no bound of its rounding is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OwnPart {
+    /// The stiffness of its input end, that between both ends and that of its output end, and the number of its frequencies below with both ends
+    /// held.
+    Stiffness {
+        /// The three stiffnesses.
+        stiffness: [Exact; 3],
+        /// The number of frequencies.
+        held: f64,
+    },
+    /// Its output end moves so many times as far as its input end, against a stiffness.
+    Tie {
+        /// The ratio of both displacements.
+        ratio: Exact,
+        /// The stiffness against that of the input end.
+        stiffness: Exact,
+    },
+}
+
 impl MemberNumbers {
     /// A uniform line in the freedom of an index, 0 along the member or 2 about z, as long as its parameter says:
     /// `H y'' = (mλ² + k) y` with the length, H, m and k.

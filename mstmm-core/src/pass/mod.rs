@@ -9,6 +9,7 @@ pub(crate) mod jump;
 pub(crate) mod model;
 pub(crate) mod network;
 pub(crate) mod overall;
+pub(crate) mod own;
 pub(crate) mod phase;
 pub(crate) mod planned_list;
 pub(crate) mod route;

@@ -1,5 +1,6 @@
 //! What searches ask of a system: a pass at numbers of several types.
 
+use crate::element::OwnPart;
 use crate::number::{Dual, InLanes, Real};
 use crate::pass::characteristic::{Characteristic, System};
 use num_complex::Complex;
@@ -35,7 +36,13 @@ impl<Y> RealPasses for Y where
     note = "say where its points are, `conn a at (x, y)`: then every search is there",
     note = "without places there are `overall_matrix` and `overall_determinant`: search that for roots by `fmin1d`"
 )]
-pub trait Undamped: RealPasses {}
+pub trait Undamped: RealPasses {
+    /// The element of a step that is known by its step of the plane method alone, at ω, which is the sum of two words.
+    #[doc(hidden)]
+    fn own_part(&self, _step: usize, _omega: [f64; 2]) -> Option<OwnPart> {
+        None
+    }
+}
 
 /// The passes of a search for eigenvalues: Δ and its derivative in the precision of the parameters and in extended precision.
 #[doc(hidden)]

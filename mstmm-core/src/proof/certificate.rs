@@ -5,7 +5,7 @@
 
 use crate::model::Spot;
 use crate::number::{Real, Scalar};
-use crate::proof::count::{Memory, Outcome, Side, signed_square};
+use crate::proof::count::{At, Memory, Outcome, Side};
 use crate::proof::four_words::FourWords;
 use crate::proof::joining::Failure;
 use crate::proof::number::TwoWords;
@@ -89,15 +89,15 @@ impl<'a> Prover<'a> {
 
     /// A bound of the count at `sign ω²`.
     pub(crate) fn bound_at<T: Real>(&mut self, omega: T, sign: f64, side: Side, precision: Precision) -> Bound {
-        let (words, toward) = (omega.words(), side.toward());
+        let words = omega.words();
         let outcome = match precision {
             Precision::Two => {
                 self.runs += 1;
-                self.memory.run::<TwoWords<f64>>(self.model, signed_square(words, sign), toward)
+                self.memory.run::<TwoWords<f64>>(self.model, At::new(words, sign, side))
             }
             Precision::Four => {
                 self.long_runs += 1;
-                self.memory.run::<FourWords>(self.model, signed_square(words, sign), toward)
+                self.memory.run::<FourWords>(self.model, At::new(words, sign, side))
             }
         };
         match outcome {

@@ -45,6 +45,9 @@ pub(crate) struct Outcome<W> {
 
 /// A run in progress.
 struct Run<'m, N: Number> {
+    model: &'m dyn Visited,
+    /// The frequency, as the sum of two words.
+    omega: [f64; 2],
     joining: Joining<'m, N>,
     paths: Paths<N>,
     nodes: Nodes,
@@ -58,7 +61,11 @@ impl<N: Level> Visitor for Run<'_, N> {
     fn element(&mut self, step: usize, input: usize, space: Space, numbers: &MemberNumbers) {
         self.joining.front.total.place = step;
         if self.joining.failure.is_none() {
-            self.paths.element([step, input], space, numbers, &mut self.joining);
+            let own = match numbers {
+                MemberNumbers::Other => self.model.own_part(step, self.omega),
+                _ => None,
+            };
+            self.paths.element([step, input], space, (numbers, own), &mut self.joining);
         }
     }
 
@@ -98,14 +105,14 @@ impl<N: Level> Visitor for Run<'_, N> {
 
 /// A run at ω², of either sign, in memory for a front.
 #[inline(always)]
-pub(crate) fn run<N: Level>(
-    model: &dyn Visited,
-    (entries, variables): (&mut [N], &mut [Variable<N::Word>]),
-    square: Ball<N>,
-    toward: N::Word,
+pub(crate) fn run<'m, N: Level>(
+    model: &'m dyn Visited,
+    (entries, variables): (&'m mut [N], &'m mut [Variable<N::Word>]),
+    at: At<N>,
 ) -> Result<Outcome<N::Word>, Failure> {
+    let At { square, toward, omega } = at;
     let front = Front::new(entries, variables, toward);
-    let mut run = Run { joining: Joining::new(front, square), paths: Paths::new(), nodes: Nodes::new() };
+    let mut run = Run { model, omega, joining: Joining::new(front, square), paths: Paths::new(), nodes: Nodes::new() };
     model.visit(&mut run);
     let Joining { front, held, failure, .. } = run.joining;
     if let Some(failure) = failure {
@@ -132,15 +139,14 @@ impl Memory {
     pub(crate) fn run<N: Level<Word = f64>>(
         &mut self,
         model: &dyn Visited,
-        square: Ball<N>,
-        toward: f64,
+        at: At<N>,
     ) -> Result<Outcome<f64>, Failure> {
         loop {
             let outcome = match self.class {
-                0 => on_stack::<N, 8, 36>(model, square, toward),
-                1 => on_stack::<N, 24, 300>(model, square, toward),
-                2 => on_stack::<N, 64, 2080>(model, square, toward),
-                class => return beyond_stack(class, model, square, toward),
+                0 => on_stack::<N, 8, 36>(model, at),
+                1 => on_stack::<N, 24, 300>(model, at),
+                2 => on_stack::<N, 64, 2080>(model, at),
+                class => return beyond_stack(class, model, at),
             };
             match outcome {
                 Err(Failure::Full) => self.class += 1,
@@ -154,27 +160,21 @@ impl Memory {
 #[inline(never)]
 fn on_stack<N: Level, const W: usize, const E: usize>(
     model: &dyn Visited,
-    square: Ball<N>,
-    toward: N::Word,
+    at: At<N>,
 ) -> Result<Outcome<N::Word>, Failure> {
     let (mut entries, mut variables) = ([N::of(0.0); E], [Variable::none(); W]);
-    run(model, (&mut entries, &mut variables), square, toward)
+    run(model, (&mut entries, &mut variables), at)
 }
 
 /// A run for a front that is too wide for the stack.
 #[cfg(feature = "std")]
 #[inline(never)]
-fn beyond_stack<N: Level<Word = f64>>(
-    _class: usize,
-    model: &dyn Visited,
-    square: Ball<N>,
-    toward: f64,
-) -> Result<Outcome<f64>, Failure> {
+fn beyond_stack<N: Level<Word = f64>>(_class: usize, model: &dyn Visited, at: At<N>) -> Result<Outcome<f64>, Failure> {
     /// Variables of the widest front.
     const WIDEST: usize = 512;
     let mut entries = std::vec![N::of(0.0); WIDEST * (WIDEST + 1) / 2];
     let mut variables = std::vec![Variable::none(); WIDEST];
-    run(model, (&mut entries, &mut variables), square, toward)
+    run(model, (&mut entries, &mut variables), at)
 }
 
 /// Without `std` there is no memory but the stack.
@@ -182,14 +182,32 @@ fn beyond_stack<N: Level<Word = f64>>(
 fn beyond_stack<N: Level<Word = f64>>(
     _class: usize,
     _model: &dyn Visited,
-    _square: Ball<N>,
-    _toward: f64,
+    _at: At<N>,
 ) -> Result<Outcome<f64>, Failure> {
     Err(Failure::Full)
 }
 
+/// Where a run is made, and to which side.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct At<N: Number> {
+    /// ω², of either sign.
+    square: Ball<N>,
+    /// -1 for a bound from above, 1 for one from below.
+    toward: N::Word,
+    /// ω of the first lane as the sum of two words; 0 where ω² is negative.
+    omega: [f64; 2],
+}
+
+impl<N: Level<Word = f64>> At<N> {
+    /// At `sign ω²`, where ω is the sum of two words.
+    pub(crate) fn new(omega: [f64; 2], sign: f64, side: Side) -> Self {
+        let of_elements = if sign < 0.0 { [0.0; 2] } else { omega };
+        At { square: signed_square(omega, sign), toward: side.toward(), omega: of_elements }
+    }
+}
+
 /// ω², of the sign of ω, of a frequency that is the sum of two words.
-pub(crate) fn signed_square<N: Level>(omega: [N::Word; 2], sign: f64) -> Ball<N> {
+fn signed_square<N: Level>(omega: [N::Word; 2], sign: f64) -> Ball<N> {
     let [hi, lo] = omega;
     let square = if lo.vanishes() {
         Ball::of_product(hi, hi)

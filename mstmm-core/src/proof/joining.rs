@@ -220,6 +220,14 @@ impl<'m, N: Level> Joining<'m, N> {
         self.add_member(member, rows, [mixed * inverse, mixed, moment], [false, true, false, true]);
     }
 
+    /// Adds a stiffness between two rows that nobody has proven, with its count with held ends.
+    pub(crate) fn add_counted(&mut self, stiffness: [Exact; 3], held: f64, rows: &[Row<N>; 2]) {
+        let stiffness: [Ball<N>; 3] = stiffness.map(Ball::of_pair);
+        let size = stiffness.map(|entry| entry.mid.size().first());
+        self.add(stiffness, rows, [size[0].max(size[1]), size[2].max(size[1])]);
+        self.held = self.held + N::Word::of(held);
+    }
+
     /// Adds a tapered beam piece by piece. The last inner end leaves behind the first end of the beam: before that its pivot is a pole where
     /// the beam vibrates between held ends.
     pub(crate) fn add_tapered(&mut self, numbers: &TaperedNumbers, rows: &[Row<N>; 4]) {

@@ -1,6 +1,6 @@
 //! A tree step by step: each open path has at most two variables, of which displacement and rotation at its end are rows.
 
-use crate::element::MemberNumbers;
+use crate::element::{MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining};
@@ -70,7 +70,7 @@ impl<N: Level> Paths<N> {
         &mut self,
         [step, input]: [usize; 2],
         space: Space,
-        numbers: &MemberNumbers,
+        part: (&MemberNumbers, Option<OwnPart>),
         joining: &mut Joining<'_, N>,
     ) {
         let path = self.take(input);
@@ -78,7 +78,7 @@ impl<N: Level> Paths<N> {
             Some(support) => of_support(support, space, joining),
             None => path.rows,
         };
-        let rows = through(rows, step, numbers, joining);
+        let rows = through(rows, step, part, joining);
         self.open(Path { step, support: None, rows }, joining);
     }
 
@@ -279,14 +279,34 @@ impl Variables {
 fn through<N: Level>(
     rows: PointRows<N>,
     step: usize,
-    numbers: &MemberNumbers,
+    (numbers, own_part): (&MemberNumbers, Option<OwnPart>),
     joining: &mut Joining<'_, N>,
 ) -> PointRows<N> {
     let wide = |row: Option<Row<N, 2>>| row.map_or(Row::none(), |row| row.widened::<{ TERMS }>());
     let [y, theta] = rows.map(wide);
     let mut next = rows;
     match numbers {
-        MemberNumbers::Other => joining.failure = Some(Failure::NotInNumbers),
+        MemberNumbers::Other => {
+            let index = usize::from(rows[0].is_none());
+            let Some(part) = own_part else {
+                joining.failure = Some(Failure::NotInNumbers);
+                return next;
+            };
+            match part {
+                OwnPart::Tie { ratio, stiffness } => {
+                    let mut row = Row::none();
+                    row.add(&[y, theta][index], Ball::of_pair(ratio));
+                    joining.add_term(Ball::of_pair(stiffness), &[y, theta][index]);
+                    next[index] = Some(row);
+                    return next;
+                }
+                OwnPart::Stiffness { stiffness, held } => {
+                    let own = Row::<N, 2>::of(joining.enter());
+                    joining.add_counted(stiffness, held, &[[y, theta][index], own.widened()]);
+                    next[index] = Some(own);
+                }
+            }
+        }
         MemberNumbers::Body(body) => {
             let [mass, inertia, centre] = [body.mass, body.inertia, body.centre_x].map(Ball::of_pair);
             let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };

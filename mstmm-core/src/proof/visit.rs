@@ -1,6 +1,6 @@
 //! The visit: a model names its parts one after the other, and adds no other code to a proof.
 
-use crate::element::{Exact, MemberNumbers};
+use crate::element::{Exact, MemberNumbers, OwnPart};
 use crate::model::Spot;
 use mstmm_plan::{Freedoms, Scheme, Space, Step, Support};
 
@@ -29,23 +29,43 @@ pub(crate) trait Visited {
     fn visit(&self, visitor: &mut dyn Visitor);
     /// What a node or a step is called.
     fn spot(&self, place: usize) -> Spot;
+    /// The element of a step that is not known in numbers, at ω, which is the sum of two words.
+    fn own_part(&self, step: usize, omega: [f64; 2]) -> Option<OwnPart>;
 }
 
-/// Whether all parts of a model are known in numbers.
-pub(crate) fn is_in_numbers(model: &dyn Visited) -> bool {
-    let mut known = Known(true);
+/// How much is known of the parts of a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Knowledge {
+    /// All are known in numbers: what is counted is proven.
+    Numbers,
+    /// Some are known by their stiffness at a frequency: they are counted without a proof.
+    Stiffnesses,
+    /// Some are not known.
+    Nothing,
+}
+
+/// How much is known of the parts of a model.
+pub(crate) fn knowledge_of(model: &dyn Visited) -> Knowledge {
+    let mut known = Known { model, knowledge: Knowledge::Numbers };
     model.visit(&mut known);
-    known.0
+    known.knowledge
 }
 
-/// Looks whether all parts are known in numbers.
-struct Known(bool);
+/// Looks how much is known of all parts.
+struct Known<'a> {
+    model: &'a dyn Visited,
+    knowledge: Knowledge,
+}
 
-impl Visitor for Known {
+impl Visitor for Known<'_> {
     fn tip(&mut self, _: usize, _: Support) {}
 
-    fn element(&mut self, _: usize, _: usize, _: Space, numbers: &MemberNumbers) {
-        self.0 &= !matches!(numbers, MemberNumbers::Other);
+    fn element(&mut self, step: usize, _: usize, _: Space, numbers: &MemberNumbers) {
+        if !matches!(numbers, MemberNumbers::Other) || self.knowledge == Knowledge::Nothing {
+            return;
+        }
+        let is_known = self.model.own_part(step, [1.0, 0.0]).is_some();
+        self.knowledge = if is_known { Knowledge::Stiffnesses } else { Knowledge::Nothing };
     }
 
     fn connection(&mut self, _: usize, _: &[usize], _: Option<Space>) {}
@@ -53,7 +73,9 @@ impl Visitor for Known {
     fn root(&mut self, _: usize, _: Support) {}
 
     fn member(&mut self, numbers: &MemberNumbers, _: &[MemberEnd; 2], _: usize) {
-        self.0 &= !matches!(numbers, MemberNumbers::Other);
+        if matches!(numbers, MemberNumbers::Other) {
+            self.knowledge = Knowledge::Nothing;
+        }
     }
 
     fn body(&mut self, _: &NodeNumbers, _: Exact, _: Exact, _: [Exact; 2]) {}

@@ -1,8 +1,8 @@
 //! Critical loads: the factors of a load at which a structure at rest loses its stability, certified by counts.
 
 use crate::model::{LoadError, ParameterError, SearchError};
-use crate::number::{List, Parameter, Real, Scalar};
-use crate::pass::characteristic::System;
+use crate::number::{InLanes, List, Parameter, Real, Scalar};
+use crate::pass::searched::Undamped;
 use crate::proof::certificate::{Bound, Precision, Prover, zero_of};
 use crate::proof::count::Side;
 use crate::search::closed_range::ClosedRange;
@@ -63,7 +63,7 @@ impl<T, const CAP: usize> Deref for CriticalLoads<T, CAP> {
 ///
 /// # Source
 /// Wittrick and Williams for buckling: the count of clamped elements and of signs at ω = 0.
-pub fn critical_loads<const CAP: usize, Y: System>(
+pub fn critical_loads<const CAP: usize, Y: Undamped>(
     factors: impl ClosedRange<Y::Parameter>,
     build: impl FnMut(Y::Parameter) -> Result<Y, ParameterError>,
 ) -> Result<CriticalLoads<Y::Parameter, CAP>, LoadError> {
@@ -97,10 +97,10 @@ struct Search<T, F> {
     least: T,
 }
 
-impl<T: Real, F> Search<T, F> {
+impl<T: Real + InLanes, F> Search<T, F> {
     fn all<Y, const CAP: usize>(&mut self, start: T, end: T) -> Result<CriticalLoads<T, CAP>, LoadError>
     where
-        Y: System<Parameter = T>,
+        Y: Undamped<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
     {
         let mut found = List::<CriticalLoad<T>, CAP>::new();
@@ -147,7 +147,7 @@ impl<T: Real, F> Search<T, F> {
     /// Bounds of the number of motions that grow under a factor of the load.
     fn sample<Y>(&mut self, factor: T) -> Result<Sample<T>, LoadError>
     where
-        Y: System<Parameter = T>,
+        Y: Undamped<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
     {
         let at = factor.to_f64();
@@ -171,7 +171,7 @@ impl<T: Real, F> Search<T, F> {
     /// The end of a range; where rounding decides how many motions grow there, one beside it.
     fn end<Y>(&mut self, factor: T, is_upper: bool) -> Result<Sample<T>, LoadError>
     where
-        Y: System<Parameter = T>,
+        Y: Undamped<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
     {
         let mut sample = self.sample::<Y>(factor)?;
@@ -188,7 +188,7 @@ impl<T: Real, F> Search<T, F> {
     /// The single load of a bracket with proven ends, by the secant method and halves.
     fn single<Y>(&mut self, mut lower: Sample<T>, mut upper: Sample<T>) -> Result<CriticalLoad<T>, LoadError>
     where
-        Y: System<Parameter = T>,
+        Y: Undamped<Parameter = T>,
         F: FnMut(T) -> Result<Y, ParameterError>,
     {
         let before = lower.most;

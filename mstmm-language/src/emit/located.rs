@@ -51,7 +51,7 @@ pub(crate) fn located(
     let motions = system::motions(skeleton, &names);
     let overall = overall::overall(skeleton, &names);
     let system = system::system(skeleton, &names);
-    let searched = searched::searched(&names);
+    let searched = searched::searched(None, &names);
     let unused = fields::unused(model, &names);
     Ok(quote_spanned! {names.here=>
         #parameters

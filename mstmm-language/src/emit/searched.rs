@@ -1,19 +1,25 @@
 //! Emits that a built system can be searched, as far as the macro knows.
 
-use super::Names;
+use super::{Names, element_field};
+use crate::plan::Plan;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
-/// `impl Undamped` and `impl Spectrum`. What elements lack for them, such as a real frequency where something is damped, rustc says.
-pub(super) fn searched(names: &Names) -> TokenStream {
+/// `impl Undamped` and `impl Spectrum`. What elements lack for them, such as a real frequency where something is damped, rustc says. A tree has
+/// a plan.
+pub(super) fn searched(plan: Option<&Plan<'_>>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
+    let plan = plan.filter(|plan| plan.has_own_types());
+    let (bounds, own_part) = plan.map(|plan| own_part(plan, names)).unwrap_or_default();
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter> #private::search::Undamped for #system<#parameter>
         where
             #parameter: #private::Real + #private::InLanes,
             Self: #private::search::RealPasses,
+            #bounds
         {
+            #own_part
         }
 
         #[automatically_derived]
@@ -23,4 +29,34 @@ pub(super) fn searched(names: &Names) -> TokenStream {
         {
         }
     }
+}
+
+/// What elements of the user's own are asked for, and the visit of one of them: for counts without a proof where they tell no numbers.
+fn own_part(plan: &Plan<'_>, names: &Names) -> (TokenStream, TokenStream) {
+    let Names { private, parameter, .. } = names;
+    let own = plan.elements.iter().enumerate().filter(|(_, element)| element.kind.known().is_none());
+    let own: Vec<_> = own.collect();
+    let extended = quote_spanned!(names.here=> <#parameter as #private::Real>::Extended);
+    let bounds = own.iter().map(|(_, element)| {
+        let span = names.at_element(element);
+        let kind = names.element(element);
+        quote_spanned!(span=> #kind: #private::PlaneStep<#extended>,)
+    });
+    let parts = own.iter().map(|(index, element)| {
+        let (steps, field, kind) = (plan.steps_of(*index), element_field(element, names), names.element(element));
+        quote_spanned! {names.at_element(element)=>
+            #(#steps)|* => #private::own_part::<#kind, #extended>(&self.#field, omega),
+        }
+    });
+    let (index, word) =
+        (quote_spanned!(names.here=> ::core::primitive::usize), quote_spanned!(names.here=> ::core::primitive::f64));
+    let body = quote_spanned! {names.here=>
+        fn own_part(&self, step: #index, omega: [#word; 2]) -> ::core::option::Option<#private::OwnPart> {
+            match step {
+                #(#parts)*
+                _ => ::core::option::Option::None,
+            }
+        }
+    };
+    (quote_spanned!(names.here=> #(#bounds)*), body)
 }

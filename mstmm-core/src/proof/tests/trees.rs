@@ -1,18 +1,15 @@
 //! Counts of small trees with closed forms.
 
 use crate::elements::{Beam, Mass, Spring};
-use crate::pass::characteristic::System;
-use crate::proof::count::{Memory, Side, signed_square};
+use crate::pass::searched::Undamped;
+use crate::proof::count::{At, Memory, Side};
 use crate::proof::number::TwoWords;
 use crate::search::undamped::proven::Parts;
 use crate::{AnyUndamped, ListStep, StepList, Support};
 
-fn bounds<Y: System>(system: &Y, omega: f64) -> [f64; 2] {
+fn bounds<Y: Undamped>(system: &Y, omega: f64) -> [f64; 2] {
     [Side::AtLeast, Side::AtMost].map(|side| {
-        Memory::default()
-            .run::<TwoWords<f64>>(&Parts(system), signed_square([omega, 0.0], 1.0), side.toward())
-            .unwrap()
-            .count
+        Memory::default().run::<TwoWords<f64>>(&Parts(system), At::new([omega, 0.0], 1.0, side)).unwrap().count
     })
 }
 

@@ -52,7 +52,10 @@ pub trait NaturalFrequencies: System {
                 }
                 certification.count(omega)
             }
-            None => Ok(counted_pass(self, omega, WittrickWilliams::<f64>::default()).0.below()),
+            None => {
+                check_counted_stability(self)?;
+                Ok(counted_pass(self, omega, WittrickWilliams::<f64>::default()).0.below())
+            }
         }
     }
 
@@ -108,7 +111,7 @@ pub trait NaturalFrequencies: System {
         }
         match certification(self, &Parts(self)) {
             Some(mut certification) => certification.unstable_modes(),
-            None => Err(SearchError::Unproven { near: 0.0, at_most: u64::MAX, at_least: 0 }),
+            None => counted_unstable_modes(self),
         }
     }
 
@@ -236,7 +239,7 @@ fn ends<T: Real>(range: impl ClosedRange<T>) -> [T; 2] {
 
 /// What proves claims about a system; none without the feature `judge`, and where a part of it is not known in numbers.
 #[inline]
-pub(crate) fn certification<'a, Y: System + ?Sized>(
+pub(crate) fn certification<'a, Y: Undamped + ?Sized>(
     system: &Y,
     parts: &'a Parts<'_, Y>,
 ) -> Option<Certification<'a, Y::Parameter>> {
@@ -287,7 +290,10 @@ where
     L: Store<NaturalFrequency<Y::Parameter>>,
 {
     let parts = Parts(system);
-    let Some(mut certification) = certification(system, &parts) else { return proposed() };
+    let Some(mut certification) = certification(system, &parts) else {
+        check_counted_stability(system)?;
+        return complete(proposed()?, sought);
+    };
     if const { Y::MAY_BUCKLE } && system.may_buckle() {
         certification.check_stability()?;
     }
@@ -301,6 +307,36 @@ where
         // the search knows better what is wrong with numbers
         Err(error @ SearchError::Unproven { .. }) => Err(proposals.err().filter(is_about_numbers).unwrap_or(error)),
         Err(error) => Err(error),
+    }
+}
+
+/// The number of motions that grow where nothing is proven: the count at rest, unless something rests.
+fn counted_unstable_modes<Y: Undamped + ?Sized>(system: &Y) -> Result<u64, SearchError> {
+    let (count, delta) = counted_pass(system, Y::Parameter::zero(), WittrickWilliams::<f64>::default());
+    let size = delta.mantissa().size();
+    if size.is_finite() && size > 0.0 {
+        return Ok(count.below());
+    }
+    Err(SearchError::Unproven { near: 0.0, at_most: u64::MAX, at_least: 0 })
+}
+
+/// Refuses a system with motions that grow where nothing is proven.
+fn check_counted_stability<Y: Undamped + ?Sized>(system: &Y) -> Result<(), SearchError> {
+    if const { !Y::MAY_BUCKLE } || !system.may_buckle() {
+        return Ok(());
+    }
+    match counted_unstable_modes(system)? {
+        0 => Ok(()),
+        modes => Err(SearchError::Unstable { modes }),
+    }
+}
+
+/// A list that nobody proves, if it is as long as was asked for.
+fn complete<T: Real, L: Store<NaturalFrequency<T>>>(found: Found<L>, sought: Sought<T>) -> Searched<L> {
+    let count = found.frequencies.last().map_or(0, |last| last.index + last.multiplicity - 1);
+    match sought {
+        Sought::Lowest(wanted) if count < wanted => Err(SearchError::TooFewRoots { found: count, wanted }),
+        _ => Ok(found),
     }
 }
 

@@ -1,13 +1,14 @@
 //! What a search proposes is proven, and what is not proven is bisected by proven counts: nobody has to trust the search.
 
+use crate::element::OwnPart;
 use crate::model::{FrequencyEstimates, SearchError, Spot};
 use crate::number::{Real, Store};
-use crate::pass::characteristic::System;
+use crate::pass::searched::Undamped;
 use crate::proof::bisection::Refusal;
 use crate::proof::certificate::{Claim, Precision, Proven, Prover};
 use crate::proof::count::Side;
 use crate::proof::joining::Failure;
-use crate::proof::visit::{Visited, Visitor, is_in_numbers};
+use crate::proof::visit::{Knowledge, Visited, Visitor, knowledge_of};
 use crate::search::room::add;
 use crate::search::undamped::found::{Found, NaturalFrequency};
 
@@ -29,13 +30,17 @@ const BEYOND: i32 = 30;
 /// The parts of a system.
 pub(crate) struct Parts<'a, Y: ?Sized>(pub(crate) &'a Y);
 
-impl<Y: System + ?Sized> Visited for Parts<'_, Y> {
+impl<Y: Undamped + ?Sized> Visited for Parts<'_, Y> {
     fn visit(&self, visitor: &mut dyn Visitor) {
         self.0.name_parts(visitor);
     }
 
     fn spot(&self, place: usize) -> Spot {
         self.0.spot_of(place)
+    }
+
+    fn own_part(&self, step: usize, omega: [f64; 2]) -> Option<OwnPart> {
+        self.0.own_part(step, omega)
     }
 }
 
@@ -54,18 +59,22 @@ pub(crate) struct Certification<'a, T> {
     estimates: FrequencyEstimates,
     /// The frequency beyond which a search gives up.
     limit: T,
+    /// Whether all parts are known in numbers.
+    is_proven: bool,
 }
 
 impl<'a, T: Real> Certification<'a, T> {
     /// Proofs for a system; none where a part is not known in numbers.
     pub(crate) fn new(parts: &'a dyn Visited, estimates: FrequencyEstimates) -> Option<Self> {
-        if !is_in_numbers(parts) {
+        let knowledge = knowledge_of(parts);
+        if knowledge == Knowledge::Nothing {
             return None;
         }
         let power = |exponent| T::one().times_power_of_two(exponent);
         let limit =
             if estimates.is_continuous() { T::from_f64(1e150) } else { power(estimates.highest_exponent() + BEYOND) };
-        Some(Certification { prover: Prover::new(parts), estimates, limit })
+        let is_proven = knowledge == Knowledge::Numbers;
+        Some(Certification { prover: Prover::new(parts), estimates, limit, is_proven })
     }
 
     /// Runs of the proof so far, in two words and in four.
@@ -103,11 +112,6 @@ impl<'a, T: Real> Certification<'a, T> {
     /// Why a count near a frequency is not proven: something is held twice, or rounding decides it.
     #[cold]
     pub(crate) fn refused(&mut self, near: T) -> SearchError {
-        #[cfg(feature = "std")]
-        if std::env::var("DEBUG_PROOF").is_ok() {
-            let b = self.prover.bounds(near, 1.0);
-            std::eprintln!("refused near {near:?}: {:?} {b:?}", self.prover.failure);
-        }
         if let Some(Failure::Redundant(step)) = self.prover.failure {
             return SearchError::Zero { points: FAR_APART.len(), at: Some(self.prover.spot(step)) };
         }
@@ -139,7 +143,14 @@ impl<'a, T: Real> Certification<'a, T> {
             _ => (0, T::zero()),
         };
         let last = match sought {
-            Sought::Range([_, end]) => self.end(end, true)?.0,
+            Sought::Range([_, end]) => match self.end(end, true) {
+                Ok((last, _)) => last,
+                // below what rests nothing tells frequencies from zero
+                Err(error) => match self.at_rest(None).filter(|(_, upper)| starts_at_rest && *upper >= end) {
+                    Some((modes, _)) => modes,
+                    None => return Err(error),
+                },
+            },
             Sought::Lowest(wanted) => wanted,
         };
         let rests = proposals.first().is_some_and(|root| root.omega.is_zero());
@@ -151,19 +162,20 @@ impl<'a, T: Real> Certification<'a, T> {
             if let Some(Claim::Proven(proven)) = claim {
                 proposals.next();
                 (settled, floor) = (proven.multiplicity, proven.upper);
-                push(&mut found, proven)?;
+                self.push(&mut found, proven)?;
             } else if let Some((modes, upper)) = self.at_rest(first) {
                 let rest = Proven { omega: T::zero(), lower: T::zero(), upper, index: 1, multiplicity: modes };
                 (settled, floor) = (modes, upper);
-                push(&mut found, rest)?;
+                self.push(&mut found, rest)?;
             }
         }
         while settled < last {
             let next = self.next(settled + 1, floor, &mut proposals);
             let proven = next.map_err(|refusal| self.error(refusal, last))?;
             (settled, floor) = (proven.index + proven.multiplicity - 1, proven.upper);
-            push(&mut found, proven)?;
+            self.push(&mut found, proven)?;
         }
+        self.include_twins(found.values());
         if let (true, Some(rest)) =
             (starts_at_rest, found.values().first().copied().filter(|root| root.omega.is_zero()))
         {
@@ -237,9 +249,21 @@ impl<'a, T: Real> Certification<'a, T> {
         rest.upper
     }
 
+    /// Adds to the last entry those frequencies behind it that are within the width of one entry.
+    fn include_twins(&mut self, found: &mut [NaturalFrequency<T>]) {
+        let Some(last) = found.last_mut().filter(|last| !last.omega.is_zero()) else { return };
+        let upper = last.lower + last.lower * T::from_f64(ONE_ENTRY * T::EPSILON);
+        let count = self.prover.bound_at(upper, 1.0, Side::AtLeast, Precision::Two).count;
+        if let Some(count) = count.filter(|count| *count > last.index + last.multiplicity - 1) {
+            (last.upper, last.multiplicity) = (upper, count - (last.index - 1));
+            last.omega = last.lower + (upper - last.lower) * T::from_f64(0.5);
+        }
+    }
+
     /// The count at the end of a range, which moves outward where rounding decides it, and that end.
     fn end(&mut self, end: T, is_upper: bool) -> Result<(u64, T), SearchError> {
-        let mut omega = if is_upper { end.next_above() } else { end.next_below() };
+        let away = end * T::from_f64(ONE_ENTRY * T::EPSILON);
+        let mut omega = if is_upper { end + away } else { end - away };
         for _ in 0..OUTWARD {
             if let Ok(count) = self.prover.count(omega, 1.0) {
                 return Ok((count, omega));
@@ -247,6 +271,20 @@ impl<'a, T: Real> Certification<'a, T> {
             omega = if is_upper { omega.next_above() } else { omega.next_below() };
         }
         Err(self.refused(end))
+    }
+
+    /// Adds a proven entry; frequencies within a few units in the last place are one entry with the one before.
+    fn push<L: Store<NaturalFrequency<T>>>(&self, found: &mut L, proven: Proven<T>) -> Result<(), SearchError> {
+        let Proven { omega, lower, upper, index, multiplicity } = proven;
+        if let Some(last) = found.values().last_mut()
+            && !last.omega.is_zero()
+            && upper - last.lower <= upper * T::from_f64(ONE_ENTRY * T::EPSILON)
+        {
+            last.omega = last.lower + (upper - last.lower) * T::from_f64(0.5);
+            (last.upper, last.multiplicity) = (upper, last.multiplicity + multiplicity);
+            return Ok(());
+        }
+        add(found, NaturalFrequency { omega, lower, upper, multiplicity, index, is_proven: self.is_proven })
     }
 
     /// What a refusal means to a search for so many frequencies.
@@ -257,20 +295,6 @@ impl<'a, T: Real> Certification<'a, T> {
             Refusal::Undecided { near } => self.refused(T::from_f64(near)),
         }
     }
-}
-
-/// Adds a proven entry; frequencies within a few units in the last place are one entry with the one before.
-fn push<T: Real, L: Store<NaturalFrequency<T>>>(found: &mut L, proven: Proven<T>) -> Result<(), SearchError> {
-    let Proven { omega, lower, upper, index, multiplicity } = proven;
-    if let Some(last) = found.values().last_mut()
-        && !last.omega.is_zero()
-        && upper - last.lower <= upper * T::from_f64(ONE_ENTRY * T::EPSILON)
-    {
-        last.omega = last.lower + (upper - last.lower) * T::from_f64(0.5);
-        (last.upper, last.multiplicity) = (upper, last.multiplicity + multiplicity);
-        return Ok(());
-    }
-    add(found, NaturalFrequency { omega, lower, upper, multiplicity, index, is_proven: true })
 }
 
 impl<L> Found<L> {
