@@ -367,7 +367,9 @@ fn frequencies_of_random_trees() {
         let mut below = 0;
         for root in &found {
             if root.omega > 0.0 {
-                let counts = [root.lower, root.upper].map(|omega| tree.web.count_below(wide(omega)));
+                // next to a pole of a line the oracle loses digits, which the interval has not room for
+                let room = root.omega * 4.0 * f64::EPSILON;
+                let counts = [root.lower - room, root.upper + room].map(|omega| tree.web.count_below(wide(omega)));
                 assert_eq!(counts, [below, below + root.multiplicity], "seed {seed} {root:?}: {:?}", tree.web);
             }
             below += root.multiplicity;

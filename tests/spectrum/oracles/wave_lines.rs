@@ -81,9 +81,10 @@ impl Web {
                     let phase = rate * length;
                     let is_travelling = !wave.is_negative();
                     if is_travelling {
-                        held += (phase / (number(core::f64::consts::PI) + number(1.224_646_799_147_353_2e-16)))
-                            .to_f64()
-                            .floor() as u64;
+                        // π in two words; the whole number below, which rounding to a double may pass
+                        let waves = phase / DoubleDouble::from_sum(core::f64::consts::PI, 1.224_646_799_147_353_2e-16);
+                        let whole = waves.to_f64().floor();
+                        held += if waves < number(whole) { whole - 1.0 } else { whole } as u64;
                     }
                     // far beyond the range of a hyperbolic sine nothing comes through
                     let (sin, cos) = match phase.to_f64() {

@@ -94,6 +94,9 @@ fn a_list_without_a_link_is_not_evaluated() {
     assert!(with.may_buckle() && !without.may_buckle());
     assert_eq!(without.unstable_modes(), Ok(0));
     let [found, expected] = [&with, &without].map(|list| list.first_frequencies::<2>().unwrap());
-    assert_eq!(found.evaluations(), expected.evaluations() + 2);
-    assert_eq!([found[0].omega, found[1].omega], [expected[0].omega, expected[1].omega]);
+    assert_eq!(found.evaluations(), expected.evaluations());
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!(expected.is_proven && !found.is_proven);
+        assert!(found.lower <= expected.omega && expected.omega <= found.upper, "{found:?} beside {expected:?}");
+    }
 }
