@@ -16,8 +16,8 @@
 //! exact elimination with the pivot d makes of the stored matrix. The front stores any `A_(k+1)`, and adds errors e' to the rows that stay,
 //! such that `S >= A_(k+1) - diag(e')`. When all variables have left, `neg(A)` is at most the number of negative d. With all signs turned,
 //! and `d >= (A_k)_kk + e_k`, it is at least that number. *Proof*: a lower diagonal entry only raises `neg`. What is added to the diagonal
-//! of a row that stays commutes with the elimination. Let e lose its entry k. Then `neg(A_k - diag e) <= [d < 0] + neg(S - diag e)`
-//! (Haynsworth). That is at most `[d < 0] + neg(A_(k+1) - diag(e + e'))`. Induction. ∎ Nothing is asked of the size of a pivot, of the
+//! of a row that stays commutes with the elimination. Let f be e without its entry k. Then `neg(A_k - diag e) <= [d < 0] + neg(S - diag f)`
+//! (Haynsworth). That is at most `[d < 0] + neg(A_(k+1) - diag(f + e'))`. Induction. ∎ Nothing is asked of the size of a pivot, of the
 //! order or of the condition: beside a small pivot the bound gets weak, not wrong. Parts may join rows that stay at any time.
 //!
 //! **T3, count** (Wittrick and Williams). `J = Σ held + neg(K)`. K is the dynamic stiffness of all parts, and `held` the number of
