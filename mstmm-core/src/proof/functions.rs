@@ -28,8 +28,9 @@ impl Level for crate::proof::number::OneWord {
     const TERMS: usize = 9;
 }
 
-/// Most quarter turns by which an angle is reduced: their products with parts of π/2 are exact in two words, and their bits in a word.
-const MOST_TURNS: f64 = 1_048_576.0;
+/// Most quarter turns by which an angle is reduced, `2^40`: their products with parts of π/2 are exact in two words, and a leading word tells
+/// a whole number of them from the next one.
+const MOST_TURNS: f64 = 1_099_511_627_776.0;
 
 /// An exponent beyond which `e^-x` is a ball about zero.
 const MOST_DECAY: f64 = 650.0;

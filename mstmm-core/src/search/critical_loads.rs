@@ -19,6 +19,9 @@ const STEPS: usize = 160;
 /// Width of an interval, in units of eps, that holds several loads or one that rounding cannot narrow: more bisection separates nothing.
 const WIDEST: f64 = 4.0;
 
+/// Where a bracket is divided: beside a load that is at one of these the next one does.
+const SHARES: [f64; 4] = [0.5, 0.44, 0.57, 0.3];
+
 /// Binary exponent of the part of a range below which a factor counts as zero.
 const ZERO_EXPONENT: i32 = -60;
 
@@ -121,13 +124,13 @@ impl<T: Real + InLanes, F> Search<T, F> {
             } else if lower.most == lower.least && upper.least == lower.most + 1 && upper.most == upper.least {
                 Some(self.single::<Y>(lower, upper)?)
             } else {
-                let middle = lower.factor + (upper.factor - lower.factor) * T::from_f64(0.5);
-                let is_between = lower.factor < middle && middle < upper.factor;
-                if is_between {
-                    let middle = self.sample::<Y>(middle)?;
+                if let Some(middle) = self.between::<Y>(&lower, &upper)? {
                     waiting.push(upper).map_err(|lost| unproven(&lost))?;
                     upper = middle;
                     continue;
+                }
+                if upper.factor - lower.factor > narrow * T::from_f64(SHARES.len() as f64) {
+                    return Err(unproven(&upper).into());
                 }
                 Some(interval(&lower, &upper))
             };
@@ -137,6 +140,24 @@ impl<T: Real + InLanes, F> Search<T, F> {
             let Some(next) = waiting.pop() else { return Ok(CriticalLoads(found)) };
             (lower, upper) = (upper, next);
         }
+    }
+
+    /// A sample between two others whose count is decided, if there is one.
+    fn between<Y>(&mut self, lower: &Sample<T>, upper: &Sample<T>) -> Result<Option<Sample<T>>, LoadError>
+    where
+        Y: Undamped<Parameter = T>,
+        F: FnMut(T) -> Result<Y, ParameterError>,
+    {
+        for share in SHARES {
+            let factor = lower.factor + (upper.factor - lower.factor) * T::from_f64(share);
+            if lower.factor < factor && factor < upper.factor {
+                let sample = self.sample::<Y>(factor)?;
+                if sample.least == sample.most {
+                    return Ok(Some(sample));
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// The size of a factor, no less than what counts as zero.
@@ -182,7 +203,11 @@ impl<T: Real + InLanes, F> Search<T, F> {
             let away = self.size(factor) * T::from_f64(steps * T::EPSILON);
             sample = self.sample::<Y>(if is_upper { factor + away } else { factor - away })?;
         }
-        if sample.least == sample.most { Ok(sample) } else { Err(SearchError::Zero { points: 5, at: None }.into()) }
+        match sample {
+            Sample { most: u64::MAX, .. } => Err(unproven(&sample).into()),
+            Sample { least, most, .. } if least < most => Err(SearchError::Zero { points: 5, at: None }.into()),
+            _ => Ok(sample),
+        }
     }
 
     /// The single load of a bracket with proven ends, by the secant method and halves.
@@ -208,22 +233,14 @@ impl<T: Real + InLanes, F> Search<T, F> {
                 _ => half,
             };
             let sample = self.sample::<Y>(if is_between(secant) { secant } else { half })?;
-            if sample.most <= before {
-                lower = sample;
-            } else if sample.least > before {
-                upper = sample;
-            } else if upper.factor - lower.factor <= self.size(upper.factor) * T::from_f64(WIDEST * T::EPSILON) {
-                break;
-            } else {
-                let sample = self.sample::<Y>(half)?;
-                if sample.most <= before {
-                    lower = sample;
-                } else if sample.least > before {
-                    upper = sample;
-                } else {
-                    return Err(unproven(&sample).into());
-                }
-            }
+            let sample = match sample.least == sample.most {
+                true => sample,
+                false => match self.between::<Y>(&lower, &upper)? {
+                    Some(sample) => sample,
+                    None => break,
+                },
+            };
+            if sample.most <= before { lower = sample } else { upper = sample }
         }
         Ok(interval(&lower, &upper))
     }

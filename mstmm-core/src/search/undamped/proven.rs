@@ -115,10 +115,11 @@ impl<'a, T: Real> Certification<'a, T> {
         if let Some(Failure::Redundant(step)) = self.prover.failure {
             return SearchError::Zero { points: FAR_APART.len(), at: Some(self.prover.spot(step)) };
         }
-        let scale = if near > T::zero() { near } else { T::one().times_power_of_two(self.estimates.lowest_exponent()) };
+        // about the lowest frequencies all parts are known, whatever is asked for
+        let scale = T::one().times_power_of_two(self.estimates.lowest_exponent());
         let is_nowhere_decided =
             FAR_APART.iter().all(|part| self.prover.count(scale * T::from_f64(*part), 1.0).is_err());
-        if is_nowhere_decided {
+        if is_nowhere_decided && self.prover.failure.is_none() {
             let at = self.prover.spot(self.prover.smallest_at);
             return SearchError::Zero { points: FAR_APART.len(), at: Some(at) };
         }
