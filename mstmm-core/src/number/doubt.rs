@@ -42,30 +42,8 @@ pub(crate) fn is_last<T: Real, P: Real>() -> bool {
     is_extended::<T, P>() || refuses_doubt::<T>()
 }
 
-/// Whether Δ near a root is smaller, compared with its terms, than near a well-conditioned root.
-#[inline(always)]
-pub(crate) fn is_ill_conditioned<S: Scalar>(sum: S::Size, terms: S::Size) -> S::Truth {
-    (sum * S::Size::of(CONDITION)).is_below(terms * S::Size::of(NEAR * S::EPSILON))
-}
-
-/// Relative distance of two roots below which rounding may have split a root of multiplicity 2 or 3.
-pub(crate) const TOUCHING: f64 = 1e-5;
-
 /// Radius of the circle around an eigenvalue, in units of rounding of its modulus, beyond which rounding has widened it.
 pub(crate) const USUAL_ERROR: f64 = 20.0;
-
-/// Binary exponent of the factor below the lowest estimate of a frequency at which rounding may have moved a root from zero.
-pub(crate) const NEARLY_ZERO_EXPONENT: i32 = 20;
-
-/// Least and largest growth of Δ across a root, by its slope beside it, that rounding leaves alone.
-const STRAIGHT: (f64, f64) = (0.5, 2.0);
-
-/// Whether the growth of Δ across a root, over that which its slope beside it gives, fits it, as it does unless rounding rules there.
-#[inline]
-pub(crate) fn is_straight<T: Real>(ratio: T) -> bool {
-    let (least, greatest) = STRAIGHT;
-    ratio > T::from_f64(least) && ratio < T::from_f64(greatest)
-}
 
 /// Misfit of the states of a motion, in units of rounding, from which on the motion is computed again in extended precision.
 pub(crate) const MISFIT: f64 = 1e3;
