@@ -86,7 +86,6 @@ pub use number::frequency::{
     ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, MayDecay, Oscillation, Parameter, Real, RealFrequency,
 };
 pub use number::frequency_powers::FrequencyPowers;
-pub use number::growth::Growth;
 pub use number::packed::InLanes;
 pub use number::partials::Partials;
 pub use number::scalar::{LONGEST_IN_LANES, Scalar, Single};

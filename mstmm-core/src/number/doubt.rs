@@ -17,9 +17,6 @@ pub(crate) const ROUNDINGS: f64 = 16.0;
 /// Δ over the whole frequency.
 pub(crate) const CONDITION: f64 = 4.0;
 
-/// Distance from a root, in units of rounding, at which its counts are taken and its circle is looked at.
-pub(crate) const NEAR: f64 = 8.0;
-
 /// Difference between the roots that two points on a circle predict, as a part of the radius, beyond which extended precision has
 /// to prove the root.
 pub(crate) const NOISE: f64 = 0.2;

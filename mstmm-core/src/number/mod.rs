@@ -12,7 +12,6 @@ pub(crate) mod fixed_list;
 pub(crate) mod floats;
 pub(crate) mod frequency;
 pub(crate) mod frequency_powers;
-pub(crate) mod growth;
 pub(crate) mod kernel;
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 pub(crate) mod lanes;
@@ -46,7 +45,6 @@ pub(crate) use frequency::{
     modulus, smaller,
 };
 pub(crate) use frequency_powers::FrequencyPowers;
-pub(crate) use growth::Growth;
 pub(crate) use packed::{InLanes, Packed, Parameters, Task, run};
 pub(crate) use partials::Partials;
 pub(crate) use scalar::{Scalar, Single, series, twice};
