@@ -1,27 +1,26 @@
 //! Limits beyond which rounding makes a result doubtful.
 //!
-//! Passes watch for sums that cancel, searches for roots that touch, shapes and responses for states that do not fit.
-//! A doubtful result is computed again in extended precision, or refused where there is none.
+//! Searches for eigenvalues watch for sums that cancel and for circles that are wide. Shapes and responses watch for states that do not fit.
+//! A doubtful result is computed again in extended precision, or refused where there is none. Natural frequencies are proven instead.
 
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
 use crate::number::truth::Size;
 
-/// Relative loss of a sum beyond which a pass is doubtful, in units of rounding: as wide as a certified interval.
+/// Relative loss of a sum beyond which a pass is doubtful, in units of rounding: as wide as a certified circle.
 const LOSS: f64 = 32.0;
 
 /// Number of roundings that the terms of a sum carry. A sum below that is rounding alone, and taken for zero.
 pub(crate) const ROUNDINGS: f64 = 16.0;
 
-/// Condition of a root beyond which extended precision proves its interval: the ratio of the terms of Δ together to the growth of
-/// Δ over the whole frequency.
+/// Condition of an eigenvalue beyond which extended precision proves its circle: how much its neighbours magnify rounding.
 pub(crate) const CONDITION: f64 = 4.0;
 
 /// Difference between the roots that two points on a circle predict, as a part of the radius, beyond which extended precision has
 /// to prove the root.
 pub(crate) const NOISE: f64 = 0.2;
 
-/// Factor on the width of the interval or circle of an ill-conditioned root where no extended precision proves it.
+/// Factor on the width of the circle of an eigenvalue where no extended precision proves it.
 pub(crate) const UNPROVEN_WIDTH: f64 = 8.0;
 
 /// Whether doubtful results are refused, since there is no extended precision.
@@ -48,7 +47,7 @@ pub(crate) const MISFIT: f64 = 1e3;
 /// Misfit, in units of rounding, with which a motion is not returned.
 pub(crate) const REFUSED_MISFIT: f64 = 5e6;
 
-/// Relative loss of a sum for which a certificate has room; in extended precision that of `f64`.
+/// Relative loss of a sum for which a circle has room; in extended precision that of `f64`.
 #[inline(always)]
 pub(crate) fn largest_loss<S: Scalar>() -> f64 {
     LOSS * if S::EPSILON < f64::EPSILON { f64::EPSILON } else { S::EPSILON }
