@@ -86,13 +86,7 @@ impl<S: Scalar> StiffnessFront<'_, S> {
 
     /// Adds what a beam has of an end, where its last motion may be the rotation.
     #[inline(always)]
-    fn add_end(
-        &mut self,
-        [xx, yy, yt, tt]: [S; 4],
-        [first, count]: [usize; 2],
-        end: usize,
-        member: &StiffnessMember,
-    ) {
+    fn add_end(&mut self, [xx, yy, yt, tt]: [S; 4], [first, count]: [usize; 2], end: usize, member: &StiffnessMember) {
         let ([along, across], rotation) = (&member.rows[end], member.seat.rotation(end));
         for k in 0..count {
             let (of_along, mut of_across) = (xx * S::from_f64(along[k]), yy * S::from_f64(across[k]));

@@ -19,11 +19,7 @@ impl<S: Scalar, const W: usize, const ENTRIES: usize> StiffnessMemory<S, W, ENTR
     #[inline(always)]
     pub(super) fn new() -> Self {
         const { assert!(ENTRIES == row(W)) };
-        StiffnessMemory {
-            entries: [S::zero(); ENTRIES],
-            places: [0; W],
-            solved: [[S::zero(); GROUP]; W],
-        }
+        StiffnessMemory { entries: [S::zero(); ENTRIES], places: [0; W], solved: [[S::zero(); GROUP]; W] }
     }
 
     /// An empty front of up to so many variables in this memory.

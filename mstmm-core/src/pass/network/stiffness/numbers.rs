@@ -1,6 +1,7 @@
 //! The numbers from which the waves of a member follow at any frequency, computed from its parameters once.
 
 use crate::element::{BeamNumbers, Exact, LineNumbers, MemberNumbers};
+use crate::number::Scalar;
 use mstmm_plan::Freedoms;
 
 /// The bending of a uniform beam.
@@ -65,11 +66,11 @@ impl Waving {
 impl BendingWave {
     /// Of length, bending stiffness and mass per length.
     fn new([length, stiffness, mass]: [f64; 3]) -> Self {
-        let square = (mass / stiffness).sqrt();
+        let square = Scalar::sqrt(mass / stiffness);
         let half_fourth = square * length * length;
         let wave_fourth = half_fourth * half_fourth;
         BendingWave {
-            wave: square.sqrt() * length,
+            wave: Scalar::sqrt(square) * length,
             wave_fourth,
             inverse_fourth: 1.0 / wave_fourth,
             stiffness: stiffness / (length * length * length),
