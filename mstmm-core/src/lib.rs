@@ -86,7 +86,6 @@ pub use number::frequency::{
     ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, MayDecay, Oscillation, Parameter, Real, RealFrequency,
 };
 pub use number::frequency_powers::FrequencyPowers;
-pub use number::growth::Growth;
 pub use number::packed::InLanes;
 pub use number::partials::Partials;
 pub use number::scalar::{LONGEST_IN_LANES, Scalar, Single};
@@ -101,9 +100,9 @@ pub use pass::model::Model;
 pub use pass::network::{
     Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member, Motions,
     MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch, Node, OverallNetwork, Placed, PlacedCharts,
-    PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, PreciseCount, Seat, Skeleton, SketchedBody, SketchedEnd,
+    PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton, SketchedBody, SketchedEnd,
     SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel, build_member, in_way_back,
-    network_pass, overall_determinant, overall_matrix, precise_counts, visit_network,
+    network_pass, overall_determinant, overall_matrix, visit_network,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

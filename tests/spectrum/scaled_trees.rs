@@ -121,7 +121,7 @@ fn a_beam_in_pieces_has_the_same_characteristic() {
 }
 
 fn count(steps: &[ListStep<AnyUndamped<f64>>], omega: f64) -> u64 {
-    let mut count = WittrickWilliams::<f64, true>::default();
+    let mut count = WittrickWilliams::<f64>::default();
     StepList::new(steps).unwrap().pass(omega, &mut count);
     count.below()
 }

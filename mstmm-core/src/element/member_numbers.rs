@@ -4,7 +4,7 @@ use crate::number::Parameter;
 use mstmm_plan::Freedoms;
 
 /// A parameter, exactly: the sum of two words. The second one is zero but of numbers with more digits than an `f64` has.
-pub type Exact = [f64; 2];
+pub(crate) type Exact = [f64; 2];
 
 /// The parameters of a line: of a rod, a string or a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -31,8 +31,7 @@ pub trait Element: Sized {
 
     /// Whether the element may have a negative stiffness at rest, as a beam under axial compression has.
     ///
-    /// A system with such an element may be statically unstable, and searches look at that first: they evaluate all its elements at a
-    /// real λ just above zero, where `λ² > 0`.
+    /// A system with such an element may be statically unstable: searches prove first that no motion grows.
     const MAY_BUCKLE: bool = false;
 
     /// Whether its step takes no branch and tells the units of its waves. Searches take systems of such elements at many frequencies at once,

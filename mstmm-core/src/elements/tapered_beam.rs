@@ -197,7 +197,7 @@ impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for TaperedBeam<T> {
     }
 
     fn step<C: RootCounter<S>>(beam: &Tapered<S>, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
-        Subspace::Plane(beam.through(input.plane(), counter).0)
+        Subspace::Plane(beam.through(input.plane(), counter))
     }
 
     fn root<C: RootCounter<S>>(beam: &Tapered<S>, input: Subspace<S>, support: Support, counter: &mut C) -> Scaled<S> {

@@ -11,7 +11,6 @@ pub struct FrequencyEstimates {
     inertia: [Range; 2],
     damping: [Range; 2],
     waves: Range,
-    wave_count: u32,
     /// Sum of `z/sqrt(ω)` of all continuous elements.
     wave_sum: f64,
     /// Of strings, rods and shafts, the phase of whose waves grows with ω and not with its root.
@@ -56,7 +55,6 @@ impl Default for FrequencyEstimates {
             inertia: [Range::EMPTY; 2],
             damping: [Range::EMPTY; 2],
             waves: Range::EMPTY,
-            wave_count: 0,
             wave_sum: 0.0,
             linear_waves: Range::EMPTY,
             reach: 0.0,
@@ -102,14 +100,12 @@ impl FrequencyEstimates {
     /// A continuous element with frequencies of its own from this order [rad/s] on; it has infinitely many.
     pub fn waves(&mut self, omega: f64) {
         self.waves.include(omega);
-        self.wave_count = self.wave_count.saturating_add(1);
         self.wave_sum += elementary!(f64::sqrt, libm::sqrt, omega.recip());
     }
 
     /// A string, a rod or a shaft with frequencies of its own from this order [rad/s] on; it has infinitely many, evenly spaced.
     pub fn linear_waves(&mut self, omega: f64) {
         self.linear_waves.include(omega);
-        self.wave_count = self.wave_count.saturating_add(1);
     }
 
     /// A length along a path \[m\]: masses may turn about the far end of a lever that long.
@@ -143,11 +139,6 @@ impl FrequencyEstimates {
     pub(crate) fn singularities(&self) -> Option<[f64; 2]> {
         let Range { least, greatest } = self.singularities;
         (greatest > 0.0).then_some([-least, -greatest])
-    }
-
-    /// Number of continuous elements.
-    pub(crate) fn wave_count(&self) -> u32 {
-        self.wave_count
     }
 
     /// Sum of `z/sqrt(ω)` of all continuous elements.

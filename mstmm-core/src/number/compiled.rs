@@ -1,6 +1,6 @@
 //! The numbers for which this library compiles what would else be compiled with each model.
 
-/// Calls a macro with each number and its zero, a constant: `f64, 0.0;` and so on, behind what its functions are marked with.
+/// Calls a macro with each number and its zero, a constant: `f64, 0.0;` and so on.
 macro_rules! for_compiled_numbers {
     ($apply:ident) => {
         $apply! {
@@ -24,10 +24,6 @@ macro_rules! for_compiled_numbers {
                     value: $crate::Complex::new($crate::DoubleDouble::ZERO, $crate::DoubleDouble::ZERO),
                     derivative: $crate::Complex::new($crate::DoubleDouble::ZERO, $crate::DoubleDouble::ZERO),
                 };
-            // compiled with systems that may buckle, which alone ask for them
-            #[inline] $crate::Growth<f32>, $crate::Growth(0.0);
-            #[inline] $crate::Growth<f64>, $crate::Growth(0.0);
-            #[inline] $crate::Growth<$crate::DoubleDouble>, $crate::Growth($crate::DoubleDouble::ZERO);
         }
     };
 }

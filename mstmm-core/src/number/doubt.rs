@@ -1,30 +1,26 @@
 //! Limits beyond which rounding makes a result doubtful.
 //!
-//! Passes watch for sums that cancel, searches for roots that touch, shapes and responses for states that do not fit.
-//! A doubtful result is computed again in extended precision, or refused where there is none.
+//! Searches for eigenvalues watch for sums that cancel and for circles that are wide. Shapes and responses watch for states that do not fit.
+//! A doubtful result is computed again in extended precision, or refused where there is none. Natural frequencies are proven instead.
 
 use crate::number::frequency::Real;
 use crate::number::scalar::Scalar;
 use crate::number::truth::Size;
 
-/// Relative loss of a sum beyond which a pass is doubtful, in units of rounding: as wide as a certified interval.
+/// Relative loss of a sum beyond which a pass is doubtful, in units of rounding: as wide as a certified circle.
 const LOSS: f64 = 32.0;
 
 /// Number of roundings that the terms of a sum carry. A sum below that is rounding alone, and taken for zero.
 pub(crate) const ROUNDINGS: f64 = 16.0;
 
-/// Condition of a root beyond which extended precision proves its interval: the ratio of the terms of Δ together to the growth of
-/// Δ over the whole frequency.
+/// Condition of an eigenvalue beyond which extended precision proves its circle: how much its neighbours magnify rounding.
 pub(crate) const CONDITION: f64 = 4.0;
-
-/// Distance from a root, in units of rounding, at which its counts are taken and its circle is looked at.
-pub(crate) const NEAR: f64 = 8.0;
 
 /// Difference between the roots that two points on a circle predict, as a part of the radius, beyond which extended precision has
 /// to prove the root.
 pub(crate) const NOISE: f64 = 0.2;
 
-/// Factor on the width of the interval or circle of an ill-conditioned root where no extended precision proves it.
+/// Factor on the width of the circle of an eigenvalue where no extended precision proves it.
 pub(crate) const UNPROVEN_WIDTH: f64 = 8.0;
 
 /// Whether doubtful results are refused, since there is no extended precision.
@@ -42,30 +38,8 @@ pub(crate) fn is_last<T: Real, P: Real>() -> bool {
     is_extended::<T, P>() || refuses_doubt::<T>()
 }
 
-/// Whether Δ near a root is smaller, compared with its terms, than near a well-conditioned root.
-#[inline(always)]
-pub(crate) fn is_ill_conditioned<S: Scalar>(sum: S::Size, terms: S::Size) -> S::Truth {
-    (sum * S::Size::of(CONDITION)).is_below(terms * S::Size::of(NEAR * S::EPSILON))
-}
-
-/// Relative distance of two roots below which rounding may have split a root of multiplicity 2 or 3.
-pub(crate) const TOUCHING: f64 = 1e-5;
-
 /// Radius of the circle around an eigenvalue, in units of rounding of its modulus, beyond which rounding has widened it.
 pub(crate) const USUAL_ERROR: f64 = 20.0;
-
-/// Binary exponent of the factor below the lowest estimate of a frequency at which rounding may have moved a root from zero.
-pub(crate) const NEARLY_ZERO_EXPONENT: i32 = 20;
-
-/// Least and largest growth of Δ across a root, by its slope beside it, that rounding leaves alone.
-const STRAIGHT: (f64, f64) = (0.5, 2.0);
-
-/// Whether the growth of Δ across a root, over that which its slope beside it gives, fits it, as it does unless rounding rules there.
-#[inline]
-pub(crate) fn is_straight<T: Real>(ratio: T) -> bool {
-    let (least, greatest) = STRAIGHT;
-    ratio > T::from_f64(least) && ratio < T::from_f64(greatest)
-}
 
 /// Misfit of the states of a motion, in units of rounding, from which on the motion is computed again in extended precision.
 pub(crate) const MISFIT: f64 = 1e3;
@@ -73,7 +47,7 @@ pub(crate) const MISFIT: f64 = 1e3;
 /// Misfit, in units of rounding, with which a motion is not returned.
 pub(crate) const REFUSED_MISFIT: f64 = 5e6;
 
-/// Relative loss of a sum for which a certificate has room; in extended precision that of `f64`.
+/// Relative loss of a sum for which a circle has room; in extended precision that of `f64`.
 #[inline(always)]
 pub(crate) fn largest_loss<S: Scalar>() -> f64 {
     LOSS * if S::EPSILON < f64::EPSILON { f64::EPSILON } else { S::EPSILON }

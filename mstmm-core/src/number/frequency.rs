@@ -105,7 +105,7 @@ pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
     /// Whether this is the extended precision of the parameters. Steps then compute anew what `build` rounded.
     const IS_EXTENDED: bool = false;
 
-    /// `λ²`: `-ω²` for a real frequency. Searches count at `λ² > 0`, too, where motions grow.
+    /// `λ²`: `-ω²` for a real frequency.
     fn lambda_squared(self) -> Self;
 
     /// `ω = -iλ`, to whose root the wave numbers of beams are proportional; `|ω|` for a real frequency.
@@ -115,7 +115,7 @@ pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
     fn from_parameter(parameter: T) -> Self;
 }
 
-/// The meaning of a real scalar: the angular frequency ω of an undamped motion, or the rate at which one grows.
+/// The meaning of a real scalar: the angular frequency ω of an undamped motion.
 #[derive(Clone, Copy, Debug)]
 pub enum RealFrequency {}
 

@@ -10,8 +10,7 @@ pub struct FrequencyPowers<S> {
     pub x: S,
     /// λ².
     pub lambda_squared: S,
-    /// `s, s², s³, s⁴` with `s² = ω = -iλ`: waves have a wave number proportional to s. Ones if no element has waves. At a growth
-    /// `s² = |λ|`, the size of ω, and `s⁴ = -λ²` has its sign.
+    /// `s, s², s³, s⁴` with `s² = ω = -iλ`: waves have a wave number proportional to s. Ones if no element has waves.
     pub powers: [S; 4],
     /// `1/s, 1/s², 1/s³, 1/s⁴`, likewise.
     pub inverse_powers: [S; 4],

@@ -12,7 +12,6 @@ pub(crate) mod fixed_list;
 pub(crate) mod floats;
 pub(crate) mod frequency;
 pub(crate) mod frequency_powers;
-pub(crate) mod growth;
 pub(crate) mod kernel;
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 pub(crate) mod lanes;
@@ -33,8 +32,8 @@ pub(crate) use compiled::for_compiled_numbers;
 #[cfg(test)]
 pub(crate) use double_double::DoubleDouble;
 pub(crate) use doubt::{
-    CONDITION, MISFIT, NEARLY_ZERO_EXPONENT, NOISE, REFUSED_MISFIT, ROUNDINGS, TOUCHING, UNPROVEN_WIDTH, USUAL_ERROR,
-    is_extended, is_ill_conditioned, is_last, is_straight, largest_loss, may_be_lost, refuses_doubt,
+    CONDITION, MISFIT, NOISE, REFUSED_MISFIT, ROUNDINGS, UNPROVEN_WIDTH, USUAL_ERROR, is_extended, is_last,
+    largest_loss, may_be_lost, refuses_doubt,
 };
 pub(crate) use dual::Dual;
 pub(crate) use exponent::{binary_exponent, power_of_two};
@@ -46,7 +45,6 @@ pub(crate) use frequency::{
     modulus, smaller,
 };
 pub(crate) use frequency_powers::FrequencyPowers;
-pub(crate) use growth::Growth;
 pub(crate) use packed::{InLanes, Packed, Parameters, Task, run};
 pub(crate) use partials::Partials;
 pub(crate) use scalar::{Scalar, Single, series, twice};

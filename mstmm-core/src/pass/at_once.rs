@@ -4,7 +4,7 @@ use crate::number::{InLanes, Packed, Real, Scaled, Size, Task, Truth, run};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::pass::network::stiffness::{StiffnessBlock, StiffnessModel};
 use crate::pass::phase::PhaseCounter;
-use crate::subspace::{NoCount, Purpose, WittrickWilliams};
+use crate::subspace::{NoCount, Purpose};
 use core::marker::PhantomData;
 
 /// Most frequencies of a block.
@@ -41,7 +41,7 @@ pub(crate) struct Block<T> {
     pub(crate) below: [f64; MOST],
     /// That number with a share of the next frequency.
     pub(crate) phase: [f64; MOST],
-    /// A bit per lane: whether Δ is not known, or zero, or smaller, compared with its terms, than near a well-conditioned root.
+    /// A bit per lane: whether Δ is not known, or zero.
     pub(crate) unknown: u32,
     /// Whether some lane has no value: it takes a branch that numbers in lanes have not, or Δ is out of the range.
     is_lost: bool,
@@ -74,7 +74,7 @@ impl<T: InLanes + Real> Block<T> {
             self.exponent = None;
         }
         if let Some(model) = system.in_numbers() {
-            return self.by_stiffnesses(&model, count, lanes, purpose);
+            return self.by_stiffnesses(&model, count, lanes);
         }
         if lanes > 1 {
             // idle lanes follow the last one
@@ -91,35 +91,23 @@ impl<T: InLanes + Real> Block<T> {
     }
 
     /// Evaluates Δ and counts of a network by its stiffnesses.
-    fn by_stiffnesses(&mut self, model: &StiffnessModel<'_>, count: usize, lanes: usize, purpose: Purpose) {
+    fn by_stiffnesses(&mut self, model: &StiffnessModel<'_>, count: usize, lanes: usize) {
         let ([mut omega, mut value], below) = ([[0.0; MOST]; 2], &mut self.below);
         for (omega, own) in omega.iter_mut().zip(&self.omega) {
             *omega = own.to_f64();
         }
         let mut block = StiffnessBlock {
             omega: &omega[..count],
-            watches: purpose != Purpose::Values,
             value: &mut value[..count],
             below: &mut below[..count],
             unknown: 0,
-            doubtful: 0,
             exponent: self.exponent,
         };
         block.evaluate(model, lanes > 1);
-        (self.unknown, self.exponent) = (block.unknown | block.doubtful, block.exponent);
+        (self.unknown, self.exponent) = (block.unknown, block.exponent);
         for (own, value) in self.value.iter_mut().zip(value) {
             *own = T::from_f64(value);
         }
-    }
-
-    /// Counts at one frequency of a network by fronts, where rounding may have decided signs of its stiffnesses. Returns whether the count is
-    /// beyond doubt.
-    #[inline]
-    pub(crate) fn count_alone<Y: Characteristic<T> + ?Sized>(&mut self, system: &Y, lane: usize) -> bool {
-        let (counter, delta) = counted_pass(system, self.omega[lane], WittrickWilliams::<f64>::default());
-        self.below[lane] = counter.count();
-        let size = delta.mantissa().size();
-        size.is_finite() && size > 0.0 && !counter.cancelled().any()
     }
 
     /// Forgets what was known of the lanes.
@@ -139,35 +127,27 @@ impl<T: InLanes + Real> Block<T> {
         let lanes = from..from + S::LANES;
         let mut counter = PhaseCounter::new(purpose);
         let delta = system.pass(S::load(&self.omega[lanes.clone()]), &mut counter);
-        let cancelled = counter.counter().cancelled();
         S::store_size(counter.counter().count(), &mut self.below[lanes.clone()]);
         if purpose == Purpose::Phases {
             S::store_size(counter.phase(delta), &mut self.phase[lanes.clone()]);
         }
-        self.take(delta, cancelled.at_root | S::Truth::of(cancelled.any()), from);
+        self.take(delta, from);
     }
 
     /// Evaluates Δ alone at a frequency, which takes two thirds of the time of a count.
     #[inline(always)]
     fn value<Y: Characteristic<T> + ?Sized>(&mut self, system: &Y, lane: usize) {
-        self.take(counted_pass(system, self.omega[lane], NoCount).1, false, lane);
+        self.take(counted_pass(system, self.omega[lane], NoCount).1, lane);
     }
 
-    /// Takes Δ of the lanes from one on, which may be doubtful.
+    /// Takes Δ of the lanes from one on.
     #[inline(always)]
-    fn take<S: Packed<T>>(&mut self, delta: Scaled<S>, is_doubtful: S::Truth, from: usize) {
+    fn take<S: Packed<T>>(&mut self, delta: Scaled<S>, from: usize) {
         let value = delta.over_power(*self.exponent.get_or_insert(delta.exponent()));
         let is_known = value.size().is_below(S::Size::of(f64::INFINITY));
         self.is_lost |= !is_known.all();
-        self.unknown |= u32::from(S::bits(is_doubtful | !is_known | value.vanishes())) << from;
+        self.unknown |= u32::from(S::bits(!is_known | value.vanishes())) << from;
         value.store(&mut self.value[from..from + S::LANES]);
-    }
-
-    /// The count on which a lane and the next one agree, if they are neither at a root nor doubtful.
-    #[inline]
-    pub(crate) fn agreed_count(&self, lane: usize) -> Option<u64> {
-        let agree = self.unknown >> lane & 0b11 == 0 && self.below[lane] == self.below[lane + 1];
-        agree.then_some(self.below[lane] as u64)
     }
 }
 

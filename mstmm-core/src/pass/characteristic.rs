@@ -3,9 +3,9 @@
 use crate::element::MemberNumbers;
 use crate::model::{FrequencyEstimates, Spot};
 use crate::number::{Real, Scalar, Scaled};
-use crate::pass::network::stiffness::{PreciseCount, StiffnessModel};
+use crate::pass::network::stiffness::StiffnessModel;
 use crate::proof::visit::Visitor;
-use crate::subspace::{NoCount, RootCounter, WittrickWilliams};
+use crate::subspace::{NoCount, RootCounter};
 use mstmm_plan::Space;
 
 /// A built system with parameters of type `Self::Parameter`.
@@ -43,12 +43,6 @@ pub trait System {
         None
     }
 
-    /// The counts at two frequencies in extended precision by stiffnesses, of such a network, where rounding cannot have decided them.
-    #[doc(hidden)]
-    fn precise_counts(&self, _omega: [f64; 2]) -> [Option<PreciseCount>; 2] {
-        [None; 2]
-    }
-
     /// Names its parts one after the other, for the proof of natural frequencies.
     #[doc(hidden)]
     fn name_parts(&self, visitor: &mut dyn Visitor) {
@@ -82,19 +76,6 @@ pub trait Characteristic<S: Scalar> {
     fn characteristic(&self, x: S) -> Scaled<S> {
         counted_pass(self, x, NoCount).1
     }
-}
-
-/// The count of natural frequencies below ω, and Δ(ω), in one pass; with `WATCHES` it notices sums that cancel.
-#[inline]
-pub(crate) fn count_and_value<const WATCHES: bool, Y, S>(
-    system: &Y,
-    x: S,
-) -> (WittrickWilliams<f64, WATCHES>, Scaled<S>)
-where
-    S: Real,
-    Y: Characteristic<S> + ?Sized,
-{
-    counted_pass(system, x, WittrickWilliams::default())
 }
 
 /// The counter after a pass, and Δ: a call, since a pass stands in line.

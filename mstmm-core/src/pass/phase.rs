@@ -42,7 +42,7 @@ impl<S: Scalar> PhaseCounter<S> {
     pub(crate) fn new(purpose: Purpose) -> Self {
         let ones = [S::one(); 4];
         PhaseCounter {
-            counter: WittrickWilliams::new(purpose == Purpose::Certificates),
+            counter: WittrickWilliams::default(),
             purpose,
             ahead: Scaled::new(S::one(), 0),
             units: [ones; 2],
@@ -147,20 +147,5 @@ impl<S: Scalar> RootCounter<S> for PhaseCounter<S> {
     #[inline(always)]
     fn eliminated(&mut self, below: S::Size) {
         RootCounter::<S>::eliminated(&mut self.counter, below);
-    }
-
-    #[inline(always)]
-    fn cancelled(&mut self, completely: bool) {
-        RootCounter::<S>::cancelled(&mut self.counter, completely);
-    }
-
-    #[inline(always)]
-    fn looks_at_root(&self) -> bool {
-        RootCounter::<S>::looks_at_root(&self.counter)
-    }
-
-    #[inline(always)]
-    fn root_sum(&mut self, sum: S::Size, terms: S::Size) {
-        RootCounter::<S>::root_sum(&mut self.counter, sum, terms);
     }
 }

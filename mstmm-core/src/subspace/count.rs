@@ -5,7 +5,7 @@
 //! stiff spring, hence the rules for exact zeros. All decide by signs alone, without a quotient, in all lanes of a number.
 
 use crate::model::Spot;
-use crate::number::{Scalar, Scaled, Size, Truth, is_ill_conditioned};
+use crate::number::{Scalar, Scaled, Size, Truth};
 use crate::subspace::minors::line::Line;
 use crate::subspace::minors::plane::Plane;
 use mstmm_plan::{Space, Support};
@@ -19,8 +19,6 @@ pub(crate) enum Purpose {
     Counts,
     /// That number with a share of the next one.
     Phases,
-    /// The number beside a root, where the terms of Δ are examined.
-    Certificates,
 }
 
 /// A bending element with both its ends held: its clamped count, and the sign and stiffness for the rule of a plane.
@@ -41,7 +39,7 @@ pub trait RootCounter<S: Scalar> {
     /// Whether the counter counts; else a step may leave out computations for it.
     const COUNTS: bool;
     /// Whether sums that cancel are watched.
-    const WATCHES: bool = Self::COUNTS;
+    const WATCHES: bool = false;
     /// An element took a line from `before` to `after`; held at both ends it has `held` frequencies below this one, and its step
     /// has multiplied the line by a number that `is_negative`.
     #[inline(always)]
@@ -62,17 +60,12 @@ pub trait RootCounter<S: Scalar> {
     /// The pivots of a network have been taken: its count.
     #[inline(always)]
     fn eliminated(&mut self, _below: S::Size) {}
-    /// A sum lost more digits to cancellation than a certificate has room for, or all of them: then it was taken for zero.
+    /// A sum lost more digits to cancellation than a circle has room for, or all of them: then it was taken for zero.
     #[inline(always)]
     fn cancelled(&mut self, _completely: bool) {}
     /// What holds a point of a network has vanished.
     #[inline(always)]
     fn vanished(&mut self, _at: Spot) {}
-    /// Whether the frequency is so close to a root that the terms of Δ are examined.
-    #[inline(always)]
-    fn looks_at_root(&self) -> bool {
-        false
-    }
     /// The plane before the last element with its wave a quarter of a turn ahead, if Δ is wanted there, too.
     #[inline(always)]
     fn turned(&self, _before: &Plane<S>) -> Option<Plane<S>> {
@@ -81,16 +74,6 @@ pub trait RootCounter<S: Scalar> {
     /// Δ of the plane that [`turned`](RootCounter::turned) has returned.
     #[inline(always)]
     fn delta_ahead(&mut self, _delta: Scaled<S>) {}
-    /// The size of Δ is `sum`, and the sizes of its terms add up to `terms`.
-    #[inline(always)]
-    fn root_sum(&mut self, _sum: S::Size, _terms: S::Size) {}
-    /// The sizes of the terms of Δ add up to `terms`, times a power of two.
-    #[inline(always)]
-    fn root_terms(&mut self, delta: Scaled<S>, terms: S::Size, exponent: i32) {
-        let exponent = i64::from(exponent) - delta.exponent();
-        let power = 1.0.times_power_of_two(-exponent.clamp(-1000, 1000) as i32);
-        self.root_sum(delta.mantissa().size() * S::Size::of(power), terms);
-    }
 }
 
 /// The counter that ignores all reports, for Δ alone.
@@ -103,16 +86,14 @@ impl<S: Scalar> RootCounter<S> for NoCount {
 
 /// The sums that cancelled in a pass.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Cancelled<B = bool> {
-    /// Sums lost more digits than a certificate has room for.
+pub(crate) struct Cancelled {
+    /// Sums lost more digits than a circle has room for.
     pub(crate) partly: bool,
     /// Sums lost all digits.
     pub(crate) completely: bool,
-    /// Δ lost more digits than near a well-conditioned root.
-    pub(crate) at_root: B,
 }
 
-impl<B> Cancelled<B> {
+impl Cancelled {
     #[inline(always)]
     fn add(&mut self, completely: bool) {
         self.completely |= completely;
@@ -128,16 +109,13 @@ impl<B> Cancelled<B> {
 
 /// The number of natural frequencies below the frequency of a pass, by the algorithm of Wittrick and Williams.
 ///
-/// `WATCHES` is false for passes at frequencies where another pass watches sums that cancel.
+/// It proposes a count and does not watch rounding: a proof decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WittrickWilliams<Z: Size = f64, const WATCHES: bool = true> {
+pub struct WittrickWilliams<Z: Size = f64> {
     below: Z,
-    cancelled: Cancelled<Z::Truth>,
-    is_at_root: bool,
-    vanished: Option<Spot>,
 }
 
-impl<const WATCHES: bool> WittrickWilliams<f64, WATCHES> {
+impl WittrickWilliams {
     /// The count so far; of all frequencies once the pass has reached the root.
     #[inline]
     pub fn below(&self) -> u64 {
@@ -145,28 +123,11 @@ impl<const WATCHES: bool> WittrickWilliams<f64, WATCHES> {
     }
 }
 
-impl<Z: Size, const WATCHES: bool> WittrickWilliams<Z, WATCHES> {
+impl<Z: Size> WittrickWilliams<Z> {
     /// The count so far, a whole number in each lane.
     #[inline(always)]
     pub(crate) fn count(&self) -> Z {
         self.below
-    }
-
-    /// A counter; `is_at_root` tells that the frequency is close to a root.
-    #[inline]
-    pub(crate) fn new(is_at_root: bool) -> Self {
-        WittrickWilliams { is_at_root, ..WittrickWilliams::default() }
-    }
-
-    /// The point of a network where what holds it has vanished.
-    pub(crate) fn vanished(&self) -> Option<Spot> {
-        self.vanished
-    }
-
-    /// The sums that cancelled in the pass.
-    #[inline]
-    pub(crate) fn cancelled(&self) -> Cancelled<Z::Truth> {
-        self.cancelled
     }
 
     #[inline(always)]
@@ -233,10 +194,8 @@ fn line_negative<S: Scalar>(line: &Line<S>) -> S::Truth {
     negative([line.y, -line.q])
 }
 
-impl<S: Scalar, const WATCHES: bool> RootCounter<S> for WittrickWilliams<S::Size, WATCHES> {
+impl<S: Scalar> RootCounter<S> for WittrickWilliams<S::Size> {
     const COUNTS: bool = true;
-    // extended precision always watches: it takes other formulas where sums cancel
-    const WATCHES: bool = WATCHES || S::EPSILON < f64::EPSILON;
 
     #[inline(always)]
     fn line(&mut self, before: &Line<S>, after: &Line<S>, held: S::Size, is_negative: S::Truth) {
@@ -279,26 +238,6 @@ impl<S: Scalar, const WATCHES: bool> RootCounter<S> for WittrickWilliams<S::Size
     #[inline(always)]
     fn eliminated(&mut self, below: S::Size) {
         self.below = self.below + below;
-    }
-
-    #[inline(always)]
-    fn cancelled(&mut self, completely: bool) {
-        self.cancelled.add(completely);
-    }
-
-    #[inline(always)]
-    fn vanished(&mut self, at: Spot) {
-        self.vanished = Some(at);
-    }
-
-    #[inline(always)]
-    fn looks_at_root(&self) -> bool {
-        WATCHES && self.is_at_root
-    }
-
-    #[inline(always)]
-    fn root_sum(&mut self, sum: S::Size, terms: S::Size) {
-        self.cancelled.at_root = self.cancelled.at_root | is_ill_conditioned::<S>(sum, terms);
     }
 
     #[inline(always)]

@@ -7,7 +7,7 @@ pub(crate) mod minors;
 pub(crate) mod remainder;
 
 pub(crate) use connecting::{Connecting, connection};
-pub(crate) use count::{Cancelled, Held, NoCount, Purpose, RootCounter, Watch, WittrickWilliams};
+pub(crate) use count::{Held, NoCount, Purpose, RootCounter, Watch, WittrickWilliams};
 pub(crate) use front::chart::{Chart, JoinedEnd, MOST_VARIABLES};
 pub(crate) use front::eliminate::Choice;
 pub(crate) use front::fronts::{FrontNode, Fronts};

@@ -347,12 +347,6 @@ const _: () = {
         fn spot_of(&self, place: ::core::primitive::usize) -> mstmm::__private::Spot {
             mstmm::__private::Placed::spot(self, place)
         }
-        fn precise_counts(
-            &self,
-            omega: [::core::primitive::f64; 2],
-        ) -> [::core::option::Option<mstmm::__private::PreciseCount>; 2] {
-            mstmm::__private::precise_counts(self, omega)
-        }
         fn frequency_estimates(&self) -> mstmm::__private::FrequencyEstimates {
             self.estimates
         }

@@ -34,18 +34,8 @@ impl<T: Parameter> Levers<T> {
             return ends;
         }
         let terms = terms_of_y_m(p, S::from_parameter(self.reach).size());
-        let is_kept = !(may_be_lost(terms, ends[0][0]) | may_be_lost(terms, ends[1][0]));
-        if S::IN_LANES && !is_kept.all() {
-            let [first, second] = beside.sizes(p);
-            let [[y_m, w], [at_centre, beyond]] = ends;
-            let [at_output, at_centre_too] =
-                [self.output.is_kept(p, ends[0], first, terms), self.centre.is_kept(p, ends[1], second, terms)];
-            return [[y_m.valid_if(at_output), w], [at_centre.valid_if(at_centre_too), beyond]];
-        }
-        if S::IN_LANES {
-            return ends;
-        }
-        if is_kept.all() { ends } else { self.settled(p, beside.sizes(p), counter) }
+        let may_be_lost = may_be_lost(terms, ends[0][0]) | may_be_lost(terms, ends[1][0]);
+        if may_be_lost.any() { self.settled(p, beside.sizes(p), counter) } else { ends }
     }
 
     #[cold]

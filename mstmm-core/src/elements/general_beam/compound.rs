@@ -34,9 +34,6 @@ pub struct GeneralCompound<S: Scalar> {
     pub(crate) units: Units<S>,
 }
 
-/// Binary exponent of the relative change by which a difference stands for a derivative: half of the digits.
-const CHANGE: i32 = -26;
-
 /// The row of K whose minor is Δ at a support.
 #[inline]
 fn row_at(support: Support) -> usize {
@@ -109,11 +106,7 @@ impl<S: Scalar> GeneralCompound<S> {
             let minor = self.minor(row, self.without_units(&plane)) * self.unit(row);
             return Scaled::new(minor, i64::from(plane.exponent.saturating_add(self.exponent)));
         }
-        let delta = self.step(input, counter).at_root(support, counter);
-        if counter.looks_at_root() {
-            self.watch_root(&input.plane(), delta, support, counter);
-        }
-        delta
+        self.step(input, counter).at_root(support, counter)
     }
 
     /// The count of the beam with both ends clamped.
@@ -129,29 +122,6 @@ impl<S: Scalar> GeneralCompound<S> {
             stiffness: [self.units.factors[2] * self.k01, self.k04],
             units: None,
         }
-    }
-
-    /// Reports the sizes of Δ and of its terms to a counter: those of the sum, and what g and h change, whose own terms cancel beside a
-    /// buckling load, at the cut-on and in stiff foundations.
-    fn watch_root<C: RootCounter<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, counter: &mut C) {
-        let (row, minors) = (row_at(support), self.without_units(p));
-        let products = |compound: &Self| {
-            let power = compound.exponent - self.exponent;
-            compound
-                .row(row)
-                .into_iter()
-                .zip(minors)
-                .map(move |(entry, minor)| (entry * minor).times_power_of_two(power))
-        };
-        let own = products(self).fold(S::zero(), |sum, product| sum + product);
-        let mut terms = products(self).fold(S::Size::default(), |sum, product| sum + product.size());
-        for section in self.section.with_changes(CHANGE) {
-            let changed = products(&GeneralCompound::new(section, self.units));
-            let change = changed.fold(S::zero(), |sum, product| sum + product) - own;
-            terms = terms + change.times_power_of_two(-CHANGE).size();
-        }
-        let terms = terms * self.unit(row).size();
-        counter.root_terms(delta, terms, p.exponent.saturating_add(self.exponent));
     }
 
     /// The unit of a minor.

@@ -33,8 +33,6 @@ pub(crate) struct SectionAt<S> {
     /// `σ² + τ g`, negative above the frequency of thickness shear.
     pub(crate) cut: S,
     pub(crate) waves: WavePair<S>,
-    /// `σ T` and k, what g and -h are at rest.
-    at_rest: [S; 2],
 }
 
 impl<S: Scalar> Constants<S> {
@@ -61,37 +59,23 @@ impl<S: Scalar> Constants<S> {
         let Constants { sigma, tau, tension, rotary, mass, foundation } = *self;
         let g = tension + rotary * lambda_squared;
         let h = -(mass * lambda_squared + foundation);
-        SectionAt::new([sigma, tau, g, h], [tension, foundation])
+        SectionAt::new([sigma, tau, g, h])
     }
 }
 
 impl<S: Scalar> SectionAt<S> {
-    /// The constants for σ, τ, g and h, and what g and -h are at rest.
+    /// The constants for σ, τ, g and h.
     ///
     /// `δ = (g + τh)² + 4hσ²` is `s² - 4d` without cancellation.
     #[inline]
-    fn new([sigma, tau, g, h]: [S; 4], at_rest: [S; 2]) -> Self {
+    fn new([sigma, tau, g, h]: [S; 4]) -> Self {
         let square = sigma * sigma;
         let cut = square + tau * g;
         let product = tau * h;
         let sum = g + product;
         let fourfold = (h * square).times_power_of_two(2);
         let waves = WavePair { sum: g - product, product: -(h * cut), square: sum * sum + fourfold };
-        SectionAt { sigma, tau, g, h, cut, waves, at_rest }
-    }
-
-    /// The constants with g, or with h, changed by a power of two of the terms that it is made of, which may cancel.
-    pub(crate) fn with_changes(&self, exponent: i32) -> [Self; 2] {
-        let SectionAt { sigma, tau, g, h, at_rest, .. } = *self;
-        let [tension, foundation] = at_rest;
-        let of = |sum: S, part: S| {
-            let both = sum.size() + part.size() + part.size();
-            // a number of the scalar's type, of that size
-            let relative = S::Size::choose(sum.vanishes(), S::Size::of(0.0), both / sum.size());
-            sum.times_power_of_two(exponent) * S::from_f64(relative.first())
-        };
-        let [changed_g, changed_h] = [g + of(g, tension), h + of(h, foundation)];
-        [SectionAt::new([sigma, tau, changed_g, h], at_rest), SectionAt::new([sigma, tau, g, changed_h], at_rest)]
+        SectionAt { sigma, tau, g, h, cut, waves }
     }
 }
 

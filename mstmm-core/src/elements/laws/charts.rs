@@ -3,7 +3,7 @@
 use super::*;
 use crate::element::Charted;
 use crate::elements::joint::Joint;
-use crate::number::{DoubleDouble, FrequencyPowers, Growth, Parameter, Scalar, Single, Size};
+use crate::number::{DoubleDouble, FrequencyPowers, Parameter, Scalar, Single, Size};
 use crate::subspace::Chart;
 use crate::subspace::front::chart::MOST_FREEDOMS;
 use mstmm_plan::Freedoms;
@@ -115,28 +115,6 @@ fn charts_are_transfer_matrices_of_all_charted_elements() {
     charts_are_transfer_matrices::<DampedBeam<f64>>();
     charts_are_transfer_matrices::<PlanarDampedBeam<f64>>();
     charts_are_transfer_matrices::<PlanarDampedTimoshenkoBeam<f64>>();
-}
-
-/// So they do at a growth below all waves, where no member held at its displacements falls: its count is the number of its forces alone.
-fn charts_at_a_growth_are_transfer_matrices<E>()
-where
-    E: Sample + Charted<Growth<f64>> + TransferMatrix<Growth<f64>>,
-    MatrixOf<E, Growth<f64>>: Index<(usize, usize), Output = Growth<f64>>,
-{
-    check::<E>(|element, lambda| {
-        let (built, rate) = (built(element), Growth(0.02 * lambda.norm()));
-        let chart = E::chart(&built, &FrequencyPowers::new::<f64>(rate, true), Growth(element.length()));
-        assert_in_relation(&chart, &columns::<E, _>(&built, rate), <E::State as StateSpace>::SPACE, 1e-12);
-        assert_eq!(chart.below, -f64::from(chart.forces.count_ones()));
-    });
-}
-
-#[test]
-fn charts_at_a_growth_are_transfer_matrices_of_undamped_elements() {
-    charts_at_a_growth_are_transfer_matrices::<Spring<f64>>();
-    charts_at_a_growth_are_transfer_matrices::<TorsionSpring<f64>>();
-    charts_at_a_growth_are_transfer_matrices::<Beam<f64>>();
-    charts_at_a_growth_are_transfer_matrices::<PlanarBeam<f64>>();
 }
 
 #[test]

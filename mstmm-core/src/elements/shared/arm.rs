@@ -1,6 +1,6 @@
 //! Arms of levers and rigid bodies: exact differences of lengths, and planes seen from the far end.
 
-use crate::number::{Frequency, Parameter, ROUNDINGS, Scalar, Size, Truth, largest_loss, may_be_lost};
+use crate::number::{Frequency, Parameter, ROUNDINGS, Scalar, Size, Truth, may_be_lost};
 use crate::subspace::{Plane, Remainder, RootCounter};
 
 /// A length and its rounding error.
@@ -42,30 +42,10 @@ impl<T: Parameter> Arm<T> {
     #[inline(always)]
     pub(crate) fn carried<S: Frequency<T>, C: RootCounter<S>>(self, p: &Plane<S>, counter: &mut C) -> Plane<S> {
         let [mut y_m, mut w] = self.far_end(p);
-        if C::WATCHES {
-            let (terms, beside) = (terms_of_y_m(p, S::from_parameter(self.length).size()), S::Size::of(0.0));
-            let is_doubtful = may_be_lost(terms, y_m);
-            if S::IN_LANES {
-                y_m = y_m.valid_if(!is_doubtful | self.is_kept(p, [y_m, w], beside, terms));
-            } else if is_doubtful.any() {
-                [y_m, w] = self.settled(p, beside, counter);
-            }
+        if C::WATCHES && may_be_lost(terms_of_y_m(p, S::from_parameter(self.length).size()), y_m).any() {
+            [y_m, w] = self.settled(p, S::Size::of(0.0), counter);
         }
         Plane::new([p.y_theta, y_m, w, p.theta_q, p.m_q], p.exponent)
-    }
-
-    /// Whether `p_YM` at the far end keeps its digits, compared with what it is added to: a chance zero does not count beside
-    /// `w²/p_ΘQ`, a length squared in the same unit.
-    #[inline(always)]
-    pub(crate) fn is_kept<S: Frequency<T>>(
-        self,
-        p: &Plane<S>,
-        [y_m, w]: [S; 2],
-        beside: S::Size,
-        terms: S::Size,
-    ) -> S::Truth {
-        let size = y_m.size().or_larger(beside).or_larger(w.size() * w.size() / p.theta_q.size());
-        !(size * S::Size::of(largest_loss::<S>())).is_below(terms * S::Size::of(S::EPSILON))
     }
 
     /// `p_YM` and `w` at the far end where `p_YM` may cancel: by chance, or since levers lead back to the place from which they came

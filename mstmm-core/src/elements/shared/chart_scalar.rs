@@ -18,14 +18,12 @@ pub trait ChartScalar: FrontScalar {
 
 /// Compiles charts of numbers.
 macro_rules! compiled {
-    ($($(#[$mark:meta])* $number:ty, $zero:expr;)*) => {$(
+    ($($number:ty, $zero:expr;)*) => {$(
         impl ChartScalar for $number {
-            $(#[$mark])*
             fn enter_bending(waves: &BendingWaves<Self>, chart: &mut Chart<Self>, places: [usize; 4]) {
                 waves.enter(chart, places);
             }
 
-            $(#[$mark])*
             fn enter_longitudinal(waves: &LongitudinalWaves<Self>, chart: &mut Chart<Self>, places: [usize; 2]) {
                 waves.enter(chart, places);
             }

@@ -128,15 +128,7 @@ impl<S: Scalar> BendingCoefficients<S> {
     #[inline(always)]
     pub(crate) fn root<C: RootCounter<S>>(&self, input: Subspace<S>, support: Support, counter: &mut C) -> Scaled<S> {
         if C::COUNTS || matches!(input, Subspace::Tip(..)) {
-            let delta = self.step(input, counter).at_root(support, counter);
-            if counter.looks_at_root() && !matches!(input, Subspace::Tip(..)) {
-                if S::IN_LANES {
-                    self.watch_root(&input.plane(), delta, support, counter);
-                } else {
-                    self.called_watch_root(&input.plane(), delta, support, counter);
-                }
-            }
-            return delta;
+            return self.step(input, counter).at_root(support, counter);
         }
         // not shifted into the range: only one minor is needed
         let plane = match input {
@@ -145,31 +137,6 @@ impl<S: Scalar> BendingCoefficients<S> {
             _ => self.through(&input.plane()),
         };
         Scaled::new(plane.minor_at(support), i64::from(plane.exponent))
-    }
-
-    /// [`watch_root`](Self::watch_root) as a call.
-    #[inline(never)]
-    fn called_watch_root<C: RootCounter<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, counter: &mut C) {
-        self.watch_root(p, delta, support, counter);
-    }
-
-    /// Reports the sizes of Δ and of its terms to a counter: for a beam before the root these are many and cancel.
-    #[inline(always)]
-    fn watch_root<C: RootCounter<S>>(&self, p: &Plane<S>, delta: Scaled<S>, support: Support, counter: &mut C) {
-        let BendingCoefficients { a, c, b, f, d, e, raised_b, raised_f, raised_d, raised_e, inverses, factors, .. } =
-            *self;
-        let (row, factor) = match support {
-            Support::Fixed => ([a, b, f + f, d, e], S::one()),
-            Support::Pinned => ([raised_d, c, b + b, f + f, d], factors[0]),
-            Support::Guided => ([raised_b, raised_f + raised_f, raised_d + raised_d, c, b], factors[2]),
-            _ => ([raised_e, raised_b, raised_f + raised_f, raised_d, a], factors[3]),
-        };
-        let minors = [p.y_theta, p.y_m * inverses[0], p.w * inverses[1], p.theta_q * inverses[2], p.m_q * inverses[3]];
-        let mut terms = S::Size::default();
-        for k in 0..5 {
-            terms = terms + (row[k] * minors[k]).size();
-        }
-        counter.root_terms(delta, terms * factor.size(), p.exponent.saturating_add(self.exponent));
     }
 
     /// The plane behind the beam, from minors in the units of the coefficients.

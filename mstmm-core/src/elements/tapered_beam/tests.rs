@@ -89,7 +89,7 @@ fn states_inside_are_those_between_two_halves() {
         let input = Subspace::Tip(Support::Fixed, mstmm_plan::Space::Bending);
         let step = |beam: &BuiltTaperedBeam<f64>, input| {
             let beam: Tapered<f64> = TaperedBeam::coefficients(beam, &at);
-            beam.through(Subspace::plane(input), &mut crate::subspace::NoCount).0
+            beam.through(Subspace::plane(input), &mut crate::subspace::NoCount)
         };
         let middle = step(&first, input);
         let output = step(&second, Subspace::Plane(middle));
@@ -232,7 +232,7 @@ fn clamped_counts_are_changes_of_the_sign() {
             let at = FrequencyPowers::new(omega, false);
             let coefficients: Tapered<f64> = TaperedBeam::coefficients(&built, &at);
             let mut counter = WittrickWilliams::<f64>::default();
-            let delta = Subspace::Plane(coefficients.through(input.plane(), &mut counter).0);
+            let delta = Subspace::Plane(coefficients.through(input.plane(), &mut counter));
             let delta = delta.at_root(Support::Fixed, &mut counter).mantissa();
             changes += u64::from(core::mem::replace(&mut last, delta < 0.0) != (delta < 0.0));
             assert_eq!(counter.below(), changes, "{height_taper} at {omega}");

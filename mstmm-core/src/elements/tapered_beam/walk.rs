@@ -16,9 +16,6 @@ const PHASE: f64 = 2.5;
 /// The shortest part, a share of the length: sums of such shares with few digits are exact.
 const SHORTEST: f64 = 1.0 / (1_u64 << 48) as f64;
 
-/// The plane behind a beam, with that before the last part, and that part.
-type Behind<S> = (Plane<S>, Option<(Plane<S>, Part<S>)>);
-
 /// A tapered beam at a frequency.
 #[derive(Clone, Copy, Debug)]
 pub struct Tapered<S> {
@@ -35,36 +32,30 @@ impl<S: Scalar> Tapered<S> {
         }
     }
 
-    /// The plane behind the beam, with that before the last part, and that part.
-    pub(super) fn through<C: RootCounter<S>>(&self, input: Plane<S>, counter: &mut C) -> Behind<S> {
+    /// The plane behind the beam.
+    pub(super) fn through<C: RootCounter<S>>(&self, input: Plane<S>, counter: &mut C) -> Plane<S> {
         if S::IN_LANES {
             // lanes would need parts of their own: each is evaluated alone
-            return (unknown(), None);
+            return unknown();
         }
-        let (mut plane, mut last) = (input, None);
+        let mut plane = input;
         for place in Places::new(self.sizes, 0.0, 1.0) {
-            let Some([start, width]) = place else { return (unknown(), None) };
+            let Some([start, width]) = place else { return unknown() };
             let part = Part::new(&self.profile, start, width);
-            let Some(after) = part.plane(&plane) else { return (unknown(), None) };
+            let Some(after) = part.plane(&plane) else { return unknown() };
             let after = after.in_range();
             if C::COUNTS {
-                let Some(held) = part.held() else { return (unknown(), None) };
+                let Some(held) = part.held() else { return unknown() };
                 counter.plane(&plane, &after, held);
             }
-            last = Some((plane, part));
             plane = after;
         }
-        (plane, last)
+        plane
     }
 
     /// Takes a plane into the root.
     pub(super) fn root<C: RootCounter<S>>(&self, input: Plane<S>, support: Support, counter: &mut C) -> Scaled<S> {
-        let (plane, last) = self.through(input, counter);
-        let delta = Subspace::Plane(plane).at_root(support, counter);
-        if let (true, Some((before, part))) = (counter.looks_at_root(), last) {
-            watch_root(&before, &part, delta, support, counter);
-        }
-        delta
+        Subspace::Plane(self.through(input, counter)).at_root(support, counter)
     }
 
     /// The plane at a share of the length behind that at another.
@@ -107,24 +98,6 @@ impl<S: Scalar> Tapered<S> {
 fn unknown<S: Scalar>() -> Plane<S> {
     let unknown = S::from_f64(f64::NAN).valid_if(S::Truth::of(false));
     Plane::unscaled([unknown; 5], 0)
-}
-
-/// Reports the sizes of Δ and of its terms in the last part to a counter.
-fn watch_root<S: Scalar, C: RootCounter<S>>(
-    before: &Plane<S>,
-    part: &Part<S>,
-    delta: Scaled<S>,
-    support: Support,
-    counter: &mut C,
-) {
-    let minors = [before.y_theta, before.y_m, before.w, before.theta_q, before.m_q];
-    let mut terms = S::Size::default();
-    for number in 0..minors.len() {
-        let only = core::array::from_fn(|k| if k == number { minors[k] } else { S::zero() });
-        let Some(after) = part.plane(&Plane::unscaled(only, before.exponent)) else { return };
-        terms = terms + after.minor_at(support).size();
-    }
-    counter.root_terms(delta, terms, before.exponent);
 }
 
 /// Where the parts of a beam start, and how wide they are, in shares of the length. `None` is a beam that needs too many of them.

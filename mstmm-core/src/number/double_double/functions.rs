@@ -234,35 +234,6 @@ impl Frequency<f64> for DoubleDouble {
     }
 }
 
-impl core::ops::Mul<f64> for Dual<DoubleDouble> {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, factor: f64) -> Self {
-        self * DoubleDouble::from_f64(factor)
-    }
-}
-
-impl Frequency<f64> for Dual<DoubleDouble> {
-    type Meaning = RealFrequency;
-    const IS_EXTENDED: bool = true;
-
-    #[inline]
-    fn lambda_squared(self) -> Self {
-        -(self * self)
-    }
-
-    #[inline]
-    fn omega(self) -> Self {
-        self.abs()
-    }
-
-    #[inline]
-    fn from_parameter(parameter: f64) -> Self {
-        Dual::constant(DoubleDouble::from_f64(parameter))
-    }
-}
-
 impl Mul<f64> for Dual<Complex<DoubleDouble>> {
     type Output = Self;
 

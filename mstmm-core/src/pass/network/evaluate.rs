@@ -12,9 +12,6 @@ use crate::subspace::{
 use core::fmt::Debug;
 use mstmm_plan::NetworkOrder;
 
-/// Number of roundings that add up in the row of a pivot, in units of the largest one.
-const ROUNDINGS: f64 = 2.0;
-
 /// Size of a pivot or of its row, in units of its error, beyond which no other choice of pivots is looked at.
 const NEAR: f64 = 16.0;
 
@@ -86,28 +83,20 @@ where
     S: Frequency<Y::Parameter> + FrontScalar,
     C: RootCounter<S>,
 {
-    let is_at_root = counter.looks_at_root();
-    let total = eliminated::<WIDTH, _, _>(network, x, Choice::Largest, S::IS_EXTENDED || is_at_root);
+    let total = eliminated::<WIDTH, _, _>(network, x, Choice::Largest, S::IS_EXTENDED);
     let [row, error] = total.smallest_row;
     let mut vanished_at = total.vanished_at;
     // another choice of pivots rounds otherwise: what differs is decided by rounding
-    let is_asked = is_at_root || (S::IS_EXTENDED && vanished_at.is_none());
-    let is_near = is_asked && row < NEAR * S::EPSILON * error;
-    let other = is_near.then(|| eliminated::<WIDTH, _, _>(network, x, Choice::InOrder, false));
-    if let (true, None, Some(other)) = (S::IS_EXTENDED, vanished_at, &other)
-        && differs(total.delta(), other.delta())
+    if S::IS_EXTENDED
+        && vanished_at.is_none()
+        && row < NEAR * S::EPSILON * error
+        && differs(total.delta(), eliminated::<WIDTH, _, _>(network, x, Choice::InOrder, false).delta())
     {
         vanished_at = Some(total.smallest_at);
     }
     if let (true, Some(node)) = (C::WATCHES, vanished_at) {
         counter.cancelled(true);
         counter.vanished(network.spot(node as usize));
-    }
-    if is_at_root {
-        counter.root_sum(S::Size::of(row), S::Size::of(ROUNDINGS * error));
-        if other.is_some_and(|other| other.below != total.below) {
-            counter.cancelled(false);
-        }
     }
     counter.eliminated(total.below);
     // in extended precision what is rounding alone is zero: there is nothing further that could tell

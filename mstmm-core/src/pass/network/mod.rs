@@ -42,6 +42,6 @@ pub use sketch::{
     Axis, Located, NetworkSketch, Seat, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint,
     SketchedSupport,
 };
-pub use stiffness::{PreciseCount, StiffnessModel, precise_counts};
+pub use stiffness::StiffnessModel;
 pub use structure::{InNetwork, Network, NetworkRoom};
 pub use visit::visit_network;

@@ -11,7 +11,7 @@ use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_way
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::overall::PlacedTransfers;
-use crate::pass::network::stiffness::{PreciseCount, StiffnessModel, StiffnessRoom, precise_counts};
+use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
 use crate::pass::network::visit::visit_network;
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::proof::visit::Visitor;
@@ -238,10 +238,6 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
 
     fn spot_of(&self, place: usize) -> Spot {
         self.spot(place)
-    }
-
-    fn precise_counts(&self, omega: [f64; 2]) -> [Option<PreciseCount>; 2] {
-        precise_counts(self, omega)
     }
 
     fn may_buckle(&self) -> bool {

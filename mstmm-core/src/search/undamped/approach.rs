@@ -125,13 +125,6 @@ impl<const POINTS: usize> Approaches<POINTS> {
         }
     }
 
-    /// The slope of Δ along s between the outermost of the last points.
-    #[inline]
-    pub(super) fn slope(&self, k: usize) -> f64 {
-        let ([first, second], [at_first, at_second]) = (self.last, self.last_values);
-        (at_second[k] - at_first[k]) / (second[k] - first[k])
-    }
-
     /// Goes on in the lanes of a number.
     #[inline(always)]
     fn go_on_in_lanes<S: Real>(&mut self) {

@@ -133,7 +133,7 @@ pub trait FrontScalar: Scalar {
 
 /// Compiles fronts of numbers, given the zero of each: a constant, since memory is filled with it in one go.
 macro_rules! compiled {
-    ($($(#[$mark:meta])* $number:ty, $zero:expr;)*) => {$(
+    ($($number:ty, $zero:expr;)*) => {$(
         impl FrontScalar for $number {
             #[inline]
             fn in_memory<const W: usize, R>(work: impl FnOnce(&mut FrontRoom<Self, W>) -> R) -> Option<R> {
@@ -141,12 +141,10 @@ macro_rules! compiled {
                 Some(work(&mut room))
             }
 
-            $(#[$mark])*
             fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]) -> usize {
                 fronts.objects.push_chart(chart, ends, &mut fronts.total)
             }
 
-            $(#[$mark])*
             fn load_chart(
                 fronts: &mut Fronts<'_, Self>,
                 chart: &Chart<Self>,
@@ -156,12 +154,10 @@ macro_rules! compiled {
                 fronts.objects.load_chart(chart, ends, load);
             }
 
-            $(#[$mark])*
             fn eliminate(fronts: &mut Fronts<'_, Self>, node: &FrontNode<Self>) {
                 fronts.take_up(node);
             }
 
-            $(#[$mark])*
             fn eliminate_and_keep(
                 fronts: &mut Fronts<'_, Self>,
                 node: &FrontNode<Self>,
@@ -171,7 +167,6 @@ macro_rules! compiled {
                 fronts.take_up_and_keep(node, load, kept);
             }
 
-            $(#[$mark])*
             fn recover(back: &mut Back<'_, Self>, node: &FrontNode<Self>) -> [Self; MOST_FREEDOMS] {
                 back.node(node)
             }

@@ -137,13 +137,6 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
                 #private::Placed::spot(self, place)
             }
 
-            fn precise_counts(
-                &self,
-                omega: [::core::primitive::f64; 2],
-            ) -> [::core::option::Option<#private::PreciseCount>; 2] {
-                #private::precise_counts(self, omega)
-            }
-
             fn frequency_estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates
             }

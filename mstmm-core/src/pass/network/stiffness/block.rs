@@ -13,24 +13,19 @@ use crate::pass::network::stiffness::total::StiffnessTotal;
 /// Some frequencies with what was computed there.
 pub(crate) struct StiffnessBlock<'a> {
     pub(crate) omega: &'a [f64],
-    /// Whether it is watched where rounding may decide signs.
-    pub(crate) watches: bool,
     /// Δ over `2^exponent`.
     pub(crate) value: &'a mut [f64],
     pub(crate) below: &'a mut [f64],
-    /// A bit per frequency: whether Δ is not known, or rounding may have decided the sign of a pivot.
+    /// A bit per frequency: whether Δ is not known, or zero.
     pub(crate) unknown: u32,
-    pub(crate) doubtful: u32,
     /// The power of two of all values; that of the first one, if there is none yet.
     pub(crate) exponent: Option<i64>,
 }
 
 impl StiffnessModel<'_> {
-    /// Δ at some frequencies over one power of two, and the counts there, in the lanes of the widest vectors in use: what searches ask for,
-    /// without a look at rounding.
+    /// Δ at some frequencies over one power of two, and the counts there, in the lanes of the widest vectors in use: what searches ask for.
     pub fn evaluate(&self, omega: &[f64], value: &mut [f64], below: &mut [f64]) {
-        StiffnessBlock { omega, watches: false, value, below, unknown: 0, doubtful: 0, exponent: None }
-            .evaluate(self, omega.len() > 1);
+        StiffnessBlock { omega, value, below, unknown: 0, exponent: None }.evaluate(self, omega.len() > 1);
     }
 }
 
@@ -59,21 +54,20 @@ impl StiffnessBlock<'_> {
         model: &StiffnessModel<'_>,
     ) {
         let mut memory = StiffnessMemory::<S, W, ENTRIES>::new();
-        (self.unknown, self.doubtful) = (0, 0);
+        self.unknown = 0;
         let mut from = 0;
         while from < self.omega.len() {
             let lanes = from..self.omega.len().min(from + S::LANES);
             let omega = S::load(&self.omega[lanes.clone()]);
-            let mut front = memory.front(model.width, self.watches);
+            let mut front = memory.front(model.width);
             S::eliminate_all(model, &mut front, &omega);
-            let StiffnessTotal { product, exponent, below, is_doubtful } = front.total;
+            let StiffnessTotal { product, exponent, below } = front.total;
             let value = product
                 .times_power_of_two((exponent - *self.exponent.get_or_insert(exponent)).clamp(-4000, 4000) as i32);
             // neither a NaN nor zero nor beyond the range
             let is_known = value.size().is_below(S::Size::of(f64::INFINITY)) & !value.vanishes();
             let all = (1u32 << lanes.len()) - 1;
             self.unknown |= (u32::from(S::bits(!is_known)) & all) << from;
-            self.doubtful |= (u32::from(S::bits(is_doubtful)) & all) << from;
             value.store(&mut self.value[lanes.clone()]);
             S::store_size(below, &mut self.below[lanes]);
             from += S::LANES;
@@ -82,7 +76,7 @@ impl StiffnessBlock<'_> {
 }
 
 /// A number at which networks are evaluated by stiffnesses, compiled with this library.
-trait StiffnessScalar: Joins<Part = f64> {
+trait StiffnessScalar: Joins {
     /// Eliminates all nodes.
     fn eliminate_all(model: &StiffnessModel<'_>, front: &mut StiffnessFront<'_, Self>, omega: &Self);
 }
@@ -135,7 +129,7 @@ mod in_vectors {
 
     impl<V: Waving> Part for Elimination<'_, '_, '_, V>
     where
-        Lanes<V>: Joins<Part = f64>,
+        Lanes<V>: Joins,
     {
         #[inline(always)]
         fn run(self) {

@@ -4,17 +4,12 @@ use crate::number::{Scalar, Size};
 use crate::pass::network::stiffness::group::{Group, Set};
 use crate::pass::network::stiffness::total::StiffnessTotal;
 
-/// Number of pivots whose roundings add up to one more error of a row: rows know their errors, but not how those of different rows depend on
-/// each other. Up to that error rounding may decide the sign of a pivot.
-const PIVOTS_PER_ERROR: usize = 6;
-
 /// Most variables that leave together.
 const GROUP: usize = 3;
 
 /// Memory for a front of up to `W` variables, with so many entries.
 pub(super) struct StiffnessMemory<S: Scalar, const W: usize, const ENTRIES: usize> {
     entries: [S; ENTRIES],
-    errors: [S::Size; W],
     places: [usize; W],
     solved: [[S; GROUP]; W],
 }
@@ -24,26 +19,17 @@ impl<S: Scalar, const W: usize, const ENTRIES: usize> StiffnessMemory<S, W, ENTR
     #[inline(always)]
     pub(super) fn new() -> Self {
         const { assert!(ENTRIES == row(W)) };
-        StiffnessMemory {
-            entries: [S::zero(); ENTRIES],
-            errors: [S::Size::of(0.0); W],
-            places: [0; W],
-            solved: [[S::zero(); GROUP]; W],
-        }
+        StiffnessMemory { entries: [S::zero(); ENTRIES], places: [0; W], solved: [[S::zero(); GROUP]; W] }
     }
 
-    /// An empty front of up to so many variables in this memory, given whether rounding is watched.
+    /// An empty front of up to so many variables in this memory.
     #[inline(always)]
-    pub(super) fn front(&mut self, width: usize, watches: bool) -> StiffnessFront<'_, S> {
+    pub(super) fn front(&mut self, width: usize) -> StiffnessFront<'_, S> {
         self.entries[..row(width)].fill(S::zero());
-        self.errors[..width].fill(S::Size::of(0.0));
         StiffnessFront {
             entries: &mut self.entries,
-            errors: &mut self.errors,
             places: &mut self.places,
             solved: &mut self.solved,
-            watches,
-            pivots: 0,
             total: StiffnessTotal::new(),
         }
     }
@@ -65,14 +51,9 @@ pub(super) const fn place(one: usize, other: usize) -> usize {
 pub(super) struct StiffnessFront<'r, S: Scalar> {
     /// The lower triangle, row after row; zero where no variable is, and between variables that nothing couples.
     pub(super) entries: &'r mut [S],
-    pub(super) errors: &'r mut [S::Size],
     /// The places of the variables that are coupled to those that leave, and their entries there over the pivots.
     places: &'r mut [usize],
     solved: &'r mut [[S; GROUP]],
-    /// Whether errors are carried along.
-    pub(super) watches: bool,
-    /// The number of pivots so far.
-    pivots: usize,
     pub(super) total: StiffnessTotal<S>,
 }
 
@@ -89,7 +70,7 @@ impl<S: Scalar> StiffnessFront<'_, S> {
     /// Pivots on variables, given their places, from the last one to the first one, and those that they are coupled to.
     #[inline(always)]
     fn pivot_on(&mut self, [first, count]: [usize; 2], mut set: Set) {
-        let (own, errors) = self.take_pivots(first, count);
+        let own = self.take_pivots(first, count);
         let mut beside = 0;
         while set != 0 {
             let other = set.trailing_zeros() as usize;
@@ -105,10 +86,6 @@ impl<S: Scalar> StiffnessFront<'_, S> {
                     factors[k] -= factors[l] * own[l][k];
                 }
                 solved[k] = factors[k] * own[k][k];
-                if self.watches {
-                    self.errors[other] =
-                        inherited(self.errors[other], [solved[k].size(), factors[k].size()], errors[k]);
-                }
             }
             (self.places[beside], self.solved[beside]) = (other, solved);
             beside += 1;
@@ -122,19 +99,18 @@ impl<S: Scalar> StiffnessFront<'_, S> {
         }
     }
 
-    /// Takes the pivots of a group. Returns their inverses, each behind its row over the pivot, and the errors of their rows.
+    /// Takes the pivots of a group. Returns their inverses, each behind its row over the pivot.
     #[inline(always)]
-    fn take_pivots(&mut self, first: usize, count: usize) -> ([[S; GROUP]; GROUP], [S::Size; GROUP]) {
-        let (mut own, mut errors) = ([[S::zero(); GROUP]; GROUP], [S::Size::of(0.0); GROUP]);
+    fn take_pivots(&mut self, first: usize, count: usize) -> [[S; GROUP]; GROUP] {
+        let mut own = [[S::zero(); GROUP]; GROUP];
         for k in 0..count {
             for (l, own) in own[k][..=k].iter_mut().enumerate() {
                 *own = core::mem::replace(&mut self.entries[row(first + k) + first + l], S::zero());
             }
-            errors[k] = core::mem::replace(&mut self.errors[first + k], S::Size::of(0.0));
         }
         let (mut product, mut pivots) = (S::one(), [S::one(); GROUP]);
         for pivot in (0..count).rev() {
-            self.look_at(own[pivot][pivot], errors[pivot]);
+            self.count(own[pivot][pivot]);
             product *= own[pivot][pivot];
             pivots[pivot] = own[pivot][pivot];
             let inverse = S::one() / own[pivot][pivot];
@@ -146,38 +122,22 @@ impl<S: Scalar> StiffnessFront<'_, S> {
                 for (entry, solved) in row[..=k].iter_mut().zip(&solved[0]) {
                     *entry -= factor * *solved;
                 }
-                if self.watches {
-                    errors[k] = inherited(errors[k], [solved[0][k].size(), factor.size()], errors[pivot]);
-                }
             }
         }
         self.total.multiply_by_all(product, &pivots[..count]);
-        (own, errors)
+        own
     }
 
-    /// Includes a pivot, with the error of its row, in Δ and the count.
+    /// Includes a pivot in Δ and the count.
     #[inline(always)]
-    pub(super) fn take(&mut self, pivot: S, error: S::Size) {
-        self.look_at(pivot, error);
+    pub(super) fn take(&mut self, pivot: S) {
+        self.count(pivot);
         self.total.multiply(pivot, 0);
     }
 
-    /// Includes a pivot in the count, and sees whether rounding may have decided its sign, given the error of its row.
+    /// Includes a pivot in the count.
     #[inline(always)]
-    fn look_at(&mut self, pivot: S, error: S::Size) {
-        if self.watches {
-            self.pivots += 1;
-            let errors = self.pivots.div_ceil(PIVOTS_PER_ERROR) as f64;
-            let limit = error * S::Size::of(errors * S::EPSILON);
-            self.total.is_doubtful = self.total.is_doubtful | !limit.is_below(pivot.size());
-        }
+    fn count(&mut self, pivot: S) {
         self.total.below = self.total.below + S::Size::one_if(pivot.is_negative());
     }
-}
-
-/// The error of a row, in units of rounding, after a pivot on another one: its own and what it inherits of that, given the sizes of its entry
-/// there over the pivot and of that entry.
-#[inline(always)]
-pub(super) fn inherited<E: Size>(own: E, [solved, factor]: [E; 2], pivot: E) -> E {
-    own + solved * (solved * pivot + factor)
 }

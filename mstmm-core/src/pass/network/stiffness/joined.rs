@@ -1,37 +1,31 @@
 //! How members that do not share all freedoms with their nodes are added: by a call, compiled with this library once for each number, and
 //! for vectors on their own instruction set. Most structures have none.
 
-use crate::DoubleDouble;
+use crate::number::Frequency;
 use crate::pass::network::stiffness::front::StiffnessFront;
 use crate::pass::network::stiffness::member::StiffnessMember;
-use crate::pass::network::stiffness::numbers::StiffnessNumber;
 use crate::pass::network::stiffness::released::OwnStiffness;
 
 /// A number at which such members are added.
-pub(super) trait Joins: StiffnessNumber {
+pub(super) trait Joins: Frequency<f64> {
     /// Adds a member that does not share all freedoms with its nodes.
     fn join<const N: usize>(
         own: &mut OwnStiffness<Self, N>,
         front: &mut StiffnessFront<'_, Self>,
-        member: &StiffnessMember<Self::Part>,
+        member: &StiffnessMember,
     );
 }
 
-macro_rules! alone {
-    ($($number:ty),*) => {$(
-        impl Joins for $number {
-            #[inline(never)]
-            fn join<const N: usize>(
-                own: &mut OwnStiffness<Self, N>,
-                front: &mut StiffnessFront<'_, Self>,
-                member: &StiffnessMember<Self>,
-            ) {
-                own.join(front, member);
-            }
-        }
-    )*};
+impl Joins for f64 {
+    #[inline(never)]
+    fn join<const N: usize>(
+        own: &mut OwnStiffness<Self, N>,
+        front: &mut StiffnessFront<'_, Self>,
+        member: &StiffnessMember,
+    ) {
+        own.join(front, member);
+    }
 }
-alone!(f64, DoubleDouble);
 
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 mod in_vectors {
@@ -48,7 +42,7 @@ mod in_vectors {
 
     impl<V: Waving, const N: usize> Part for Join<'_, '_, V, N>
     where
-        Lanes<V>: Joins<Part = f64>,
+        Lanes<V>: Joins,
     {
         #[inline(always)]
         fn run(self) {
@@ -63,7 +57,7 @@ mod in_vectors {
                 fn join<const N: usize>(
                     own: &mut OwnStiffness<Self, N>,
                     front: &mut StiffnessFront<'_, Self>,
-                    member: &StiffnessMember<Self::Part>,
+                    member: &StiffnessMember,
                 ) {
                     <$vector>::call(Join { own, front, member });
                 }

@@ -1,7 +1,7 @@
 //! A member of a network in numbers.
 
 use crate::element::MemberNumbers;
-use crate::number::{Real, Scalar};
+use crate::number::Real;
 use crate::pass::network::member::Placement;
 use crate::pass::network::stiffness::group::Group;
 use crate::pass::network::stiffness::numbers::Waving;
@@ -9,10 +9,10 @@ use mstmm_plan::Freedoms;
 
 /// A member with what the freedoms of its ends are of the motions of its nodes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StiffnessMember<N = f64> {
-    pub(super) waving: Waving<N>,
+pub(super) struct StiffnessMember {
+    pub(super) waving: Waving,
     /// Of each end, for displacements along and across the member: the parts of the motions of its node.
-    pub(super) rows: [[[N; 3]; 2]; 2],
+    pub(super) rows: [[[f64; 3]; 2]; 2],
     pub(super) seat: Seat,
 }
 
@@ -99,18 +99,16 @@ impl StiffnessMember {
             _ => 0,
         }
     }
-}
 
-impl<N: Scalar> StiffnessMember<N> {
     /// What a displacement of an end, along or across the member, or its rotation is of the motions of its node.
     #[inline(always)]
-    pub(super) fn row(&self, end: usize, freedom: usize) -> [N; 3] {
+    pub(super) fn row(&self, end: usize, freedom: usize) -> [f64; 3] {
         if freedom < 2 {
             return self.rows[end][freedom];
         }
-        let mut row = [N::zero(); 3];
+        let mut row = [0.0; 3];
         if let Some(rotation) = self.seat.rotation(end) {
-            row[rotation] = N::one();
+            row[rotation] = 1.0;
         }
         row
     }

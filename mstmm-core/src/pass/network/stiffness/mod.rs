@@ -1,7 +1,7 @@
 //! Networks by dynamic stiffnesses: an evaluation that chooses no pivots, at several frequencies at once.
 //!
-//! It is fast, and as good as the members are far from frequencies at which they vibrate between held ends. Searches approach roots by it,
-//! and take its counts where rounding cannot have decided the sign of a pivot; all else goes by fronts.
+//! It is fast, and as good as the members are far from frequencies at which they vibrate between held ends. Searches propose roots by it.
+//! Motions and damped searches go by fronts.
 
 mod arrangement;
 mod assembly;
@@ -14,8 +14,6 @@ mod model;
 mod node;
 mod numbers;
 mod pass;
-mod precise;
-mod precise_count;
 mod released;
 mod total;
 mod waves;
@@ -26,5 +24,3 @@ mod tests;
 pub(crate) use block::StiffnessBlock;
 pub use model::StiffnessModel;
 pub(crate) use model::StiffnessRoom;
-pub use precise::precise_counts;
-pub use precise_count::PreciseCount;

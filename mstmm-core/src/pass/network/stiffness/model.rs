@@ -14,7 +14,7 @@ use mstmm_plan::NetworkOrder;
 pub(crate) struct StiffnessRoom<const NODES: usize, const MEMBERS: usize> {
     nodes: [StiffnessNode; NODES],
     members: [StiffnessMember; MEMBERS],
-    /// The parameters of members, from which extended precision computes them anew.
+    /// The parameters of members, from which a proof computes them anew.
     numbers: [MemberNumbers; MEMBERS],
     joining: [u32; MEMBERS],
     parting: [u32; MEMBERS],
@@ -58,8 +58,8 @@ impl<const NODES: usize, const MEMBERS: usize> StiffnessRoom<NODES, MEMBERS> {
 
     /// The network, given its order, unless a member is not known in numbers, or too many displacements are in a front.
     pub(crate) fn model<'a>(&'a self, order: &NetworkOrder<'a>) -> Option<StiffnessModel<'a>> {
-        let StiffnessRoom { nodes, members, numbers, joining, parting, width } = self;
-        (*width).map(|width| StiffnessModel { nodes, members, numbers, order: order.nodes, joining, parting, width })
+        let StiffnessRoom { nodes, members, joining, parting, width, .. } = self;
+        (*width).map(|width| StiffnessModel { nodes, members, order: order.nodes, joining, parting, width })
     }
 }
 
@@ -68,7 +68,6 @@ impl<const NODES: usize, const MEMBERS: usize> StiffnessRoom<NODES, MEMBERS> {
 pub struct StiffnessModel<'a> {
     pub(super) nodes: &'a [StiffnessNode],
     pub(super) members: &'a [StiffnessMember],
-    pub(super) numbers: &'a [MemberNumbers],
     /// The nodes in the order in which they leave, the members in that in which they join, and those whose forces part behind nodes.
     pub(super) order: &'a [usize],
     pub(super) joining: &'a [u32],

@@ -12,11 +12,7 @@ use mstmm_plan::Freedoms;
 
 /// Eliminates all nodes at a frequency: members join a front, and what no member will join any more leaves.
 #[inline(always)]
-pub(super) fn eliminate_all<S: Joins<Part = f64>>(
-    model: &StiffnessModel<'_>,
-    front: &mut StiffnessFront<'_, S>,
-    omega: S,
-) {
+pub(super) fn eliminate_all<S: Joins>(model: &StiffnessModel<'_>, front: &mut StiffnessFront<'_, S>, omega: S) {
     let (at, mut waves) = (FrequencyPowers::new(omega, true), BeamWaves::new());
     let (mut joined, mut parted) = (0usize, 0usize);
     for &node in model.order {
@@ -40,7 +36,7 @@ pub(super) fn eliminate_all<S: Joins<Part = f64>>(
 #[inline(always)]
 pub(super) fn add_member<S: Joins>(
     front: &mut StiffnessFront<'_, S>,
-    member: &StiffnessMember<S::Part>,
+    member: &StiffnessMember,
     at: &FrequencyPowers<S>,
     waves: &mut BeamWaves<S>,
 ) {
@@ -64,7 +60,7 @@ pub(super) fn add_member<S: Joins>(
             let [mut tie, _] = member.seat.ties.places();
             for (freedom, stiffness) in elastic.iter().enumerate() {
                 if !stiffness.vanishes() {
-                    let own = S::of(*stiffness);
+                    let own = S::from_f64(*stiffness);
                     front.add_line([own, -own], freedom, member);
                 }
                 if rigid.contains(Freedoms::SINGLE[freedom]) {
@@ -79,12 +75,7 @@ pub(super) fn add_member<S: Joins>(
 
 /// Adds a line.
 #[inline(always)]
-fn add_line<S: Joins>(
-    front: &mut StiffnessFront<'_, S>,
-    waves: &Line<S>,
-    freedom: usize,
-    member: &StiffnessMember<S::Part>,
-) {
+fn add_line<S: Joins>(front: &mut StiffnessFront<'_, S>, waves: &Line<S>, freedom: usize, member: &StiffnessMember) {
     front.total.include(waves);
     if member.seat.is_shared {
         front.add_line(waves.stiffness, freedom, member);

@@ -1,9 +1,8 @@
 //! Members that do not share all freedoms with their nodes: what is not shared leaves before the member joins a front.
 
-use crate::number::{Scalar, Size};
-use crate::pass::network::stiffness::front::{StiffnessFront, inherited};
+use crate::number::Scalar;
+use crate::pass::network::stiffness::front::StiffnessFront;
 use crate::pass::network::stiffness::member::StiffnessMember;
-use crate::pass::network::stiffness::numbers::StiffnessNumber;
 use crate::pass::network::stiffness::waves::{Bending, Line};
 
 /// The dynamic stiffness of a member over `N` freedoms of its ends.
@@ -11,20 +10,18 @@ pub(super) struct OwnStiffness<S: Scalar, const N: usize> {
     /// End and freedom of each row: displacement along, across, rotation.
     freedoms: [[usize; 2]; N],
     entries: [[S; N]; N],
-    /// The size of the terms that each diagonal entry is made of, which are as large as that between both ends.
-    errors: [S::Size; N],
 }
 
-impl<S: StiffnessNumber> OwnStiffness<S, 2> {
+impl<S: Scalar> OwnStiffness<S, 2> {
     /// A line in a freedom.
     #[inline(always)]
     pub(super) fn of_line(line: &Line<S>, freedom: usize) -> Self {
         let [own, across] = line.stiffness;
-        OwnStiffness::new([0, 1].map(|end| [end, freedom]), [[own, across], [across, own]])
+        OwnStiffness { freedoms: [0, 1].map(|end| [end, freedom]), entries: [[own, across], [across, own]] }
     }
 }
 
-impl<S: StiffnessNumber> OwnStiffness<S, 4> {
+impl<S: Scalar> OwnStiffness<S, 4> {
     /// Bending, over deflection and rotation of each end.
     #[inline(always)]
     pub(super) fn of_bending(bending: &Bending<S>) -> Self {
@@ -36,24 +33,14 @@ impl<S: StiffnessNumber> OwnStiffness<S, 4> {
             [yy_across, -yt_across, yy, -yt],
             [yt_across, tt_across, -yt, tt],
         ];
-        OwnStiffness::new(freedoms, entries)
+        OwnStiffness { freedoms, entries }
     }
 }
 
-impl<S: StiffnessNumber, const N: usize> OwnStiffness<S, N> {
-    /// A stiffness over freedoms.
-    #[inline(always)]
-    fn new(freedoms: [[usize; 2]; N], entries: [[S; N]; N]) -> Self {
-        let mut errors = [S::Size::of(0.0); N];
-        for (k, error) in errors.iter_mut().enumerate() {
-            *error = entries[k][k].size().or_larger(entries[k][(k + N / 2) % N].size());
-        }
-        OwnStiffness { freedoms, entries, errors }
-    }
-
+impl<S: Scalar, const N: usize> OwnStiffness<S, N> {
     /// Eliminates what is released, and adds the rest to a front.
     #[inline(always)]
-    pub(super) fn join(&mut self, front: &mut StiffnessFront<'_, S>, member: &StiffnessMember<S::Part>) {
+    pub(super) fn join(&mut self, front: &mut StiffnessFront<'_, S>, member: &StiffnessMember) {
         for k in 0..N {
             if !member.seat.has(self.freedoms[k]) {
                 self.eliminate(k, front);
@@ -65,7 +52,6 @@ impl<S: StiffnessNumber, const N: usize> OwnStiffness<S, N> {
         for k in 0..N {
             let Some(place) = places[k] else { continue };
             front.add_own(self.entries[k][k], place, &rows[k]);
-            front.note_own(self.errors[k], place, &rows[k]);
             for l in 0..k {
                 let Some(other) = places[l] else { continue };
                 front.add_across(self.entries[k][l], [place, other], [&rows[k], &rows[l]]);
@@ -76,7 +62,7 @@ impl<S: StiffnessNumber, const N: usize> OwnStiffness<S, N> {
     /// Pivots on a freedom.
     #[inline(always)]
     fn eliminate(&mut self, released: usize, front: &mut StiffnessFront<'_, S>) {
-        let (row, error) = (self.entries[released], self.errors[released]);
+        let row = self.entries[released];
         let inverse = S::one() / row[released];
         for k in 0..N {
             if k != released {
@@ -84,9 +70,8 @@ impl<S: StiffnessNumber, const N: usize> OwnStiffness<S, N> {
                 for (entry, factor) in self.entries[k].iter_mut().zip(row) {
                     *entry -= solved * factor;
                 }
-                self.errors[k] = inherited(self.errors[k], [solved.size(), row[k].size()], error);
             }
         }
-        front.take(row[released], error);
+        front.take(row[released]);
     }
 }

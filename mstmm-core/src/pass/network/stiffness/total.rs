@@ -1,6 +1,6 @@
 //! What is multiplied and counted while a network is evaluated by stiffnesses.
 
-use crate::number::{Scalar, Size, Truth, binary_exponent, power_of_two};
+use crate::number::{Scalar, Size, binary_exponent, power_of_two};
 use crate::pass::network::stiffness::waves::{Bending, Line, Waves};
 
 /// Sizes of a product beyond which a power of two is taken out.
@@ -16,14 +16,12 @@ pub(super) struct StiffnessTotal<S: Scalar> {
     pub(super) product: S,
     pub(super) exponent: i64,
     pub(super) below: S::Size,
-    /// Where rounding may have decided the sign of a pivot.
-    pub(super) is_doubtful: S::Truth,
 }
 
 impl<S: Scalar> StiffnessTotal<S> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        StiffnessTotal { product: S::one(), exponent: 0, below: S::Size::of(0.0), is_doubtful: S::Truth::of(false) }
+        StiffnessTotal { product: S::one(), exponent: 0, below: S::Size::of(0.0) }
     }
 
     /// Includes a member: its minor, and its frequencies with both ends held.

@@ -3,7 +3,7 @@
 use crate::number::{FrequencyPowers, Scalar, Size, Truth, series, twice};
 use crate::pass::network::stiffness::arrangement::KEPT;
 use crate::pass::network::stiffness::member::Seat;
-use crate::pass::network::stiffness::numbers::{BendingWave, LineWave, StiffnessNumber};
+use crate::pass::network::stiffness::numbers::{BendingWave, LineWave};
 use core::f64::consts::FRAC_1_PI;
 
 /// A dynamic stiffness over the displacements of both ends of a uniform member, with equal ends.
@@ -35,7 +35,7 @@ impl<S: Scalar, const ENTRIES: usize> Waves<S, ENTRIES> {
 /// The waves of beams, each different from the others.
 pub(super) struct BeamWaves<S: Scalar>([(Bending<S>, Line<S>); KEPT]);
 
-impl<S: StiffnessNumber> BeamWaves<S> {
+impl<S: Scalar> BeamWaves<S> {
     /// No waves yet.
     #[inline(always)]
     pub(super) fn new() -> Self {
@@ -47,7 +47,7 @@ impl<S: StiffnessNumber> BeamWaves<S> {
     pub(super) fn of(
         &mut self,
         seat: &Seat,
-        (across, along): (&BendingWave<S::Part>, Option<&LineWave<S::Part>>),
+        (across, along): (&BendingWave, Option<&LineWave>),
         at: &FrequencyPowers<S>,
     ) -> &(Bending<S>, Line<S>) {
         let waves = &mut self.0[seat.waves as usize];
@@ -65,9 +65,9 @@ impl<S: StiffnessNumber> BeamWaves<S> {
 /// z³ (ch s + sh c)   z² sh s   z (ch s - sh c)      -z³ (sh + s)   z² (ch - c)   z (sh - s)
 /// ```
 #[inline(always)]
-fn bending<S: StiffnessNumber>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>) -> Bending<S> {
-    let z = at.powers[0] * S::of(beam.wave);
-    let x = at.powers[3] * S::of(beam.wave_fourth);
+fn bending<S: Scalar>(beam: &BendingWave, at: &FrequencyPowers<S>) -> Bending<S> {
+    let z = at.powers[0] * S::from_f64(beam.wave);
+    let x = at.powers[3] * S::from_f64(beam.wave_fourth);
     let is_long = S::Size::of(1.0).is_below(x.size());
     let mut waves = if is_long.all() {
         long_waves(beam, at, z)
@@ -87,7 +87,7 @@ fn bending<S: StiffnessNumber>(beam: &BendingWave<S::Part>, at: &FrequencyPowers
     let factors = [beam.stiffness, first, first * beam.length];
     let mut k = 0;
     while k < 6 {
-        waves.stiffness[k] *= S::of(factors[k % 3]);
+        waves.stiffness[k] *= S::from_f64(factors[k % 3]);
         k += 1;
     }
     // one less where `1 - ch c` has not yet the sign that it has beyond the last half wave
@@ -99,14 +99,14 @@ fn bending<S: StiffnessNumber>(beam: &BendingWave<S::Part>, at: &FrequencyPowers
 
 /// The stiffness of long waves over `EI/l³` and lengths.
 #[inline(always)]
-fn long_waves<S: StiffnessNumber>(beam: &BendingWave<S::Part>, at: &FrequencyPowers<S>, z: S) -> Bending<S> {
+fn long_waves<S: Scalar>(beam: &BendingWave, at: &FrequencyPowers<S>, z: S) -> Bending<S> {
     let waves = z.wave_functions();
     let [circular, hyperbolic] = waves.exponents;
     let (sin, cos) = (waves.sin.times_power_of_two(-hyperbolic), waves.cos.times_power_of_two(-hyperbolic));
     let (sh, ch) = (waves.sh.times_power_of_two(-circular), waves.ch.times_power_of_two(-circular));
     let minor = waves.one - waves.ch * waves.cos;
     // over z⁴, that it does not vanish at rest
-    let entire = minor * at.inverse_powers[3] * S::of(beam.inverse_fourth);
+    let entire = minor * at.inverse_powers[3] * S::from_f64(beam.inverse_fourth);
     let first = z / minor;
     let second = first * z;
     let third = second * z;
@@ -141,14 +141,14 @@ fn short_waves<S: Scalar>(x: S) -> Bending<S> {
 
 /// The stiffness of a line, `H/l` times `√κ coth √κ` and `-√κ / sinh √κ`.
 #[inline(always)]
-pub(super) fn line<S: StiffnessNumber>(line: &LineWave<S::Part>, at: &FrequencyPowers<S>) -> Line<S> {
+pub(super) fn line<S: Scalar>(line: &LineWave, at: &FrequencyPowers<S>) -> Line<S> {
     if line.inertia.vanishes() && line.foundation.vanishes() {
-        let own = S::of(line.stiffness);
+        let own = S::from_f64(line.stiffness);
         return Waves { stiffness: [own, -own], minor: S::one(), exponent: 0, below: S::Size::of(0.0) };
     }
-    let square = at.lambda_squared * S::of(line.inertia) + S::of(line.foundation);
+    let square = at.lambda_squared * S::from_f64(line.inertia) + S::from_f64(line.foundation);
     let waves = square.even_waves();
-    let inverse = S::one() / waves.sinhc * S::of(line.stiffness);
+    let inverse = S::one() / waves.sinhc * S::from_f64(line.stiffness);
     // the half waves to the nearest frequency of the line with both ends held, on whose side the sign of the minor tells: rounding alone would not
     let travelling = S::select(square.is_negative(), -square, S::zero());
     let half = S::Size::of(0.5);
