@@ -63,7 +63,7 @@ impl<N: Number> Ball<N> {
     }
 
     /// Its inverse `m`, whatever it is: `|1/b - m| = |1 - b m| / |b|` for each b of the ball.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn inverse(self) -> Self {
         let mid = self.mid.near_inverse();
         let residual = Self::of(1.0) - self * Self::exactly(mid);
@@ -73,7 +73,7 @@ impl<N: Number> Ball<N> {
     }
 
     /// The square root `r` of a ball of positive numbers, whatever it is: `|√x - r| = |x - r²| / (√x + r)`.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn root(self) -> Self {
         let mid = self.mid.near_root();
         let residual = self - Self::exactly(mid) * Self::exactly(mid);

@@ -30,7 +30,7 @@ pub(crate) fn sizes_of<N: Level>([b, _, d, t, _, v]: [Ball<N>; 6]) -> [f64; 4] {
 }
 
 /// The member at `x >= 0`.
-#[inline(always)]
+#[inline(never)]
 pub(crate) fn bending<N: Level>(x: Ball<N>) -> Bending<N> {
     let is_short = x.largest().is_less(N::Word::of(1.0));
     if N::Word::all(is_short) {
@@ -45,7 +45,7 @@ pub(crate) fn bending<N: Level>(x: Ball<N>) -> Bending<N> {
 }
 
 /// Short waves: series in x. The first frequency of a clamped beam is at z = 4.73.
-#[inline(always)]
+#[inline(never)]
 fn short<N: Level>(x: Ball<N>) -> Bending<N> {
     let terms = terms(N::TERMS);
     let y = x.scaled(-4.0);
@@ -65,7 +65,7 @@ fn short<N: Level>(x: Ball<N>) -> Bending<N> {
 }
 
 /// Waves of z >= 1, all functions times `2e^-z`.
-#[inline(always)]
+#[inline(never)]
 fn long<N: Level>(x: Ball<N>) -> Bending<N> {
     let word = N::Word::of;
     let z = x.root().root();
@@ -92,7 +92,7 @@ fn long<N: Level>(x: Ball<N>) -> Bending<N> {
 }
 
 /// The member away from its poles.
-#[inline(always)]
+#[inline(never)]
 fn plain<N: Level>(z: Ball<N>, minor: Ball<N>, [b, f, d, t, u, v]: [Ball<N>; 6]) -> Bending<N> {
     let word = N::Word::of;
     let first = z * minor.inverse();
@@ -119,7 +119,7 @@ fn plain<N: Level>(z: Ball<N>, minor: Ball<N>, [b, f, d, t, u, v]: [Ball<N>; 6])
 
 /// The member beside a pole: Sylvester's identity `N = n nᵀ/n₁ + E M/n₁` of its numerators, n the first row, E the minor, M minors of two rows
 /// and columns over E in closed form.
-#[inline(always)]
+#[inline(never)]
 fn bordered<N: Level>(
     z: Ball<N>,
     minor: Ball<N>,

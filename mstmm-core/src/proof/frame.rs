@@ -60,6 +60,7 @@ impl Nodes {
     }
 
     /// Displacements x and y and rotation of a place that is tied to a node.
+    #[inline(never)]
     fn motion<N: Level>(&mut self, node: &NodeNumbers, place: [Exact; 2], joining: &mut Joining<'_, N>) -> [Row<N>; 3] {
         let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<N, 1>::of));
         let mut rows = [Row::none(); 3];
@@ -86,6 +87,7 @@ impl Nodes {
 
     /// Displacements along and across a member and rotation at one of its ends. What the end does not share with its node is a variable of its
     /// own, which leaves when the member has joined.
+    #[inline(never)]
     fn local<N: Level>(
         &mut self,
         end: &MemberEnd,
@@ -112,7 +114,7 @@ impl Nodes {
     }
 
     /// A member joins.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn member<N: Level>(
         &mut self,
         numbers: &MemberNumbers,
@@ -169,6 +171,7 @@ impl Nodes {
 
     /// A rigid joint: its force λ is a variable, `λ (row₂ - row₁)`, and one of the negative pivots. A stiffness of any size against what is zero
     /// changes nothing and keeps pivots from vanishing.
+    #[inline(never)]
     fn tie<N: Level>(&mut self, rows: [&Row<N>; 2], last: usize, joining: &mut Joining<'_, N>) {
         let mut gap = *rows[1];
         gap.add(rows[0], Ball::of(-1.0));
@@ -210,7 +213,7 @@ impl Nodes {
     }
 
     /// The variables of a node leave, and what waits behind them.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn leave<N: Level>(&mut self, node: usize, joining: &mut Joining<'_, N>) {
         let place = self.present[..self.count].iter().position(|present| present.index == node);
         if let Some(place) = place {

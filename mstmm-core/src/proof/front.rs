@@ -108,7 +108,7 @@ impl<'m, N: Number> Front<'m, N> {
     }
 
     /// Takes a place for a variable; none where there is no room.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn enter(&mut self) -> Option<usize> {
         let free = self.variables[..self.width].iter().position(|variable| !variable.is_taken);
         let place_of = match free {
@@ -161,7 +161,7 @@ impl<'m, N: Number> Front<'m, N> {
     }
 
     /// Eliminates a variable.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn leave(&mut self, variable: usize) {
         let word = N::Word::of;
         let own = self.variables[variable];

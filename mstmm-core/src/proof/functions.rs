@@ -63,7 +63,7 @@ impl<N: Level> Ball<N> {
 
     /// `Σ_k y^k / (stride k + first)!` with so many terms, for |y| <= `limit`: from one term to the next the rest falls by
     /// `limit / (stride terms + first)^stride`, which has to be below a half.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn series(self, [first, stride, terms]: [usize; 3], limit: f64) -> Self {
         let mut sum = Self::reciprocal_factorial(stride * (terms - 1) + first);
         for k in (0..terms - 1).rev() {
@@ -77,7 +77,7 @@ impl<N: Level> Ball<N> {
     }
 
     /// Sine and cosine. Beyond [`MOST_TURNS`] quarter turns both are known to be in [-1, 1] alone.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn sin_cos(self) -> [Self; 2] {
         let word = N::Word::of;
         let turns = (self.mid.leading() * word(core::f64::consts::FRAC_2_PI)).nearest();
@@ -103,7 +103,7 @@ impl<N: Level> Ball<N> {
     }
 
     /// `e^-x` for x >= 0.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn decay(self) -> Self {
         let word = N::Word::of;
         let is_moderate = self.mid.leading().is_less(word(MOST_DECAY));

@@ -29,7 +29,7 @@ pub(crate) struct General<N: Number> {
 }
 
 /// The beam at a squared frequency of either sign. EI, m and `1 + (N + G) f` are positive, f and r zero or positive.
-#[inline(always)]
+#[inline(never)]
 pub(crate) fn general_bending<N: Level>(beam: &BeamNumbers, length: Ball<N>, square: Ball<N>) -> General<N> {
     let word = N::Word::of;
     let at = Equations::of(beam, length, square);

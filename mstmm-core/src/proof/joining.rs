@@ -62,6 +62,7 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Puts a combination of other variables in the place of one.
+    #[inline(never)]
     pub(crate) fn substitute(&mut self, variable: usize, by: &Row<N>) {
         self.front.substitute(variable, by.terms());
     }
@@ -75,7 +76,7 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Adds a matrix over rows, given the sizes of the stiffnesses of these.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn add<const F: usize, const E: usize>(
         &mut self,
         stiffness: [Ball<N>; E],
@@ -112,7 +113,7 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Adds a member, in the units of its displacements' stiffnesses, with its border.
-    #[inline(always)]
+    #[inline(never)]
     fn add_member<const F: usize, const E: usize>(
         &mut self,
         member: &Member<N, F, E>,
@@ -169,7 +170,7 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Adds a line over the rows of its ends.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn add_line(&mut self, numbers: &LineNumbers, length: Ball<N>, rows: &[Row<N>; 2]) {
         let over = length * Ball::of_pair(numbers.stiffness).inverse();
         let inertia = Ball::of_pair(numbers.inertia) * self.square;
@@ -180,7 +181,7 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Adds the bending of a beam over the rows of displacement and rotation of both ends.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn add_bending(&mut self, numbers: &BeamNumbers, length: Ball<N>, rows: &[Row<N>; 4]) {
         if numbers.is_plain() {
             return self.add_plain_bending(numbers, length, rows);
@@ -203,7 +204,7 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Adds the bending of a plain beam.
-    #[inline(always)]
+    #[inline(never)]
     fn add_plain_bending(&mut self, numbers: &BeamNumbers, length: Ball<N>, rows: &[Row<N>; 4]) {
         let square = length * length;
         let mass = Ball::of_pair(numbers.mass_per_length) * self.square;
@@ -221,6 +222,7 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Adds a stiffness between two rows that nobody has proven, with its count with held ends.
+    #[inline(never)]
     pub(crate) fn add_counted(&mut self, stiffness: [Exact; 3], held: f64, rows: &[Row<N>; 2]) {
         let stiffness: [Ball<N>; 3] = stiffness.map(Ball::of_pair);
         let size = stiffness.map(|entry| entry.mid.size().first());
@@ -230,6 +232,7 @@ impl<'m, N: Level> Joining<'m, N> {
 
     /// Adds a tapered beam piece by piece. The last inner end leaves behind the first end of the beam: before that its pivot is a pole where
     /// the beam vibrates between held ends.
+    #[inline(never)]
     pub(crate) fn add_tapered(&mut self, numbers: &TaperedNumbers, rows: &[Row<N>; 4]) {
         let (mut input, mut inner) = ([rows[0], rows[1]], None::<[usize; 2]>);
         let found = pieces(numbers, self.square, &mut |piece, is_last| {
@@ -248,7 +251,7 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Adds a spring, or another stiffness, between two rows.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn add_spring(&mut self, stiffness: Exact, rows: [&Row<N>; 2]) {
         let mut elongation = *rows[1];
         elongation.add(rows[0], Ball::of(-1.0));
@@ -257,7 +260,7 @@ impl<'m, N: Level> Joining<'m, N> {
 
     /// Adds the inertia of a body over rows of displacement and rotation of a point, given its mass, its mass moment and its moment of inertia
     /// about the point.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn add_inertia(&mut self, [mass, moment, inertia]: [Ball<N>; 3], rows: &[Row<N>; 2]) {
         let entries = [mass, moment, inertia].map(|entry| if is_zero(&entry) { entry } else { -(entry * self.square) });
         let sizes = [entries[0], entries[2]].map(|entry| entry.mid.size().first());

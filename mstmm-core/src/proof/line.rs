@@ -17,7 +17,7 @@ fn of<N: Level>(own: Ball<N>, between: Ball<N>, held: [N::Word; 2], minor: N::Wo
 }
 
 /// The member at x of either sign.
-#[inline(always)]
+#[inline(never)]
 pub(crate) fn line<N: Level>(x: Ball<N>) -> Line<N> {
     let word = N::Word::of;
     let is_short = x.largest().is_less(word(1.0));

@@ -65,7 +65,7 @@ impl<N: Level> Paths<N> {
     }
 
     /// A path goes through an element.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn element(
         &mut self,
         [step, input]: [usize; 2],
@@ -83,6 +83,7 @@ impl<N: Level> Paths<N> {
     }
 
     /// Paths are joined: their displacements and rotations are equal, supports hold them, and what does not go on leaves.
+    #[inline(never)]
     pub(crate) fn connection(
         &mut self,
         step: usize,
@@ -169,6 +170,7 @@ fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N>, step: usize, joining:
 
 /// Satisfies that a combination of variables is zero: one of them is a combination of the others. What is zero already needs nothing: it is held
 /// twice, by the same. Returns that variable and the combination.
+#[inline(never)]
 fn satisfy<N: Level>(
     constraint: &Row<N>,
     rows: [&mut PointRows<N>; 2],
@@ -217,6 +219,7 @@ fn solved<N: Level>(constraint: &Row<N>, pivot: &Term<N>) -> Option<Row<N>> {
 }
 
 /// Eliminates the variables of a point that do not go on. As many go on as there are rows: a sum that goes on alone becomes a variable.
+#[inline(never)]
 fn go_on<N: Level>(before: &PointRows<N>, rows: &mut PointRows<N>, step: usize, joining: &mut Joining<'_, N>) {
     let mut old = Variables::of(before);
     for index in 0..2 {
@@ -275,7 +278,7 @@ impl Variables {
 }
 
 /// Takes the rows of a point through an element.
-#[inline(always)]
+#[inline(never)]
 fn through<N: Level>(
     rows: PointRows<N>,
     step: usize,
