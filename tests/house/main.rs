@@ -23,7 +23,8 @@ const ORDER: &[(&str, &[&str])] = &[
     ("subspace", &["number", "model"]),
     ("element", &["number", "model", "subspace"]),
     ("elements", &["number", "model", "subspace", "element"]),
-    ("pass", &["number", "model", "subspace", "element"]),
+    ("proof", &["number", "model", "element/member_numbers"]),
+    ("pass", &["number", "model", "subspace", "element", "proof/visit"]),
     (
         "search",
         &[
@@ -34,6 +35,8 @@ const ORDER: &[(&str, &[&str])] = &[
             "pass/searched",
             "pass/at_once",
             "pass/side_by_side",
+            "proof",
+            "element/member_numbers",
         ],
     ),
     ("answer", &["number", "model", "subspace/count", "element", "pass", "search"]),

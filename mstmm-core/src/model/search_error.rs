@@ -164,16 +164,7 @@ impl fmt::Display for SearchError {
             SearchError::Unresolved { near } => {
                 write!(f, "what is near {near} cannot be certified: too few digits are left there after rounding")
             }
-            SearchError::Unproven { near, at_most: u64::MAX, at_least } => {
-                write!(
-                    f,
-                    "nothing is proven of what is near {near}, but that at least {at_least} frequencies are below"
-                )
-            }
-            SearchError::Unproven { near, at_most, at_least } => write!(
-                f,
-                "rounding decides the count near {near}: at least {at_least} and at most {at_most} frequencies are below"
-            ),
+            SearchError::Unproven { near, at_most, at_least } => unproven(f, near, [at_least, at_most]),
             SearchError::Unstable { modes } => {
                 let grow = if modes == 1 { "motion grows" } else { "motions grow" };
                 write!(f, "the system is statically unstable: {modes} {grow} instead of vibrating; ")?;
@@ -212,4 +203,13 @@ mod tests {
         let message = SearchError::Range { start: -1.5e308, end: 1.5e308 }.to_string();
         assert!(message.contains("finite length"), "{message}");
     }
+}
+
+/// What is proven of a count that rounding decides.
+fn unproven(f: &mut fmt::Formatter<'_>, near: f64, bounds: [u64; 2]) -> fmt::Result {
+    let [at_least, at_most] = bounds;
+    if at_most == u64::MAX {
+        return write!(f, "nothing is proven near {near}, but that at least {at_least} frequencies are below");
+    }
+    write!(f, "rounding decides the count near {near}: at least {at_least} and at most {at_most} frequencies are below")
 }

@@ -1,7 +1,7 @@
 //! Elements that are known by their step of the plane method alone: their stiffness for a count without a proof.
 
 use crate::element::{Element, OwnPart, PlaneStep, space_of};
-use crate::number::{FrequencyPowers, Parameter, Real, Scalar, Size};
+use crate::number::{FrequencyPowers, Real, Scalar, Size};
 use crate::subspace::{Line, RootCounter, Subspace};
 use num_traits::{One, Zero};
 

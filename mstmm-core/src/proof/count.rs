@@ -7,7 +7,7 @@ use crate::proof::front::{Front, Variable};
 use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining};
 use crate::proof::number::Number;
-use crate::proof::tree::Paths;
+use crate::proof::tree::{Path, Paths};
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visited, Visitor};
 use crate::proof::word::Word;
 use mstmm_plan::{Space, Support};
@@ -49,7 +49,7 @@ struct Run<'m, N: Number> {
     /// The frequency, as the sum of two words.
     omega: [f64; 2],
     joining: Joining<'m, N>,
-    paths: Paths<N>,
+    paths: Paths<'m, N>,
     nodes: Nodes,
 }
 
@@ -103,16 +103,25 @@ impl<N: Level> Visitor for Run<'_, N> {
     }
 }
 
+/// Memory for a run.
+struct Room<'m, N: Number> {
+    entries: &'m mut [N],
+    variables: &'m mut [Variable<N::Word>],
+    paths: &'m mut [Path<N>],
+}
+
 /// A run at ω², of either sign, in memory for a front.
 #[inline(always)]
-pub(crate) fn run<'m, N: Level>(
-    model: &'m dyn Visited,
-    (entries, variables): (&'m mut [N], &'m mut [Variable<N::Word>]),
-    at: At<N>,
-) -> Result<Outcome<N::Word>, Failure> {
+fn run<'m, N: Level>(model: &'m dyn Visited, memory: Room<'m, N>, at: At<N>) -> Result<Outcome<N::Word>, Failure> {
     let At { square, toward, omega } = at;
-    let front = Front::new(entries, variables, toward);
-    let mut run = Run { model, omega, joining: Joining::new(front, square), paths: Paths::new(), nodes: Nodes::new() };
+    let front = Front::new(memory.entries, memory.variables, toward);
+    let mut run = Run {
+        model,
+        omega,
+        joining: Joining::new(front, square),
+        paths: Paths::new(memory.paths),
+        nodes: Nodes::new(),
+    };
     model.visit(&mut run);
     let Joining { front, held, failure, .. } = run.joining;
     if let Some(failure) = failure {
@@ -136,16 +145,12 @@ pub(crate) struct Memory {
 
 impl Memory {
     /// A run; where the front has no room it is made again with more.
-    pub(crate) fn run<N: Level<Word = f64>>(
-        &mut self,
-        model: &dyn Visited,
-        at: At<N>,
-    ) -> Result<Outcome<f64>, Failure> {
+    pub(crate) fn run<N: Level<Word = f64>>(&mut self, model: &dyn Visited, at: At<N>) -> Result<Outcome<f64>, Failure> {
         loop {
             let outcome = match self.class {
-                0 => on_stack::<N, 8, 36>(model, at),
-                1 => on_stack::<N, 24, 300>(model, at),
-                2 => on_stack::<N, 64, 2080>(model, at),
+                0 => on_stack::<N, 8, 36, 8>(model, at),
+                1 => on_stack::<N, 24, 300, 24>(model, at),
+                2 => on_stack::<N, 64, 2080, 64>(model, at),
                 class => return beyond_stack(class, model, at),
             };
             match outcome {
@@ -156,14 +161,14 @@ impl Memory {
     }
 }
 
-/// A run in memory for up to `W` variables with `E = W (W + 1)/2` entries.
+/// A run in memory for up to `W` variables with `E = W (W + 1)/2` entries, and for up to `P` open paths.
 #[inline(never)]
-fn on_stack<N: Level, const W: usize, const E: usize>(
+fn on_stack<N: Level, const W: usize, const E: usize, const P: usize>(
     model: &dyn Visited,
     at: At<N>,
 ) -> Result<Outcome<N::Word>, Failure> {
-    let (mut entries, mut variables) = ([N::of(0.0); E], [Variable::none(); W]);
-    run(model, (&mut entries, &mut variables), at)
+    let (mut entries, mut variables, mut paths) = ([N::of(0.0); E], [Variable::none(); W], [Path::none(); P]);
+    run(model, Room { entries: &mut entries, variables: &mut variables, paths: &mut paths }, at)
 }
 
 /// A run for a front that is too wide for the stack.
@@ -174,7 +179,8 @@ fn beyond_stack<N: Level<Word = f64>>(_class: usize, model: &dyn Visited, at: At
     const WIDEST: usize = 512;
     let mut entries = std::vec![N::of(0.0); WIDEST * (WIDEST + 1) / 2];
     let mut variables = std::vec![Variable::none(); WIDEST];
-    run(model, (&mut entries, &mut variables), at)
+    let mut paths = std::vec![Path::none(); WIDEST];
+    run(model, Room { entries: &mut entries, variables: &mut variables, paths: &mut paths }, at)
 }
 
 /// Without `std` there is no memory but the stack.

@@ -1,6 +1,6 @@
 //! A tree step by step: each open path has at most two variables, of which displacement and rotation at its end are rows.
 
-use crate::element::{MemberNumbers, OwnPart};
+use crate::element::{BodyNumbers, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining};
@@ -8,9 +8,6 @@ use crate::proof::number::Number;
 use crate::proof::row::{Row, TERMS, Term, is_one, is_zero};
 use crate::proof::word::Word;
 use mstmm_plan::{Freedoms, Space, Support};
-
-/// Most paths that are open at once.
-pub(crate) const OPEN_PATHS: usize = 64;
 
 /// Displacement and rotation, in this order.
 const FREEDOMS: [Freedoms; 2] = [Freedoms::Y, Freedoms::RZ];
@@ -20,7 +17,7 @@ type PointRows<N> = [Option<Row<N, 2>>; 2];
 
 /// An open path.
 #[derive(Clone, Copy, Debug)]
-struct Path<N: Number> {
+pub(crate) struct Path<N: Number> {
     /// The step that it has come to.
     step: usize,
     /// The support behind which nothing has come yet.
@@ -28,21 +25,28 @@ struct Path<N: Number> {
     rows: PointRows<N>,
 }
 
-/// The open paths of a tree.
+/// The open paths of a tree, in memory for as many.
 #[derive(Debug)]
-pub(crate) struct Paths<N: Number> {
-    paths: [Path<N>; OPEN_PATHS],
+pub(crate) struct Paths<'m, N: Number> {
+    paths: &'m mut [Path<N>],
     count: usize,
 }
 
-impl<N: Level> Paths<N> {
+impl<N: Level> Path<N> {
     /// No path.
-    pub(crate) fn new() -> Self {
-        Paths { paths: [Path { step: 0, support: None, rows: [None; 2] }; OPEN_PATHS], count: 0 }
+    pub(crate) fn none() -> Self {
+        Path { step: 0, support: None, rows: [None; 2] }
+    }
+}
+
+impl<'m, N: Level> Paths<'m, N> {
+    /// No path is open.
+    pub(crate) fn new(paths: &'m mut [Path<N>]) -> Self {
+        Paths { paths, count: 0 }
     }
 
     fn open(&mut self, path: Path<N>, joining: &mut Joining<'_, N>) {
-        if self.count == OPEN_PATHS {
+        if self.count == self.paths.len() {
             joining.failure = Some(Failure::Full);
             return;
         }
@@ -291,34 +295,15 @@ fn through<N: Level>(
     match numbers {
         MemberNumbers::Other => {
             let index = usize::from(rows[0].is_none());
-            let Some(part) = own_part else {
-                joining.failure = Some(Failure::NotInNumbers);
+            let Some(own) = own_row(own_part, &[y, theta][index], joining) else { return next };
+            next[index] = Some(own);
+            if matches!(own_part, Some(OwnPart::Tie { .. })) {
                 return next;
-            };
-            match part {
-                OwnPart::Tie { ratio, stiffness } => {
-                    let mut row = Row::none();
-                    row.add(&[y, theta][index], Ball::of_pair(ratio));
-                    joining.add_term(Ball::of_pair(stiffness), &[y, theta][index]);
-                    next[index] = Some(row);
-                    return next;
-                }
-                OwnPart::Stiffness { stiffness, held } => {
-                    let own = Row::<N, 2>::of(joining.enter());
-                    joining.add_counted(stiffness, held, &[[y, theta][index], own.widened()]);
-                    next[index] = Some(own);
-                }
             }
         }
         MemberNumbers::Body(body) => {
-            let [mass, inertia, centre] = [body.mass, body.inertia, body.centre_x].map(Ball::of_pair);
-            let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };
-            joining.add_inertia([mass, moment, inertia], &[y, theta]);
+            add_body(body, &[y, theta], joining);
             let output: Ball<N> = Ball::of_pair(body.output_x);
-            if body.axial_force != [0.0; 2] {
-                let length = if output.mid.leading().first() < 0.0 { -output } else { output };
-                joining.add_term(Ball::of_pair(body.axial_force) * length, &theta);
-            }
             if let ([Some(row), Some(theta)], false) = (&mut next, is_zero(&output)) {
                 row.add(theta, output);
             }
@@ -361,4 +346,36 @@ fn through<N: Level>(
     go_on(&rows, &mut next, step, joining);
     joining.leave_borders();
     next
+}
+
+/// Adds the inertia of a body, and the stiffness of an axial force against its rotation: where it turns by Θ its ends come closer by `|b| Θ²/2`.
+fn add_body<N: Level>(body: &BodyNumbers, rows: &[Row<N>; 2], joining: &mut Joining<'_, N>) {
+    let [mass, inertia, centre, output] = [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::of_pair);
+    let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };
+    joining.add_inertia([mass, moment, inertia], rows);
+    if body.axial_force != [0.0; 2] {
+        let length = if output.mid.leading().first() < 0.0 { -output } else { output };
+        joining.add_term(Ball::of_pair(body.axial_force) * length, &rows[1]);
+    }
+}
+
+/// Adds an element that is known by its stiffness at this frequency alone. Returns what its output end is of the variables.
+fn own_row<N: Level>(part: Option<OwnPart>, input: &Row<N>, joining: &mut Joining<'_, N>) -> Option<Row<N, 2>> {
+    let Some(part) = part else {
+        joining.failure = Some(Failure::NotInNumbers);
+        return None;
+    };
+    match part {
+        OwnPart::Tie { ratio, stiffness } => {
+            let mut row = Row::none();
+            row.add(input, Ball::of_pair(ratio));
+            joining.add_term(Ball::of_pair(stiffness), input);
+            Some(row)
+        }
+        OwnPart::Stiffness { stiffness, held } => {
+            let own = Row::<N, 2>::of(joining.enter());
+            joining.add_counted(stiffness, held, &[*input, own.widened()]);
+            Some(own)
+        }
+    }
 }
