@@ -18,7 +18,7 @@ const fn steps(exponent: u32) -> [f64; 3] {
 }
 
 /// What rounding leaves of derivatives that are zero, in units of the root over the field.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+const ROUNDING: f64 = 128.0 * f64::EPSILON;
 
 /// The root of Δ in double-double near another, by Newton's method.
 fn root_near<S, Y>(system: &Y, near: S) -> S

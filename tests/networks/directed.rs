@@ -2,8 +2,7 @@
 
 use crate::checks::{Found, wrong_count};
 use crate::equivalents::{reversed, shuffled_structure};
-use crate::families::directed::{Family, decades, families};
-use crate::families::named::{portal, portal_on_sliders, portal_with_ties};
+use crate::families::directed::{Family, families};
 use crate::families::{Named, named_structures};
 use crate::oracle::Oracle;
 use crate::structure::{Element, End, Freedoms, Member, Structure};
@@ -107,28 +106,6 @@ pub(crate) fn by_fronts(mut structure: Structure, rests: usize) -> Structure {
     let ends = [End::from(rests).releasing(Freedoms::RZ), End::from(clamp)];
     structure.members.push(Member { ends, along: None, element: Element::Hinge { stiffness: [1e3; 3] } });
     structure
-}
-
-/// Units of nodes change no answer, since what rounding may have decided is judged: they decide how much that is. Ranges are of a sixth
-/// about the roots that are judged of each seventy, or forty of ties. With the unit of the stiffest or the softest member, without inertia,
-/// axial stiffness, wave numbers or ties they are left; and below them errors of rows are not noted, or not handed on.
-#[test]
-fn fronts_leave_to_the_judge_what_rounding_decides_and_no_more() {
-    let judged = |structures: &mut dyn Iterator<Item = Structure>| {
-        let mut report = Report::default();
-        structures.for_each(|structure| report.search(&("by fronts".to_owned(), by_fronts(structure, 0))));
-        assert!(report.wrong.is_empty() && report.refused.is_empty(), "{report:#?}");
-        report.judged
-    };
-    let stiffnesses = judged(&mut decades(4).map(|k| portal(k, 1.0)));
-    let girders = judged(&mut decades(4).map(|k| portal(1e4, k)));
-    let sliders = judged(&mut decades(4).map(portal_on_sliders));
-    let ties = judged(&mut decades(4).filter(|&k| k <= 1.0).map(|k| portal_with_ties(k, false)));
-    println!("judged {stiffnesses} {girders} {sliders} {ties}");
-    assert!(stiffnesses <= 4, "{stiffnesses}");
-    assert!((25..=33).contains(&girders), "{girders}");
-    assert!((32..=42).contains(&sliders), "{sliders}");
-    assert!((3..=8).contains(&ties), "{ties}");
 }
 
 /// Intervals of one frequency that two orders of the same structure give.

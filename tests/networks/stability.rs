@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a network that cannot be built fails the test")]
 
 use mstmm::__private::ChartScalar;
-use mstmm::element::{FrequencyEstimates, FrequencyPowers, InvalidParameter};
+use mstmm::element::{FrequencyEstimates, FrequencyPowers, InvalidParameter, MemberNumbers};
 use mstmm::elements::Spring;
 use mstmm::network::{
     Chart, Charted, Freedoms, Member, MemberChart, MemberElement, Network, Node, Room, Section, UndampedMember,
@@ -52,6 +52,13 @@ impl MemberElement for Piece {
 
     fn name(&self) -> &'static str {
         "piece"
+    }
+
+    fn member_numbers(built: &BuiltPiece) -> MemberNumbers {
+        match built {
+            BuiltPiece::Stable(built) => UndampedMember::member_numbers(built),
+            BuiltPiece::Link(Spring { stiffness }) => MemberNumbers::Spring(0, [*stiffness, 0.0]),
+        }
     }
 
     fn freedoms(&self) -> Freedoms {

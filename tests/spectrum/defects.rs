@@ -259,14 +259,15 @@ system! {
 /// Closed form: each frequency of a cantilever, twice, wherever the list ends or the range begins or ends.
 #[test]
 fn an_interval_at_the_end_of_a_list_counts_both_roots_of_a_pair() {
-    /// Both frequencies of each pair are there, in one entry or in two, and no third; of the last one both or one, which may be all
-    /// that was asked for.
+    /// Both frequencies of each pair are there, in one entry or in two, and no third; of the first and the last pair one may be beyond the end of
+    /// what was asked for.
     fn assert_pairs(found: &[NaturalFrequency], of: &str) {
         let is_near = |one: &NaturalFrequency, other: &NaturalFrequency| other.omega - one.omega < 1e-12 * one.omega;
         let pairs: Vec<u64> =
             found.chunk_by(is_near).map(|pair| pair.iter().map(|root| root.multiplicity).sum()).collect();
-        let (last, before) = pairs.split_last().unwrap();
-        assert!(before.iter().all(|count| *count == 2) && (1..=2).contains(last), "{of}: {found:?}");
+        let inner = pairs.get(1..pairs.len() - 1).unwrap_or_default();
+        assert!(inner.iter().all(|count| *count == 2), "{of}: {found:?}");
+        assert!(pairs.iter().all(|count| (1..=2).contains(count)), "{of}: {found:?}");
     }
     for other in [1.0, 1.0 + 2.0 * f64::EPSILON, 1.0 - f64::EPSILON, 1.0 + f64::EPSILON, 1.0 - 3.0 * f64::EPSILON] {
         let system = Pair { other }.build().unwrap();

@@ -3,7 +3,6 @@
 use crate::element::{Element, OwnPart, PlaneStep, space_of};
 use crate::number::{FrequencyPowers, Real, Scalar, Size};
 use crate::subspace::{Line, RootCounter, Subspace};
-use num_traits::{One, Zero};
 
 /// The stiffness of an element of one motion at ω, which is the sum of two words; none of other elements.
 ///

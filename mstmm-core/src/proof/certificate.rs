@@ -59,6 +59,8 @@ pub(crate) enum Precision {
 pub(crate) struct Bound {
     /// The bound; none where nothing is known.
     pub(crate) count: Option<u64>,
+    /// The bound as it was found: of a model in which something is held twice one from below may be negative.
+    found: f64,
     value: f64,
     exponent: i64,
 }
@@ -104,12 +106,13 @@ impl<'a> Prover<'a> {
             Ok(Outcome { count, value, exponent, smallest_at }) => {
                 self.smallest_at = smallest_at;
                 // a lower bound may be negative, and says nothing then; an upper one is not, unless no model has it
+                let found = count;
                 let count = if side == Side::AtLeast { count.max(0.0) } else { count };
-                Bound { count: (count >= 0.0).then_some(count as u64), value, exponent }
+                Bound { count: (count >= 0.0).then_some(count as u64), found, value, exponent }
             }
             Err(failure) => {
                 self.failure = Some(failure);
-                Bound { count: None, value: f64::NAN, exponent: 0 }
+                Bound { count: None, found: f64::NAN, value: f64::NAN, exponent: 0 }
             }
         }
     }
@@ -131,6 +134,12 @@ impl<'a> Prover<'a> {
             }
         }
         both
+    }
+
+    /// Whether both bounds of the count at ω differ, or one is lost, in two words.
+    pub(crate) fn is_open<T: Real>(&mut self, omega: T) -> bool {
+        let [least, most] = [Side::AtLeast, Side::AtMost].map(|side| self.bound_at(omega, 1.0, side, Precision::Two));
+        least.found != most.found
     }
 
     /// The count at `sign ω²`, where both bounds agree.
@@ -215,13 +224,9 @@ fn proven<T: Real>(index: u64, ends: [T; 2], bounds: [Bound; 2]) -> Option<Prove
     let [most, least] = bounds.map(|bound| bound.count);
     let (most, least) = (most?, least?);
     let [lower, upper] = ends;
-    (most < index && least >= index).then(|| Proven {
-        omega: zero_of(ends, bounds),
-        lower,
-        upper,
-        index,
-        multiplicity: least - (index - 1),
-    })
+    let zero = zero_of(ends, bounds);
+    let omega = if lower <= zero && zero <= upper { zero } else { lower + (upper - lower) * T::from_f64(0.5) };
+    (most < index && least >= index).then_some(Proven { omega, lower, upper, index, multiplicity: least - (index - 1) })
 }
 
 /// The larger of two lower bounds.

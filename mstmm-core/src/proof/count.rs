@@ -145,7 +145,11 @@ pub(crate) struct Memory {
 
 impl Memory {
     /// A run; where the front has no room it is made again with more.
-    pub(crate) fn run<N: Level<Word = f64>>(&mut self, model: &dyn Visited, at: At<N>) -> Result<Outcome<f64>, Failure> {
+    pub(crate) fn run<N: Level<Word = f64>>(
+        &mut self,
+        model: &dyn Visited,
+        at: At<N>,
+    ) -> Result<Outcome<f64>, Failure> {
         loop {
             let outcome = match self.class {
                 0 => on_stack::<N, 8, 36, 8>(model, at),

@@ -17,13 +17,8 @@ pub(crate) trait Word:
     /// A truth per lane.
     type Mask: Copy + Debug;
 
-    /// Number of lanes.
-    const LANES: usize;
-
     /// A number in all lanes.
     fn of(number: f64) -> Self;
-    /// The lanes, the first ones of a slice; the last one fills the others.
-    fn load(numbers: &[f64]) -> Self;
     /// Writes as many lanes as there is room for.
     fn store(self, numbers: &mut [f64]);
     /// The absolute value.
@@ -89,16 +84,10 @@ pub(crate) trait Word:
 
 impl Word for f64 {
     type Mask = bool;
-    const LANES: usize = 1;
 
     #[inline(always)]
     fn of(number: f64) -> Self {
         number
-    }
-
-    #[inline(always)]
-    fn load(numbers: &[f64]) -> Self {
-        numbers[0]
     }
 
     #[inline(always)]

@@ -42,7 +42,9 @@ fn shapes_by_fronts_are_those_by_minors() {
     let (tree, line) = both();
     let roots = [tree.first_frequencies::<40>().unwrap(), line.first_frequencies::<40>().unwrap()];
     for (root, other) in roots[0].iter().zip(roots[1].iter()) {
-        assert!(root.lower <= other.upper && other.lower <= root.upper, "{root:?} {other:?}");
+        // places of points are sums of lengths, which are rounded
+        let room = 4.0 * f64::EPSILON * root.omega;
+        assert!(root.lower <= other.upper + room && other.lower <= root.upper + room, "{root:?} {other:?}");
         let (shape, other) = (tree.mode_shape(root).unwrap(), line.mode_shape(other).unwrap());
         let inner = shape.state(Tree::beam_3.output());
         let tip = shape.state(Tree::beam_5.output());

@@ -36,14 +36,9 @@ impl Neg for Four {
 
 impl Word for Four {
     type Mask = [bool; 4];
-    const LANES: usize = 4;
 
     fn of(number: f64) -> Self {
         Four([number; 4])
-    }
-
-    fn load(numbers: &[f64]) -> Self {
-        Four(from_fn(|lane| numbers[lane.min(numbers.len() - 1)]))
     }
 
     fn store(self, numbers: &mut [f64]) {

@@ -379,11 +379,11 @@ fn count_of_free(section: &TaperedNumbers, omega: f64) -> [f64; 2] {
                     front.add(all[row], all[column], member.stiffness[place(row, column)]);
                 }
             }
-            ends.map(|end| front.leave(end));
+            ends.into_iter().for_each(|end| front.leave(end));
             ends = others;
         })
         .unwrap();
-        ends.map(|end| front.leave(end));
+        ends.into_iter().for_each(|end| front.leave(end));
         front.total.negative
     })
 }

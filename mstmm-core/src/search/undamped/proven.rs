@@ -117,8 +117,7 @@ impl<'a, T: Real> Certification<'a, T> {
         }
         // about the lowest frequencies all parts are known, whatever is asked for
         let scale = T::one().times_power_of_two(self.estimates.lowest_exponent());
-        let is_nowhere_decided =
-            FAR_APART.iter().all(|part| self.prover.count(scale * T::from_f64(*part), 1.0).is_err());
+        let is_nowhere_decided = FAR_APART.iter().all(|part| self.prover.is_open(scale * T::from_f64(*part)));
         if is_nowhere_decided && self.prover.failure.is_none() {
             let at = self.prover.spot(self.prover.smallest_at);
             return SearchError::Zero { points: FAR_APART.len(), at: Some(at) };
@@ -227,8 +226,7 @@ impl<'a, T: Real> Certification<'a, T> {
         for scale in [next, Some(least)].into_iter().flatten() {
             for part in AT_REST {
                 let omega = scale * T::from_f64(part);
-                let below = self.prover.bound_at(omega, -1.0, Side::AtMost, Precision::Two).count;
-                if let (Some(0), Ok(count)) = (below, self.prover.count(omega, 1.0)) {
+                if let (Ok(0), Ok(count)) = (self.prover.count(omega, -1.0), self.prover.count(omega, 1.0)) {
                     return (count > 0).then_some((count, omega));
                 }
             }
