@@ -193,6 +193,15 @@ impl fmt::Display for SearchError {
 
 impl core::error::Error for SearchError {}
 
+/// What is proven of a count that rounding decides.
+fn unproven(f: &mut fmt::Formatter<'_>, near: f64, bounds: [u64; 2]) -> fmt::Result {
+    let [at_least, at_most] = bounds;
+    if at_most == u64::MAX {
+        return write!(f, "nothing is proven near {near}, but that at least {at_least} frequencies are below");
+    }
+    write!(f, "rounding decides the count near {near}: at least {at_least} and at most {at_most} frequencies are below")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -203,13 +212,4 @@ mod tests {
         let message = SearchError::Range { start: -1.5e308, end: 1.5e308 }.to_string();
         assert!(message.contains("finite length"), "{message}");
     }
-}
-
-/// What is proven of a count that rounding decides.
-fn unproven(f: &mut fmt::Formatter<'_>, near: f64, bounds: [u64; 2]) -> fmt::Result {
-    let [at_least, at_most] = bounds;
-    if at_most == u64::MAX {
-        return write!(f, "nothing is proven near {near}, but that at least {at_least} frequencies are below");
-    }
-    write!(f, "rounding decides the count near {near}: at least {at_least} and at most {at_most} frequencies are below")
 }

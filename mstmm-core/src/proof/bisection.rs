@@ -37,6 +37,9 @@ impl Prover<'_> {
     fn place<T: Real>(&mut self, index: u64, omega: T) -> Place {
         for precision in [Precision::Two, Precision::Four] {
             let most = self.bound_at(omega, 1.0, Side::AtMost, precision);
+            if self.is_beyond() {
+                break;
+            }
             if most.count.is_some_and(|count| count < index) {
                 return Place::AtOrAbove(most);
             }
@@ -65,8 +68,9 @@ impl Prover<'_> {
                     let next = upper.0 * T::from_f64(FACTOR);
                     upper.0 = if next < limit { next } else { limit };
                 }
+                Place::Unknown if self.is_beyond() => break,
                 // another frequency is there
-                Place::Unknown => upper.0 = upper.0 * T::from_f64(1.0 + 1e-3),
+                Place::Unknown => upper.0 *= T::from_f64(1.0 + 1e-3),
             }
         }
         if upper.1.is_none() {

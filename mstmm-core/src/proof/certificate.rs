@@ -72,7 +72,7 @@ pub(crate) struct Prover<'a> {
     /// Runs so far, in two words and in four.
     pub(crate) runs: usize,
     pub(crate) long_runs: usize,
-    /// Why the last run told nothing.
+    /// Why the last run told nothing; none where it told something.
     pub(crate) failure: Option<Failure>,
     /// The node or the step of the smallest pivot of the last run.
     pub(crate) smallest_at: usize,
@@ -91,7 +91,11 @@ impl<'a> Prover<'a> {
 
     /// A bound of the count at `sign ω²`.
     pub(crate) fn bound_at<T: Real>(&mut self, omega: T, sign: f64, side: Side, precision: Precision) -> Bound {
-        let words = omega.words();
+        self.run(omega.words(), sign, side, precision)
+    }
+
+    /// A run at the sum of two words; not generic, so that it is compiled here once and not in each crate that searches.
+    fn run(&mut self, words: [f64; 2], sign: f64, side: Side, precision: Precision) -> Bound {
         let outcome = match precision {
             Precision::Two => {
                 self.runs += 1;
@@ -104,7 +108,7 @@ impl<'a> Prover<'a> {
         };
         match outcome {
             Ok(Outcome { count, value, exponent, smallest_at }) => {
-                self.smallest_at = smallest_at;
+                (self.smallest_at, self.failure) = (smallest_at, None);
                 // a lower bound may be negative, and says nothing then; an upper one is not, unless no model has it
                 let found = count;
                 let count = if side == Side::AtLeast { count.max(0.0) } else { count };
@@ -129,11 +133,16 @@ impl<'a> Prover<'a> {
             let [least, most] =
                 [Side::AtLeast, Side::AtMost].map(|side| self.bound_at(omega, sign, side, precision).count);
             both = [larger(both[0], least), smaller(both[1], most)];
-            if both[0].is_some() && both[0] == both[1] {
+            if self.is_beyond() || both[0].is_some() && both[0] == both[1] {
                 break;
             }
         }
         both
+    }
+
+    /// Whether the last run told nothing for a reason that more digits do not remove.
+    pub(crate) fn is_beyond(&self) -> bool {
+        matches!(self.failure, Some(Failure::Full | Failure::NotInNumbers | Failure::NotEnclosed))
     }
 
     /// Whether both bounds of the count at ω differ, or one is lost, in two words.
@@ -153,10 +162,13 @@ impl<'a> Prover<'a> {
     /// Claims that the frequency of an index is beside an estimate, and at `floor` or above.
     pub(crate) fn claim<T: Real>(&mut self, index: u64, estimate: T, floor: T) -> Claim<T> {
         for precision in [Precision::Two, Precision::Four] {
+            if precision == Precision::Four && self.is_beyond() {
+                break;
+            }
             let mut omega = estimate;
             for _ in 0..MOVES {
                 let ends = [or_floor(omega.next_below(), floor), omega.next_above()];
-                if !(ends[0] < ends[1]) {
+                if ends[0] >= ends[1] {
                     break;
                 }
                 let bounds = self.ends(ends, precision);
@@ -201,7 +213,7 @@ impl<'a> Prover<'a> {
     fn narrowed<T: Real>(&mut self, proven: Proven<T>, bounds: [Bound; 2], precision: Precision) -> Proven<T> {
         let Proven { lower, upper, index, multiplicity, .. } = proven;
         let middle = lower.next_above();
-        if !(middle < upper) {
+        if middle >= upper {
             return proven;
         }
         let is_below = zero_of([lower, upper], bounds) < middle || share_of(bounds) < 0.5;
@@ -226,7 +238,7 @@ fn proven<T: Real>(index: u64, ends: [T; 2], bounds: [Bound; 2]) -> Option<Prove
     let [lower, upper] = ends;
     let zero = zero_of(ends, bounds);
     let omega = if lower <= zero && zero <= upper { zero } else { lower + (upper - lower) * T::from_f64(0.5) };
-    (most < index && least >= index).then_some(Proven { omega, lower, upper, index, multiplicity: least - (index - 1) })
+    (most < index && least >= index).then(|| Proven { omega, lower, upper, index, multiplicity: least - (index - 1) })
 }
 
 /// The larger of two lower bounds.

@@ -34,7 +34,7 @@ const MOST_LOAD: f64 = 0.58;
 /// Places along the beam are whole numbers of such parts: they and their sums and halves are exact in a word.
 const PARTS: u64 = 1 << 48;
 const LEAST_PARTS: u64 = 16;
-const MOST_PIECES: usize = 4096;
+const MOST_PIECES: usize = 1024;
 
 /// Calls `each` for the pieces of a beam from input to output, with whether it is the last one, over the displacements `y1, θ1, y2, θ2`, at ω² of either sign. The pieces
 /// are the same in all lanes. None if they are too many or if a number leaves the range; the pieces before are of no use then.

@@ -211,7 +211,7 @@ fn largest<N: Level>(row: &Row<N>, is_asked: impl Fn(usize) -> bool) -> Option<T
 /// What a variable is of the others where a combination of all is zero; none where its coefficient may be zero.
 fn solved<N: Level>(constraint: &Row<N>, pivot: &Term<N>) -> Option<Row<N>> {
     let (is_unit, least) = rank(&pivot.coefficient);
-    if !(least > 0.0) {
+    if least <= 0.0 || least.is_nan() {
         return None;
     }
     let inverse = if is_unit { pivot.coefficient } else { pivot.coefficient.inverse() };

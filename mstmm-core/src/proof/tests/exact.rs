@@ -83,7 +83,7 @@ impl Exactly for FourWords {
 
 /// The part of its radius that a ball uses for a number; zero of a ball that says nothing.
 pub(super) fn share<N: Exactly>(ball: Ball<N>, number: &Exact) -> f64 {
-    if !(ball.rad < f64::INFINITY) {
+    if !ball.rad.is_finite() {
         return 0.0;
     }
     let off = size(&(ball.mid.exactly() - number));

@@ -110,7 +110,7 @@ impl Random {
             shear_flexibility: tail(f, self),
             rotary_inertia: tail(r, self),
             axial_force: tail(n, self),
-            shear_layer: if kind % 3 == 0 { tail(0.3 * n.abs(), self) } else { [0.0; 2] },
+            shear_layer: if kind.is_multiple_of(3) { tail(0.3 * n.abs(), self) } else { [0.0; 2] },
             foundation_stiffness: tail(k, self),
             ..BeamNumbers::default()
         };

@@ -244,7 +244,7 @@ fn many_members_are_in_their_balls() {
 fn check_wide<N: Level<Word = f64> + Exactly>(runs: usize) {
     let mut random = Random::new(8);
     let mut used = Used::default();
-    let all = arguments(&mut random, runs, 4, &poles());
+    let all = arguments(&mut random, runs, 4, poles());
     for x in all.into_iter().filter(|x| *x < 1e9) {
         let rad = x * 10f64.powf(-16.0 * random.unit());
         let ball = Ball { mid: N::of(x), rad };

@@ -1,4 +1,5 @@
 //! Tests of the proof.
+#![expect(clippy::needless_range_loop, reason = "entries of matrices are named by row and column")]
 
 mod arithmetic;
 mod assembly;

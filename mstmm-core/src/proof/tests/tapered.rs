@@ -232,10 +232,10 @@ fn element(profile: &[Vec<Exact>; 3], length: f64, start: f64, width: f64, degre
         let number = |n: usize| big(n as f64);
         let mut sum = -(&load[i + j] * &delta);
         if i > 0 && j > 0 {
-            sum = sum + number(i * j) * &force[i + j - 2] / &delta;
+            sum += number(i * j) * &force[i + j - 2] / &delta;
         }
         if i > 1 && j > 1 {
-            sum = sum + number(i * (i - 1) * j * (j - 1)) * &bending[i + j - 4] / &cube;
+            sum += number(i * (i - 1) * j * (j - 1)) * &bending[i + j - 4] / &cube;
         }
         sum
     };

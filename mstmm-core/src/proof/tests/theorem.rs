@@ -66,7 +66,7 @@ fn negatives(matrix: &[Vec<i128>]) -> usize {
         let trace: i128 = (0..size).map(|i| power[i][i]).sum();
         coefficients.push(-trace / k as i128);
     }
-    let at_opposite = coefficients.iter().enumerate().map(|(k, c)| if (size - k) % 2 == 0 { *c } else { -*c });
+    let at_opposite = coefficients.iter().enumerate().map(|(k, c)| if (size - k).is_multiple_of(2) { *c } else { -*c });
     let signs: Vec<i128> = at_opposite.filter(|c| *c != 0).map(i128::signum).collect();
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }

@@ -267,6 +267,9 @@ impl<'a, T: Real> Certification<'a, T> {
             if let Ok(count) = self.prover.count(omega, 1.0) {
                 return Ok((count, omega));
             }
+            if self.prover.is_beyond() {
+                break;
+            }
             omega = if is_upper { omega.next_above() } else { omega.next_below() };
         }
         Err(self.refused(end))
