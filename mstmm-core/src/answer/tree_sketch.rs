@@ -27,7 +27,7 @@ impl<'a, Y: DrawnTree + ?Sized> TreeSketch<'a, Y> {
                 }
             };
             DrawnStep {
-                name: system.name(index),
+                name: system.spot_of(index),
                 inputs: step.inputs(),
                 space: scheme.behind(index),
                 part,

@@ -50,7 +50,7 @@ pub trait System {
         visitor.element(0, 0, Space::NONE, &MemberNumbers::Other);
     }
 
-    /// What a node or a step of it is called.
+    /// What a node or a step of it is called: `beam 1`, `conn 2`, `fixed`; of a list its index.
     #[doc(hidden)]
     fn spot_of(&self, place: usize) -> Spot {
         Spot::Step(place)

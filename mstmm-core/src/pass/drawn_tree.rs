@@ -8,12 +8,9 @@ use mstmm_plan::{Space, Support};
 
 /// A built system of which a [`TreeSketch`](crate::TreeSketch) tells what stands in which path.
 pub trait DrawnTree: Planned {
-    /// What the source calls a step: `beam 1`, `conn 2`, `fixed`; of a list its index.
-    fn name(&self, step: usize) -> Spot;
-
     /// The keyword of an element, of a list the name of its type.
     fn kind(&self, step: usize) -> &'static str {
-        match self.name(step) {
+        match self.spot_of(step) {
             Spot::Named(name) => name.split_once(' ').map_or(name, |(keyword, _)| keyword),
             _ => "",
         }
@@ -58,10 +55,6 @@ pub enum DrawnPart {
 plain!(DrawnStep<'a, M>, name, inputs, space, part, label, point);
 
 impl<E: ListElement, const STEPS: usize> DrawnTree for PlannedList<'_, E, STEPS> {
-    fn name(&self, step: usize) -> Spot {
-        Spot::Step(step)
-    }
-
     fn kind(&self, step: usize) -> &'static str {
         self.element(step).map_or("", ListElement::name)
     }

@@ -4,7 +4,7 @@ use super::fields::bindings;
 use super::sensitivity::member;
 use super::{Names, element_field, first_of_each_type};
 use crate::ast::{Element, Field, Model, Parameter};
-use crate::plan::Plan;
+use crate::plan::{Plan, Step};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
@@ -24,6 +24,11 @@ pub(super) fn system(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: 
 pub(super) fn implementation(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let (private, system, parameter) = (&names.private, &names.system, &names.parameter);
     let steps = plan.steps.len();
+    let of_steps = plan.steps.iter().map(|step| match step {
+        Step::Tip(keyword) | Step::Root { support: keyword, .. } => keyword.to_string(),
+        Step::Element { element, .. } => element.to_string(),
+        Step::Connection { connection, .. } => connection.to_string(),
+    });
     let numbers = plan.elements.iter().enumerate().map(|(index, element)| {
         let (of_steps, field) = (plan.steps_of(index), element_field(element, names));
         let kind = names.element_as(element, "Element");
@@ -48,7 +53,7 @@ pub(super) fn implementation(plan: &Plan<'_>, names: &Names) -> TokenStream {
             }
 
             fn spot_of(&self, place: ::core::primitive::usize) -> #private::Spot {
-                #private::DrawnTree::name(self, place)
+                #private::Spot::Named([#(#of_steps),*][place])
             }
 
             fn frequency_estimates(&self) -> #private::FrequencyEstimates {

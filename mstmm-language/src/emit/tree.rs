@@ -64,14 +64,9 @@ pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStr
     }
 }
 
-/// `impl DrawnTree`: the names of the steps, and the extents of the elements.
+/// `impl DrawnTree`: the extents of the elements.
 pub(super) fn drawn(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
-    let of_steps = plan.steps.iter().map(|step| match step {
-        Step::Tip(keyword) | Step::Root { support: keyword, .. } => keyword.to_string(),
-        Step::Element { element, .. } => element.to_string(),
-        Step::Connection { connection, .. } => connection.to_string(),
-    });
     // what is no element is told elsewhere
     let bounds = bounds("Element", plan, names);
     let extents = plan.elements.iter().enumerate().map(|(index, element)| {
@@ -87,10 +82,6 @@ pub(super) fn drawn(plan: &Plan<'_>, names: &Names) -> TokenStream {
         where
             #(#bounds),*
         {
-            fn name(&self, step: #index) -> #private::Spot {
-                #private::Spot::Named([#(#of_steps),*][step])
-            }
-
             fn extent(&self, step: #index) -> #some<#private::Extent> {
                 #some::Some(match step {
                     #(#extents)*

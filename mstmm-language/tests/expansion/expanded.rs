@@ -333,7 +333,17 @@ const _: () = {
             mstmm::__private::visit_steps(LAYOUT, &numbers, visitor);
         }
         fn spot_of(&self, place: ::core::primitive::usize) -> mstmm::__private::Spot {
-            mstmm::__private::DrawnTree::name(self, place)
+            mstmm::__private::Spot::Named(
+                [
+                    "fixed",
+                    "spring 1",
+                    "fixed",
+                    "damper 3",
+                    "conn 2",
+                    "mass 4",
+                    "free",
+                ][place],
+            )
         }
         fn frequency_estimates(&self) -> mstmm::__private::FrequencyEstimates {
             self.estimates
@@ -579,19 +589,6 @@ const _: () = {
         mstmm::__private::elements::Mass<T>: mstmm::__private::Element,
         mstmm::__private::elements::Spring<T>: mstmm::__private::Element,
     {
-        fn name(&self, step: ::core::primitive::usize) -> mstmm::__private::Spot {
-            mstmm::__private::Spot::Named(
-                [
-                    "fixed",
-                    "spring 1",
-                    "fixed",
-                    "damper 3",
-                    "conn 2",
-                    "mass 4",
-                    "free",
-                ][step],
-            )
-        }
         fn extent(
             &self,
             step: ::core::primitive::usize,
