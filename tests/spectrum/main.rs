@@ -19,6 +19,7 @@ mod hinged_models;
 mod joints;
 mod levers;
 mod macro_equals_list;
+mod once_wrong;
 mod oracles;
 mod planar_chain;
 mod proportional_damping;
