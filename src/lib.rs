@@ -112,7 +112,7 @@ pub mod search {
     /// let loads = critical_loads::<2, _>(0.0..=100.0, |force| Column { length: 2.0, ei: 8.0, force }.build())?;
     /// for (n, load) in (1..).zip(loads.iter()) {
     ///     let exact = 2.0 * ((f64::from(n) - 0.5) * std::f64::consts::PI).powi(2);
-    ///     assert!((load.factor / exact - 1.0).abs() < 2e-15 && load.lower < exact && exact < load.upper);
+    ///     assert!((load.factor / exact - 1.0).abs() < 2e-15 && load.lower <= exact && exact <= load.upper);
     /// }
     /// # Ok::<(), mstmm::search::LoadError>(())
     /// ```
