@@ -26,6 +26,7 @@ mod proportional_damping;
 mod random_trees;
 mod rigid_links;
 mod scaled_trees;
+mod shares;
 mod stability;
 #[path = "../support/stiffness_matrix/mod.rs"]
 mod stiffness_matrix;
