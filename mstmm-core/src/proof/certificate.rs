@@ -166,26 +166,15 @@ impl<'a> Prover<'a> {
                 break;
             }
             let mut omega = estimate;
-            let mut last = None;
             for _ in 0..MOVES {
                 let ends = [or_floor(omega.next_below(), floor), omega.next_above()];
                 if ends[0] >= ends[1] {
                     break;
                 }
                 let bounds = self.ends(ends, precision);
-                last = Some((ends, bounds));
                 if let Some(proven) = proven(index, ends, bounds) {
                     return Claim::Proven(self.narrowed(proven, bounds, precision));
                 }
-                let moved = zero_of(ends, bounds);
-                let is_near = (moved - omega).abs() < omega * T::from_f64(FOLLOWED);
-                if !is_near || moved == omega {
-                    break;
-                }
-                omega = moved;
-            }
-            // the zero is not here
-            if let Some((ends, bounds)) = last {
                 if bounds[0].count.is_none_or(|below| below >= index)
                     && self.bound(ends[0], Side::AtLeast, precision).count.is_some_and(|below| below >= index)
                 {
@@ -196,6 +185,12 @@ impl<'a> Prover<'a> {
                 {
                     return Claim::Above(ends[1]);
                 }
+                let moved = zero_of(ends, bounds);
+                let is_near = (moved - omega).abs() < omega * T::from_f64(FOLLOWED);
+                if !is_near || moved == omega {
+                    break;
+                }
+                omega = moved;
             }
             for half in WIDER {
                 let away = omega * T::from_f64(half * T::EPSILON);
