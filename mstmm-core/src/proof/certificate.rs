@@ -128,16 +128,21 @@ impl<'a> Prover<'a> {
 
     /// Both bounds of the count at `sign ω²`, in four words where two do not decide it.
     pub(crate) fn bounds<T: Real>(&mut self, omega: T, sign: f64) -> [Option<u64>; 2] {
-        let mut both = [None; 2];
-        for precision in [Precision::Two, Precision::Four] {
-            let [least, most] =
-                [Side::AtLeast, Side::AtMost].map(|side| self.bound_at(omega, sign, side, precision).count);
-            both = [larger(both[0], least), smaller(both[1], most)];
-            if self.is_beyond() || both[0].is_some() && both[0] == both[1] {
-                break;
-            }
+        self.bounds_with_delta(omega, sign).0
+    }
+
+    /// Both bounds of the count, and the last one from above, which has Δ.
+    pub(crate) fn bounds_with_delta<T: Real>(&mut self, omega: T, sign: f64) -> ([Option<u64>; 2], Bound) {
+        let both_in = |prover: &mut Self, precision| {
+            [Side::AtLeast, Side::AtMost].map(|side| prover.bound_at(omega, sign, side, precision))
+        };
+        let [least, most] = both_in(self, Precision::Two);
+        let both = [least.count, most.count];
+        if self.is_beyond() || both[0].is_some() && both[0] == both[1] {
+            return (both, most);
         }
-        both
+        let [least, most] = both_in(self, Precision::Four);
+        ([both[0].max(least.count), both[1].into_iter().chain(most.count).min()], most)
     }
 
     /// Whether the last run told nothing for a reason that more digits do not remove.
@@ -239,19 +244,6 @@ fn proven<T: Real>(index: u64, ends: [T; 2], bounds: [Bound; 2]) -> Option<Prove
     let zero = zero_of(ends, bounds);
     let omega = if lower <= zero && zero <= upper { zero } else { lower + (upper - lower) * T::from_f64(0.5) };
     (most < index && least >= index).then(|| Proven { omega, lower, upper, index, multiplicity: least - (index - 1) })
-}
-
-/// The larger of two lower bounds.
-fn larger(one: Option<u64>, other: Option<u64>) -> Option<u64> {
-    one.max(other)
-}
-
-/// The smaller of two upper bounds.
-fn smaller(one: Option<u64>, other: Option<u64>) -> Option<u64> {
-    match (one, other) {
-        (Some(one), Some(other)) => Some(one.min(other)),
-        _ => one.or(other),
-    }
 }
 
 /// An end that is no lower than another interval's upper end.

@@ -155,8 +155,7 @@ impl Nodes {
                 joining.add_spring(*stiffness, [&first[*freedom], &second[*freedom]]);
             }
             MemberNumbers::Joint(rigid, elastic) => {
-                for (freedom, stiffness) in Freedoms::SINGLE.into_iter().zip(elastic) {
-                    let index = freedom_index(freedom);
+                for (index, (freedom, stiffness)) in Freedoms::SINGLE.into_iter().zip(elastic).enumerate() {
                     if *stiffness != [0.0; 2] {
                         joining.add_spring(*stiffness, [&first[index], &second[index]]);
                     }
@@ -181,7 +180,7 @@ impl Nodes {
         let force = joining.enter();
         joining.front.grow(force, 1.0 / stiffness);
         for term in gap.terms() {
-            joining.front.add(force, term.variable, term.times(Ball::of(1.0)));
+            joining.front.add(force, term.variable, term.coefficient);
         }
         joining.held = joining.held + N::Word::of(-1.0);
         if self.tie_count == MOST_NODES {
@@ -249,11 +248,6 @@ fn last_of(ends: &[MemberEnd; 2], next: usize) -> usize {
     let moves = |node: &NodeNumbers| node.along.is_some() || !node.free.is_empty();
     let other = ends.iter().map(|end| &end.node).find(|node| node.index != next && moves(node));
     other.map_or(next, |node| node.index)
-}
-
-/// The index of a freedom.
-fn freedom_index(freedom: Freedoms) -> usize {
-    Freedoms::SINGLE.iter().position(|single| single.is(freedom)).unwrap_or(0)
 }
 
 /// The freedoms in which a member acts, in its own axes.

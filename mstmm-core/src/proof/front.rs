@@ -6,6 +6,7 @@
 
 use crate::number::{Scalar, Size};
 use crate::proof::ball::Ball;
+use crate::proof::member::place;
 use crate::proof::number::{Number, UNDERFLOW};
 use crate::proof::row::Term;
 use crate::proof::word::Word;
@@ -58,12 +59,6 @@ pub(crate) struct Total<W> {
     /// The smallest pivot beside the terms of its diagonal entry, in the first lane, and its place.
     pub(crate) smallest: f64,
     pub(crate) smallest_at: usize,
-}
-
-/// Place of an entry of the lower triangle.
-#[inline(always)]
-fn place(row: usize, column: usize) -> usize {
-    if row < column { column * (column + 1) / 2 + row } else { row * (row + 1) / 2 + column }
 }
 
 /// What a million million errors lose where they underflow: each less than the smallest normal number, of the error itself or of that times its

@@ -37,6 +37,7 @@ pub(crate) const BESIDE_POLE: f64 = 1e-3;
 pub(crate) const IN_THE_MIDDLE: f64 = 0.1;
 
 /// The place of an entry in the lower triangle.
+#[inline(always)]
 pub(crate) const fn place(row: usize, column: usize) -> usize {
     if row < column { column * (column + 1) / 2 + row } else { row * (row + 1) / 2 + column }
 }

@@ -134,7 +134,7 @@ impl<'m, N: Level> Paths<'m, N> {
         }
         hold(held, &mut rows, step, joining);
         if let Some(output) = output {
-            for (freedom, row) in FREEDOMS.into_iter().zip([0, 1]) {
+            for (row, freedom) in FREEDOMS.into_iter().enumerate() {
                 if !output.contains(freedom) && rows[row].is_some() {
                     let before = rows;
                     rows[row] = None;
@@ -165,7 +165,7 @@ fn of_support<N: Level>(support: Support, space: Space, joining: &mut Joining<'_
 
 /// Holds the freedoms of a support.
 fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N>, step: usize, joining: &mut Joining<'_, N>) {
-    for (freedom, index) in FREEDOMS.into_iter().zip([0, 1]) {
+    for (index, freedom) in FREEDOMS.into_iter().enumerate() {
         if let (true, Some(row)) = (held.contains(freedom), rows[index]) {
             satisfy(&row.widened(), [rows, &mut [None; 2]], step, joining);
         }

@@ -3,8 +3,7 @@
 use crate::model::{LoadError, ParameterError, SearchError};
 use crate::number::{InLanes, List, Parameter, Real, Scalar};
 use crate::pass::searched::Undamped;
-use crate::proof::certificate::{Bound, Precision, Prover, zero_of};
-use crate::proof::count::Side;
+use crate::proof::certificate::{Bound, Prover, zero_of};
 use crate::search::closed_range::ClosedRange;
 use crate::search::room::add;
 use crate::search::undamped::proven::Parts;
@@ -174,19 +173,8 @@ impl<T: Real + InLanes, F> Search<T, F> {
         let at = factor.to_f64();
         let system = (self.build)(factor).map_err(|error| LoadError::Parameter { factor: at, error })?;
         let parts = Parts(&system);
-        let mut prover = Prover::new(&parts);
-        let mut sample = Sample { factor, least: 0, most: u64::MAX, bound: None };
-        for precision in [Precision::Two, Precision::Four] {
-            let least = prover.bound_at(T::zero(), 1.0, Side::AtLeast, precision);
-            let most = prover.bound_at(T::zero(), 1.0, Side::AtMost, precision);
-            sample.least = least.count.unwrap_or(0).max(sample.least);
-            sample.most = most.count.unwrap_or(u64::MAX).min(sample.most);
-            sample.bound = Some(most);
-            if sample.least == sample.most {
-                break;
-            }
-        }
-        Ok(sample)
+        let ([least, most], bound) = Prover::new(&parts).bounds_with_delta(T::zero(), 1.0);
+        Ok(Sample { factor, least: least.unwrap_or(0), most: most.unwrap_or(u64::MAX), bound: Some(bound) })
     }
 
     /// The end of a range; where rounding decides how many motions grow there, one beside it.
@@ -233,13 +221,8 @@ impl<T: Real + InLanes, F> Search<T, F> {
                 _ => half,
             };
             let sample = self.sample::<Y>(if is_between(secant) { secant } else { half })?;
-            let sample = match sample.least == sample.most {
-                true => sample,
-                false => match self.between::<Y>(&lower, &upper)? {
-                    Some(sample) => sample,
-                    None => break,
-                },
-            };
+            let decided = if sample.least == sample.most { Some(sample) } else { self.between::<Y>(&lower, &upper)? };
+            let Some(sample) = decided else { break };
             if sample.most <= before { lower = sample } else { upper = sample }
         }
         Ok(interval(&lower, &upper))

@@ -150,25 +150,25 @@ fn check<N: Exactly>(runs: usize) {
     std::println!("{}: assembly and replacement use {shares:.3?} of the errors", N::NAME);
 }
 
-#[test]
-fn errors_cover_what_is_added_and_replaced() {
-    check::<OneWord>(200);
-    check::<TwoWords<f64>>(200);
+/// All numbers, and those that round to a worst side.
+fn check_all(runs: usize, of_worst: usize) {
+    check::<OneWord>(runs);
+    check::<TwoWords<f64>>(runs);
     for way in WAYS {
         choose(way, way, 0.0, 5);
-        check::<Worst>(50);
+        check::<Worst>(of_worst);
     }
+}
+
+#[test]
+fn errors_cover_what_is_added_and_replaced() {
+    check_all(200, 50);
 }
 
 #[test]
 #[ignore = "long: .ci/long"]
 fn errors_cover_much_that_is_added_and_replaced() {
-    check::<OneWord>(50_000);
-    check::<TwoWords<f64>>(50_000);
-    for way in WAYS {
-        choose(way, way, 0.0, 5);
-        check::<Worst>(20_000);
-    }
+    check_all(50_000, 20_000);
 }
 
 /// What an entry between a stiff row and a soft one is off by does not drown the soft one.
