@@ -60,9 +60,8 @@ impl<'a, Y: Tree<S> + ?Sized, S: Single, const CAP: usize> ShapeList<'a, Y, S, C
     }
 }
 
-/// The shape of a simple root.
-///
-/// Where its states do not fit together it is computed again in extended precision.
+/// The shape of a simple root, in extended precision: a root that is rounded to the next number is too far from the exact one where
+/// others are close, and the rounded states may fit together all the same.
 pub(crate) fn simple<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
 where
     Y: ExtendedTree<S> + ?Sized,
@@ -72,15 +71,15 @@ where
         return Err(MotionError::LossFactor);
     }
     let plain = plainly(system, x);
-    // where other roots are close, the root needs more digits, too: they are sought at the point where the shape shows best
-    let point = match &plain {
-        Ok(shape) if shape.is_doubtful() => shape.source,
-        Err(MotionError::NotARoot { .. }) => system.scheme().len() - 2,
-        _ => return plain,
-    };
     if !S::HAS_EXTENDED {
         return plain?.accepted();
     }
+    // the root needs more digits, too: they are sought at the point where the shape shows best
+    let point = match plain {
+        Ok(shape) => shape.source,
+        Err(MotionError::NotARoot { .. }) => system.scheme().len() - 2,
+        Err(error) => return Err(error),
+    };
     let nearer = nearer_root(system, x.to_extended(), point);
     ModeShape::of_extended(&plainly(system, nearer)?).accepted()
 }

@@ -96,7 +96,8 @@ impl Prover<'_> {
             {
                 let zero = zero_of([lower.0, upper.0], [below, above]);
                 if lower.0 < zero && zero < upper.0 {
-                    match self.claim(index, zero, lower.0) {
+                    let [beside, ..] = self.beside(&[zero], Precision::Two);
+                    match self.claim(index, beside, lower.0) {
                         Claim::Proven(proven) => return Ok(proven),
                         Claim::Below(end) if lower.0 < end && end < upper.0 => upper = (end, None),
                         Claim::Above(end) if lower.0 < end && end < upper.0 => lower = (end, None),

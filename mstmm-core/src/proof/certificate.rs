@@ -5,6 +5,7 @@
 
 use crate::model::Spot;
 use crate::number::{Real, Scalar};
+use crate::proof::beside::Evidence;
 use crate::proof::count::{At, Memory, Outcome, Side};
 use crate::proof::four_words::FourWords;
 use crate::proof::joining::Failure;
@@ -13,12 +14,6 @@ use crate::proof::visit::Visited;
 
 /// Half widths of the intervals that are claimed where two neighbouring numbers fail, in units of eps.
 const WIDER: [f64; 3] = [4.0, 16.0, 32.0];
-
-/// Times that an estimate is moved to the zero of Δ between the ends of its claim.
-const MOVES: usize = 4;
-
-/// Relative distance to which the zero of Δ between two neighbouring numbers is followed: from farther away it is no better than a guess.
-const FOLLOWED: f64 = 1e-6;
 
 /// Frequencies of an interval that is proven.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,6 +58,18 @@ pub(crate) struct Bound {
     found: f64,
     value: f64,
     exponent: i64,
+}
+
+impl Bound {
+    /// Nothing is known.
+    pub(crate) const UNKNOWN: Self = Bound { count: None, found: f64::NAN, value: f64::NAN, exponent: 0 };
+}
+
+/// A frequency at which a bound of the count is wanted.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Point<T> {
+    pub(crate) omega: T,
+    pub(crate) side: Side,
 }
 
 /// What proves claims about a model.
@@ -116,9 +123,24 @@ impl<'a> Prover<'a> {
             }
             Err(failure) => {
                 self.failure = Some(failure);
-                Bound { count: None, found: f64::NAN, value: f64::NAN, exponent: 0 }
+                Bound::UNKNOWN
             }
         }
+    }
+
+    /// Bounds at as many points as there are.
+    pub(crate) fn bounds_at<T: Real, const P: usize>(
+        &mut self,
+        points: &[Option<Point<T>>],
+        precision: Precision,
+    ) -> [Bound; P] {
+        let mut bounds = [Bound::UNKNOWN; P];
+        for (bound, point) in bounds.iter_mut().zip(points) {
+            if let Some(Point { omega, side }) = *point {
+                *bound = self.bound(omega, side, precision);
+            }
+        }
+        bounds
     }
 
     /// A bound of the number of frequencies below ω.
@@ -164,21 +186,23 @@ impl<'a> Prover<'a> {
         }
     }
 
-    /// Claims that the frequency of an index is beside an estimate, and at `floor` or above.
-    pub(crate) fn claim<T: Real>(&mut self, index: u64, estimate: T, floor: T) -> Claim<T> {
+    /// Claims that the frequency of an index is beside an estimate, and at `floor` or above, by what two words tell beside it.
+    pub(crate) fn claim<T: Real>(&mut self, index: u64, mut evidence: Evidence<T>, floor: T) -> Claim<T> {
         for precision in [Precision::Two, Precision::Four] {
-            if precision == Precision::Four && self.is_beyond() {
-                break;
-            }
-            let mut omega = estimate;
-            for _ in 0..MOVES {
-                let ends = [or_floor(omega.next_below(), floor), omega.next_above()];
-                if ends[0] >= ends[1] {
+            if precision == Precision::Four {
+                if self.is_beyond() {
                     break;
                 }
-                let bounds = self.ends(ends, precision);
+                [evidence, ..] = self.beside(&[evidence.omega], precision);
+            }
+            let Evidence { omega, mut ends, mut bounds } = evidence;
+            if ends[0] < floor {
+                ends[0] = floor;
+                bounds[0] = self.bound(floor, Side::AtMost, precision);
+            }
+            if ends[0] < ends[1] {
                 if let Some(proven) = proven(index, ends, bounds) {
-                    return Claim::Proven(self.narrowed(proven, bounds, precision));
+                    return Claim::Proven(proven);
                 }
                 if bounds[0].count.is_none_or(|below| below >= index)
                     && self.bound(ends[0], Side::AtLeast, precision).count.is_some_and(|below| below >= index)
@@ -190,49 +214,18 @@ impl<'a> Prover<'a> {
                 {
                     return Claim::Above(ends[1]);
                 }
-                let moved = zero_of(ends, bounds);
-                let is_near = (moved - omega).abs() < omega * T::from_f64(FOLLOWED);
-                if !is_near || moved == omega {
-                    break;
-                }
-                omega = moved;
             }
             for half in WIDER {
                 let away = omega * T::from_f64(half * T::EPSILON);
                 let ends = [or_floor(omega - away, floor), omega + away];
-                let bounds = self.ends(ends, precision);
+                let bounds =
+                    [self.bound(ends[0], Side::AtMost, precision), self.bound(ends[1], Side::AtLeast, precision)];
                 if let Some(proven) = proven(index, ends, bounds) {
                     return Claim::Proven(proven);
                 }
             }
         }
         Claim::Undecided
-    }
-
-    /// The bounds that a claim needs at its ends.
-    fn ends<T: Real>(&mut self, [lower, upper]: [T; 2], precision: Precision) -> [Bound; 2] {
-        [self.bound(lower, Side::AtMost, precision), self.bound(upper, Side::AtLeast, precision)]
-    }
-
-    /// The interval between two neighbouring numbers, if it is proven that all its frequencies are there.
-    fn narrowed<T: Real>(&mut self, proven: Proven<T>, bounds: [Bound; 2], precision: Precision) -> Proven<T> {
-        let Proven { lower, upper, index, multiplicity, .. } = proven;
-        let middle = lower.next_above();
-        if middle >= upper {
-            return proven;
-        }
-        let is_below = zero_of([lower, upper], bounds) < middle || share_of(bounds) < 0.5;
-        for below in [is_below, !is_below] {
-            let side = if below { Side::AtLeast } else { Side::AtMost };
-            let Some(count) = self.bound(middle, side, precision).count else { continue };
-            if below && count >= index + multiplicity - 1 {
-                return Proven { upper: middle, omega: nearer(lower, middle, share_of(bounds) * 2.0), ..proven };
-            }
-            if !below && count < index {
-                return Proven { lower: middle, omega: nearer(middle, upper, share_of(bounds) * 2.0 - 1.0), ..proven };
-            }
-        }
-        proven
     }
 }
 
@@ -241,8 +234,14 @@ fn proven<T: Real>(index: u64, ends: [T; 2], bounds: [Bound; 2]) -> Option<Prove
     let [most, least] = bounds.map(|bound| bound.count);
     let (most, least) = (most?, least?);
     let [lower, upper] = ends;
-    let zero = zero_of(ends, bounds);
-    let omega = if lower <= zero && zero <= upper { zero } else { lower + (upper - lower) * T::from_f64(0.5) };
+    let omega = if upper > lower.next_above() {
+        let zero = zero_of(ends, bounds);
+        if lower <= zero && zero <= upper { zero } else { lower + (upper - lower) * T::from_f64(0.5) }
+    } else if share_of(bounds) < 0.5 {
+        lower
+    } else {
+        upper
+    };
     (most < index && least >= index).then(|| Proven { omega, lower, upper, index, multiplicity: least - (index - 1) })
 }
 
@@ -252,7 +251,7 @@ fn or_floor<T: Real>(lower: T, floor: T) -> T {
 }
 
 /// The zero of the chord of Δ, as a share of the distance of both ends.
-fn share_of([lower, upper]: [Bound; 2]) -> f64 {
+pub(crate) fn share_of([lower, upper]: [Bound; 2]) -> f64 {
     let shift = (upper.exponent - lower.exponent).clamp(-2000, 2000) as i32;
     let other = upper.value.times_power_of_two(shift);
     lower.value / (lower.value - other)
@@ -263,9 +262,4 @@ pub(crate) fn zero_of<T: Real>([lower, upper]: [T; 2], bounds: [Bound; 2]) -> T 
     let share = share_of(bounds);
     let share = if share.is_finite() { share.clamp(-1e9, 1e9) } else { 0.5 };
     lower + (upper - lower) * T::from_f64(share)
-}
-
-/// The end that is nearer to a share of their distance.
-fn nearer<T: Real>(lower: T, upper: T, share: f64) -> T {
-    if share < 0.5 { lower } else { upper }
 }

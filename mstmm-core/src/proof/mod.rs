@@ -51,10 +51,12 @@
 //! | [`tree`], [`frame`] | which rows the parts of a tree and of a frame have, and when variables leave |
 //! | [`visit`] | how a model names its parts: all that a proof knows of it |
 //! | [`count`] | a run, in memory for its front |
-//! | [`certificate`], [`bisection`] | T4: claims about what is proposed; a frequency that nobody has proposed |
+//! | [`beside`], [`certificate`] | bounds beside estimates; T4: claims about these |
+//! | [`bisection`] | a frequency that nobody has proposed |
 
 pub(crate) mod ball;
 pub(crate) mod bending;
+pub(crate) mod beside;
 pub(crate) mod bisection;
 pub(crate) mod certificate;
 pub(crate) mod constants;

@@ -4,6 +4,7 @@ use crate::element::OwnPart;
 use crate::model::{FrequencyEstimates, SearchError, Spot};
 use crate::number::{Real, Store};
 use crate::pass::searched::Undamped;
+use crate::proof::beside::{AT_ONCE, Evidence};
 use crate::proof::bisection::Refusal;
 use crate::proof::certificate::{Claim, Precision, Proven, Prover};
 use crate::proof::count::Side;
@@ -51,6 +52,15 @@ pub(super) enum Sought<T> {
     Range([T; 2]),
     /// So many of the lowest.
     Lowest(u64),
+}
+
+/// What a search proposes, in ascending order, and what is known beside the next few.
+struct Proposals<'p, T> {
+    /// Those about which nothing is known.
+    rest: &'p [NaturalFrequency<T>],
+    known: [Evidence<T>; AT_ONCE],
+    /// The places of those that are known and not dropped.
+    places: core::ops::Range<usize>,
 }
 
 /// Proofs of what is proposed for a system.
@@ -154,16 +164,16 @@ impl<'a, T: Real> Certification<'a, T> {
             Sought::Lowest(wanted) => wanted,
         };
         let rests = proposals.first().is_some_and(|root| root.omega.is_zero());
-        let mut proposals = proposals.iter().map(|root| root.omega).filter(|omega| !omega.is_zero()).peekable();
+        let mut proposals = Proposals::new(proposals);
         if starts_at_rest && settled < last {
             // what is proposed is the first frequency, unless something rests
-            let first = proposals.peek().copied();
+            let first = proposals.first(&mut self.prover);
             let claim = first.filter(|_| !rests).map(|first| self.prover.claim(1, first, floor));
             if let Some(Claim::Proven(proven)) = claim {
-                proposals.next();
+                proposals.drop_first();
                 (settled, floor) = (proven.multiplicity, proven.upper);
                 self.push(&mut found, proven)?;
-            } else if let Some((modes, upper)) = self.at_rest(first) {
+            } else if let Some((modes, upper)) = self.at_rest(first.map(|first| first.omega)) {
                 let rest = Proven { omega: T::zero(), lower: T::zero(), upper, index: 1, multiplicity: modes };
                 (settled, floor) = (modes, upper);
                 self.push(&mut found, rest)?;
@@ -186,34 +196,27 @@ impl<'a, T: Real> Certification<'a, T> {
     }
 
     /// The frequency of an index at `floor` or above, by what is proposed or by bisection.
-    fn next(
-        &mut self,
-        index: u64,
-        floor: T,
-        proposals: &mut core::iter::Peekable<impl Iterator<Item = T>>,
-    ) -> Result<Proven<T>, Refusal> {
+    fn next(&mut self, index: u64, floor: T, proposals: &mut Proposals<'_, T>) -> Result<Proven<T>, Refusal> {
         let mut lower = floor;
         let mut guess = T::one().times_power_of_two(self.estimates.lowest_exponent());
-        while let Some(&proposal) = proposals.peek() {
-            if proposal < floor {
-                proposals.next();
+        while let Some(proposal) = proposals.first(&mut self.prover) {
+            if proposal.ends[1] <= floor {
+                proposals.drop_first();
                 continue;
             }
-            guess = proposal;
+            guess = proposal.omega;
             match self.prover.claim(index, proposal, floor) {
                 Claim::Proven(proven) => {
-                    proposals.next();
+                    proposals.drop_first();
                     return Ok(proven);
                 }
                 // a frequency that was not proposed: what is proposed may be a later one
                 Claim::Below(end) => return self.prover.bisected(index, lower, end, self.limit),
                 Claim::Above(end) => {
-                    proposals.next();
+                    proposals.drop_first();
                     lower = end;
                 }
-                Claim::Undecided => {
-                    proposals.next();
-                }
+                Claim::Undecided => proposals.drop_first(),
             }
         }
         let guess = if guess > lower { guess } else { lower * T::from_f64(1.5) };
@@ -310,5 +313,33 @@ impl<L> Found<L> {
             add(&mut frequencies, *root)?;
         }
         Ok(Found { frequencies, ..self })
+    }
+}
+
+impl<'p, T: Real> Proposals<'p, T> {
+    /// All that are not at rest.
+    fn new(proposals: &'p [NaturalFrequency<T>]) -> Self {
+        let at_rest = proposals.iter().take_while(|root| root.omega.is_zero()).count();
+        Proposals { rest: &proposals[at_rest..], known: [Evidence::around(T::zero()); AT_ONCE], places: 0..0 }
+    }
+
+    /// What is known beside the first one.
+    fn first(&mut self, prover: &mut Prover<'_>) -> Option<Evidence<T>> {
+        if self.places.is_empty() {
+            let (next, rest) = self.rest.split_at(self.rest.len().min(AT_ONCE));
+            let [first, ..] = next else { return None };
+            let mut estimates = [first.omega; AT_ONCE];
+            for (estimate, root) in estimates.iter_mut().zip(next) {
+                *estimate = root.omega;
+            }
+            self.known = prover.beside(&estimates[..next.len()], Precision::Two);
+            (self.rest, self.places) = (rest, 0..next.len());
+        }
+        self.known.get(self.places.start).copied()
+    }
+
+    /// Drops the first one.
+    fn drop_first(&mut self) {
+        self.places.next();
     }
 }
