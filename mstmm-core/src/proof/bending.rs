@@ -9,11 +9,6 @@ use core::f64::consts::FRAC_1_PI;
 /// The bending of a beam.
 pub(crate) type Bending<N> = Member<N, 4, 10>;
 
-/// Number of terms of the series in `(4x)^k/(4k + 4)!`, |x| <= 1: the next one is below 1e-2 of the rounding of a number of `TERMS`.
-const fn terms(of_squares: usize) -> usize {
-    of_squares * 2 / 3
-}
-
 /// The matrix of a beam from the stiffness of an end, `b, f, d`, and between its ends, `t, u, v`.
 #[inline(always)]
 pub(crate) fn symmetric<N: Level>([b, f, d, t, u, v]: [Ball<N>; 6]) -> [Ball<N>; 10] {
@@ -47,10 +42,9 @@ pub(crate) fn bending<N: Level>(x: Ball<N>) -> Bending<N> {
 /// Short waves: series in x. The first frequency of a clamped beam is at z = 4.73.
 #[inline(never)]
 fn short<N: Level>(x: Ball<N>) -> Bending<N> {
-    let terms = terms(N::TERMS);
     let y = x.scaled(-4.0);
-    let [b, f, d, e] = [1, 2, 3, 4].map(|first| y.series([first, 4, terms], 4.0));
-    let [t, u, v] = [1, 2, 3].map(|first| x.series([first, 4, terms], 1.0));
+    let [b, f, d, e] = y.series::<1, 4, 4, 64>();
+    let [t, u, v] = x.series::<1, 3, 4, 16>();
     let (d, e) = (d.scaled(2.0), e.scaled(2.0));
     let inverse = e.inverse();
     let entries = [b, f, d, t, u, v].map(|entry| entry * inverse);

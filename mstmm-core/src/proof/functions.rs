@@ -1,9 +1,9 @@
-//! Elementary functions of balls: the argument is reduced by exact products, a Taylor series is summed in balls, and what it leaves out is
-//! added to the bound. No function needs a proof of its own rounding.
+//! Elementary functions of balls: the argument is reduced by exact products, and [series](crate::proof::series) of the rest are put together
+//! in balls. No function needs a proof of its own rounding.
 
 use crate::proof::ball::Ball;
 use crate::proof::constants::{HALF_PI, LN_2, RECIPROCAL_FACTORIALS};
-use crate::proof::number::{Number, TwoWords, UNDERFLOW};
+use crate::proof::number::{Number, TwoWords, U, UNDERFLOW};
 use crate::proof::word::Word;
 
 /// A number for which series have enough terms and constants enough words.
@@ -14,11 +14,14 @@ pub(crate) trait Level: Number {
     const PARTS: (usize, f64);
     /// Number of terms of a series in `y^k/(2k)!` with |y| <= 1: the next one is below the rounding of the first.
     const TERMS: usize;
+    /// The size of a term beside the first one from which on words do for a series: their rounding is below that of the number then.
+    const IN_WORDS: f64 = 0.0;
 }
 
 impl<W: Word> Level for TwoWords<W> {
     const PARTS: (usize, f64) = (4, 3e-66);
     const TERMS: usize = 14;
+    const IN_WORDS: f64 = 0.5 * U;
 }
 
 #[cfg(test)]
@@ -61,21 +64,6 @@ impl<N: Level> Ball<N> {
         reduced.widened(whole.size() * N::Word::of(rest))
     }
 
-    /// `Σ_k y^k / (stride k + first)!` with so many terms, for |y| <= `limit`: from one term to the next the rest falls by
-    /// `limit / (stride terms + first)^stride`, which has to be below a half.
-    #[inline(never)]
-    pub(crate) fn series(self, [first, stride, terms]: [usize; 3], limit: f64) -> Self {
-        let mut sum = Self::reciprocal_factorial(stride * (terms - 1) + first);
-        for k in (0..terms - 1).rev() {
-            sum = sum * self + Self::reciprocal_factorial(stride * k + first);
-        }
-        let mut rest = 2.0 * RECIPROCAL_FACTORIALS[stride * terms + first][0] * (1.0 + 1e-12);
-        for _ in 0..terms {
-            rest *= limit;
-        }
-        sum.widened(N::Word::of(rest))
-    }
-
     /// Sine and cosine. Beyond [`MOST_TURNS`] quarter turns both are known to be in [-1, 1] alone.
     #[inline(never)]
     pub(crate) fn sin_cos(self) -> [Self; 2] {
@@ -84,12 +72,12 @@ impl<N: Level> Ball<N> {
         let is_known = turns.size().is_less(word(MOST_TURNS));
         let turns = N::Word::select(is_known, turns, word(0.0));
         let angle = self.reduced(turns, &HALF_PI);
-        // |angle| <= π/4 (1 + 1e-9), unless its ball is wide; then the bound of the rest is multiplied by it below
+        // |angle| <= π/4 (1 + 1e-9), unless its ball is wide
         let square = angle * angle;
         let y = -square;
-        let sine = angle + angle * (y * y.series([3, 2, N::TERMS], 1.0));
-        let cosine = Self::of(1.0) + y * y.series([2, 2, N::TERMS], 1.0);
-        let is_small = square.largest().is_less(word(1.0));
+        let [c, s] = y.series::<2, 2, 2, 10>().map(|series| y * series);
+        let (sine, cosine) = (angle + angle * s, Self::of(1.0) + c);
+        let is_small = square.largest().is_less(word(0.625));
         let is_odd = turns.is_odd();
         // the second bit: that of the even number below
         let half = (turns - N::Word::select(is_odd, word(1.0), word(0.0))) * word(0.5);
@@ -110,9 +98,11 @@ impl<N: Level> Ball<N> {
         let halvings = (self.mid.leading() * word(core::f64::consts::LOG2_E)).nearest();
         let halvings = N::Word::select(is_moderate, halvings, word(0.0));
         let rest = -self.reduced(halvings, &LN_2);
-        // |rest| <= ln 2 / 2 (1 + 1e-9), unless the ball is wide
-        let exponential = Self::of(1.0) + (rest + rest * (rest * rest.series([2, 1, 2 * N::TERMS - 3], 0.5)));
-        let is_small = rest.largest().is_less(word(0.5));
+        // |rest| <= ln 2 / 2 (1 + 1e-9), unless the ball is wide; hyperbolic cosine and sine of it
+        let square = rest * rest;
+        let [c, s] = square.series::<2, 2, 2, 2>().map(|series| square * series);
+        let exponential = Self::of(1.0) + (rest + (c + rest * s));
+        let is_small = square.largest().is_less(word(0.125));
         let power = (-halvings).power_of_two();
         let decay = Ball { mid: exponential.mid.scaled(power), rad: exponential.rad * power + word(UNDERFLOW) };
         let unknown = Ball { mid: N::of(0.0), rad: word(f64::INFINITY) };

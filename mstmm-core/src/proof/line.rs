@@ -6,6 +6,9 @@ use crate::proof::member::{BESIDE_POLE, Member, any, both, half_wave, is_nonzero
 use crate::proof::word::Word;
 use core::f64::consts::FRAC_1_PI;
 
+/// The size of x below which waves are short: as far as the terms of the series fall as they should.
+const SHORT: f64 = 0.875;
+
 /// A line.
 pub(crate) type Line<N> = Member<N, 2, 3>;
 
@@ -20,7 +23,7 @@ fn of<N: Level>(own: Ball<N>, between: Ball<N>, held: [N::Word; 2], minor: N::Wo
 #[inline(never)]
 pub(crate) fn line<N: Level>(x: Ball<N>) -> Line<N> {
     let word = N::Word::of;
-    let is_short = x.largest().is_less(word(1.0));
+    let is_short = x.largest().is_less(word(SHORT));
     if N::Word::all(is_short) {
         return short(x);
     }
@@ -46,7 +49,7 @@ pub(crate) fn line<N: Level>(x: Ball<N>) -> Line<N> {
 #[inline(always)]
 fn short<N: Level>(x: Ball<N>) -> Line<N> {
     let y = -x;
-    let [cosine, sine] = [0, 1].map(|first| y.series([first, 2, N::TERMS + 1], 1.0));
+    let [cosine, sine] = y.series::<0, 2, 2, 14>();
     let inverse = sine.inverse();
     of(cosine * inverse, -inverse, [N::Word::of(0.0); 2], sine.mid.leading())
 }
@@ -63,7 +66,7 @@ fn decaying<N: Level>(stiffness: Ball<N>) -> Line<N> {
         .known_where(stiffness.is_positive())
 }
 
-/// Waves of x >= 1.
+/// Waves of `x >= SHORT`.
 #[inline(always)]
 fn waving<N: Level>(x: Ball<N>) -> Line<N> {
     let word = N::Word::of;

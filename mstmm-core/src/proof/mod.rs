@@ -43,7 +43,8 @@
 //! | file | what it has |
 //! |---|---|
 //! | [`word`], [`number`], [`four_words`] | an `f64` or several in lanes; numbers of two and of four words, with the bounds of a sum and a product |
-//! | [`ball`], [`functions`], [`constants`] | a number with a bound of its error; sine, cosine, exponential and series of it; π/2, ln 2, 1/n! |
+//! | [`ball`], [`series`], [`functions`] | a number with a bound of its error; Taylor series, sine, cosine and exponential of it |
+//! | [`constants`] | π/2, ln 2, 1/n! |
 //! | [`member`] | a stiffness in balls, its border, its count with held ends |
 //! | [`line`], [`bending`], [`general_bending`], [`tapered`] | these of lines, plain beams, general beams, tapered beams |
 //! | [`front`] | T1 and T2: parts are added, variables leave |
@@ -71,6 +72,7 @@ pub(crate) mod line;
 pub(crate) mod member;
 pub(crate) mod number;
 pub(crate) mod row;
+pub(crate) mod series;
 pub(crate) mod tapered;
 pub(crate) mod tree;
 pub(crate) mod visit;

@@ -15,6 +15,8 @@ pub(crate) trait Number: Copy + core::fmt::Debug {
     const SUM: f64;
     /// Bound of a product.
     const PRODUCT: f64;
+    /// Bound of the sum with a small number, over the larger one: that is less than twice the sum.
+    const SMALL_SUM: f64 = 2.0 * Self::SUM;
     /// Bound of the sum of two words.
     const SUM_OF_WORDS: f64 = 0.0;
 
@@ -26,6 +28,11 @@ pub(crate) trait Number: Copy + core::fmt::Debug {
     fn of_product(a: Self::Word, b: Self::Word) -> Self;
     /// The sum.
     fn plus(self, other: Self) -> Self;
+    /// The sum with a number of at most three quarters of its size: `|fl(a + b) - (a + b)| <= SMALL_SUM |a|`.
+    #[inline(always)]
+    fn plus_small(self, other: Self) -> Self {
+        self.plus(other)
+    }
     /// The product.
     fn times(self, other: Self) -> Self;
     /// The number of opposite sign, exactly.
@@ -93,6 +100,10 @@ impl<W: Word> Number for TwoWords<W> {
     /// The terms of order u² that are lost: `lo lo'` is rounded (u³), `lo hi'` (u²) and the sum of both (u²), `hi lo'` (u²), its sum with
     /// them (2u²), and its sum with the low part of `hi hi'` (3u², as large as all three terms): `8u² + O(u³)`, taken as `9u²`.
     const PRODUCT: f64 = 9.0 * U * U;
+    /// With |b| <= 3|a|/4 the sum of the leading words is exact in two words. The low words are at most u of either, so their rounded sum is off by
+    /// `1.8u²` of a. What the leading sum lacks is u of `1.8a`, so the sum of these parts is off by `3.6u²` of a. The last step is exact: its
+    /// second word is below `4u` of a, its first one above a fifth of it.
+    const SMALL_SUM: f64 = 6.0 * U * U;
 
     #[inline(always)]
     fn of_parts([hi, lo, ..]: [f64; 4]) -> Self {
@@ -116,6 +127,12 @@ impl<W: Word> Number for TwoWords<W> {
         let lower = two_sum(self.lo, other.lo);
         let sum = ordered_sum(upper.hi, upper.lo + lower.hi);
         ordered_sum(sum.hi, lower.lo + sum.lo)
+    }
+
+    #[inline(always)]
+    fn plus_small(self, other: Self) -> Self {
+        let upper = ordered_sum(self.hi, other.hi);
+        ordered_sum(upper.hi, upper.lo + (self.lo + other.lo))
     }
 
     #[inline(always)]

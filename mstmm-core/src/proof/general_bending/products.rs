@@ -138,14 +138,14 @@ impl<N: Level> Equations<N> {
 fn waves<N: Level>(kappa: Ball<N>) -> Waves<N> {
     let (zero, one) = (Ball::of(0.0), Ball::of(1.0));
     let size = |ball: Ball<N>| size_of(ball.mid.size());
-    let is_small = kappa.largest().is_less(N::Word::of(1.0));
+    let is_small = kappa.largest().is_less(N::Word::of(0.875));
     let is_positive = not::<N::Word>(kappa.mid.leading().is_less(N::Word::of(0.0)));
     let travels = not::<N::Word>(either::<N::Word>(is_small, is_positive));
     of_forms::<N, 6>(
         [is_small, travels],
         |truth| {
             let kappa = Ball::select(truth, kappa, zero);
-            let [c, s] = [0, 1].map(|first| kappa.series([first, 2, N::TERMS + 1], 1.0));
+            let [c, s] = kappa.series::<0, 2, 2, 14>();
             [c, s, zero, one, size(c), size(s)]
         },
         |truth| {

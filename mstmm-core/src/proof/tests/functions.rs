@@ -82,28 +82,45 @@ fn functions_have_nearly_all_digits() {
     check::<FourWords>();
 }
 
-#[test]
-fn series_are_in_their_balls() {
-    fn check<N: Level<Word = f64> + Exactly>() {
-        let mut random = Random::new(5);
-        let mut used = 0.0f64;
-        for (stride, terms, limit) in [(2, N::TERMS, 1.0), (1, 2 * N::TERMS - 3, 0.5), (4, N::TERMS * 2 / 3, 4.0)] {
-            for run in 0..30 {
-                let first = random.below(4);
-                let y = if run < 2 { limit * (1.0 - 2.0 * run as f64) } else { limit * random.signed() };
-                let ball = Ball::<N>::of(y).series([first, stride, terms], limit);
+/// Checks K series at random arguments and at the ends.
+fn check_series<N, const FIRST: usize, const K: usize, const STRIDE: usize, const SIXTEENTHS: usize>()
+where
+    N: Level<Word = f64> + Exactly,
+{
+    let (mut random, mut used, limit) = (Random::new(5), 0.0f64, SIXTEENTHS as f64 / 16.0);
+    for run in 0..60 {
+        let y = if run < 2 { limit * (1.0 - 2.0 * run as f64) } else { limit * random.signed() };
+        let mid = N::of(y).plus(N::of(y * -1e-17 * random.unit()));
+        let rad = if run % 3 == 2 { (limit - y.abs()) * 10f64.powf(-30.0 * random.unit()) } else { 0.0 };
+        let balls = Ball { mid, rad }.series::<FIRST, K, STRIDE, SIXTEENTHS>();
+        for (k, ball) in balls.into_iter().enumerate() {
+            for end in [-1.0, 1.0] {
+                let (first, y) = (FIRST + k, mid.exactly() + exact(rad) * exact(end));
                 let mut term = (1..=first).fold(exact(1.0), |term, n| term / exact(n as f64));
                 let mut sum = exact(0.0);
                 for k in 0..120 {
                     sum += &term;
-                    term = (1..=stride).fold(term * exact(y), |term, n| term / exact((stride * k + first + n) as f64));
+                    term = (1..=STRIDE).fold(term * &y, |term, n| term / exact((STRIDE * k + first + n) as f64));
                 }
                 let share = share(ball, &sum);
-                assert!(share <= 1.0, "{}: {y} {first} {stride}", N::NAME);
-                used = used.max(share);
+                assert!(share <= 1.0, "{}: {y} {first} {STRIDE} {share}", N::NAME);
+                if rad == 0.0 {
+                    used = used.max(share);
+                }
             }
         }
-        std::println!("{}: series use {used:.3} of their radii", N::NAME);
+    }
+    std::println!("{}: series use {used:.3} of their radii", N::NAME);
+}
+
+#[test]
+fn series_are_in_their_balls() {
+    fn check<N: Level<Word = f64> + Exactly>() {
+        check_series::<N, 2, 2, 2, 10>();
+        check_series::<N, 2, 2, 2, 2>();
+        check_series::<N, 0, 2, 2, 14>();
+        check_series::<N, 1, 4, 4, 64>();
+        check_series::<N, 1, 3, 4, 16>();
     }
     check::<OneWord>();
     check::<TwoWords<f64>>();
