@@ -17,11 +17,11 @@ pub struct FourTruths(__m256i);
 /// The lanes that a slice of some length fills.
 #[inline(always)]
 fn filled(count: usize) -> __m256i {
-    // SAFETY: by the contract of `Vector` the machine has AVX2
+    // SAFETY: by the contract of `Vector` the machine has AVX2 and FMA
     unsafe { _mm256_cmpgt_epi64(_mm256_set1_epi64x(count.min(4) as i64), _mm256_setr_epi64x(0, 1, 2, 3)) }
 }
 
-// SAFETY: by the contract of `Vector` the machine has AVX2 wherever a value exists; masked loads and stores touch the lanes alone that
+// SAFETY: by the contract of `Vector` the machine has AVX2 and FMA wherever a value exists; masked loads and stores touch the lanes alone that
 // lie in the slice
 impl Vector for Four {
     const LANES: usize = 4;
@@ -57,6 +57,11 @@ impl Vector for Four {
     #[inline(always)]
     fn product(self, other: Self) -> Self {
         Four(unsafe { _mm256_mul_pd(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn product_error(self, other: Self, product: Self) -> Self {
+        Four(unsafe { _mm256_fmsub_pd(self.0, other.0, product.0) })
     }
 
     #[inline(always)]
@@ -165,13 +170,13 @@ impl Vector for Four {
     }
 
     #[inline(always)]
-    fn call(part: impl Part) {
+    fn call<P: Part>(part: P) -> P::Output {
         unsafe { called(part) }
     }
 }
 
 #[inline(never)]
-#[target_feature(enable = "avx2")]
-fn called(part: impl Part) {
-    part.run();
+#[target_feature(enable = "avx2,fma")]
+fn called<P: Part>(part: P) -> P::Output {
+    part.run()
 }

@@ -53,6 +53,11 @@ impl Vector for Eight {
     }
 
     #[inline(always)]
+    fn product_error(self, other: Self, product: Self) -> Self {
+        Eight(unsafe { _mm512_fmsub_pd(self.0, other.0, product.0) })
+    }
+
+    #[inline(always)]
     fn quotient(self, other: Self) -> Self {
         Eight(unsafe { _mm512_div_pd(self.0, other.0) })
     }
@@ -155,13 +160,13 @@ impl Vector for Eight {
     }
 
     #[inline(always)]
-    fn call(part: impl Part) {
+    fn call<P: Part>(part: P) -> P::Output {
         unsafe { called(part) }
     }
 }
 
 #[inline(never)]
 #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
-fn called(part: impl Part) {
-    part.run();
+fn called<P: Part>(part: P) -> P::Output {
+    part.run()
 }

@@ -41,6 +41,12 @@ impl<V: Vector> Lanes<V> {
         Truths(self.0.is_less(other.0))
     }
 
+    /// The product less its rounded value: exactly, unless it underflows.
+    #[inline(always)]
+    pub fn product_error(self, other: Self, product: Self) -> Self {
+        Lanes(self.0.product_error(other.0, product.0))
+    }
+
     /// The first number where the truth holds, else the second.
     #[inline(always)]
     pub fn select(truth: Truths<V>, first: Self, second: Self) -> Self {

@@ -2,7 +2,7 @@
 //!
 //! A program is compiled for the least machine it may run on, which on x86-64 has vectors of two numbers. A [`Task`] is
 //! also compiled for wider vectors, of numbers in [`Lanes`], and the choice is made when it runs. No operation is fused with another
-//! on any of them, so that every lane has the bits of a number alone.
+//! on any of them, but where the result is exact, so that every lane has the bits of a number alone.
 //!
 //! This crate is an implementation detail of `mstmm`, and the only one of its crates with `unsafe` code: a function for an
 //! instruction set may be called only where the machine has it. The crate needs `std` to detect that.
@@ -49,7 +49,7 @@ pub trait Task {
 pub enum InstructionSet {
     /// The instruction set of the target: one number at a time.
     Target,
-    /// AVX2: four numbers at once.
+    /// AVX2 with FMA: four numbers at once.
     Avx2,
     /// AVX-512: eight numbers at once.
     Avx512,
@@ -70,7 +70,7 @@ impl InstructionSet {
             if has!("avx512f") && has!("avx512dq") && has!("avx512bw") && has!("avx512vl") {
                 return Self::Avx512;
             }
-            if has!("avx2") {
+            if has!("avx2") && has!("fma") {
                 return Self::Avx2;
             }
         }
@@ -114,7 +114,7 @@ pub fn run<T: Task>(task: T) -> T::Output {
 
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,fma")]
 fn on_avx2<T: Task>(task: T) -> T::Output {
     task.on_avx2()
 }

@@ -63,6 +63,11 @@ impl Vector for Plain {
     }
 
     #[inline]
+    fn product_error(self, other: Self, product: Self) -> Self {
+        Plain(each(|lane| self.0[lane].mul_add(other.0[lane], -product.0[lane])))
+    }
+
+    #[inline]
     fn quotient(self, other: Self) -> Self {
         Plain(each(|k| self.0[k] / other.0[k]))
     }
@@ -155,7 +160,7 @@ impl Vector for Plain {
     }
 
     #[inline]
-    fn call(part: impl Part) {
-        part.run();
+    fn call<P: Part>(part: P) -> P::Output {
+        part.run()
     }
 }

@@ -2,7 +2,8 @@
 
 use core::fmt::Debug;
 
-/// A vector of `f64` in a register of some instruction set. All operations round as those of one `f64` do; none is fused.
+/// A vector of `f64` in a register of some instruction set. All operations round as those of one `f64` do; none is fused but
+/// [`product_error`](Vector::product_error).
 ///
 /// A value may exist only in code that runs since the machine was found to have the instruction set, as
 /// [`Task`](crate::Task) does: elsewhere its operations are undefined. [`Plain`](crate::Plain) numbers may exist everywhere.
@@ -25,6 +26,8 @@ pub trait Vector: Copy + Debug + 'static {
     fn difference(self, other: Self) -> Self;
     /// The product in each lane.
     fn product(self, other: Self) -> Self;
+    /// The product less its rounded value, rounded once: exactly, unless it underflows.
+    fn product_error(self, other: Self, product: Self) -> Self;
     /// The quotient in each lane.
     fn quotient(self, other: Self) -> Self;
     /// The number of opposite sign.
@@ -62,12 +65,15 @@ pub trait Vector: Copy + Debug + 'static {
     /// A bit per lane, that of the first lane last.
     fn bits(mask: Self::Mask) -> u8;
     /// Does a part in a function of its own, which is compiled for the instruction set.
-    fn call(part: impl Part);
+    fn call<P: Part>(part: P) -> P::Output;
 }
 
 /// A part of a task that is called, since it would be long in line, and compiled again wherever it stands. All functions that it calls
-/// have to stand in line. Its fields are references: vectors are passed in memory.
+/// have to stand in line. Vectors are passed in memory, to it and back.
 pub trait Part {
+    /// The result.
+    type Output;
+
     /// Does it. Mark it `#[inline(always)]`.
-    fn run(self);
+    fn run(self) -> Self::Output;
 }

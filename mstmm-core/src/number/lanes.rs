@@ -98,6 +98,8 @@ pub trait Waving: Vector {
 struct Waves<'a, V>(&'a Lanes<V>, &'a mut [Lanes<V>; 4]);
 
 impl<V: Vector> Part for Waves<'_, V> {
+    type Output = ();
+
     #[inline(always)]
     fn run(self) {
         *self.1 = kernel::circular_and_hyperbolic(*self.0);
@@ -108,6 +110,8 @@ impl<V: Vector> Part for Waves<'_, V> {
 struct SquareWaves<'a, V>(&'a Lanes<V>, &'a mut [Lanes<V>; 2]);
 
 impl<V: Waving> Part for SquareWaves<'_, V> {
+    type Output = ();
+
     #[inline(always)]
     fn run(self) {
         let square = *self.0;
@@ -127,6 +131,8 @@ impl<V: Waving> Part for SquareWaves<'_, V> {
 struct ShortWaves<'a, V>(&'a Lanes<V>, &'a mut [Lanes<V>; 5]);
 
 impl<V: Waving> Part for ShortWaves<'_, V> {
+    type Output = ();
+
     #[inline(always)]
     fn run(self) {
         *self.1 = short_wave_products(*self.0);

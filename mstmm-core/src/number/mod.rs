@@ -45,7 +45,7 @@ pub(crate) use frequency::{
     modulus, smaller,
 };
 pub(crate) use frequency_powers::FrequencyPowers;
-pub(crate) use packed::{InLanes, Packed, Parameters, Task, run};
+pub(crate) use packed::{InLanes, Packed, Parameters, Part, Task, run};
 pub(crate) use partials::Partials;
 pub(crate) use scalar::{Scalar, Single, series, twice};
 pub(crate) use scaled::{Magnitude, Scaled};

@@ -63,7 +63,16 @@ pub trait InLanes: Single {
 }
 
 #[cfg(feature = "std")]
-pub(crate) use mstmm_lanes::{Task, run};
+pub(crate) use mstmm_lanes::{Part, Task, run};
+
+/// A part of work that stands apart.
+#[cfg(not(feature = "std"))]
+pub(crate) trait Part {
+    /// The result.
+    type Output;
+    /// Does it.
+    fn run(self) -> Self::Output;
+}
 
 /// Work on numbers in lanes. Without `std` the instruction sets of the machine cannot be detected.
 #[cfg(not(feature = "std"))]

@@ -1,7 +1,8 @@
 //! Balls: a number and a bound of its distance from the exact one, for each operation without a proof of its own.
 
+use crate::proof::functions::Level;
 use crate::proof::number::{Number, UNDERFLOW};
-use crate::proof::word::Word;
+use crate::proof::word::{MOST_LANES, Word, load};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A number within `rad` of `mid`. A bound that is infinite or NaN says nothing.
@@ -63,7 +64,7 @@ impl<N: Number> Ball<N> {
     }
 
     /// Its inverse `m`, whatever it is: `|1/b - m| = |1 - b m| / |b|` for each b of the ball.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn inverse(self) -> Self {
         let mid = self.mid.near_inverse();
         let residual = Self::of(1.0) - self * Self::exactly(mid);
@@ -73,7 +74,7 @@ impl<N: Number> Ball<N> {
     }
 
     /// The square root `r` of a ball of positive numbers, whatever it is: `|√x - r| = |x - r²| / (√x + r)`.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn root(self) -> Self {
         let mid = self.mid.near_root();
         let residual = self - Self::exactly(mid) * Self::exactly(mid);
@@ -100,6 +101,26 @@ impl<N: Number> Ball<N> {
     #[inline(always)]
     pub(crate) fn select(truth: <N::Word as Word>::Mask, first: Self, second: Self) -> Self {
         Ball { mid: N::select(truth, first.mid, second.mid), rad: N::Word::select(truth, first.rad, second.rad) }
+    }
+}
+
+impl<N: Level> Ball<N> {
+    /// A ball in all lanes.
+    #[inline(always)]
+    pub(crate) fn everywhere(alone: Ball<N::Alone>) -> Self {
+        Ball { mid: N::everywhere(alone.mid), rad: N::Word::of(alone.rad) }
+    }
+
+    /// A ball in each lane.
+    pub(crate) fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Ball<N::Alone>) -> Self {
+        Ball { mid: N::of_lanes(lanes, &|lane| of(lane).mid), rad: load(lanes, &|lane| of(lane).rad) }
+    }
+
+    /// The ball of a lane.
+    pub(crate) fn lane(self, lane: usize) -> Ball<N::Alone> {
+        let mut numbers = [0.0; MOST_LANES];
+        self.rad.store(&mut numbers);
+        Ball { mid: self.mid.lane(lane), rad: numbers[lane] }
     }
 }
 

@@ -6,7 +6,7 @@
 use crate::model::Spot;
 use crate::number::{Real, Scalar};
 use crate::proof::beside::Evidence;
-use crate::proof::count::{At, Memory, Outcome, Side};
+use crate::proof::count::{At, Memory, Outcome, Place, Side};
 use crate::proof::four_words::FourWords;
 use crate::proof::joining::Failure;
 use crate::proof::number::TwoWords;
@@ -102,17 +102,50 @@ impl<'a> Prover<'a> {
     }
 
     /// A run at the sum of two words; not generic, so that it is compiled here once and not in each crate that searches.
-    fn run(&mut self, words: [f64; 2], sign: f64, side: Side, precision: Precision) -> Bound {
+    fn run(&mut self, omega: [f64; 2], sign: f64, side: Side, precision: Precision) -> Bound {
+        let place = [(omega, side)];
         let outcome = match precision {
             Precision::Two => {
+                if let Some((outcomes, _)) = self.memory.run_in_lanes(self.model, &place, sign) {
+                    self.runs += 1;
+                    return self.bound_of(side, Ok(outcomes[0]));
+                }
                 self.runs += 1;
-                self.memory.run::<TwoWords<f64>>(self.model, At::new(words, sign, side))
+                self.memory.run::<TwoWords<f64>>(self.model, At::new(&place, sign))
             }
             Precision::Four => {
                 self.long_runs += 1;
-                self.memory.run::<FourWords>(self.model, At::new(words, sign, side))
+                self.memory.run::<FourWords>(self.model, At::new(&place, sign))
             }
         };
+        self.bound_of(side, outcome)
+    }
+
+    /// Runs at some places, in lanes where the machine has them.
+    fn run_all(&mut self, places: &[Place], precision: Precision, bounds: &mut [Bound]) {
+        let mut from = 0;
+        while from < places.len() {
+            let rest = &places[from..];
+            let outcomes = match precision {
+                Precision::Two if rest.len() > 1 => self.memory.run_in_lanes(self.model, rest, 1.0),
+                _ => None,
+            };
+            let Some((outcomes, count)) = outcomes else {
+                let (omega, side) = rest[0];
+                bounds[from] = self.run(omega, 1.0, side, precision);
+                from += 1;
+                continue;
+            };
+            self.runs += count;
+            for ((_, side), outcome) in rest.iter().zip(outcomes).take(count) {
+                bounds[from] = self.bound_of(*side, Ok(outcome));
+                from += 1;
+            }
+        }
+    }
+
+    /// The bound that a run tells.
+    fn bound_of(&mut self, side: Side, outcome: Result<Outcome<f64>, Failure>) -> Bound {
         match outcome {
             Ok(Outcome { count, value, exponent, smallest_at }) => {
                 (self.smallest_at, self.failure) = (smallest_at, None);
@@ -134,11 +167,16 @@ impl<'a> Prover<'a> {
         points: &[Option<Point<T>>],
         precision: Precision,
     ) -> [Bound; P] {
+        let (mut places, mut found, mut count) = ([([0.0; 2], Side::AtMost); P], [Bound::UNKNOWN; P], 0);
+        for Point { omega, side } in points.iter().flatten() {
+            places[count] = (omega.words(), *side);
+            count += 1;
+        }
+        self.run_all(&places[..count], precision, &mut found);
+        let mut next = found.into_iter();
         let mut bounds = [Bound::UNKNOWN; P];
-        for (bound, point) in bounds.iter_mut().zip(points) {
-            if let Some(Point { omega, side }) = *point {
-                *bound = self.bound(omega, side, precision);
-            }
+        for (bound, _) in bounds.iter_mut().zip(points).filter(|(_, point)| point.is_some()) {
+            *bound = next.next().unwrap_or(Bound::UNKNOWN);
         }
         bounds
     }

@@ -9,7 +9,8 @@ use crate::proof::joining::{Failure, Joining};
 use crate::proof::number::Number;
 use crate::proof::tree::{Path, Paths};
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visited, Visitor};
-use crate::proof::word::Word;
+use crate::proof::word::{MOST_LANES, Word, load};
+use core::array::from_fn;
 use mstmm_plan::{Space, Support};
 
 /// Which bound of a count is wanted.
@@ -44,12 +45,12 @@ pub(crate) struct Outcome<W> {
 }
 
 /// A run in progress.
-struct Run<'m, N: Number> {
+struct Run<'m, N: Level> {
     model: &'m dyn Visited,
     /// The frequency, as the sum of two words.
     omega: [f64; 2],
     joining: Joining<'m, N>,
-    paths: Paths<'m, N>,
+    paths: Paths<'m, N::Alone>,
     nodes: Nodes,
 }
 
@@ -61,8 +62,9 @@ impl<N: Level> Visitor for Run<'_, N> {
     fn element(&mut self, step: usize, input: usize, space: Space, numbers: &MemberNumbers) {
         self.joining.front.total.place = step;
         if self.joining.failure.is_none() {
+            // an element that is not known in numbers is known at one frequency
             let own = match numbers {
-                MemberNumbers::Other => self.model.own_part(step, self.omega),
+                MemberNumbers::Other if N::Word::LANES == 1 => self.model.own_part(step, self.omega),
                 _ => None,
             };
             self.paths.element([step, input], space, (numbers, own), &mut self.joining);
@@ -104,10 +106,10 @@ impl<N: Level> Visitor for Run<'_, N> {
 }
 
 /// Memory for a run.
-struct Room<'m, N: Number> {
+struct Room<'m, N: Level> {
     entries: &'m mut [N],
     variables: &'m mut [Variable<N::Word>],
-    paths: &'m mut [Path<N>],
+    paths: &'m mut [Path<N::Alone>],
 }
 
 /// A run at ω², of either sign, in memory for a front.
@@ -136,7 +138,7 @@ fn run<'m, N: Level>(model: &'m dyn Visited, memory: Room<'m, N>, at: At<N>) -> 
     })
 }
 
-/// A run at one frequency, in memory for as many variables as the model has at once.
+/// Runs in memory for as many variables as the model has at once.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Memory {
     /// Index of the smallest memory that may do.
@@ -162,6 +164,61 @@ impl Memory {
                 outcome => return outcome,
             }
         }
+    }
+
+    /// Runs in two words at some points, in the lanes of the machine; none where it has no lanes, or too little memory for as many.
+    #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
+    pub(crate) fn run_in_lanes(&mut self, model: &dyn Visited, points: &[Place], sign: f64) -> Option<Outcomes> {
+        use mstmm_lanes::{Eight, Four, InstructionSet, Lanes};
+        match InstructionSet::in_use() {
+            InstructionSet::Target => None,
+            InstructionSet::Avx512 if points.len() > 4 => self.in_lanes::<Lanes<Eight>>(model, points, sign),
+            _ => self.in_lanes::<Lanes<Four>>(model, points, sign),
+        }
+    }
+
+    /// The same in lanes of a word.
+    #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
+    fn in_lanes<W: Word>(&mut self, model: &dyn Visited, points: &[Place], sign: f64) -> Option<Outcomes> {
+        let points = &points[..points.len().min(W::LANES)];
+        loop {
+            let at = At::<crate::proof::number::TwoWords<W>>::new(points, sign);
+            let outcome = match self.class {
+                0 => on_stack::<_, 8, 36, 8>(model, at),
+                1 => on_stack::<_, 24, 300, 24>(model, at),
+                _ => return None,
+            };
+            match outcome {
+                Err(Failure::Full) => self.class += 1,
+                outcome => return outcome.ok().map(|outcome| outcome.lanes(points.len())),
+            }
+        }
+    }
+
+    /// Where nothing stands in lanes.
+    #[cfg(not(all(feature = "std", target_arch = "x86_64", not(debug_assertions))))]
+    pub(crate) fn run_in_lanes(&mut self, _: &dyn Visited, _: &[Place], _: f64) -> Option<Outcomes> {
+        None
+    }
+}
+
+/// The outcomes of lanes.
+pub(crate) type Outcomes = ([Outcome<f64>; MOST_LANES], usize);
+
+impl<W: Word> Outcome<W> {
+    /// The outcomes of so many lanes.
+    #[cfg_attr(debug_assertions, expect(dead_code, reason = "there are no lanes"))]
+    fn lanes(self, lanes: usize) -> Outcomes {
+        let (mut counts, mut values) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
+        self.count.store(&mut counts);
+        self.value.store(&mut values);
+        (from_fn(|lane| Outcome { count: counts[lane], value: values[lane], ..self.first() }), lanes)
+    }
+
+    /// The outcome of the first lane.
+    fn first(self) -> Outcome<f64> {
+        let Outcome { count, value, exponent, smallest_at } = self;
+        Outcome { count: count.first(), value: value.first(), exponent, smallest_at }
     }
 }
 
@@ -197,6 +254,9 @@ fn beyond_stack<N: Level<Word = f64>>(
     Err(Failure::Full)
 }
 
+/// Where a bound is wanted, at a frequency that is the sum of two words, and which one.
+pub(crate) type Place = ([f64; 2], Side);
+
 /// Where a run is made, and to which side.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct At<N: Number> {
@@ -208,21 +268,24 @@ pub(crate) struct At<N: Number> {
     omega: [f64; 2],
 }
 
-impl<N: Level<Word = f64>> At<N> {
-    /// At `sign ω²`, where ω is the sum of two words.
-    pub(crate) fn new(omega: [f64; 2], sign: f64, side: Side) -> Self {
-        let of_elements = if sign < 0.0 { [0.0; 2] } else { omega };
-        At { square: signed_square(omega, sign), toward: side.toward(), omega: of_elements }
+impl<N: Level> At<N> {
+    /// At `sign ω²`, a place in each lane.
+    pub(crate) fn new(places: &[Place], sign: f64) -> Self {
+        let omega = places.first().map_or([0.0; 2], |(omega, _)| if sign < 0.0 { [0.0; 2] } else { *omega });
+        At {
+            square: Ball::of_lanes(places, &|(omega, _)| signed_square(*omega, sign)),
+            toward: load(places, &|(_, side)| side.toward()),
+            omega,
+        }
     }
 }
 
 /// ω², of the sign of ω, of a frequency that is the sum of two words.
-fn signed_square<N: Level>(omega: [N::Word; 2], sign: f64) -> Ball<N> {
-    let [hi, lo] = omega;
-    let square = if lo.vanishes() {
+fn signed_square<A: Level<Word = f64>>([hi, lo]: [f64; 2], sign: f64) -> Ball<A> {
+    let square = if lo == 0.0 {
         Ball::of_product(hi, hi)
     } else {
-        let omega = Ball::exactly(N::of_word(hi).plus(N::of_word(lo)));
+        let omega = Ball::exactly(A::of_word(hi).plus(A::of_word(lo)));
         omega * omega
     };
     square.scaled(sign)

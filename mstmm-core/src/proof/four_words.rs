@@ -153,6 +153,19 @@ impl Number for FourWords {
 }
 
 impl Level for FourWords {
+    type Alone = Self;
     const PARTS: (usize, f64) = (7, 1e-114);
     const TERMS: usize = 24;
+
+    fn everywhere(alone: Self) -> Self {
+        alone
+    }
+
+    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Self) -> Self {
+        of(&lanes[0])
+    }
+
+    fn lane(self, _: usize) -> Self {
+        self
+    }
 }

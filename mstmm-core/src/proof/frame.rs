@@ -6,7 +6,6 @@ use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining};
 use crate::proof::row::{Row, difference, direction};
 use crate::proof::visit::{MemberEnd, NodeNumbers};
-use crate::proof::word::Word;
 use mstmm_plan::Freedoms;
 
 /// Most nodes that are in the front at once.
@@ -61,8 +60,8 @@ impl Nodes {
 
     /// Displacements x and y and rotation of a place that is tied to a node.
     #[inline(never)]
-    fn motion<N: Level>(&mut self, node: &NodeNumbers, place: [Exact; 2], joining: &mut Joining<'_, N>) -> [Row<N>; 3] {
-        let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<N, 1>::of));
+    fn motion<N: Level>(&mut self, node: &NodeNumbers, place: [Exact; 2], joining: &mut Joining<'_, N>) -> [Row<N::Alone>; 3] {
+        let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<N::Alone, 1>::of));
         let mut rows = [Row::none(); 3];
         match node.along {
             Some(along) => {
@@ -91,11 +90,11 @@ impl Nodes {
     fn local<N: Level>(
         &mut self,
         end: &MemberEnd,
-        [c, s]: [Ball<N>; 2],
+        [c, s]: [Ball<N::Alone>; 2],
         wanted: Freedoms,
         own: &mut Released,
         joining: &mut Joining<'_, N>,
-    ) -> [Row<N>; LOCAL] {
+    ) -> [Row<N::Alone>; LOCAL] {
         let [x, y, rotation] = self.motion(&end.node, end.place, joining);
         let mut rows = [Row::none(), Row::none(), rotation];
         rows[0].add(&x, c);
@@ -122,7 +121,7 @@ impl Nodes {
         next: usize,
         joining: &mut Joining<'_, N>,
     ) {
-        let between = [0, 1].map(|k| difference::<N>(ends[0].place[k], ends[1].place[k]));
+        let between = [0, 1].map(|k| difference::<N::Alone>(ends[0].place[k], ends[1].place[k]));
         let mut length = Ball::of(0.0);
         let mut own = Released { list: [0; 2 * LOCAL], count: 0 };
         let wanted = freedoms_of(numbers);
@@ -144,12 +143,14 @@ impl Nodes {
             }
             MemberNumbers::Beam(beam) => {
                 if let Some(line) = beam.longitudinal() {
-                    joining.add_line(&line, length, &[first[0], second[0]]);
+                    joining.add_line(&line, length, [first[0].terms(), second[0].terms()]);
                 }
-                joining.add_bending(beam, length, &[first[1], first[2], second[1], second[2]]);
+                let ends = [&first[1], &first[2], &second[1], &second[2]];
+                joining.add_bending(beam, length, ends.map(|row| row.terms()));
             }
             MemberNumbers::Line(freedom, line) => {
-                joining.add_line(line, Ball::of_pair(line.length), &[first[*freedom], second[*freedom]]);
+                let ends = [first[*freedom].terms(), second[*freedom].terms()];
+                joining.add_line(line, Ball::of_pair(line.length), ends);
             }
             MemberNumbers::Spring(freedom, stiffness) => {
                 joining.add_spring(*stiffness, [&first[*freedom], &second[*freedom]]);
@@ -171,18 +172,15 @@ impl Nodes {
     /// A rigid joint: its force λ is a variable, `λ (row₂ - row₁)`, and one of the negative pivots. A stiffness of any size against what is zero
     /// changes nothing and keeps pivots from vanishing.
     #[inline(never)]
-    fn tie<N: Level>(&mut self, rows: [&Row<N>; 2], last: usize, joining: &mut Joining<'_, N>) {
+    fn tie<N: Level>(&mut self, rows: [&Row<N::Alone>; 2], last: usize, joining: &mut Joining<'_, N>) {
         let mut gap = *rows[1];
         gap.add(rows[0], Ball::of(-1.0));
         let size = gap.terms().iter().map(|term| joining.front.size(term.variable)).fold(0.0, f64::max);
         let stiffness = if size > 0.0 && size < f64::INFINITY { size } else { 1.0 };
-        joining.add_term(Ball::of(stiffness), &gap);
+        joining.add_term(Ball::of(stiffness), gap.terms());
         let force = joining.enter();
         joining.front.grow(force, 1.0 / stiffness);
-        for term in gap.terms() {
-            joining.front.add(force, term.variable, term.coefficient);
-        }
-        joining.held = joining.held + N::Word::of(-1.0);
+        joining.add_force(force, gap.terms());
         if self.tie_count == MOST_NODES {
             joining.failure = Some(Failure::Full);
             return;
@@ -200,14 +198,8 @@ impl Nodes {
         joining: &mut Joining<'_, N>,
     ) {
         let [x, y, rotation] = self.motion(node, centre, joining);
-        let square = joining.square;
-        let term = |parameter: Exact| -(Ball::of_pair(parameter) * square);
-        if mass != [0.0; 2] {
-            joining.add_term(term(mass), &x);
-            joining.add_term(term(mass), &y);
-        }
-        if inertia != [0.0; 2] {
-            joining.add_term(term(inertia), &rotation);
+        for (parameter, row) in [(mass, &x), (mass, &y), (inertia, &rotation)] {
+            joining.add_mass(parameter, row.terms());
         }
     }
 

@@ -6,10 +6,11 @@
 
 use crate::number::{Scalar, Size};
 use crate::proof::ball::Ball;
+use crate::proof::functions::Level;
 use crate::proof::member::place;
 use crate::proof::number::{Number, UNDERFLOW};
 use crate::proof::row::Term;
-use crate::proof::word::Word;
+use crate::proof::word::{Word, apart};
 
 /// A variable in a front.
 #[derive(Clone, Copy, Debug)]
@@ -103,22 +104,9 @@ impl<'m, N: Number> Front<'m, N> {
     }
 
     /// Takes a place for a variable; none where there is no room.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn enter(&mut self) -> Option<usize> {
-        let free = self.variables[..self.width].iter().position(|variable| !variable.is_taken);
-        let place_of = match free {
-            Some(free) => free,
-            None if self.width < self.variables.len() => {
-                self.width += 1;
-                self.width - 1
-            }
-            None => return None,
-        };
-        self.variables[place_of] = Variable { is_taken: true, ..Variable::none() };
-        for other in 0..self.width {
-            self.entries[place(place_of, other)] = N::of(0.0);
-        }
-        Some(place_of)
+        enter(self)
     }
 
     /// Tells a variable that its diagonal entry gets a term of this size.
@@ -156,85 +144,9 @@ impl<'m, N: Number> Front<'m, N> {
     }
 
     /// Eliminates a variable.
-    #[inline(never)]
-    pub(crate) fn leave(&mut self, variable: usize) {
-        let word = N::Word::of;
-        let own = self.variables[variable];
-        self.variables[variable].is_taken = false;
-        let entry = self.entries[place(variable, variable)];
-        // 2.1 SUM |entry| covers the rounding of the sum with the nudge, and that |entry| is taken by its leading word
-        let nudge = own.own_error() + entry.size() * word(2.1 * N::SUM);
-        let moved = entry.plus(N::of_word(self.toward * nudge));
-        // not of a NaN, which stays one
-        let is_zero = moved.size().is_less(word(LEAST));
-        let pivot = N::select(is_zero, N::of_word(self.toward * word(SMALLEST_PIVOT)), moved);
-        self.total.include(pivot.leading(), own.weight);
-        let inverse = pivot.near_inverse();
-        let residual = N::of(1.0).minus(pivot.times(inverse)).size() + word(1.01 * N::PRODUCT + N::SUM);
-        let of_inverse =
-            N::Word::select(residual.is_less(word(NEAR_INVERSE)), residual * word(1.0 + 1e-10), word(f64::INFINITY));
-        // of the factor l and of the product t = a l
-        let of_product = of_inverse + word(2.02 * N::PRODUCT);
-        let touched = self.touch(variable);
-        let of_row = of_product * word(touched as f64);
-        let underflows = self.underflows(variable, touched);
-        for k in 0..touched {
-            let row = self.variables[k].touched;
-            let a = self.entries[place(row, variable)];
-            let factor = a.times(inverse);
-            // |a_i a_j/d - t| shared by |a_i/a_j|: each row has the same part of its own |a_i l_i|
-            let weight = self.variables[row].weight;
-            let mut error = of_row * (factor.size() * a.size()) * word(weight) + underflows;
-            for j in 0..=k {
-                let column = self.variables[j].touched;
-                let beside = self.entries[place(column, variable)];
-                let entry = &mut self.entries[place(row, column)];
-                *entry = entry.minus(factor.times(beside));
-                let off = word(N::SUM) * entry.size();
-                error = error + off * word(self.variables[column].weight);
-                if j < k {
-                    self.variables[column].add_error(off, weight);
-                }
-            }
-            self.variables[row].error = self.variables[row].error + error;
-        }
-    }
-
-    /// Puts a combination of other variables in the place of one, which no part knows any more: the exact matrix is transformed by exact
-    /// coefficients, of which these are balls.
     #[inline(always)]
-    pub(crate) fn substitute(&mut self, variable: usize, row: &[Term<N>]) {
-        let word = N::Word::of;
-        let own = self.variables[variable];
-        self.variables[variable].is_taken = false;
-        let diagonal = Ball::exactly(self.entries[place(variable, variable)]);
-        for &Term { variable: target, coefficient, .. } in row {
-            let square = coefficient.largest() * coefficient.largest();
-            self.grow(target, own.size * square.first());
-            // e (Σ c y)² <= e n Σ c² y²
-            let error = own.own_error() * word(row.len() as f64) * square;
-            let weight = self.variables[target].weight;
-            self.variables[target].add_error(error, weight);
-        }
-        for other in 0..self.width {
-            if !self.is_coupled(other, variable) {
-                continue;
-            }
-            let beside = Ball::exactly(self.entries[place(other, variable)]);
-            for &Term { variable: target, coefficient, .. } in row {
-                let term = coefficient * beside;
-                self.add(target, other, if target == other { term.scaled(2.0) } else { term });
-            }
-        }
-        for (index, &Term { variable: target, coefficient, .. }) in row.iter().enumerate() {
-            let scaled = coefficient * diagonal;
-            for (before, &Term { variable: other, coefficient: of_other, .. }) in row[..=index].iter().enumerate() {
-                let term = scaled * of_other;
-                // two terms of one variable have their product twice in its square
-                let is_twice = target == other && before < index;
-                self.add(target, other, if is_twice { term.scaled(2.0) } else { term });
-            }
-        }
+    pub(crate) fn leave(&mut self, variable: usize) {
+        leave(self, variable);
     }
 
     /// What underflow does to a row while a variable leaves, times the weight of the row.
@@ -268,6 +180,106 @@ impl<'m, N: Number> Front<'m, N> {
             }
         }
         count
+    }
+}
+
+apart! {
+    /// See [`Front::enter`].
+    fn enter<N: Number>(front: &mut Front<'_, N>) -> Option<usize> {
+        let free = front.variables[..front.width].iter().position(|variable| !variable.is_taken);
+        let place_of = match free {
+            Some(free) => free,
+            None if front.width < front.variables.len() => {
+                front.width += 1;
+                front.width - 1
+            }
+            None => return None,
+        };
+        front.variables[place_of] = Variable { is_taken: true, ..Variable::none() };
+        for other in 0..front.width {
+            front.entries[place(place_of, other)] = N::of(0.0);
+        }
+        Some(place_of)
+    }
+
+    /// See [`Front::leave`].
+    fn leave<N: Number>(front: &mut Front<'_, N>, variable: usize) {
+        let word = N::Word::of;
+        let own = front.variables[variable];
+        front.variables[variable].is_taken = false;
+        let entry = front.entries[place(variable, variable)];
+        // 2.1 SUM |entry| covers the rounding of the sum with the nudge, and that |entry| is taken by its leading word
+        let nudge = own.own_error() + entry.size() * word(2.1 * N::SUM);
+        let moved = entry.plus(N::of_word(front.toward * nudge));
+        // not of a NaN, which stays one
+        let is_zero = moved.size().is_less(word(LEAST));
+        let pivot = N::select(is_zero, N::of_word(front.toward * word(SMALLEST_PIVOT)), moved);
+        front.total.include(pivot.leading(), own.weight);
+        let inverse = pivot.near_inverse();
+        let residual = N::of(1.0).minus(pivot.times(inverse)).size() + word(1.01 * N::PRODUCT + N::SUM);
+        let of_inverse =
+            N::Word::select(residual.is_less(word(NEAR_INVERSE)), residual * word(1.0 + 1e-10), word(f64::INFINITY));
+        // of the factor l and of the product t = a l
+        let of_product = of_inverse + word(2.02 * N::PRODUCT);
+        let touched = front.touch(variable);
+        let of_row = of_product * word(touched as f64);
+        let underflows = front.underflows(variable, touched);
+        for k in 0..touched {
+            let row = front.variables[k].touched;
+            let a = front.entries[place(row, variable)];
+            let factor = a.times(inverse);
+            // |a_i a_j/d - t| shared by |a_i/a_j|: each row has the same part of its own |a_i l_i|
+            let weight = front.variables[row].weight;
+            let mut error = of_row * (factor.size() * a.size()) * word(weight) + underflows;
+            for j in 0..=k {
+                let column = front.variables[j].touched;
+                let beside = front.entries[place(column, variable)];
+                let entry = &mut front.entries[place(row, column)];
+                *entry = entry.minus(factor.times(beside));
+                let off = word(N::SUM) * entry.size();
+                error = error + off * word(front.variables[column].weight);
+                if j < k {
+                    front.variables[column].add_error(off, weight);
+                }
+            }
+            front.variables[row].error = front.variables[row].error + error;
+        }
+    }
+
+    /// Puts a combination of other variables in the place of one, which no part knows any more: the exact matrix is transformed by exact
+    /// coefficients, of which these are balls.
+    pub(crate) fn substitute<N: Level>(front: &mut Front<'_, N>, variable: usize, row: &[Term<N::Alone>]) {
+        let word = N::Word::of;
+        let own = front.variables[variable];
+        front.variables[variable].is_taken = false;
+        let diagonal = Ball::<N>::exactly(front.entries[place(variable, variable)]);
+        for &Term { variable: target, coefficient, .. } in row {
+            let square = coefficient.largest() * coefficient.largest();
+            front.grow(target, own.size * square);
+            // e (Σ c y)² <= e n Σ c² y²
+            let error = own.own_error() * word(row.len() as f64 * square);
+            let weight = front.variables[target].weight;
+            front.variables[target].add_error(error, weight);
+        }
+        for other in 0..front.width {
+            if !front.is_coupled(other, variable) {
+                continue;
+            }
+            let beside = Ball::exactly(front.entries[place(other, variable)]);
+            for &Term { variable: target, coefficient, .. } in row {
+                let term = Ball::everywhere(coefficient) * beside;
+                front.add(target, other, if target == other { term.scaled(2.0) } else { term });
+            }
+        }
+        for (index, &Term { variable: target, coefficient, .. }) in row.iter().enumerate() {
+            let scaled = Ball::everywhere(coefficient) * diagonal;
+            for (before, &Term { variable: other, coefficient: of_other, .. }) in row[..=index].iter().enumerate() {
+                let term = scaled * Ball::everywhere(of_other);
+                // two terms of one variable have their product twice in its square
+                let is_twice = target == other && before < index;
+                front.add(target, other, if is_twice { term.scaled(2.0) } else { term });
+            }
+        }
     }
 }
 

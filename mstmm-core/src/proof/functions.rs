@@ -4,10 +4,12 @@
 use crate::proof::ball::Ball;
 use crate::proof::constants::{HALF_PI, LN_2, RECIPROCAL_FACTORIALS};
 use crate::proof::number::{Number, TwoWords, U, UNDERFLOW};
-use crate::proof::word::Word;
+use crate::proof::word::{MOST_LANES, Word, apart, load};
 
 /// A number for which series have enough terms and constants enough words.
 pub(crate) trait Level: Number {
+    /// The number of one lane.
+    type Alone: Level<Word = f64, Alone = Self::Alone>;
     /// Relative bound of [`Number::of_product`].
     const PRODUCT_OF_WORDS: f64 = 0.0;
     /// Number of parts of π/2 and ln 2, and what they leave of either.
@@ -16,19 +18,58 @@ pub(crate) trait Level: Number {
     const TERMS: usize;
     /// The size of a term beside the first one from which on words do for a series: their rounding is below that of the number then.
     const IN_WORDS: f64 = 0.0;
+
+    /// A number in all lanes.
+    fn everywhere(alone: Self::Alone) -> Self;
+    /// A number in each lane.
+    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Self::Alone) -> Self;
+    /// The number of a lane.
+    fn lane(self, lane: usize) -> Self::Alone;
 }
 
 impl<W: Word> Level for TwoWords<W> {
+    type Alone = TwoWords<f64>;
     const PARTS: (usize, f64) = (4, 3e-66);
     const TERMS: usize = 14;
     const IN_WORDS: f64 = 0.5 * U;
+
+    #[inline(always)]
+    fn everywhere(alone: TwoWords<f64>) -> Self {
+        TwoWords { hi: W::of(alone.hi), lo: W::of(alone.lo) }
+    }
+
+    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> TwoWords<f64>) -> Self {
+        TwoWords { hi: load(lanes, &|lane| of(lane).hi), lo: load(lanes, &|lane| of(lane).lo) }
+    }
+
+    fn lane(self, lane: usize) -> TwoWords<f64> {
+        let [hi, lo] = [self.hi, self.lo].map(|word| {
+            let mut numbers = [0.0; MOST_LANES];
+            word.store(&mut numbers);
+            numbers[lane]
+        });
+        TwoWords { hi, lo }
+    }
 }
 
 #[cfg(test)]
 impl Level for crate::proof::number::OneWord {
+    type Alone = Self;
     const PRODUCT_OF_WORDS: f64 = crate::proof::number::U * (1.0 + 1e-10);
     const PARTS: (usize, f64) = (4, 3e-66);
     const TERMS: usize = 9;
+
+    fn everywhere(alone: Self) -> Self {
+        alone
+    }
+
+    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Self) -> Self {
+        of(&lanes[0])
+    }
+
+    fn lane(self, _: usize) -> Self {
+        self
+    }
 }
 
 /// Most quarter turns by which an angle is reduced, `2^40`: their products with parts of π/2 are exact in two words, and a leading word tells
@@ -60,55 +101,69 @@ impl<N: Level> Ball<N> {
     #[inline(always)]
     fn reduced(self, whole: N::Word, parts: &[f64; 7]) -> Self {
         let (count, rest) = N::PARTS;
-        let reduced = parts[..count].iter().fold(self, |sum, part| sum + Self::of_product(-whole, N::Word::of(*part)));
+        let mut reduced = self;
+        for part in &parts[..count] {
+            reduced = reduced + Self::of_product(-whole, N::Word::of(*part));
+        }
         reduced.widened(whole.size() * N::Word::of(rest))
     }
 
     /// Sine and cosine. Beyond [`MOST_TURNS`] quarter turns both are known to be in [-1, 1] alone.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn sin_cos(self) -> [Self; 2] {
+        sin_cos(self)
+    }
+
+    /// `e^-x` for x >= 0.
+    #[inline(always)]
+    pub(crate) fn decay(self) -> Self {
+        decay(self)
+    }
+}
+
+apart! {
+    /// See [`Ball::sin_cos`].
+    fn sin_cos<N: Level>(x: Ball<N>) -> [Ball<N>; 2] {
         let word = N::Word::of;
-        let turns = (self.mid.leading() * word(core::f64::consts::FRAC_2_PI)).nearest();
+        let turns = (x.mid.leading() * word(core::f64::consts::FRAC_2_PI)).nearest();
         let is_known = turns.size().is_less(word(MOST_TURNS));
         let turns = N::Word::select(is_known, turns, word(0.0));
-        let angle = self.reduced(turns, &HALF_PI);
+        let angle = x.reduced(turns, &HALF_PI);
         // |angle| <= π/4 (1 + 1e-9), unless its ball is wide
         let square = angle * angle;
         let y = -square;
-        let [c, s] = y.series::<2, 2, 2, 10>().map(|series| y * series);
-        let (sine, cosine) = (angle + angle * s, Self::of(1.0) + c);
+        let [c, s] = y.series::<2, 2, 2, 10>();
+        let (sine, cosine) = (angle + angle * (y * s), Ball::<N>::of(1.0) + y * c);
         let is_small = square.largest().is_less(word(0.625));
         let is_odd = turns.is_odd();
         // the second bit: that of the even number below
         let half = (turns - N::Word::select(is_odd, word(1.0), word(0.0))) * word(0.5);
         let is_turned = half.is_odd();
-        let [sin, cos] = [Self::select(is_odd, cosine, sine), Self::select(is_odd, -sine, cosine)];
+        let [sin, cos] = [Ball::select(is_odd, cosine, sine), Ball::select(is_odd, -sine, cosine)];
+        let [sin, cos] = [Ball::select(is_turned, -sin, sin), Ball::select(is_turned, -cos, cos)];
         let anywhere = Ball { mid: N::of(0.0), rad: word(1.0) };
-        [sin, cos].map(|value| {
-            let value = Self::select(is_turned, -value, value);
-            Self::select(is_known, Self::select(is_small, value, anywhere), anywhere)
-        })
+        let is_known = N::Word::both(is_known, is_small);
+        [Ball::select(is_known, sin, anywhere), Ball::select(is_known, cos, anywhere)]
     }
 
-    /// `e^-x` for x >= 0.
-    #[inline(never)]
-    pub(crate) fn decay(self) -> Self {
+    /// See [`Ball::decay`].
+    fn decay<N: Level>(x: Ball<N>) -> Ball<N> {
         let word = N::Word::of;
-        let is_moderate = self.mid.leading().is_less(word(MOST_DECAY));
-        let halvings = (self.mid.leading() * word(core::f64::consts::LOG2_E)).nearest();
+        let is_moderate = x.mid.leading().is_less(word(MOST_DECAY));
+        let halvings = (x.mid.leading() * word(core::f64::consts::LOG2_E)).nearest();
         let halvings = N::Word::select(is_moderate, halvings, word(0.0));
-        let rest = -self.reduced(halvings, &LN_2);
+        let rest = -x.reduced(halvings, &LN_2);
         // |rest| <= ln 2 / 2 (1 + 1e-9), unless the ball is wide; hyperbolic cosine and sine of it
         let square = rest * rest;
-        let [c, s] = square.series::<2, 2, 2, 2>().map(|series| square * series);
-        let exponential = Self::of(1.0) + (rest + (c + rest * s));
+        let [c, s] = square.series::<2, 2, 2, 2>();
+        let exponential = Ball::<N>::of(1.0) + (rest + (square * c + rest * (square * s)));
         let is_small = square.largest().is_less(word(0.125));
         let power = (-halvings).power_of_two();
         let decay = Ball { mid: exponential.mid.scaled(power), rad: exponential.rad * power + word(UNDERFLOW) };
         let unknown = Ball { mid: N::of(0.0), rad: word(f64::INFINITY) };
-        let known = Self::select(is_small, decay, unknown);
-        let is_large = word(MOST_DECAY * (1.0 - 1e-9)).is_less(self.mid.leading() - self.rad);
-        let large = Self::select(is_large, Ball { mid: N::of(0.0), rad: word(LEAST_DECAY) }, unknown);
-        Self::select(is_moderate, known, large)
+        let known = Ball::<N>::select(is_small, decay, unknown);
+        let is_large = word(MOST_DECAY * (1.0 - 1e-9)).is_less(x.mid.leading() - x.rad);
+        let large = Ball::<N>::select(is_large, Ball { mid: N::of(0.0), rad: word(LEAST_DECAY) }, unknown);
+        Ball::<N>::select(is_moderate, known, large)
     }
 }

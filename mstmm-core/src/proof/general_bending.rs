@@ -9,7 +9,7 @@ use crate::element::BeamNumbers;
 use crate::proof::ball::Ball;
 use crate::proof::bending::{Bending, sizes_of, symmetric};
 use crate::proof::functions::Level;
-use crate::proof::member::{BESIDE_POLE, both, not};
+use crate::proof::member::{BESIDE_POLE};
 use crate::proof::number::Number;
 use crate::proof::word::Word;
 use equations::{Equations, either, select_all};
@@ -35,9 +35,9 @@ pub(crate) fn general_bending<N: Level>(beam: &BeamNumbers, length: Ball<N>, squ
     let at = Equations::of(beam, length, square);
     let Equations { sigma, tau, g, h, cut, waves, .. } = at;
     // a short wave is one whose whole balls are: the bound of the rest of its series needs it
-    let is_short = both::<N::Word>(waves.sum.largest().is_less(word(2.0)), waves.product.largest().is_less(word(1.0)));
+    let is_short = N::Word::both(waves.sum.largest().is_less(word(2.0)), waves.product.largest().is_less(word(1.0)));
     let is_together = waves.square.mid.leading().is_less(waves.product.mid.leading() * word(4.0));
-    let is_apart = not::<N::Word>(either::<N::Word>(is_short, is_together));
+    let is_apart = N::Word::not(either::<N::Word>(is_short, is_together));
     let roots = if N::Word::all(is_short) { [Ball::of(0.0); 3] } else { waves.roots() };
     let [w, r, v, e, difference, c1, c2, c3, terms] = of_forms::<N, 9>(
         [is_short, is_apart],
@@ -63,7 +63,7 @@ pub(crate) fn general_bending<N: Level>(beam: &BeamNumbers, length: Ball<N>, squ
     let held = clamped(pinned, minor, rotation);
     let is_beside = (minor.mid.size() / terms.mid.size()).is_less(word(BESIDE_POLE));
     let has_sign = either::<N::Word>(minor.is_negative(), minor.is_positive());
-    let is_known = both::<N::Word>(has_sign, both::<N::Word>(is_counted, sigma.is_positive()));
+    let is_known = N::Word::both(has_sign, N::Word::both(is_counted, sigma.is_positive()));
     General {
         member: Bending {
             sizes: sizes_of(entries),

@@ -3,15 +3,18 @@
 use crate::element::{BeamNumbers, Exact, LineNumbers, TaperedNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::bending::{Bending, bending};
-use crate::proof::front::Front;
+use crate::proof::front::{Front, substitute};
 use crate::proof::functions::Level;
 use crate::proof::general_bending::general_bending;
 use crate::proof::line::line;
-use crate::proof::member::{Member, any, place};
+use crate::proof::member::{Member, place};
 use crate::proof::number::Number;
-use crate::proof::row::{Row, is_zero};
+use crate::proof::row::{Row, TERMS, Term, is_zero};
 use crate::proof::tapered::pieces;
-use crate::proof::word::Word;
+use crate::proof::word::{MOST_LANES, Word, apart};
+
+/// The terms of a row.
+pub(crate) type Terms<'r, N> = &'r [Term<<N as Level>::Alone>];
 
 /// Most members beside a pole that may join before a node leaves.
 const MOST_BORDERS: usize = 48;
@@ -62,91 +65,25 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Puts a combination of other variables in the place of one.
-    #[inline(never)]
-    pub(crate) fn substitute(&mut self, variable: usize, by: &Row<N>) {
-        self.front.substitute(variable, by.terms());
+    #[inline(always)]
+    pub(crate) fn substitute(&mut self, variable: usize, by: Terms<'_, N>) {
+        substitute(&mut self.front, variable, by);
     }
 
     /// Adds `k row²`.
     #[inline(always)]
-    pub(crate) fn add_term(&mut self, k: Ball<N>, row: &Row<N>) {
+    pub(crate) fn add_term(&mut self, k: Ball<N::Alone>, row: Terms<'_, N>) {
         if !is_zero(&k) {
-            self.add([k], &[*row], [k.mid.size().first()]);
+            add_term(self, k, row);
         }
     }
 
-    /// Adds a matrix over rows, given the sizes of the stiffnesses of these.
-    #[inline(never)]
-    pub(crate) fn add<const F: usize, const E: usize>(
-        &mut self,
-        stiffness: [Ball<N>; E],
-        rows: &[Row<N>; F],
-        sizes: [f64; F],
-    ) {
-        for (row, size) in rows.iter().zip(sizes) {
-            for term in row.terms() {
-                let square = term.coefficient.mid.size().first();
-                self.front.grow(term.variable, size * square * square);
-            }
+    /// Adds `-ω² m row²`.
+    #[inline(always)]
+    pub(crate) fn add_mass(&mut self, mass: Exact, row: Terms<'_, N>) {
+        if mass != [0.0; 2] {
+            add_mass(self, mass, row);
         }
-        for a in 0..F {
-            for b in 0..=a {
-                let entry = stiffness[place(a, b)];
-                if is_zero(&entry) {
-                    continue;
-                }
-                for (i, first) in rows[a].terms().iter().enumerate() {
-                    let scaled = first.times(entry);
-                    for (j, second) in rows[b].terms().iter().enumerate() {
-                        if a == b && j > i {
-                            break;
-                        }
-                        let term = second.times(scaled);
-                        // an entry between two rows stands twice in the form
-                        let is_double = a != b && first.variable == second.variable;
-                        let term = if is_double { term.scaled(2.0) } else { term };
-                        self.front.add(first.variable, second.variable, term);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Adds a member, in the units of its displacements' stiffnesses, with its border.
-    #[inline(never)]
-    fn add_member<const F: usize, const E: usize>(
-        &mut self,
-        member: &Member<N, F, E>,
-        rows: &[Row<N>; F],
-        factors: [Ball<N>; 3],
-        is_rotation: [bool; F],
-    ) {
-        // force per displacement, force per rotation or moment per displacement, moment per rotation
-        let factor = |a: usize, b: usize| factors[usize::from(is_rotation[a]) + usize::from(is_rotation[b])];
-        let mut stiffness = member.stiffness;
-        let mut sizes = member.sizes;
-        for a in 0..F {
-            for b in 0..=a {
-                stiffness[place(a, b)] = stiffness[place(a, b)] * factor(a, b);
-            }
-            sizes[a] *= factor(a, a).mid.size().first();
-        }
-        self.add(stiffness, rows, sizes);
-        let upper = self.front.is_bounded_above();
-        self.held = self.held + N::Word::select(upper, member.held[1], member.held[0]);
-        self.front.total.multiply(member.minor);
-        let Some(border) = member.border else { return };
-        let variable = self.enter();
-        self.front.grow(variable, sizes[0]);
-        self.front.add(variable, variable, -(border.flexibility * factors[0]));
-        for a in 0..F {
-            // the displacement of a rotation is its lever: one factor for the force, of which the other half is in σ
-            let force = border.forces[a] * factors[usize::from(is_rotation[a])];
-            for term in rows[a].terms() {
-                self.front.add(variable, term.variable, term.times(force));
-            }
-        }
-        self.leaves_behind(variable);
     }
 
     /// Lets a variable leave behind those of the end that leaves first.
@@ -170,76 +107,76 @@ impl<'m, N: Level> Joining<'m, N> {
     }
 
     /// Adds a line over the rows of its ends.
-    #[inline(never)]
-    pub(crate) fn add_line(&mut self, numbers: &LineNumbers, length: Ball<N>, rows: &[Row<N>; 2]) {
-        let over = length * Ball::of_pair(numbers.stiffness).inverse();
-        let inertia = Ball::of_pair(numbers.inertia) * self.square;
-        let loads = if numbers.foundation == [0.0; 2] { inertia } else { inertia - Ball::of_pair(numbers.foundation) };
-        let member = line(loads * (length * over));
-        let stiffness = over.inverse();
-        self.add_member(&member, rows, [stiffness; 3], [false; 2]);
+    #[inline(always)]
+    pub(crate) fn add_line(&mut self, numbers: &LineNumbers, length: Ball<N::Alone>, rows: [Terms<'_, N>; 2]) {
+        add_line(self, numbers, length, rows);
     }
 
     /// Adds the bending of a beam over the rows of displacement and rotation of both ends.
-    #[inline(never)]
-    pub(crate) fn add_bending(&mut self, numbers: &BeamNumbers, length: Ball<N>, rows: &[Row<N>; 4]) {
+    pub(crate) fn add_bending(&mut self, numbers: &BeamNumbers, length: Ball<N::Alone>, rows: [Terms<'_, N>; 4]) {
         if numbers.is_plain() {
-            return self.add_plain_bending(numbers, length, rows);
+            return add_plain_bending(self, numbers, length, rows);
         }
-        let whole = general_bending(numbers, length, self.square);
-        if !any::<N::Word>(whole.is_beside_pole) {
-            return self.add_bent(&whole.member, &numbers.bending_stiffness, length, rows);
+        let (whole, is_beside_pole) = self.general(numbers, length);
+        if !is_beside_pole {
+            return add_bent(self, &whole, &numbers.bending_stiffness, length, rows);
         }
         // Beside a pole the beam is two beams. Not of equal length: every second pole of the whole is one of a half.
         let variables = [self.enter(), self.enter()];
-        let middle = variables.map(Row::of);
+        let middle = variables.map(Row::<N::Alone, 1>::of);
         let part = |share: f64| length * Ball::of(share);
-        for (share, rows) in
-            [(0.375, [rows[0], rows[1], middle[0], middle[1]]), (0.625, [middle[0], middle[1], rows[2], rows[3]])]
-        {
-            let piece = general_bending(numbers, part(share), self.square);
-            self.add_bent(&piece.member, &numbers.bending_stiffness, part(share), &rows);
+        let [y, theta] = [middle[0].terms(), middle[1].terms()];
+        for (share, rows) in [(0.375, [rows[0], rows[1], y, theta]), (0.625, [y, theta, rows[2], rows[3]])] {
+            let (piece, _) = self.general(numbers, part(share));
+            add_bent(self, &piece, &numbers.bending_stiffness, part(share), rows);
         }
         variables.into_iter().for_each(|variable| self.leaves_behind(variable));
     }
 
-    /// Adds the bending of a plain beam.
+    /// A general beam, lane by lane, and whether one of them is beside a pole.
     #[inline(never)]
-    fn add_plain_bending(&mut self, numbers: &BeamNumbers, length: Ball<N>, rows: &[Row<N>; 4]) {
-        let square = length * length;
-        let mass = Ball::of_pair(numbers.mass_per_length) * self.square;
-        let x = mass * (square * square * Ball::of_pair(numbers.bending_stiffness).inverse());
-        self.add_bent(&bending(x), &numbers.bending_stiffness, length, rows);
-    }
-
-    /// Adds the bending of a beam, known over `EI/l³`.
-    #[inline(always)]
-    fn add_bent(&mut self, member: &Bending<N>, stiffness: &Exact, length: Ball<N>, rows: &[Row<N>; 4]) {
-        let inverse = length.inverse();
-        let moment = Ball::of_pair(*stiffness) * inverse;
-        let mixed = moment * inverse;
-        self.add_member(member, rows, [mixed * inverse, mixed, moment], [false, true, false, true]);
+    fn general(&self, numbers: &BeamNumbers, length: Ball<N::Alone>) -> (Bending<N>, bool) {
+        let mut is_beside_pole = false;
+        let mut of_lane = |lane: usize| {
+            let beam = general_bending(numbers, length, self.square.lane(lane));
+            is_beside_pole |= beam.is_beside_pole;
+            beam.member
+        };
+        let mut lanes = [of_lane(0); MOST_LANES];
+        for lane in 1..N::Word::LANES {
+            lanes[lane] = of_lane(lane);
+        }
+        (Member::of_lanes(&lanes[..N::Word::LANES]), is_beside_pole)
     }
 
     /// Adds a stiffness between two rows that nobody has proven, with its count with held ends.
     #[inline(never)]
-    pub(crate) fn add_counted(&mut self, stiffness: [Exact; 3], held: f64, rows: &[Row<N>; 2]) {
+    pub(crate) fn add_counted(&mut self, stiffness: [Exact; 3], held: f64, rows: [Terms<'_, N>; 2]) {
         let stiffness: [Ball<N>; 3] = stiffness.map(Ball::of_pair);
         let size = stiffness.map(|entry| entry.mid.size().first());
-        self.add(stiffness, rows, [size[0].max(size[1]), size[2].max(size[1])]);
+        add(self, &stiffness, &rows, [size[0].max(size[1]), size[2].max(size[1])]);
         self.held = self.held + N::Word::of(held);
     }
 
     /// Adds a tapered beam piece by piece. The last inner end leaves behind the first end of the beam: before that its pivot is a pole where
-    /// the beam vibrates between held ends.
+    /// the beam vibrates between held ends. Its pieces depend on the frequency: in lanes nothing is known of it.
     #[inline(never)]
-    pub(crate) fn add_tapered(&mut self, numbers: &TaperedNumbers, rows: &[Row<N>; 4]) {
-        let (mut input, mut inner) = ([rows[0], rows[1]], None::<[usize; 2]>);
-        let found = pieces(numbers, self.square, &mut |piece, is_last| {
+    pub(crate) fn add_tapered(&mut self, numbers: &TaperedNumbers, rows: [Terms<'_, N>; 4]) {
+        if N::Word::LANES > 1 {
+            self.failure = Some(Failure::NotEnclosed);
+            return;
+        }
+        let (mut input, mut inner) = (None::<[Row<N::Alone, 1>; 2]>, None::<[usize; 2]>);
+        let found = pieces::<N::Alone>(numbers, self.square.lane(0), &mut |piece, is_last| {
             let variables = (!is_last).then(|| [self.enter(), self.enter()]);
-            let output = variables.map_or([rows[2], rows[3]], |variables| variables.map(Row::of));
-            let one = Ball::of(1.0);
-            self.add_member(&piece, &[input[0], input[1], output[0], output[1]], [one; 3], [false; 4]);
+            let output = variables.map(|variables| variables.map(Row::of));
+            let mut ends = rows;
+            for (place, end) in [&input, &output].into_iter().enumerate() {
+                if let Some([y, theta]) = end {
+                    (ends[2 * place], ends[2 * place + 1]) = (y.terms(), theta.terms());
+                }
+            }
+            add_member(self, &Member::of_lanes(&[piece]), &ends, &[Ball::of(1.0); 3], [false; 4]);
             for variable in inner.into_iter().flatten() {
                 if is_last { self.leaves_behind(variable) } else { self.front.leave(variable) }
             }
@@ -252,18 +189,176 @@ impl<'m, N: Level> Joining<'m, N> {
 
     /// Adds a spring, or another stiffness, between two rows.
     #[inline(never)]
-    pub(crate) fn add_spring(&mut self, stiffness: Exact, rows: [&Row<N>; 2]) {
-        let mut elongation = *rows[1];
-        elongation.add(rows[0], Ball::of(-1.0));
-        self.add_term(Ball::of_pair(stiffness), &elongation);
+    pub(crate) fn add_spring<const T: usize>(
+        &mut self,
+        stiffness: Exact,
+        [first, second]: [&Row<N::Alone, T>; 2],
+    ) {
+        let mut elongation = second.widened::<{ TERMS }>();
+        elongation.add(first, Ball::of(-1.0));
+        self.add_term(Ball::of_pair(stiffness), elongation.terms());
     }
 
     /// Adds the inertia of a body over rows of displacement and rotation of a point, given its mass, its mass moment and its moment of inertia
     /// about the point.
-    #[inline(never)]
-    pub(crate) fn add_inertia(&mut self, [mass, moment, inertia]: [Ball<N>; 3], rows: &[Row<N>; 2]) {
-        let entries = [mass, moment, inertia].map(|entry| if is_zero(&entry) { entry } else { -(entry * self.square) });
-        let sizes = [entries[0], entries[2]].map(|entry| entry.mid.size().first());
-        self.add(entries, rows, sizes);
+    #[inline(always)]
+    pub(crate) fn add_inertia(&mut self, inertia: [Ball<N::Alone>; 3], rows: [Terms<'_, N>; 2]) {
+        add_inertia(self, inertia, rows);
+    }
+
+    /// Adds the force of a rigid joint over the displacements that are equal, and takes off its negative pivot.
+    #[inline(always)]
+    pub(crate) fn add_force(&mut self, force: usize, gap: Terms<'_, N>) {
+        add_force(self, force, gap);
+    }
+}
+
+apart! {
+    /// Adds a matrix over rows, given the sizes of the stiffnesses of these.
+    fn add<N: Level, const F: usize, const E: usize>(
+        joining: &mut Joining<'_, N>,
+        stiffness: &[Ball<N>; E],
+        rows: &[Terms<'_, N>; F],
+        sizes: [f64; F],
+    ) {
+        let front = &mut joining.front;
+        for (row, size) in rows.iter().zip(sizes) {
+            for term in *row {
+                let square = term.coefficient.mid.size();
+                front.grow(term.variable, size * square * square);
+            }
+        }
+        for a in 0..F {
+            for b in 0..=a {
+                let entry = stiffness[place(a, b)];
+                if is_zero(&entry) {
+                    continue;
+                }
+                for (i, first) in rows[a].iter().enumerate() {
+                    let scaled = first.times(entry);
+                    for (j, second) in rows[b].iter().enumerate() {
+                        if a == b && j > i {
+                            break;
+                        }
+                        let term = second.times(scaled);
+                        // an entry between two rows stands twice in the form
+                        let is_double = a != b && first.variable == second.variable;
+                        let term = if is_double { term.scaled(2.0) } else { term };
+                        front.add(first.variable, second.variable, term);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds a member, in the units of its displacements' stiffnesses, with its border.
+    fn add_member<N: Level, const F: usize, const E: usize>(
+        joining: &mut Joining<'_, N>,
+        member: &Member<N, F, E>,
+        rows: &[Terms<'_, N>; F],
+        factors: &[Ball<N::Alone>; 3],
+        is_rotation: [bool; F],
+    ) {
+        // force per displacement, force per rotation or moment per displacement, moment per rotation
+        let [force, mixed, moment] = *factors;
+        let factors: [Ball<N>; 3] = [Ball::everywhere(force), Ball::everywhere(mixed), Ball::everywhere(moment)];
+        let mut stiffness = member.stiffness;
+        let mut sizes = member.sizes;
+        for a in 0..F {
+            for b in 0..=a {
+                let factor = factors[usize::from(is_rotation[a]) + usize::from(is_rotation[b])];
+                stiffness[place(a, b)] = stiffness[place(a, b)] * factor;
+            }
+            sizes[a] *= if is_rotation[a] { moment.mid.size() } else { force.mid.size() };
+        }
+        add(joining, &stiffness, rows, sizes);
+        let upper = joining.front.is_bounded_above();
+        joining.held = joining.held + N::Word::select(upper, member.held[1], member.held[0]);
+        joining.front.total.multiply(member.minor);
+        let Some(border) = &member.border else { return };
+        let variable = joining.enter();
+        joining.front.grow(variable, sizes[0]);
+        joining.front.add(variable, variable, -(border.flexibility * factors[0]));
+        for a in 0..F {
+            // the displacement of a rotation is its lever: one factor for the force, of which the other half is in σ
+            let force = border.forces[a] * factors[usize::from(is_rotation[a])];
+            for term in rows[a] {
+                joining.front.add(variable, term.variable, term.times(force));
+            }
+        }
+        joining.leaves_behind(variable);
+    }
+
+    /// See [`Joining::add_line`].
+    fn add_line<N: Level>(
+        joining: &mut Joining<'_, N>,
+        numbers: &LineNumbers,
+        length: Ball<N::Alone>,
+        rows: [Terms<'_, N>; 2],
+    ) {
+        let over = length * Ball::of_pair(numbers.stiffness).inverse();
+        let inertia = Ball::of_pair(numbers.inertia) * joining.square;
+        let loads = if numbers.foundation == [0.0; 2] { inertia } else { inertia - Ball::of_pair(numbers.foundation) };
+        let member = line(loads * Ball::everywhere(length * over));
+        add_member(joining, &member, &rows, &[over.inverse(); 3], [false; 2]);
+    }
+
+    /// Adds the bending of a plain beam.
+    fn add_plain_bending<N: Level>(
+        joining: &mut Joining<'_, N>,
+        numbers: &BeamNumbers,
+        length: Ball<N::Alone>,
+        rows: [Terms<'_, N>; 4],
+    ) {
+        let square = length * length;
+        let of_mass = Ball::of_pair(numbers.mass_per_length)
+            * (square * square * Ball::of_pair(numbers.bending_stiffness).inverse());
+        let x = Ball::everywhere(of_mass) * joining.square;
+        add_bent(joining, &bending(x), &numbers.bending_stiffness, length, rows);
+    }
+
+    /// Adds the bending of a beam, known over `EI/l³`.
+    fn add_bent<N: Level>(
+        joining: &mut Joining<'_, N>,
+        member: &Bending<N>,
+        stiffness: &Exact,
+        length: Ball<N::Alone>,
+        rows: [Terms<'_, N>; 4],
+    ) {
+        let inverse = length.inverse();
+        let moment = Ball::of_pair(*stiffness) * inverse;
+        let mixed = moment * inverse;
+        add_member(joining, member, &rows, &[mixed * inverse, mixed, moment], [false, true, false, true]);
+    }
+
+    /// See [`Joining::add_term`].
+    fn add_term<N: Level>(joining: &mut Joining<'_, N>, k: Ball<N::Alone>, row: Terms<'_, N>) {
+        add(joining, &[Ball::everywhere(k)], &[row], [k.mid.size()]);
+    }
+
+    /// See [`Joining::add_mass`].
+    fn add_mass<N: Level>(joining: &mut Joining<'_, N>, mass: Exact, row: Terms<'_, N>) {
+        let entry = -(Ball::of_pair(mass) * joining.square);
+        add(joining, &[entry], &[row], [entry.mid.size().first()]);
+    }
+
+    /// See [`Joining::add_inertia`].
+    fn add_inertia<N: Level>(joining: &mut Joining<'_, N>, inertia: [Ball<N::Alone>; 3], rows: [Terms<'_, N>; 2]) {
+        let mut entries = [Ball::of(0.0); 3];
+        for (entry, inertia) in entries.iter_mut().zip(inertia) {
+            if !is_zero(&inertia) {
+                *entry = -(Ball::everywhere(inertia) * joining.square);
+            }
+        }
+        let sizes = [entries[0].mid.size().first(), entries[2].mid.size().first()];
+        add(joining, &entries, &rows, sizes);
+    }
+
+    /// See [`Joining::add_force`].
+    fn add_force<N: Level>(joining: &mut Joining<'_, N>, force: usize, gap: Terms<'_, N>) {
+        for term in gap {
+            joining.front.add(force, term.variable, Ball::everywhere(term.coefficient));
+        }
+        joining.held = joining.held + N::Word::of(-1.0);
     }
 }

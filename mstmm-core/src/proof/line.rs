@@ -2,8 +2,8 @@
 
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
-use crate::proof::member::{BESIDE_POLE, Member, any, both, half_wave, is_nonzero, not};
-use crate::proof::word::Word;
+use crate::proof::member::{BESIDE_POLE, Member, any, half_wave, is_nonzero};
+use crate::proof::word::{Word, apart};
 use core::f64::consts::FRAC_1_PI;
 
 /// The size of x below which waves are short: as far as the terms of the series fall as they should.
@@ -15,34 +15,34 @@ pub(crate) type Line<N> = Member<N, 2, 3>;
 /// The line of an end's own stiffness and that between the ends.
 #[inline(always)]
 fn of<N: Level>(own: Ball<N>, between: Ball<N>, held: [N::Word; 2], minor: N::Word) -> Line<N> {
-    let size = own.mid.leading().first().abs().max(between.mid.leading().first().abs());
+    let size = own.mid.size().first().max(between.mid.size().first());
     Line { stiffness: [own, between, own], border: None, held, minor, sizes: [size; 2] }
 }
 
-/// The member at x of either sign.
-#[inline(never)]
-pub(crate) fn line<N: Level>(x: Ball<N>) -> Line<N> {
-    let word = N::Word::of;
-    let is_short = x.largest().is_less(word(SHORT));
-    if N::Word::all(is_short) {
-        return short(x);
+apart! {
+    /// The member at x of either sign.
+    pub(crate) fn line<N: Level>(x: Ball<N>) -> Line<N> {
+        let word = N::Word::of;
+        let is_short = x.largest().is_less(word(SHORT));
+        if N::Word::all(is_short) {
+            return short(x);
+        }
+        let is_stiff = x.mid.leading().is_less(word(0.0));
+        let (is_short_or_stiff, one) =
+            (N::Word::not(N::Word::both(N::Word::not(is_short), N::Word::not(is_stiff))), Ball::of(1.0));
+        let mut member = if any::<N::Word>(N::Word::not(is_short_or_stiff)) {
+            waving(Ball::select(N::Word::not(is_short_or_stiff), x, one))
+        } else {
+            decaying(Ball::select(is_stiff, -x, one))
+        };
+        if any::<N::Word>(is_stiff) {
+            member = Line::select(is_stiff, decaying(Ball::select(is_stiff, -x, one)), member);
+        }
+        if any::<N::Word>(is_short) {
+            member = Line::select(is_short, short(Ball::select(is_short, x, one)), member);
+        }
+        member
     }
-    let is_stiff = x.mid.leading().is_less(word(0.0));
-    let (is_short_or_stiff, one) =
-        (not::<N::Word>(both::<N::Word>(not::<N::Word>(is_short), not::<N::Word>(is_stiff))), Ball::of(1.0));
-    let of_lanes = |truth, x: Ball<N>| Ball::select(truth, x, one);
-    let mut member = if any::<N::Word>(not::<N::Word>(is_short_or_stiff)) {
-        waving(of_lanes(not::<N::Word>(is_short_or_stiff), x))
-    } else {
-        decaying(of_lanes(is_stiff, -x))
-    };
-    if any::<N::Word>(is_stiff) {
-        member = Line::select(is_stiff, decaying(of_lanes(is_stiff, -x)), member);
-    }
-    if any::<N::Word>(is_short) {
-        member = Line::select(is_short, short(of_lanes(is_short, x)), member);
-    }
-    member
 }
 
 /// Short waves: series in x. The first frequency of a line with both ends held is at x = π².
@@ -75,8 +75,8 @@ fn waving<N: Level>(x: Ball<N>) -> Line<N> {
     let half_waves = z.mid.leading() * word(FRAC_1_PI);
     // held ends have their frequencies at whole half waves, in the middle of those of a free end
     let (middle, is_in_the_middle) = half_wave(half_waves + word(0.5));
-    let is_bordered = both::<N::Word>(s.mid.size().is_less(word(BESIDE_POLE)), is_in_the_middle);
-    let plain = || {
+    let is_bordered = N::Word::both(s.mid.size().is_less(word(BESIDE_POLE)), is_in_the_middle);
+    let plain = {
         let first = z * s.inverse();
         // sin z is (-1)^i between iπ and (i + 1)π: near iπ the nearest whole number is i, and the sign says whether it is reached
         let nearest = half_waves.nearest();
@@ -86,10 +86,9 @@ fn waving<N: Level>(x: Ball<N>) -> Line<N> {
         of(first * c, -first, [held; 2], s.mid.leading() / z.mid.leading()).known_where(is_nonzero(s))
     };
     if !any::<N::Word>(is_bordered) {
-        return plain();
+        return plain;
     }
-    let bordered = bordered(z, s, c, middle);
-    if N::Word::all(is_bordered) { bordered } else { Line::select(is_bordered, bordered, plain()) }
+    Line::select(is_bordered, bordered(z, s, c, middle), plain)
 }
 
 /// The member beside a pole, as that of a beam: n = (cos, -1), E = sin.
@@ -108,5 +107,5 @@ fn bordered<N: Level>(z: Ball<N>, s: Ball<N>, c: Ball<N>, middle: N::Word) -> Li
         minor: -left.mid.leading() / (z * z * c).mid.leading(),
         sizes: [size; 2],
     }
-    .known_where(both::<N::Word>(left.is_positive(), is_nonzero(c)))
+    .known_where(N::Word::both(left.is_positive(), is_nonzero(c)))
 }

@@ -3,7 +3,8 @@
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
 use crate::proof::number::Number;
-use crate::proof::word::Word;
+use crate::proof::word::{Word, load};
+use core::array::from_fn;
 
 /// The dynamic stiffness of a member over `F` displacements of its ends, `E = F(F + 1)/2` entries of the lower triangle row after row.
 #[derive(Clone, Copy, Debug)]
@@ -45,13 +46,7 @@ pub(crate) const fn place(row: usize, column: usize) -> usize {
 /// Whether a truth holds in some lane.
 #[inline(always)]
 pub(crate) fn any<W: Word>(truth: W::Mask) -> bool {
-    !W::all(not::<W>(truth))
-}
-
-/// The opposite truth.
-#[inline(always)]
-pub(crate) fn not<W: Word>(truth: W::Mask) -> W::Mask {
-    W::select(truth, W::of(1.0), W::of(-1.0)).is_less(W::of(0.0))
+    !W::all(W::not(truth))
 }
 
 /// Whether zero is not in a ball.
@@ -60,28 +55,32 @@ pub(crate) fn is_nonzero<N: Number>(ball: Ball<N>) -> <N::Word as Word>::Mask {
     N::Word::of(0.0).is_less(ball.least())
 }
 
-/// Both truths.
-#[inline(always)]
-pub(crate) fn both<W: Word>(first: W::Mask, second: W::Mask) -> W::Mask {
-    W::of(0.0).is_less(W::select(first, W::select(second, W::of(1.0), W::of(-1.0)), W::of(-1.0)))
-}
-
 impl<N: Level, const F: usize, const E: usize> Member<N, F, E> {
+    /// Members in lanes, none with a border.
+    pub(crate) fn of_lanes(members: &[Member<N::Alone, F, E>]) -> Self {
+        Member {
+            stiffness: from_fn(|k| Ball::of_lanes(members, &|member| member.stiffness[k])),
+            border: None,
+            held: [0, 1].map(|k| load(members, &|member| member.held[k])),
+            minor: load(members, &|member| member.minor),
+            sizes: members.first().map_or([0.0; F], |member| member.sizes),
+        }
+    }
+
     /// The lanes of one member where a truth holds, else those of another.
     #[inline(always)]
     pub(crate) fn select(truth: <N::Word as Word>::Mask, first: Self, second: Self) -> Self {
-        let word = |a: N::Word, b: N::Word| N::Word::select(truth, a, b);
         let mut stiffness = first.stiffness;
-        for (entry, other) in stiffness.iter_mut().zip(second.stiffness) {
-            *entry = Ball::select(truth, *entry, other);
+        for k in 0..E {
+            stiffness[k] = Ball::select(truth, stiffness[k], second.stiffness[k]);
         }
         let border = match (first.border, second.border) {
             (None, None) => None,
             (first, second) => {
-                let [first, second] = [first, second].map(|border| border.unwrap_or(Border::none()));
+                let (first, second) = (first.unwrap_or(Border::none()), second.unwrap_or(Border::none()));
                 let mut forces = first.forces;
-                for (force, other) in forces.iter_mut().zip(second.forces) {
-                    *force = Ball::select(truth, *force, other);
+                for k in 0..F {
+                    forces[k] = Ball::select(truth, forces[k], second.forces[k]);
                 }
                 Some(Border { forces, flexibility: Ball::select(truth, first.flexibility, second.flexibility) })
             }
@@ -89,8 +88,11 @@ impl<N: Level, const F: usize, const E: usize> Member<N, F, E> {
         Member {
             stiffness,
             border,
-            held: [0, 1].map(|k| word(first.held[k], second.held[k])),
-            minor: word(first.minor, second.minor),
+            held: [
+                N::Word::select(truth, first.held[0], second.held[0]),
+                N::Word::select(truth, first.held[1], second.held[1]),
+            ],
+            minor: N::Word::select(truth, first.minor, second.minor),
             sizes: if N::Word::select(truth, N::Word::of(1.0), N::Word::of(0.0)).first() > 0.5 {
                 first.sizes
             } else {
@@ -123,7 +125,9 @@ impl<N: Level, const F: usize, const E: usize> Member<N, F, E> {
     /// nothing else is asked.
     #[inline(always)]
     pub(crate) fn known_where(mut self, truth: <N::Word as Word>::Mask) -> Self {
-        self.held = self.held.map(|bound| N::Word::select(truth, bound, N::Word::of(f64::NAN)));
+        for bound in &mut self.held {
+            *bound = N::Word::select(truth, *bound, N::Word::of(f64::NAN));
+        }
         for entry in &mut self.stiffness {
             entry.rad = N::Word::select(truth, entry.rad, N::Word::of(f64::INFINITY));
         }

@@ -31,7 +31,7 @@ pub(crate) fn is_zero<N: Number>(ball: &Ball<N>) -> bool {
     ball.mid.leading().vanishes() && ball.rad.vanishes()
 }
 
-impl<N: Level, const T: usize> Row<N, T> {
+impl<N: Level<Word = f64, Alone = N>, const T: usize> Row<N, T> {
     /// No variable: what does not move.
     #[inline(always)]
     pub(crate) fn none() -> Self {
@@ -116,15 +116,17 @@ pub(crate) fn is_one<N: Number>(ball: &Ball<N>) -> bool {
 impl<N: Level> Term<N> {
     /// A number times the coefficient.
     #[inline(always)]
-    pub(crate) fn times(&self, factor: Ball<N>) -> Ball<N> {
+    pub(crate) fn times<M: Level<Alone = N>>(&self, factor: Ball<M>) -> Ball<M> {
         if self.is_one {
-            factor
-        } else if is_one(&factor) {
-            self.coefficient
+            return factor;
+        }
+        let coefficient = Ball::everywhere(self.coefficient);
+        if is_one(&factor) {
+            coefficient
         } else if is_one(&-factor) {
-            -self.coefficient
+            -coefficient
         } else {
-            factor * self.coefficient
+            factor * coefficient
         }
     }
 }

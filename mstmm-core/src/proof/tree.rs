@@ -1,12 +1,11 @@
 //! A tree step by step: each open path has at most two variables, of which displacement and rotation at its end are rows.
 
-use crate::element::{BodyNumbers, MemberNumbers, OwnPart};
+use crate::element::{BodyNumbers, Exact, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
-use crate::proof::joining::{Failure, Joining};
+use crate::proof::joining::{Failure, Joining, Terms};
 use crate::proof::number::Number;
-use crate::proof::row::{Row, TERMS, Term, is_one, is_zero};
-use crate::proof::word::Word;
+use crate::proof::row::{Row, Term, is_one, is_zero};
 use mstmm_plan::{Freedoms, Space, Support};
 
 /// Displacement and rotation, in this order.
@@ -27,25 +26,25 @@ pub(crate) struct Path<N: Number> {
 
 /// The open paths of a tree, in memory for as many.
 #[derive(Debug)]
-pub(crate) struct Paths<'m, N: Number> {
-    paths: &'m mut [Path<N>],
+pub(crate) struct Paths<'m, A: Number> {
+    paths: &'m mut [Path<A>],
     count: usize,
 }
 
-impl<N: Level> Path<N> {
+impl<N: Level<Word = f64, Alone = N>> Path<N> {
     /// No path.
     pub(crate) fn none() -> Self {
         Path { step: 0, support: None, rows: [None; 2] }
     }
 }
 
-impl<'m, N: Level> Paths<'m, N> {
+impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
     /// No path is open.
-    pub(crate) fn new(paths: &'m mut [Path<N>]) -> Self {
+    pub(crate) fn new(paths: &'m mut [Path<A>]) -> Self {
         Paths { paths, count: 0 }
     }
 
-    fn open(&mut self, path: Path<N>, joining: &mut Joining<'_, N>) {
+    fn open<N: Level<Alone = A>>(&mut self, path: Path<A>, joining: &mut Joining<'_, N>) {
         if self.count == self.paths.len() {
             joining.failure = Some(Failure::Full);
             return;
@@ -55,7 +54,7 @@ impl<'m, N: Level> Paths<'m, N> {
     }
 
     /// Takes the path that has come to a step.
-    fn take(&mut self, step: usize) -> Path<N> {
+    fn take(&mut self, step: usize) -> Path<A> {
         let last = self.count.saturating_sub(1);
         let place = self.paths[..self.count].iter().rposition(|path| path.step == step).unwrap_or(last);
         self.paths.swap(place, last);
@@ -64,13 +63,13 @@ impl<'m, N: Level> Paths<'m, N> {
     }
 
     /// A path starts from a support.
-    pub(crate) fn tip(&mut self, step: usize, support: Support, joining: &mut Joining<'_, N>) {
+    pub(crate) fn tip<N: Level<Alone = A>>(&mut self, step: usize, support: Support, joining: &mut Joining<'_, N>) {
         self.open(Path { step, support: Some(support), rows: [None; 2] }, joining);
     }
 
     /// A path goes through an element.
     #[inline(never)]
-    pub(crate) fn element(
+    pub(crate) fn element<N: Level<Alone = A>>(
         &mut self,
         [step, input]: [usize; 2],
         space: Space,
@@ -88,14 +87,14 @@ impl<'m, N: Level> Paths<'m, N> {
 
     /// Paths are joined: their displacements and rotations are equal, supports hold them, and what does not go on leaves.
     #[inline(never)]
-    pub(crate) fn connection(
+    pub(crate) fn connection<N: Level<Alone = A>>(
         &mut self,
         step: usize,
         inputs: &[usize],
         output: Option<Space>,
         joining: &mut Joining<'_, N>,
     ) {
-        let mut rows: PointRows<N> = [None; 2];
+        let mut rows: PointRows<A> = [None; 2];
         let mut held = Freedoms::NONE;
         for &input in inputs {
             let path = self.take(input);
@@ -146,7 +145,7 @@ impl<'m, N: Level> Paths<'m, N> {
     }
 
     /// The last path ends in the root.
-    pub(crate) fn root(&mut self, input: usize, support: Support, joining: &mut Joining<'_, N>) {
+    pub(crate) fn root<N: Level<Alone = A>>(&mut self, input: usize, support: Support, joining: &mut Joining<'_, N>) {
         let Path { mut rows, .. } = self.take(input);
         hold(support.holds(), &mut rows, input, joining);
         go_on(&rows, &mut [None; 2], input, joining);
@@ -155,7 +154,7 @@ impl<'m, N: Level> Paths<'m, N> {
 }
 
 /// What a support leaves of the freedoms of a space.
-fn of_support<N: Level>(support: Support, space: Space, joining: &mut Joining<'_, N>) -> PointRows<N> {
+fn of_support<N: Level>(support: Support, space: Space, joining: &mut Joining<'_, N>) -> PointRows<N::Alone> {
     FREEDOMS.map(|freedom| {
         space
             .contains(freedom)
@@ -164,7 +163,7 @@ fn of_support<N: Level>(support: Support, space: Space, joining: &mut Joining<'_
 }
 
 /// Holds the freedoms of a support.
-fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N>, step: usize, joining: &mut Joining<'_, N>) {
+fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N::Alone>, step: usize, joining: &mut Joining<'_, N>) {
     for (index, freedom) in FREEDOMS.into_iter().enumerate() {
         if let (true, Some(row)) = (held.contains(freedom), rows[index]) {
             satisfy(&row.widened(), [rows, &mut [None; 2]], step, joining);
@@ -176,17 +175,17 @@ fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N>, step: usize, joining:
 /// twice, by the same. Returns that variable and the combination.
 #[inline(never)]
 fn satisfy<N: Level>(
-    constraint: &Row<N>,
-    rows: [&mut PointRows<N>; 2],
+    constraint: &Row<N::Alone>,
+    rows: [&mut PointRows<N::Alone>; 2],
     step: usize,
     joining: &mut Joining<'_, N>,
-) -> Option<(usize, Row<N>)> {
+) -> Option<(usize, Row<N::Alone>)> {
     let pivot = largest(constraint, |_| true)?;
     let Some(by) = solved(constraint, &pivot) else {
         joining.failure = Some(Failure::Redundant(step));
         return None;
     };
-    joining.substitute(pivot.variable, &by);
+    joining.substitute(pivot.variable, by.terms());
     for row in rows.into_iter().flatten().flatten() {
         *row = row.substituted(pivot.variable, &by);
     }
@@ -194,12 +193,12 @@ fn satisfy<N: Level>(
 }
 
 /// Whether a coefficient is 1 or -1 exactly, and the least size that it may have.
-fn rank<N: Level>(coefficient: &Ball<N>) -> (bool, f64) {
-    (is_one(coefficient) || is_one(&-*coefficient), coefficient.least().first())
+fn rank<N: Level<Word = f64, Alone = N>>(coefficient: &Ball<N>) -> (bool, f64) {
+    (is_one(coefficient) || is_one(&-*coefficient), coefficient.least())
 }
 
 /// The term with the largest coefficient among some variables; a unit goes before others, since it is exact.
-fn largest<N: Level>(row: &Row<N>, is_asked: impl Fn(usize) -> bool) -> Option<Term<N>> {
+fn largest<N: Level<Word = f64, Alone = N>>(row: &Row<N>, is_asked: impl Fn(usize) -> bool) -> Option<Term<N>> {
     let asked = row.terms().iter().filter(|term| !is_zero(&term.coefficient) && is_asked(term.variable));
     let best = asked.max_by(|one, other| {
         let (one, other) = (rank(&one.coefficient), rank(&other.coefficient));
@@ -209,7 +208,7 @@ fn largest<N: Level>(row: &Row<N>, is_asked: impl Fn(usize) -> bool) -> Option<T
 }
 
 /// What a variable is of the others where a combination of all is zero; none where its coefficient may be zero.
-fn solved<N: Level>(constraint: &Row<N>, pivot: &Term<N>) -> Option<Row<N>> {
+fn solved<N: Level<Word = f64, Alone = N>>(constraint: &Row<N>, pivot: &Term<N>) -> Option<Row<N>> {
     let (is_unit, least) = rank(&pivot.coefficient);
     if least <= 0.0 || least.is_nan() {
         return None;
@@ -224,7 +223,7 @@ fn solved<N: Level>(constraint: &Row<N>, pivot: &Term<N>) -> Option<Row<N>> {
 
 /// Eliminates the variables of a point that do not go on. As many go on as there are rows: a sum that goes on alone becomes a variable.
 #[inline(never)]
-fn go_on<N: Level>(before: &PointRows<N>, rows: &mut PointRows<N>, step: usize, joining: &mut Joining<'_, N>) {
+fn go_on<N: Level>(before: &PointRows<N::Alone>, rows: &mut PointRows<N::Alone>, step: usize, joining: &mut Joining<'_, N>) {
     let mut old = Variables::of(before);
     for index in 0..2 {
         let Some(row) = rows[index] else { continue };
@@ -235,12 +234,12 @@ fn go_on<N: Level>(before: &PointRows<N>, rows: &mut PointRows<N>, step: usize, 
         if let (true, Some(pivot)) = (all.count > count, alone) {
             let own = joining.enter();
             let mut constraint = row.widened();
-            constraint.add(&Row::<N, 1>::of(own), Ball::of(-1.0));
+            constraint.add(&Row::<N::Alone, 1>::of(own), Ball::of(-1.0));
             let Some(by) = solved(&constraint, &pivot) else {
                 joining.failure = Some(Failure::Redundant(step));
                 return;
             };
-            joining.substitute(pivot.variable, &by);
+            joining.substitute(pivot.variable, by.terms());
             old.remove(pivot.variable);
             rows[index] = Some(Row::of(own));
         }
@@ -258,7 +257,7 @@ struct Variables {
 }
 
 impl Variables {
-    fn of<N: Level>(rows: &PointRows<N>) -> Self {
+    fn of<A: Level<Word = f64, Alone = A>>(rows: &PointRows<A>) -> Self {
         let mut all = Variables { list: [0; 4], count: 0 };
         for term in rows.iter().flatten().flat_map(|row| row.terms()) {
             if !all.contains(term.variable) {
@@ -284,26 +283,25 @@ impl Variables {
 /// Takes the rows of a point through an element.
 #[inline(never)]
 fn through<N: Level>(
-    rows: PointRows<N>,
+    rows: PointRows<N::Alone>,
     step: usize,
     (numbers, own_part): (&MemberNumbers, Option<OwnPart>),
     joining: &mut Joining<'_, N>,
-) -> PointRows<N> {
-    let wide = |row: Option<Row<N, 2>>| row.map_or(Row::none(), |row| row.widened::<{ TERMS }>());
-    let [y, theta] = rows.map(wide);
+) -> PointRows<N::Alone> {
+    let [y, theta] = [0, 1].map(|index| rows[index].as_ref().map_or(&[][..], |row| row.terms()));
     let mut next = rows;
     match numbers {
         MemberNumbers::Other => {
             let index = usize::from(rows[0].is_none());
-            let Some(own) = own_row(own_part, &[y, theta][index], joining) else { return next };
+            let Some(own) = own_row(own_part, rows[index].as_ref(), joining) else { return next };
             next[index] = Some(own);
             if matches!(own_part, Some(OwnPart::Tie { .. })) {
                 return next;
             }
         }
         MemberNumbers::Body(body) => {
-            add_body(body, &[y, theta], joining);
-            let output: Ball<N> = Ball::of_pair(body.output_x);
+            add_body(body, [y, theta], joining);
+            let output = Ball::of_pair(body.output_x);
             if let ([Some(row), Some(theta)], false) = (&mut next, is_zero(&output)) {
                 row.add(theta, output);
             }
@@ -311,35 +309,29 @@ fn through<N: Level>(
         }
         MemberNumbers::Spring(freedom, stiffness) => {
             let index = usize::from(*freedom == 2);
-            let own = Row::<N, 2>::of(joining.enter());
-            joining.add_spring(*stiffness, [&[y, theta][index], &own.widened()]);
-            next[index] = Some(own);
+            next[index] = Some(spring(*stiffness, rows[index].as_ref(), joining));
         }
         MemberNumbers::Joint(rigid, stiffnesses) => {
             for (index, freedom) in FREEDOMS.into_iter().enumerate() {
                 if !rigid.contains(freedom) {
-                    let own = Row::<N, 2>::of(joining.enter());
-                    joining.add_spring(stiffnesses[1 + index], [&[y, theta][index], &own.widened()]);
-                    next[index] = Some(own);
+                    next[index] = Some(spring(stiffnesses[1 + index], rows[index].as_ref(), joining));
                 }
             }
         }
         MemberNumbers::Line(freedom, line) => {
             let index = usize::from(*freedom == 2);
-            let own = Row::<N, 2>::of(joining.enter());
-            joining.add_line(line, Ball::of_pair(line.length), &[[y, theta][index], own.widened()]);
+            let own = Row::of(joining.enter());
+            joining.add_line(line, Ball::of_pair(line.length), [[y, theta][index], own.terms()]);
             next[index] = Some(own);
         }
-        MemberNumbers::Tapered(beam) => {
-            let own = [joining.enter(), joining.enter()].map(Row::<N, 2>::of);
-            let [far, far_theta] = own.map(|row| row.widened());
-            joining.add_tapered(beam, &[y, theta, far, far_theta]);
-            next = own.map(Some);
-        }
-        MemberNumbers::Beam(beam) => {
-            let own = [joining.enter(), joining.enter()].map(Row::<N, 2>::of);
-            let [far, far_theta] = own.map(|row| row.widened());
-            joining.add_bending(beam, Ball::of_pair(beam.length), &[y, theta, far, far_theta]);
+        MemberNumbers::Tapered(_) | MemberNumbers::Beam(_) => {
+            let own = [joining.enter(), joining.enter()].map(Row::of);
+            let ends = [y, theta, own[0].terms(), own[1].terms()];
+            match numbers {
+                MemberNumbers::Tapered(beam) => joining.add_tapered(beam, ends),
+                MemberNumbers::Beam(beam) => joining.add_bending(beam, Ball::of_pair(beam.length), ends),
+                _ => {}
+            }
             next = own.map(Some);
         }
     }
@@ -348,33 +340,50 @@ fn through<N: Level>(
     next
 }
 
+/// Adds a spring behind a row. Returns the row of its other end.
+fn spring<N: Level>(
+    stiffness: Exact,
+    input: Option<&Row<N::Alone, 2>>,
+    joining: &mut Joining<'_, N>,
+) -> Row<N::Alone, 2> {
+    let own = Row::of(joining.enter());
+    joining.add_spring(stiffness, [input.unwrap_or(&Row::none()), &own]);
+    own
+}
+
 /// Adds the inertia of a body, and the stiffness of an axial force against its rotation: where it turns by Θ its ends come closer by `|b| Θ²/2`.
-fn add_body<N: Level>(body: &BodyNumbers, rows: &[Row<N>; 2], joining: &mut Joining<'_, N>) {
-    let [mass, inertia, centre, output] = [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::of_pair);
+fn add_body<N: Level>(body: &BodyNumbers, rows: [Terms<'_, N>; 2], joining: &mut Joining<'_, N>) {
+    let [mass, inertia, centre, output] = [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::<N::Alone>::of_pair);
     let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };
     joining.add_inertia([mass, moment, inertia], rows);
     if body.axial_force != [0.0; 2] {
-        let length = if output.mid.leading().first() < 0.0 { -output } else { output };
-        joining.add_term(Ball::of_pair(body.axial_force) * length, &rows[1]);
+        let length = if output.mid.leading() < 0.0 { -output } else { output };
+        joining.add_term(Ball::of_pair(body.axial_force) * length, rows[1]);
     }
 }
 
 /// Adds an element that is known by its stiffness at this frequency alone. Returns what its output end is of the variables.
-fn own_row<N: Level>(part: Option<OwnPart>, input: &Row<N>, joining: &mut Joining<'_, N>) -> Option<Row<N, 2>> {
+fn own_row<N: Level>(
+    part: Option<OwnPart>,
+    input: Option<&Row<N::Alone, 2>>,
+    joining: &mut Joining<'_, N>,
+) -> Option<Row<N::Alone, 2>> {
     let Some(part) = part else {
         joining.failure = Some(Failure::NotInNumbers);
         return None;
     };
+    let nothing = Row::none();
+    let input = input.unwrap_or(&nothing);
     match part {
         OwnPart::Tie { ratio, stiffness } => {
             let mut row = Row::none();
             row.add(input, Ball::of_pair(ratio));
-            joining.add_term(Ball::of_pair(stiffness), input);
+            joining.add_term(Ball::of_pair(stiffness), input.terms());
             Some(row)
         }
         OwnPart::Stiffness { stiffness, held } => {
-            let own = Row::<N, 2>::of(joining.enter());
-            joining.add_counted(stiffness, held, &[*input, own.widened()]);
+            let own = Row::of(joining.enter());
+            joining.add_counted(stiffness, held, [input.terms(), own.terms()]);
             Some(own)
         }
     }

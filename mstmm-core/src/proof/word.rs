@@ -1,6 +1,6 @@
 //! Words: what numbers with bounds are made of, one `f64` or several in lanes.
 
-use crate::number::Scalar;
+use crate::number::{Part, Scalar};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -14,11 +14,16 @@ const SHIFT: f64 = 6_755_399_441_055_744.0;
 pub(crate) trait Word:
     Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
+    /// Number of lanes.
+    const LANES: usize;
+
     /// A truth per lane.
     type Mask: Copy + Debug;
 
     /// A number in all lanes.
     fn of(number: f64) -> Self;
+    /// A number in each lane; the last one fills the lanes beyond.
+    fn load(numbers: &[f64]) -> Self;
     /// Writes as many lanes as there is room for.
     fn store(self, numbers: &mut [f64]);
     /// The absolute value.
@@ -35,6 +40,12 @@ pub(crate) trait Word:
     fn select(truth: Self::Mask, first: Self, second: Self) -> Self;
     /// Whether it holds in all lanes.
     fn all(truth: Self::Mask) -> bool;
+    /// Both truths.
+    fn both(first: Self::Mask, second: Self::Mask) -> Self::Mask;
+    /// The opposite truth.
+    fn not(truth: Self::Mask) -> Self::Mask;
+    /// Does a part in a function of its own, compiled for the instruction set of the lanes.
+    fn call<P: Part>(part: P) -> P::Output;
 
     /// `a b` less its rounded product, exactly, unless parts of it leave the range (Dekker, Veltkamp).
     #[inline(always)]
@@ -82,12 +93,28 @@ pub(crate) trait Word:
     }
 }
 
+/// A number of each lane; the last one fills the lanes beyond.
+pub(crate) fn load<W: Word, A>(lanes: &[A], of: &dyn Fn(&A) -> f64) -> W {
+    let mut numbers = [0.0; MOST_LANES];
+    numbers.iter_mut().zip(lanes).for_each(|(number, lane)| *number = of(lane));
+    W::load(&numbers[..lanes.len().min(MOST_LANES)])
+}
+
+/// Most lanes of a word.
+pub(crate) const MOST_LANES: usize = 8;
+
 impl Word for f64 {
+    const LANES: usize = 1;
     type Mask = bool;
 
     #[inline(always)]
     fn of(number: f64) -> Self {
         number
+    }
+
+    #[inline(always)]
+    fn load(numbers: &[f64]) -> Self {
+        numbers[0]
     }
 
     #[inline(always)]
@@ -129,4 +156,140 @@ impl Word for f64 {
     fn all(truth: bool) -> bool {
         truth
     }
+
+    #[inline(always)]
+    fn both(first: bool, second: bool) -> bool {
+        first & second
+    }
+
+    #[inline(always)]
+    fn not(truth: bool) -> bool {
+        !truth
+    }
+
+    #[inline(never)]
+    fn call<P: Part>(part: P) -> P::Output {
+        part.run()
+    }
 }
+
+#[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
+mod lanes {
+    use crate::number::Part;
+    use crate::proof::word::{SHIFT, Word};
+    use mstmm_lanes::{Lanes, Truths, Vector};
+
+    impl<V: Vector> Word for Lanes<V> {
+        const LANES: usize = V::LANES;
+        type Mask = Truths<V>;
+
+        #[inline(always)]
+        fn of(number: f64) -> Self {
+            Lanes::splat(number)
+        }
+
+        #[inline(always)]
+        fn load(numbers: &[f64]) -> Self {
+            Lanes(V::load(numbers))
+        }
+
+        #[inline(always)]
+        fn store(self, numbers: &mut [f64]) {
+            let count = numbers.len().min(V::LANES);
+            self.0.store(&mut numbers[..count]);
+        }
+
+        #[inline(always)]
+        fn size(self) -> Self {
+            Lanes(self.0.magnitude())
+        }
+
+        #[inline(always)]
+        fn root(self) -> Self {
+            Lanes(self.0.root())
+        }
+
+        /// The last bits of its sum with [`SHIFT`] are k.
+        #[inline(always)]
+        fn power_of_two(self) -> Self {
+            let [half, _] = (self + Lanes::splat(SHIFT)).0.powers();
+            Lanes(half) * Lanes::splat(2.0)
+        }
+
+        #[inline(always)]
+        fn is_less(self, other: Self) -> Truths<V> {
+            self.is_less(other)
+        }
+
+        #[inline(always)]
+        fn vanishes(self) -> bool {
+            Truths::<V>(self.0.is_nought()).all()
+        }
+
+        #[inline(always)]
+        fn select(truth: Truths<V>, first: Self, second: Self) -> Self {
+            Lanes::select(truth, first, second)
+        }
+
+        #[inline(always)]
+        fn all(truth: Truths<V>) -> bool {
+            truth.all()
+        }
+
+        #[inline(always)]
+        fn both(first: Truths<V>, second: Truths<V>) -> Truths<V> {
+            first & second
+        }
+
+        #[inline(always)]
+        fn not(truth: Truths<V>) -> Truths<V> {
+            !truth
+        }
+
+        #[inline(always)]
+        fn product_error(self, other: Self, product: Self) -> Self {
+            self.product_error(other, product)
+        }
+
+        #[inline(always)]
+        fn call<P: Part>(part: P) -> P::Output {
+            V::call(part)
+        }
+    }
+}
+
+/// Defines functions that stand apart: each is compiled for the instruction set of the lanes that its numbers have. All functions that it
+/// calls have to stand in line or apart.
+macro_rules! apart {
+    ($(
+        $(#[$meta:meta])*
+        $visible:vis fn $name:ident<$N:ident: $bound:ident $(, const $C:ident: usize)*>($($argument:ident: $type:ty),* $(,)?)
+        $(-> $output:ty)? $body:block
+    )*) => {$(
+        $(#[$meta])*
+        #[inline(always)]
+        $visible fn $name<$N: $bound $(, const $C: usize)*>($($argument: $type),*) $(-> $output)? {
+            struct Apart<A>(A);
+
+            impl<$N: $bound $(, const $C: usize)*> $crate::number::Part for Apart<($($type,)*)> {
+                type Output = $crate::proof::word::output!($($output)?);
+
+                #[inline(always)]
+                fn run(self) -> Self::Output {
+                    let Apart(($($argument,)*)) = self;
+                    $body
+                }
+            }
+
+            <<$N as $crate::proof::number::Number>::Word as $crate::proof::word::Word>::call(Apart(($($argument,)*)))
+        }
+    )*};
+}
+pub(crate) use apart;
+
+/// The type of a result.
+macro_rules! output {
+    () => { () };
+    ($output:ty) => { $output };
+}
+pub(crate) use output;

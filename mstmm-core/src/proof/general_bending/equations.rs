@@ -3,7 +3,6 @@
 use crate::element::BeamNumbers;
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
-use crate::proof::member::{both, not};
 use crate::proof::number::Number;
 use crate::proof::word::Word;
 
@@ -108,5 +107,5 @@ pub(crate) fn select_all<N: Level, const K: usize>(
 /// One of two truths at least.
 #[inline(always)]
 pub(crate) fn either<W: Word>(first: W::Mask, second: W::Mask) -> W::Mask {
-    not::<W>(both::<W>(not::<W>(first), not::<W>(second)))
+    W::not(W::both(W::not(first), W::not(second)))
 }

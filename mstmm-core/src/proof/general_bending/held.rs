@@ -4,7 +4,7 @@ use crate::proof::ball::Ball;
 use crate::proof::constants::HALF_PI;
 use crate::proof::functions::Level;
 use crate::proof::general_bending::equations::{Equations, Roots, either};
-use crate::proof::member::{any, both, not};
+use crate::proof::member::{any};
 use crate::proof::word::Word;
 use core::f64::consts::FRAC_1_PI;
 
@@ -35,11 +35,11 @@ impl<N: Level> Equations<N> {
         // Complex κ count nothing. Short waves do not either: no κ is beyond 1 + √2, and π² is.
         let square = self.waves.square;
         let counts_none = either::<N::Word>(is_short, square.is_negative());
-        let may_count_none = either::<N::Word>(counts_none, not::<N::Word>(square.is_positive()));
+        let may_count_none = either::<N::Word>(counts_none, N::Word::not(square.is_positive()));
         let bounds = [N::Word::select(may_count_none, zero, least), N::Word::select(counts_none, zero, most)];
         let [is_finite, is_other_finite] = [first, second].map(|[_, most]| most.is_less(word(MOST_HALF_WAVES)));
-        let is_known = either::<N::Word>(counts_none, both::<N::Word>(is_finite, is_other_finite));
-        let [turns, may_turn] = [self.cut.is_negative(), not::<N::Word>(self.cut.is_positive())]
+        let is_known = either::<N::Word>(counts_none, N::Word::both(is_finite, is_other_finite));
+        let [turns, may_turn] = [self.cut.is_negative(), N::Word::not(self.cut.is_positive())]
             .map(|truth| if shears { N::Word::select(truth, word(1.0), zero) } else { zero });
         ([bounds[0] + turns, bounds[1] + may_turn], is_known)
     }
@@ -87,7 +87,7 @@ fn half_waves<N: Level>(kappa: Ball<N>) -> [N::Word; 2] {
     let phase = Ball { mid: pi, rad: word(N::SUM * first) }.scaled(2.0) * Ball::exactly(N::of_word(most));
     let beyond = square - phase * phase;
     [
-        N::Word::select(both::<N::Word>(is_open, beyond.is_positive()), most, least),
-        N::Word::select(both::<N::Word>(is_open, beyond.is_negative()), most - word(1.0), most),
+        N::Word::select(N::Word::both(is_open, beyond.is_positive()), most, least),
+        N::Word::select(N::Word::both(is_open, beyond.is_negative()), most - word(1.0), most),
     ]
 }

@@ -4,7 +4,7 @@ use crate::proof::ball::Ball;
 use crate::proof::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::functions::Level;
 use crate::proof::general_bending::equations::{Equations, Roots, WavePair, either, select_all};
-use crate::proof::member::{any, not};
+use crate::proof::member::{any};
 use crate::proof::word::Word;
 
 /// With `C = cosh √κ` and `S = sinh √κ/√κ`: `W = (κ₁ S₁ C₂ - κ₂ C₁ S₂)/(κ₁ - κ₂)`, `R = S₁ S₂`, `V = (C₁ S₂ - S₁ C₂)/(2(κ₁ - κ₂))`,
@@ -139,8 +139,8 @@ fn waves<N: Level>(kappa: Ball<N>) -> Waves<N> {
     let (zero, one) = (Ball::of(0.0), Ball::of(1.0));
     let size = |ball: Ball<N>| size_of(ball.mid.size());
     let is_small = kappa.largest().is_less(N::Word::of(0.875));
-    let is_positive = not::<N::Word>(kappa.mid.leading().is_less(N::Word::of(0.0)));
-    let travels = not::<N::Word>(either::<N::Word>(is_small, is_positive));
+    let is_positive = N::Word::not(kappa.mid.leading().is_less(N::Word::of(0.0)));
+    let travels = N::Word::not(either::<N::Word>(is_small, is_positive));
     of_forms::<N, 6>(
         [is_small, travels],
         |truth| {
@@ -171,7 +171,7 @@ pub(crate) fn of_forms<N: Level, const K: usize>(
     second: impl Fn(<N::Word as Word>::Mask) -> [Ball<N>; K],
     third: impl Fn(<N::Word as Word>::Mask) -> [Ball<N>; K],
 ) -> [Ball<N>; K] {
-    let is_third = not::<N::Word>(either::<N::Word>(is_first, is_second));
+    let is_third = N::Word::not(either::<N::Word>(is_first, is_second));
     let mut numbers = [Ball::of(0.0); K];
     if any::<N::Word>(is_first) {
         numbers = first(is_first);

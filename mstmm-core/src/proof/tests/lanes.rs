@@ -1,5 +1,6 @@
 //! Words in lanes, one after the other.
 
+use crate::number::Part;
 use crate::proof::word::Word;
 use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -35,7 +36,24 @@ impl Neg for Four {
 }
 
 impl Word for Four {
+    const LANES: usize = 4;
     type Mask = [bool; 4];
+
+    fn load(numbers: &[f64]) -> Self {
+        Four(from_fn(|lane| numbers[lane.min(numbers.len() - 1)]))
+    }
+
+    fn both(first: [bool; 4], second: [bool; 4]) -> [bool; 4] {
+        from_fn(|lane| first[lane] && second[lane])
+    }
+
+    fn not(truth: [bool; 4]) -> [bool; 4] {
+        truth.map(|truth| !truth)
+    }
+
+    fn call<P: Part>(part: P) -> P::Output {
+        part.run()
+    }
 
     fn of(number: f64) -> Self {
         Four([number; 4])

@@ -1,5 +1,6 @@
 //! A number whose every operation is rounded to a side, within its bounds, and as badly as these allow.
 
+use crate::proof::functions::Level;
 use crate::proof::number::{Number, U, two_sum};
 use crate::proof::tests::exact::{Exact, Exactly, exact};
 use crate::proof::word::Word;
@@ -111,5 +112,23 @@ impl Exactly for Worst {
 
     fn exactly(self) -> Exact {
         exact(self.0)
+    }
+}
+
+impl Level for Worst {
+    type Alone = Self;
+    const PARTS: (usize, f64) = (4, 3e-66);
+    const TERMS: usize = 9;
+
+    fn everywhere(alone: Self) -> Self {
+        alone
+    }
+
+    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Self) -> Self {
+        of(&lanes[0])
+    }
+
+    fn lane(self, _: usize) -> Self {
+        self
     }
 }

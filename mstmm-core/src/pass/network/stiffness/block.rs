@@ -131,6 +131,8 @@ mod in_vectors {
     where
         Lanes<V>: Joins,
     {
+        type Output = ();
+
         #[inline(always)]
         fn run(self) {
             eliminate_all(self.model, self.front, *self.omega);

@@ -44,6 +44,8 @@ mod in_vectors {
     where
         Lanes<V>: Joins,
     {
+        type Output = ();
+
         #[inline(always)]
         fn run(self) {
             self.own.join(self.front, self.member);
