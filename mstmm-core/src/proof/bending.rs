@@ -126,9 +126,8 @@ fn bordered<N: Level>(
     let [first, second, third] = [z * over_b, square * over_b, kappa * over_b];
     let (second_row, third_row) = (m22 * first, [m23 * second, m33 * third]);
     let fourth_row = [m24 * first, m34 * second, m44 * first];
-    let mut stiffness = [
-        zero, zero, second_row, zero, third_row[0], third_row[1], zero, fourth_row[0], fourth_row[1], fourth_row[2],
-    ];
+    let mut stiffness =
+        [zero, zero, second_row, zero, third_row[0], third_row[1], zero, fourth_row[0], fourth_row[1], fourth_row[2]];
     let forces = [kappa * b, square * f, -(kappa * t), square * u];
     let flexibility = kappa * (b * minor);
     let (Border { forces, flexibility }, left) = Bending::shifted(&mut stiffness, forces, flexibility, kappa.inverse());

@@ -1,6 +1,7 @@
 //! Bisection by proven counts: what finds a frequency that nobody has proposed, or refuses with numbers.
 
 use crate::number::Real;
+use crate::proof::beside::Beside;
 use crate::proof::certificate::{Bound, Claim, Precision, Proven, Prover, zero_of};
 use crate::proof::count::Side;
 
@@ -96,8 +97,8 @@ impl Prover<'_> {
             {
                 let zero = zero_of([lower.0, upper.0], [below, above]);
                 if lower.0 < zero && zero < upper.0 {
-                    let [beside, ..] = self.beside(&[zero], Precision::Two);
-                    match self.claim(index, beside, lower.0) {
+                    let beside = Beside::of(self, &[zero], Precision::Two);
+                    match self.claim(index, beside.found[0], lower.0) {
                         Claim::Proven(proven) => return Ok(proven),
                         Claim::Below(end) if lower.0 < end && end < upper.0 => upper = (end, None),
                         Claim::Above(end) if lower.0 < end && end < upper.0 => lower = (end, None),

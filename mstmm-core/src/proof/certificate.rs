@@ -5,7 +5,7 @@
 
 use crate::model::Spot;
 use crate::number::{Real, Scalar};
-use crate::proof::beside::Evidence;
+use crate::proof::beside::{Beside, Evidence};
 use crate::proof::count::{At, Memory, Outcome, Place, Side};
 use crate::proof::four_words::FourWords;
 use crate::proof::joining::Failure;
@@ -121,8 +121,8 @@ impl<'a> Prover<'a> {
         self.bound_of(side, outcome)
     }
 
-    /// Runs at some places, in lanes where the machine has them.
-    fn run_all(&mut self, places: &[Place], precision: Precision, bounds: &mut [Bound]) {
+    /// Runs at some places, in lanes where the machine has them: the bound of each is put in its slot.
+    fn run_all(&mut self, places: &[Place], slots: &[usize], precision: Precision, bounds: &mut [Bound]) {
         let mut from = 0;
         while from < places.len() {
             let rest = &places[from..];
@@ -132,13 +132,13 @@ impl<'a> Prover<'a> {
             };
             let Some((outcomes, count)) = outcomes else {
                 let (omega, side) = rest[0];
-                bounds[from] = self.run(omega, 1.0, side, precision);
+                bounds[slots[from]] = self.run(omega, 1.0, side, precision);
                 from += 1;
                 continue;
             };
             self.runs += count;
             for ((_, side), outcome) in rest.iter().zip(outcomes).take(count) {
-                bounds[from] = self.bound_of(*side, Ok(outcome));
+                bounds[slots[from]] = self.bound_of(*side, Ok(outcome));
                 from += 1;
             }
         }
@@ -164,21 +164,18 @@ impl<'a> Prover<'a> {
     /// Bounds at as many points as there are.
     pub(crate) fn bounds_at<T: Real, const P: usize>(
         &mut self,
-        points: &[Option<Point<T>>],
+        points: &[Option<Point<T>>; P],
         precision: Precision,
-    ) -> [Bound; P] {
-        let (mut places, mut found, mut count) = ([([0.0; 2], Side::AtMost); P], [Bound::UNKNOWN; P], 0);
-        for Point { omega, side } in points.iter().flatten() {
-            places[count] = (omega.words(), *side);
-            count += 1;
+        bounds: &mut [Bound; P],
+    ) {
+        let (mut places, mut slots, mut count) = ([([0.0; 2], Side::AtMost); P], [0; P], 0);
+        for (slot, point) in points.iter().enumerate() {
+            if let Some(Point { omega, side }) = point {
+                (places[count], slots[count]) = ((omega.words(), *side), slot);
+                count += 1;
+            }
         }
-        self.run_all(&places[..count], precision, &mut found);
-        let mut next = found.into_iter();
-        let mut bounds = [Bound::UNKNOWN; P];
-        for (bound, _) in bounds.iter_mut().zip(points).filter(|(_, point)| point.is_some()) {
-            *bound = next.next().unwrap_or(Bound::UNKNOWN);
-        }
-        bounds
+        self.run_all(&places[..count], &slots[..count], precision, bounds);
     }
 
     /// A bound of the number of frequencies below ω.
@@ -231,9 +228,9 @@ impl<'a> Prover<'a> {
                 if self.is_beyond() {
                     break;
                 }
-                [evidence, ..] = self.beside(&[evidence.omega], precision);
+                evidence = Beside::of(self, &[evidence.omega()], precision).found[0];
             }
-            let Evidence { omega, mut ends, mut bounds } = evidence;
+            let (omega, Evidence { mut ends, mut bounds, .. }) = (evidence.omega(), evidence);
             if ends[0] < floor {
                 ends[0] = floor;
                 bounds[0] = self.bound(floor, Side::AtMost, precision);

@@ -154,9 +154,10 @@ impl Memory {
     ) -> Result<Outcome<f64>, Failure> {
         loop {
             let outcome = match self.class {
-                0 => on_stack::<N, 8, 36, 8>(model, at),
-                1 => on_stack::<N, 24, 300, 24>(model, at),
-                2 => on_stack::<N, 64, 2080, 64>(model, at),
+                0 => on_stack::<N, 6, 21, 4>(model, at),
+                1 => on_stack::<N, 12, 78, 12>(model, at),
+                2 => on_stack::<N, 24, 300, 24>(model, at),
+                3 => on_stack::<N, 64, 2080, 64>(model, at),
                 class => return beyond_stack(class, model, at),
             };
             match outcome {
@@ -184,8 +185,9 @@ impl Memory {
         loop {
             let at = At::<crate::proof::number::TwoWords<W>>::new(points, sign);
             let outcome = match self.class {
-                0 => on_stack::<_, 8, 36, 8>(model, at),
-                1 => on_stack::<_, 24, 300, 24>(model, at),
+                0 => on_stack::<_, 6, 21, 4>(model, at),
+                1 => on_stack::<_, 12, 78, 12>(model, at),
+                2 => on_stack::<_, 24, 300, 24>(model, at),
                 _ => return None,
             };
             match outcome {

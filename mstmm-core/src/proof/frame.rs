@@ -60,7 +60,12 @@ impl Nodes {
 
     /// Displacements x and y and rotation of a place that is tied to a node.
     #[inline(never)]
-    fn motion<N: Level>(&mut self, node: &NodeNumbers, place: [Exact; 2], joining: &mut Joining<'_, N>) -> [Row<N::Alone>; 3] {
+    fn motion<N: Level>(
+        &mut self,
+        node: &NodeNumbers,
+        place: [Exact; 2],
+        joining: &mut Joining<'_, N>,
+    ) -> [Row<N::Alone>; 3] {
         let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<N::Alone, 1>::of));
         let mut rows = [Row::none(); 3];
         match node.along {

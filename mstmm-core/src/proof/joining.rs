@@ -189,11 +189,7 @@ impl<'m, N: Level> Joining<'m, N> {
 
     /// Adds a spring, or another stiffness, between two rows.
     #[inline(never)]
-    pub(crate) fn add_spring<const T: usize>(
-        &mut self,
-        stiffness: Exact,
-        [first, second]: [&Row<N::Alone, T>; 2],
-    ) {
+    pub(crate) fn add_spring<const T: usize>(&mut self, stiffness: Exact, [first, second]: [&Row<N::Alone, T>; 2]) {
         let mut elongation = second.widened::<{ TERMS }>();
         elongation.add(first, Ball::of(-1.0));
         self.add_term(Ball::of_pair(stiffness), elongation.terms());

@@ -223,7 +223,12 @@ fn solved<N: Level<Word = f64, Alone = N>>(constraint: &Row<N>, pivot: &Term<N>)
 
 /// Eliminates the variables of a point that do not go on. As many go on as there are rows: a sum that goes on alone becomes a variable.
 #[inline(never)]
-fn go_on<N: Level>(before: &PointRows<N::Alone>, rows: &mut PointRows<N::Alone>, step: usize, joining: &mut Joining<'_, N>) {
+fn go_on<N: Level>(
+    before: &PointRows<N::Alone>,
+    rows: &mut PointRows<N::Alone>,
+    step: usize,
+    joining: &mut Joining<'_, N>,
+) {
     let mut old = Variables::of(before);
     for index in 0..2 {
         let Some(row) = rows[index] else { continue };
@@ -353,7 +358,8 @@ fn spring<N: Level>(
 
 /// Adds the inertia of a body, and the stiffness of an axial force against its rotation: where it turns by Θ its ends come closer by `|b| Θ²/2`.
 fn add_body<N: Level>(body: &BodyNumbers, rows: [Terms<'_, N>; 2], joining: &mut Joining<'_, N>) {
-    let [mass, inertia, centre, output] = [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::<N::Alone>::of_pair);
+    let [mass, inertia, centre, output] =
+        [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::<N::Alone>::of_pair);
     let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };
     joining.add_inertia([mass, moment, inertia], rows);
     if body.axial_force != [0.0; 2] {

@@ -289,7 +289,11 @@ pub(crate) use apart;
 
 /// The type of a result.
 macro_rules! output {
-    () => { () };
-    ($output:ty) => { $output };
+    () => {
+        ()
+    };
+    ($output:ty) => {
+        $output
+    };
 }
 pub(crate) use output;

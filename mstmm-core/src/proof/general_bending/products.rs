@@ -4,7 +4,7 @@ use crate::proof::ball::Ball;
 use crate::proof::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::functions::Level;
 use crate::proof::general_bending::equations::{Equations, Roots, WavePair, either, select_all};
-use crate::proof::member::{any};
+use crate::proof::member::any;
 use crate::proof::word::Word;
 
 /// With `C = cosh √κ` and `S = sinh √κ/√κ`: `W = (κ₁ S₁ C₂ - κ₂ C₁ S₂)/(κ₁ - κ₂)`, `R = S₁ S₂`, `V = (C₁ S₂ - S₁ C₂)/(2(κ₁ - κ₂))`,

@@ -1,7 +1,8 @@
 //! Entries are added up, and variables replaced: the errors of the rows cover what the stored matrix is off by.
 
 use crate::proof::ball::Ball;
-use crate::proof::front::{Front, Variable};
+use crate::proof::front::{Front, Variable, substitute};
+use crate::proof::functions::Level;
 use crate::proof::number::{OneWord, TwoWords};
 use crate::proof::row::Term;
 use crate::proof::tests::arithmetic::number;
@@ -105,7 +106,7 @@ fn assembled<N: Exactly>(random: &mut Random, runs: usize) -> f64 {
     largest
 }
 
-fn replaced<N: Exactly>(random: &mut Random, runs: usize) -> f64 {
+fn replaced<N: Exactly + Level<Alone = N>>(random: &mut Random, runs: usize) -> f64 {
     let mut largest = 0.0f64;
     for run in 0..runs {
         let size = 2 + run % 4;
@@ -134,7 +135,7 @@ fn replaced<N: Exactly>(random: &mut Random, runs: usize) -> f64 {
         }
         let row: Vec<Term<N>> =
             row.into_iter().map(|(variable, coefficient)| Term::new(variable, coefficient)).collect();
-        front.substitute(0, &row);
+        substitute(&mut front, 0, &row);
         parts.replace(&exact_row);
         let places: Vec<usize> = (1..size).collect();
         let share = parts.used(&front, &places);
@@ -144,7 +145,7 @@ fn replaced<N: Exactly>(random: &mut Random, runs: usize) -> f64 {
     largest
 }
 
-fn check<N: Exactly>(runs: usize) {
+fn check<N: Exactly + Level<Word = f64, Alone = N>>(runs: usize) {
     let mut random = Random::new(14);
     let shares = [assembled::<N>(&mut random, runs), replaced::<N>(&mut random, runs)];
     std::println!("{}: assembly and replacement use {shares:.3?} of the errors", N::NAME);

@@ -9,7 +9,7 @@ use crate::{AnyUndamped, ListStep, StepList, Support};
 
 fn bounds<Y: Undamped>(system: &Y, omega: f64) -> [f64; 2] {
     [Side::AtLeast, Side::AtMost].map(|side| {
-        Memory::default().run::<TwoWords<f64>>(&Parts(system), At::new([omega, 0.0], 1.0, side)).unwrap().count
+        Memory::default().run::<TwoWords<f64>>(&Parts(system), At::new(&[([omega, 0.0], side)], 1.0)).unwrap().count
     })
 }
 

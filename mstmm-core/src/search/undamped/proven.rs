@@ -4,9 +4,9 @@ use crate::element::OwnPart;
 use crate::model::{FrequencyEstimates, SearchError, Spot};
 use crate::number::{Real, Store};
 use crate::pass::searched::Undamped;
-use crate::proof::beside::{AT_ONCE, Evidence};
+use crate::proof::beside::{AT_ONCE, Beside, Evidence, ONE_ENTRY};
 use crate::proof::bisection::Refusal;
-use crate::proof::certificate::{Claim, Precision, Proven, Prover};
+use crate::proof::certificate::{Bound, Claim, Precision, Proven, Prover};
 use crate::proof::count::Side;
 use crate::proof::joining::Failure;
 use crate::proof::visit::{Knowledge, Visited, Visitor, knowledge_of};
@@ -21,9 +21,6 @@ const OUTWARD: usize = 8;
 
 /// Frequencies far from each other at which no count is decided where something is held twice, or by nothing.
 const FAR_APART: [f64; 5] = [0.037, 0.31, 1.7, 5.3, 23.0];
-
-/// Width, in units of eps, within which frequencies are one entry.
-const ONE_ENTRY: f64 = 4.0;
 
 /// Binary exponents above the highest estimate of a model without waves beyond which it has no frequency.
 const BEYOND: i32 = 30;
@@ -58,7 +55,7 @@ pub(super) enum Sought<T> {
 struct Proposals<'p, T> {
     /// Those about which nothing is known.
     rest: &'p [NaturalFrequency<T>],
-    known: [Evidence<T>; AT_ONCE],
+    known: Beside<T>,
     /// The places of those that are known and not dropped.
     places: core::ops::Range<usize>,
 }
@@ -173,7 +170,7 @@ impl<'a, T: Real> Certification<'a, T> {
                 proposals.drop_first();
                 (settled, floor) = (proven.multiplicity, proven.upper);
                 self.push(&mut found, proven)?;
-            } else if let Some((modes, upper)) = self.at_rest(first.map(|first| first.omega)) {
+            } else if let Some((modes, upper)) = self.at_rest(first.map(|first| first.omega())) {
                 let rest = Proven { omega: T::zero(), lower: T::zero(), upper, index: 1, multiplicity: modes };
                 (settled, floor) = (modes, upper);
                 self.push(&mut found, rest)?;
@@ -185,7 +182,7 @@ impl<'a, T: Real> Certification<'a, T> {
             (settled, floor) = (proven.index + proven.multiplicity - 1, proven.upper);
             self.push(&mut found, proven)?;
         }
-        self.include_twins(found.values());
+        self.include_twins(found.values(), proposals.known.beyond);
         if let (true, Some(rest)) =
             (starts_at_rest, found.values().first().copied().filter(|root| root.omega.is_zero()))
         {
@@ -204,7 +201,7 @@ impl<'a, T: Real> Certification<'a, T> {
                 proposals.drop_first();
                 continue;
             }
-            guess = proposal.omega;
+            guess = proposal.omega();
             match self.prover.claim(index, proposal, floor) {
                 Claim::Proven(proven) => {
                     proposals.drop_first();
@@ -252,10 +249,12 @@ impl<'a, T: Real> Certification<'a, T> {
     }
 
     /// Adds to the last entry those frequencies behind it that are within the width of one entry.
-    fn include_twins(&mut self, found: &mut [NaturalFrequency<T>]) {
+    fn include_twins(&mut self, found: &mut [NaturalFrequency<T>], known: Option<(T, Bound)>) {
         let Some(last) = found.last_mut().filter(|last| !last.omega.is_zero()) else { return };
         let upper = last.lower + last.lower * T::from_f64(ONE_ENTRY * T::EPSILON);
-        let count = self.prover.bound_at(upper, 1.0, Side::AtLeast, Precision::Two).count;
+        let known = known.filter(|(end, _)| *end == upper).map(|(_, bound)| bound);
+        let bound = known.unwrap_or_else(|| self.prover.bound_at(upper, 1.0, Side::AtLeast, Precision::Two));
+        let count = bound.count;
         if let Some(count) = count.filter(|count| *count > last.index + last.multiplicity - 1) {
             (last.upper, last.multiplicity) = (upper, count - (last.index - 1));
             last.omega = last.lower + (upper - last.lower) * T::from_f64(0.5);
@@ -320,7 +319,7 @@ impl<'p, T: Real> Proposals<'p, T> {
     /// All that are not at rest.
     fn new(proposals: &'p [NaturalFrequency<T>]) -> Self {
         let at_rest = proposals.iter().take_while(|root| root.omega.is_zero()).count();
-        Proposals { rest: &proposals[at_rest..], known: [Evidence::around(T::zero()); AT_ONCE], places: 0..0 }
+        Proposals { rest: &proposals[at_rest..], known: Beside::nothing(), places: 0..0 }
     }
 
     /// What is known beside the first one.
@@ -332,10 +331,10 @@ impl<'p, T: Real> Proposals<'p, T> {
             for (estimate, root) in estimates.iter_mut().zip(next) {
                 *estimate = root.omega;
             }
-            self.known = prover.beside(&estimates[..next.len()], Precision::Two);
+            self.known.find(prover, &estimates[..next.len()], Precision::Two);
             (self.rest, self.places) = (rest, 0..next.len());
         }
-        self.known.get(self.places.start).copied()
+        self.known.found.get(self.places.start).copied()
     }
 
     /// Drops the first one.
