@@ -66,6 +66,39 @@ fn clamped_beams(modes: u32) {
     println!("| clamped beams | {} | {} |", asked[0], asked[1]);
 }
 
+/// Equal arms that meet at a joint.
+fn star(part: AnyUndamped<f64>, arms: usize) -> Vec<ListStep<AnyUndamped<f64>>> {
+    let inner = std::iter::repeat_n([ListStep::Tip(Support::Fixed), ListStep::Element(part)], arms).flatten();
+    inner.chain([ListStep::Connection(arms), ListStep::Root(Support::Free)]).collect()
+}
+
+/// Closed form: all arms move as one whose end is free, or the joint rests and all but one are free to move with held ends.
+fn equal_arms(modes: u32) {
+    let mut asked = [0, 0];
+    for arms in 2..6 {
+        let waves = |is_held: bool| (1..=modes + 2).map(move |mode| wave_of_mode(mode, is_held));
+        let fourth = |wave: Double| wave * wave * (wave * wave);
+        let held = waves(true).flat_map(|wave| vec![fourth(wave); arms - 1]);
+        let squares: Vec<_> = waves(false).map(fourth).chain(held).collect();
+        let rod = Rod { length: 1.0, axial_stiffness: 1.0, mass_per_length: 1.0, foundation_stiffness: 0.0 };
+        let half = |waves: u32| pi(waves) * double(0.5) * (pi(waves) * double(0.5));
+        let phases: Vec<_> =
+            (1..2 * modes + 4).flat_map(|waves| vec![half(waves); if waves % 2 == 1 { 1 } else { arms - 1 }]).collect();
+        for mode in 1..=modes {
+            let wave = wave_of_mode(mode, true);
+            let points = [
+                (star(beam(1.0), arms), (wave * wave).to_f64(), &squares),
+                (star(rod.try_into().unwrap(), arms), pi(mode).to_f64(), &phases),
+            ];
+            for (steps, about, squares) in points {
+                let one = check(&steps, about, squares, &(arms, mode));
+                asked = [asked[0] + one[0], asked[1] + one[1]];
+            }
+        }
+    }
+    println!("| equal arms | {} | {} |", asked[0], asked[1]);
+}
+
 /// Closed form: a rod between two walls has the phases `nπ`, in two words; in equal parts a phase of the whole is one of the parts, now and then.
 fn held_rods(models: usize) {
     let random = &mut Random(0x5e);
@@ -98,5 +131,6 @@ fn held_rods(models: usize) {
 
 in_full! {
     clamped_beams(6, 40) = some_clamped_beams, all_clamped_beams;
+    equal_arms(4, 40) = some_equal_arms, all_equal_arms;
     held_rods(3, 60) = some_held_rods, all_held_rods;
 }
