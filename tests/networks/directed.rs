@@ -6,15 +6,16 @@ use crate::families::directed::{Family, families};
 use crate::families::{Named, named_structures};
 use crate::oracle::Oracle;
 use crate::structure::{Element, End, Freedoms, Member, Structure};
-use crate::through_library::{first, first_by};
+use crate::support::shares::Shares;
+use crate::through_library::{entries, first, first_list};
 
 /// What was compared over a family.
 #[derive(Debug, Default)]
 pub(crate) struct Report {
     pub(crate) structures: usize,
     pub(crate) roots: usize,
-    /// How many of them were judged in extended precision, which takes two evaluations or more.
-    pub(crate) judged: usize,
+    /// Widths of the intervals, and what was not proven.
+    pub(crate) shares: Shares,
     pub(crate) ends: usize,
     pub(crate) unsure: usize,
     /// The widest interval in units of eps.
@@ -47,11 +48,12 @@ impl Report {
     }
 
     pub(crate) fn search(&mut self, (name, structure): &Named) {
-        match first_by(structure) {
-            Ok((found, [_, extended])) => {
-                self.judged += (extended / 2).min(found.len());
-                self.compare(name, structure, 0, &found);
-            }
+        let found = first_list(structure).and_then(|found| {
+            self.shares.search(&found, &|| name.clone());
+            found.map_err(|error| error.to_string())
+        });
+        match found {
+            Ok(list) => self.compare(name, structure, 0, &entries(&list)),
             Err(error) => {
                 self.structures += 1;
                 self.refused.push(format!("{name}: {error}"));
@@ -60,13 +62,16 @@ impl Report {
     }
 
     pub(crate) fn show(&self, name: &str) {
-        let Report { structures, roots, judged, ends, unsure, widest, wide, refused, wrong } = self;
-        let [unsure, judged] = [(unsure, ends), (judged, roots)].map(|(part, all)| *part as f64 / (*all).max(1) as f64);
+        let Report { structures, roots, shares, ends, unsure, widest, wide, refused, wrong } = self;
+        let unsure = *unsure as f64 / (*ends).max(1) as f64;
         println!(
-            "{name}: {structures} structures, {roots} roots, judged {judged:.2}, widest {widest:.0} eps, {} refused, {} wrong, unsure {unsure:.3}",
+            "{name}: {structures} structures, {roots} roots, widest {widest:.0} eps, {} refused, {} wrong, unsure {unsure:.3}",
             refused.len(),
             wrong.len()
         );
+        if shares.searches > 0 {
+            shares.show(&format!("  widths, {name}"));
+        }
         if *widest > 64.0 {
             println!("  widest {wide}");
         }
@@ -81,9 +86,13 @@ fn judge(families: impl Iterator<Item = Family>) {
         let mut report = Report::default();
         structures.iter().for_each(|structure| report.search(structure));
         report.show(name);
+        all.shares.and(&report.shares);
         all.refused.extend(report.refused);
         all.wrong.extend(report.wrong);
     }
+    Shares::head("directed structures");
+    all.shares.show("all families");
+    assert_eq!(all.shares.not_proven, 0, "{:?}", all.shares.first);
     assert!(all.wrong.is_empty() && all.refused.is_empty(), "{:#?} {:#?}", all.wrong, all.refused);
 }
 

@@ -87,6 +87,8 @@ fn thousands_of_random_structures_have_their_frequencies_where_they_belong() {
         let mut report = Report::default();
         random_structures(0..2000, spread).for_each(|structure| report.search(&structure));
         report.show(&format!("{spread:?}"));
+        assert_eq!(report.shares.not_proven, 0, "{:?}", report.shares.first);
+        assert!(spread == Spread::Stiff || report.shares.refused == 0, "{:?}", report.shares.first);
         assert!(report.wrong.is_empty() && report.refused.len() * 500 < report.structures, "{spread:?}");
     }
 }

@@ -12,6 +12,7 @@ fn judge(seeds: core::ops::Range<u64>) {
     let mut report = Report::default();
     line_structures(seeds.clone()).for_each(|structure| report.search(&structure));
     report.show("lines");
+    report.shares.all_proven("lines");
     let tally = judge_counts(line_structures(seeds), &OMEGAS, count);
     println!("  {} counts, {} unsure, {} refused", tally.entries, tally.unsure, tally.refusals.len());
     assert!(report.wrong.is_empty() && report.refused.is_empty(), "{:#?} {:#?}", report.wrong, report.refused);

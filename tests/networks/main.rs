@@ -7,6 +7,7 @@ mod choices;
 mod counts;
 mod damped;
 mod damped_members;
+mod decision_shares;
 mod directed;
 mod equivalents;
 pub mod examples;

@@ -3,7 +3,7 @@
 
 mod bad_numbers;
 mod drawn;
-mod frames;
+pub(crate) mod frames;
 mod general_beams;
 mod line;
 mod lists;

@@ -8,6 +8,7 @@ use mstmm::network::{
 };
 use mstmm::number::{DoubleDouble, Scaled};
 use mstmm::prelude::*;
+use mstmm::search::{FrequencyList, SearchError};
 
 /// Variables of the widest front.
 const WIDTH: usize = 60;
@@ -141,12 +142,20 @@ pub(crate) fn first(structure: &Structure) -> Result<Vec<Found>, String> {
     Ok(first_by(structure)?.0)
 }
 
-/// The first frequencies, and the number of evaluations that they took, of all and of those in extended precision.
-pub(crate) fn first_by(structure: &Structure) -> Result<(Vec<Found>, [usize; 2]), String> {
-    asked(structure, |network| {
-        let found = network.first_frequencies::<10>().map_err(|error| error.to_string())?;
-        Ok((found.iter().map(entry).collect(), [found.evaluations(), found.proof_runs()[1]]))
-    })
+/// The first frequencies, and the number of evaluations that they took.
+pub(crate) fn first_by(structure: &Structure) -> Result<(Vec<Found>, usize), String> {
+    let list = first_list(structure)?.map_err(|error| error.to_string())?;
+    Ok((entries(&list), list.evaluations()))
+}
+
+/// The list of the first frequencies, or why there is none; an error of its own where the structure is no network.
+pub(crate) fn first_list(structure: &Structure) -> Result<Result<FrequencyList<f64, 10>, SearchError>, String> {
+    asked(structure, |network| Ok(network.first_frequencies::<10>()))
+}
+
+/// Entries of a list as tests compare them.
+pub(crate) fn entries<const N: usize>(list: &FrequencyList<f64, N>) -> Vec<Found> {
+    list.iter().map(entry).collect()
 }
 
 /// The frequencies in a range, and the number of evaluations that they took.

@@ -3,10 +3,11 @@
 //!
 //! A sample of each runs with all tests. `cargo test --release --test spectrum directed_families -- --ignored --nocapture` runs
 //! them in full and prints a row per family: models, entries, misses, the worst miss in half widths or radii, entries of
-//! which the dynamic stiffness itself cannot tell, and refusals by their kind.
+//! which the dynamic stiffness itself cannot tell, and refusals by their kind. A row of widths is as that of `shares`.
 #![expect(clippy::unwrap_used, reason = "the trees here are valid")]
 
 mod arms;
+mod heavy_bodies;
 mod joints;
 mod levers;
 mod lumped;
@@ -129,6 +130,25 @@ fn some_levers_there_and_back() {
 #[ignore = "long: .ci/long"]
 fn all_levers_there_and_back() {
     levers_there_and_back(40);
+}
+
+/// Nothing that is heavy, and on a lever, is refused.
+fn heavy_bodies_behind_levers(models: u64) {
+    let tally = heavy_bodies::run(models);
+    let shares = tally.shares.clone();
+    all_right(vec![("heavy bodies behind levers, 10 to 1e8".into(), tally)]);
+    shares.all_proven("heavy bodies");
+}
+
+#[test]
+fn some_heavy_bodies_behind_levers() {
+    heavy_bodies_behind_levers(25);
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn all_heavy_bodies_behind_levers() {
+    heavy_bodies_behind_levers(1000);
 }
 
 fn jointed_paths(models: u64) {

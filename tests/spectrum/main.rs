@@ -1,5 +1,6 @@
 //! Counts, natural frequencies and eigenvalues: certified ones, those of trees that searches find hard, those of random trees.
 
+mod attacks;
 mod certified;
 #[path = "../support/complex_beam.rs"]
 mod complex_beam;

@@ -5,6 +5,7 @@ pub mod example;
 pub(crate) mod list_of_tree;
 pub(crate) mod random_tree;
 pub(crate) mod roots;
+pub(crate) mod shares;
 pub(crate) mod tree;
 
 pub use paper::models;

@@ -10,6 +10,8 @@ use crate::support::random_tree::Random;
 pub(crate) enum Spread {
     /// Stiffnesses and masses within two decades, members a hundred to ten thousand times as stiff along their axes.
     Moderate,
+    /// Stiffnesses and masses within 1e±4, each by itself.
+    Wide,
     /// `EA/EI` from 1e-9 to 1e12, some members 1e±12 times as stiff as others, springs likewise.
     Stiff,
 }
@@ -93,10 +95,14 @@ impl Generator {
     }
 
     fn section(&mut self) -> Section {
+        if self.spread == Spread::Wide {
+            let [axial_stiffness, bending_stiffness, mass_per_length] = [0, 1, 2].map(|_| self.decades(-4.0, 4.0));
+            return Section { axial_stiffness, bending_stiffness, mass_per_length };
+        }
         let bending_stiffness = self.decades(-1.0, 1.0);
         let mass_per_length = self.decades(-1.0, 1.0);
         let ratio = match self.spread {
-            Spread::Moderate => self.decades(2.0, 4.0),
+            Spread::Moderate | Spread::Wide => self.decades(2.0, 4.0),
             Spread::Stiff => self.decades(-9.0, 12.0),
         };
         let axial_stiffness = short(bending_stiffness * ratio);
@@ -108,6 +114,7 @@ impl Generator {
     fn stiffness(&mut self) -> f64 {
         match self.spread {
             Spread::Moderate => self.decades(-1.0, 2.0),
+            Spread::Wide => self.decades(-4.0, 4.0),
             Spread::Stiff => self.decades(-8.0, 10.0),
         }
     }
@@ -159,7 +166,10 @@ impl Generator {
     }
 
     fn body(&mut self, node: Node) -> Node {
-        let (mass, inertia) = (self.decades(-1.0, 1.0), self.decades(-2.0, 0.0));
+        let (mass, inertia) = match self.spread {
+            Spread::Wide => (self.decades(-4.0, 4.0), self.decades(-4.0, 4.0)),
+            Spread::Moderate | Spread::Stiff => (self.decades(-1.0, 1.0), self.decades(-2.0, 0.0)),
+        };
         let centre = self.near(node.position, 0.25);
         node.body(mass, inertia, centre)
     }

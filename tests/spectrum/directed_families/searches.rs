@@ -37,7 +37,9 @@ fn refused(error: SearchError, wanted: u64, model: &Stiffness, tally: &mut Tally
 pub(crate) fn first_frequencies<const N: usize>(tree: &Tree, model: &Stiffness, tally: &mut Tally) {
     let steps = undamped_steps(tree);
     let list = StepList::new(&steps).unwrap();
-    match list.first_frequencies::<N>() {
+    let found = list.first_frequencies::<N>();
+    tally.shares.search(&found, &|| format!("{tree:?}"));
+    match found {
         Ok(found) => tally.verdicts(&model.judge_intervals(&found, 0), &tree),
         Err(error) => refused(error, N as u64, model, tally, tree),
     }
@@ -47,7 +49,9 @@ pub(crate) fn first_frequencies<const N: usize>(tree: &Tree, model: &Stiffness, 
 pub(crate) fn frequencies_up_to(tree: &Tree, end: f64, model: &Stiffness, tally: &mut Tally) {
     let steps = undamped_steps(tree);
     let list = StepList::new(&steps).unwrap();
-    match list.natural_frequencies::<64>(0.0..=end) {
+    let found = list.natural_frequencies::<64>(0.0..=end);
+    tally.shares.search(&found, &|| format!("up to {end}: {tree:?}"));
+    match found {
         Ok(found) => {
             tally.verdicts(&model.judge_intervals(&found, 0), &tree);
             if let Some(expected) = model.sure_count(end) {

@@ -1,6 +1,7 @@
 //! What came of the models of a family.
 
 use crate::oracles::dynamic_stiffness::Verdict;
+use crate::support::shares::Shares;
 use core::fmt::Debug;
 use mstmm::search::SearchError;
 use std::collections::BTreeMap;
@@ -18,6 +19,8 @@ pub(crate) struct Tally {
     pub(crate) unsure: usize,
     /// Searches that were refused, by the kind of the error.
     pub(crate) refusals: BTreeMap<String, usize>,
+    /// Widths of the intervals, and what was not proven.
+    pub(crate) shares: Shares,
     /// Of the first miss: enough to build the model again.
     pub(crate) first: Option<String>,
 }
@@ -67,17 +70,21 @@ impl Tally {
 
     /// Prints a row of the table, and the first miss.
     pub(crate) fn print(&self, family: &str) {
-        let Tally { models, entries, misses, worst, unsure, refusals, first } = self;
+        let Tally { models, entries, misses, worst, unsure, refusals, shares, first } = self;
         println!("| {family} | {models} | {entries} | {misses} | {worst:.3e} | {unsure} | {refusals:?} |");
+        if shares.searches > 0 {
+            shares.show(&format!("  widths, {family}"));
+        }
         if let Some(first) = first {
             println!("  {first}");
         }
     }
 
-    /// No answer is wrong.
+    /// No answer is wrong, and each entry of a list is proven.
     pub(crate) fn is_right(&self, family: &str) {
         assert!(self.entries > 0 || !self.refusals.is_empty(), "{family}: nothing was compared");
-        let Tally { misses, entries, worst, first, .. } = self;
+        let Tally { misses, entries, worst, shares, first, .. } = self;
         assert_eq!(*misses, 0, "{family}: of {entries}, the worst by {worst:e}; the first: {first:?}");
+        assert_eq!(shares.not_proven, 0, "{family}: {:?}", shares.first);
     }
 }
