@@ -4,8 +4,8 @@ use crate::number::Real;
 use crate::proof::certificate::{Bound, Point, Precision, Prover, share_of};
 use crate::proof::count::Side;
 
-/// Estimates whose runs are made at once.
-pub(crate) const AT_ONCE: usize = 8;
+/// Estimates whose runs are made at once: their ends fill three blocks of eight lanes.
+pub(crate) const AT_ONCE: usize = 12;
 
 /// Times that the ends are moved to the zero of Δ between them.
 const MOVES: usize = 4;

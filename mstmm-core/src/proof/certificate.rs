@@ -6,9 +6,10 @@
 use crate::model::Spot;
 use crate::number::{Real, Scalar};
 use crate::proof::beside::{Beside, Evidence};
-use crate::proof::count::{At, Memory, Outcome, Place, Side};
+use crate::proof::count::{At, Outcome, Place, Side};
 use crate::proof::four_words::FourWords;
 use crate::proof::joining::Failure;
+use crate::proof::memory::Memory;
 use crate::proof::number::TwoWords;
 use crate::proof::visit::Visited;
 
@@ -106,12 +107,11 @@ impl<'a> Prover<'a> {
         let place = [(omega, side)];
         let outcome = match precision {
             Precision::Two => {
-                if let Some((outcomes, _)) = self.memory.run_in_lanes(self.model, &place, sign) {
-                    self.runs += 1;
-                    return self.bound_of(side, Ok(outcomes[0]));
-                }
                 self.runs += 1;
-                self.memory.run::<TwoWords<f64>>(self.model, At::new(&place, sign))
+                match self.memory.run_in_lanes(self.model, &place, sign) {
+                    Some((outcomes, _)) => Ok(outcomes[0]),
+                    None => self.memory.run::<TwoWords<f64>>(self.model, At::new(&place, sign)),
+                }
             }
             Precision::Four => {
                 self.long_runs += 1;

@@ -10,7 +10,6 @@ use crate::proof::number::Number;
 use crate::proof::tree::{Path, Paths};
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visited, Visitor};
 use crate::proof::word::{MOST_LANES, Word, load};
-use core::array::from_fn;
 use mstmm_plan::{Space, Support};
 
 /// Which bound of a count is wanted.
@@ -106,15 +105,19 @@ impl<N: Level> Visitor for Run<'_, N> {
 }
 
 /// Memory for a run.
-struct Room<'m, N: Level> {
-    entries: &'m mut [N],
-    variables: &'m mut [Variable<N::Word>],
-    paths: &'m mut [Path<N::Alone>],
+pub(crate) struct Room<'m, N: Level> {
+    pub(crate) entries: &'m mut [N],
+    pub(crate) variables: &'m mut [Variable<N::Word>],
+    pub(crate) paths: &'m mut [Path<N::Alone>],
 }
 
 /// A run at ω², of either sign, in memory for a front.
 #[inline(always)]
-fn run<'m, N: Level>(model: &'m dyn Visited, memory: Room<'m, N>, at: At<N>) -> Result<Outcome<N::Word>, Failure> {
+pub(crate) fn run<'m, N: Level>(
+    model: &'m dyn Visited,
+    memory: Room<'m, N>,
+    at: At<N>,
+) -> Result<Outcome<N::Word>, Failure> {
     let At { square, toward, omega } = at;
     let front = Front::new(memory.entries, memory.variables, toward);
     let mut run = Run {
@@ -125,6 +128,7 @@ fn run<'m, N: Level>(model: &'m dyn Visited, memory: Room<'m, N>, at: At<N>) -> 
         nodes: Nodes::new(),
     };
     model.visit(&mut run);
+    run.joining.leave_all();
     let Joining { front, held, failure, .. } = run.joining;
     if let Some(failure) = failure {
         return Err(failure);
@@ -138,122 +142,20 @@ fn run<'m, N: Level>(model: &'m dyn Visited, memory: Room<'m, N>, at: At<N>) -> 
     })
 }
 
-/// Runs in memory for as many variables as the model has at once.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Memory {
-    /// Index of the smallest memory that may do.
-    class: usize,
-}
-
-impl Memory {
-    /// A run; where the front has no room it is made again with more.
-    pub(crate) fn run<N: Level<Word = f64>>(
-        &mut self,
-        model: &dyn Visited,
-        at: At<N>,
-    ) -> Result<Outcome<f64>, Failure> {
-        loop {
-            let outcome = match self.class {
-                0 => on_stack::<N, 6, 21, 4>(model, at),
-                1 => on_stack::<N, 12, 78, 12>(model, at),
-                2 => on_stack::<N, 24, 300, 24>(model, at),
-                3 => on_stack::<N, 64, 2080, 64>(model, at),
-                class => return beyond_stack(class, model, at),
-            };
-            match outcome {
-                Err(Failure::Full) => self.class += 1,
-                outcome => return outcome,
-            }
-        }
-    }
-
-    /// Runs in two words at some points, in the lanes of the machine; none where it has no lanes, or too little memory for as many.
-    #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
-    pub(crate) fn run_in_lanes(&mut self, model: &dyn Visited, points: &[Place], sign: f64) -> Option<Outcomes> {
-        use mstmm_lanes::{Eight, Four, InstructionSet, Lanes};
-        match InstructionSet::in_use() {
-            InstructionSet::Target => None,
-            InstructionSet::Avx512 if points.len() > 4 => self.in_lanes::<Lanes<Eight>>(model, points, sign),
-            _ => self.in_lanes::<Lanes<Four>>(model, points, sign),
-        }
-    }
-
-    /// The same in lanes of a word.
-    #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
-    fn in_lanes<W: Word>(&mut self, model: &dyn Visited, points: &[Place], sign: f64) -> Option<Outcomes> {
-        let points = &points[..points.len().min(W::LANES)];
-        loop {
-            let at = At::<crate::proof::number::TwoWords<W>>::new(points, sign);
-            let outcome = match self.class {
-                0 => on_stack::<_, 6, 21, 4>(model, at),
-                1 => on_stack::<_, 12, 78, 12>(model, at),
-                2 => on_stack::<_, 24, 300, 24>(model, at),
-                _ => return None,
-            };
-            match outcome {
-                Err(Failure::Full) => self.class += 1,
-                outcome => return outcome.ok().map(|outcome| outcome.lanes(points.len())),
-            }
-        }
-    }
-
-    /// Where nothing stands in lanes.
-    #[cfg(not(all(feature = "std", target_arch = "x86_64", not(debug_assertions))))]
-    pub(crate) fn run_in_lanes(&mut self, _: &dyn Visited, _: &[Place], _: f64) -> Option<Outcomes> {
-        None
-    }
-}
-
-/// The outcomes of lanes.
+/// The outcomes of so many lanes.
 pub(crate) type Outcomes = ([Outcome<f64>; MOST_LANES], usize);
 
+#[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 impl<W: Word> Outcome<W> {
     /// The outcomes of so many lanes.
-    #[cfg_attr(debug_assertions, expect(dead_code, reason = "there are no lanes"))]
-    fn lanes(self, lanes: usize) -> Outcomes {
+    pub(crate) fn lanes(self, lanes: usize) -> Outcomes {
+        let Outcome { exponent, smallest_at, .. } = self;
         let (mut counts, mut values) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
         self.count.store(&mut counts);
         self.value.store(&mut values);
-        (from_fn(|lane| Outcome { count: counts[lane], value: values[lane], ..self.first() }), lanes)
+        let outcome = |lane| Outcome { count: counts[lane], value: values[lane], exponent, smallest_at };
+        (core::array::from_fn(outcome), lanes)
     }
-
-    /// The outcome of the first lane.
-    fn first(self) -> Outcome<f64> {
-        let Outcome { count, value, exponent, smallest_at } = self;
-        Outcome { count: count.first(), value: value.first(), exponent, smallest_at }
-    }
-}
-
-/// A run in memory for up to `W` variables with `E = W (W + 1)/2` entries, and for up to `P` open paths.
-#[inline(never)]
-fn on_stack<N: Level, const W: usize, const E: usize, const P: usize>(
-    model: &dyn Visited,
-    at: At<N>,
-) -> Result<Outcome<N::Word>, Failure> {
-    let (mut entries, mut variables, mut paths) = ([N::of(0.0); E], [Variable::none(); W], [Path::none(); P]);
-    run(model, Room { entries: &mut entries, variables: &mut variables, paths: &mut paths }, at)
-}
-
-/// A run for a front that is too wide for the stack.
-#[cfg(feature = "std")]
-#[inline(never)]
-fn beyond_stack<N: Level<Word = f64>>(_class: usize, model: &dyn Visited, at: At<N>) -> Result<Outcome<f64>, Failure> {
-    /// Variables of the widest front.
-    const WIDEST: usize = 512;
-    let mut entries = std::vec![N::of(0.0); WIDEST * (WIDEST + 1) / 2];
-    let mut variables = std::vec![Variable::none(); WIDEST];
-    let mut paths = std::vec![Path::none(); WIDEST];
-    run(model, Room { entries: &mut entries, variables: &mut variables, paths: &mut paths }, at)
-}
-
-/// Without `std` there is no memory but the stack.
-#[cfg(not(feature = "std"))]
-fn beyond_stack<N: Level<Word = f64>>(
-    _class: usize,
-    _model: &dyn Visited,
-    _at: At<N>,
-) -> Result<Outcome<f64>, Failure> {
-    Err(Failure::Full)
 }
 
 /// Where a bound is wanted, at a frequency that is the sum of two words, and which one.

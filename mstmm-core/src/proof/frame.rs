@@ -4,7 +4,7 @@ use crate::element::{Exact, MemberNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining};
-use crate::proof::row::{Row, difference, direction};
+use crate::proof::row::{Row, TERMS, difference, direction};
 use crate::proof::visit::{MemberEnd, NodeNumbers};
 use mstmm_plan::Freedoms;
 
@@ -31,6 +31,12 @@ pub(crate) struct Nodes {
 
 /// Displacements along and across a member and rotations of its ends: how many there are.
 const LOCAL: usize = 3;
+
+/// A displacement of an end: at most three variables of its node.
+type EndRow<N> = Row<<N as Level>::Alone, 3>;
+
+/// Cosine and sine of a direction.
+type Axis<N> = [Ball<<N as Level>::Alone>; 2];
 
 impl Nodes {
     /// No node.
@@ -65,7 +71,7 @@ impl Nodes {
         node: &NodeNumbers,
         place: [Exact; 2],
         joining: &mut Joining<'_, N>,
-    ) -> [Row<N::Alone>; 3] {
+    ) -> [EndRow<N>; 3] {
         let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<N::Alone, 1>::of));
         let mut rows = [Row::none(); 3];
         match node.along {
@@ -89,18 +95,20 @@ impl Nodes {
         rows
     }
 
-    /// Displacements along and across a member and rotation at one of its ends. What the end does not share with its node is a variable of its
+    /// Displacements along and across a member, given its axis, and rotation at one of its ends, which may have an axis of its own. What the end does not share with its node is a variable of its
     /// own, which leaves when the member has joined.
     #[inline(never)]
     fn local<N: Level>(
         &mut self,
         end: &MemberEnd,
-        [c, s]: [Ball<N::Alone>; 2],
+        axis: Axis<N>,
         wanted: Freedoms,
         own: &mut Released,
         joining: &mut Joining<'_, N>,
-    ) -> [Row<N::Alone>; LOCAL] {
+    ) -> [EndRow<N>; LOCAL] {
         let [x, y, rotation] = self.motion(&end.node, end.place, joining);
+        let turned = end.along.filter(|_| !wanted.is(Freedoms::RZ));
+        let [c, s] = turned.map_or(axis, |along| direction(along.map(Ball::of_pair)).0);
         let mut rows = [Row::none(), Row::none(), rotation];
         rows[0].add(&x, c);
         rows[0].add(&y, s);
@@ -126,22 +134,17 @@ impl Nodes {
         next: usize,
         joining: &mut Joining<'_, N>,
     ) {
-        let between = [0, 1].map(|k| difference::<N::Alone>(ends[0].place[k], ends[1].place[k]));
-        let mut length = Ball::of(0.0);
         let mut own = Released { list: [0; 2 * LOCAL], count: 0 };
         let wanted = freedoms_of(numbers);
-        let [first, second] = [0, 1].map(|end| {
-            let axis = if wanted.is(Freedoms::RZ) {
-                [Ball::of(1.0), Ball::of(0.0)]
-            } else if let Some(along) = ends[end].along {
-                direction(along.map(Ball::of_pair)).0
-            } else {
-                let (axis, size) = direction(between);
-                length = size;
-                axis
-            };
-            self.local(&ends[end], axis, wanted, &mut own, joining)
-        });
+        let has_axis = !wanted.is(Freedoms::RZ) && ends.iter().any(|end| end.along.is_none());
+        let (axis, length) = if has_axis {
+            let [from, to] = [ends[0].place, ends[1].place];
+            direction([difference::<N::Alone>(from[0], to[0]), difference(from[1], to[1])])
+        } else {
+            ([Ball::of(1.0), Ball::of(0.0)], Ball::of(0.0))
+        };
+        let first = self.local(&ends[0], axis, wanted, &mut own, joining);
+        let second = self.local(&ends[1], axis, wanted, &mut own, joining);
         match numbers {
             MemberNumbers::Other | MemberNumbers::Body(_) | MemberNumbers::Tapered(_) => {
                 joining.failure = Some(Failure::NotInNumbers)
@@ -171,14 +174,14 @@ impl Nodes {
                 }
             }
         }
-        own.list[..own.count].iter().for_each(|variable| joining.front.leave(*variable));
+        own.list[..own.count].iter().for_each(|variable| joining.leave(*variable));
     }
 
     /// A rigid joint: its force λ is a variable, `λ (row₂ - row₁)`, and one of the negative pivots. A stiffness of any size against what is zero
     /// changes nothing and keeps pivots from vanishing.
     #[inline(never)]
-    fn tie<N: Level>(&mut self, rows: [&Row<N::Alone>; 2], last: usize, joining: &mut Joining<'_, N>) {
-        let mut gap = *rows[1];
+    fn tie<N: Level>(&mut self, rows: [&EndRow<N>; 2], last: usize, joining: &mut Joining<'_, N>) {
+        let mut gap = rows[1].widened::<{ TERMS }>();
         gap.add(rows[0], Ball::of(-1.0));
         let size = gap.terms().iter().map(|term| joining.front.size(term.variable)).fold(0.0, f64::max);
         let stiffness = if size > 0.0 && size < f64::INFINITY { size } else { 1.0 };
@@ -214,12 +217,12 @@ impl Nodes {
         let place = self.present[..self.count].iter().position(|present| present.index == node);
         if let Some(place) = place {
             for variable in self.present[place].variables.into_iter().flatten() {
-                joining.front.leave(variable);
+                joining.leave(variable);
             }
             self.count -= 1;
             self.present.swap(place, self.count);
         }
-        joining.leave_borders();
+        joining.leave_behind();
         let mut kept = 0;
         for k in 0..self.tie_count {
             let (force, last) = self.ties[k];

@@ -7,7 +7,7 @@
 use crate::number::{Scalar, Size};
 use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
-use crate::proof::member::place;
+use crate::proof::member::{any, place};
 use crate::proof::number::{Number, UNDERFLOW};
 use crate::proof::row::Term;
 use crate::proof::word::{Word, apart};
@@ -71,6 +71,11 @@ const LEAST: f64 = f64::from_bits(1);
 
 /// What a pivot becomes that is zero: any number on the right side of zero is valid.
 const SMALLEST_PIVOT: f64 = 1e-250;
+
+/// Size of a pivot, beside the terms of its entry, below which its variable waits. A small pivot costs digits: its square in the rows that stay, and
+/// a part of these where the system has a frequency just there. As a beam on a pin with a free end, whose frequencies are those of one with that
+/// end clamped. From 0.1 to 1e-5 little changes.
+const SMALL_PIVOT: f64 = 1e-3;
 
 /// Errors are sums of rounded positive numbers, of up to 9e9 of them: each sum loses u of itself at most. A joint of a million members adds some ten
 /// million. The squares of rounding in the parts of errors are covered by it, too.
@@ -146,7 +151,18 @@ impl<'m, N: Number> Front<'m, N> {
     /// Eliminates a variable.
     #[inline(always)]
     pub(crate) fn leave(&mut self, variable: usize) {
-        leave(self, variable);
+        leave(self, variable, true);
+    }
+
+    /// Eliminates a variable, unless its pivot is small in some lane. Returns whether it has left.
+    #[inline(always)]
+    pub(crate) fn leave_if_large(&mut self, variable: usize) -> bool {
+        leave(self, variable, false)
+    }
+
+    /// The pivot of a variable beside the terms of its diagonal entry, in the first lane.
+    pub(crate) fn share(&self, variable: usize) -> f64 {
+        self.entries[place(variable, variable)].size().first() / self.variables[variable].size
     }
 
     /// What underflow does to a row while a variable leaves, times the weight of the row.
@@ -202,12 +218,15 @@ apart! {
         Some(place_of)
     }
 
-    /// See [`Front::leave`].
-    fn leave<N: Number>(front: &mut Front<'_, N>, variable: usize) {
+    /// See [`Front::leave`] and [`Front::leave_if_large`].
+    fn leave<N: Number>(front: &mut Front<'_, N>, variable: usize, even_if_small: bool) -> bool {
         let word = N::Word::of;
         let own = front.variables[variable];
-        front.variables[variable].is_taken = false;
         let entry = front.entries[place(variable, variable)];
+        if !even_if_small && any::<N::Word>(entry.size().is_less(word(SMALL_PIVOT * own.size))) {
+            return false;
+        }
+        front.variables[variable].is_taken = false;
         // 2.1 SUM |entry| covers the rounding of the sum with the nudge, and that |entry| is taken by its leading word
         let nudge = own.own_error() + entry.size() * word(2.1 * N::SUM);
         let moved = entry.plus(N::of_word(front.toward * nudge));
@@ -244,6 +263,7 @@ apart! {
             }
             front.variables[row].error = front.variables[row].error + error;
         }
+        true
     }
 
     /// Puts a combination of other variables in the place of one, which no part knows any more: the exact matrix is transformed by exact

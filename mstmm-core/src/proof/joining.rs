@@ -16,8 +16,8 @@ use crate::proof::word::{MOST_LANES, Word, apart};
 /// The terms of a row.
 pub(crate) type Terms<'r, N> = &'r [Term<<N as Level>::Alone>];
 
-/// Most members beside a pole that may join before a node leaves.
-const MOST_BORDERS: usize = 48;
+/// Most variables that wait; others leave at once, which is valid in any order.
+const MOST_WAITING: usize = 48;
 
 /// A front with what has joined it at a frequency.
 #[derive(Debug)]
@@ -27,9 +27,9 @@ pub(crate) struct Joining<'m, N: Number> {
     pub(crate) square: Ball<N>,
     /// The sum of the counts with held ends: of upper bounds in lanes that are bounded from above, of lower ones in the others.
     pub(crate) held: N::Word,
-    /// Variables of borders that have not left yet.
-    borders: [usize; MOST_BORDERS],
-    border_count: usize,
+    /// Variables that leave behind others, borders and those with small pivots, each with the node or the step where it would have left.
+    waiting: [(usize, usize); MOST_WAITING],
+    waiting_count: usize,
     /// Why nothing is known; none so far.
     pub(crate) failure: Option<Failure>,
 }
@@ -52,7 +52,7 @@ impl<'m, N: Level> Joining<'m, N> {
     #[inline(always)]
     pub(crate) fn new(front: Front<'m, N>, square: Ball<N>) -> Self {
         let held = N::Word::of(0.0);
-        Joining { front, square, held, borders: [0; MOST_BORDERS], border_count: 0, failure: None }
+        Joining { front, square, held, waiting: [(0, 0); MOST_WAITING], waiting_count: 0, failure: None }
     }
 
     /// Takes a place for a variable.
@@ -86,24 +86,51 @@ impl<'m, N: Level> Joining<'m, N> {
         }
     }
 
-    /// Lets a variable leave behind those of the end that leaves first.
+    /// Eliminates a variable, now or, where its pivot is small, behind others.
     #[inline(always)]
-    fn leaves_behind(&mut self, variable: usize) {
-        if self.border_count < MOST_BORDERS {
-            self.borders[self.border_count] = variable;
-            self.border_count += 1;
-        } else {
-            self.failure = Some(Failure::Full);
+    pub(crate) fn leave(&mut self, variable: usize) {
+        if self.waiting_count == MOST_WAITING {
+            self.front.leave(variable);
+        } else if !self.front.leave_if_large(variable) {
+            self.leaves_behind(variable);
         }
     }
 
-    /// Eliminates the borders of all members, once the variables of their first ends have left: before that their pivots are the poles.
+    /// Lets a variable leave behind those of the end that leaves first: before that its pivot may be a pole.
     #[inline(always)]
-    pub(crate) fn leave_borders(&mut self) {
-        for k in 0..self.border_count {
-            self.front.leave(self.borders[k]);
+    fn leaves_behind(&mut self, variable: usize) {
+        if self.waiting_count < MOST_WAITING {
+            self.waiting[self.waiting_count] = (variable, self.front.total.place);
+            self.waiting_count += 1;
+        } else {
+            self.front.leave(variable);
         }
-        self.border_count = 0;
+    }
+
+    /// Eliminates those variables that wait and have no small pivot any more.
+    pub(crate) fn leave_behind(&mut self) {
+        let mut kept = 0;
+        for k in 0..self.waiting_count {
+            if !self.front.leave_if_large(self.waiting[k].0) {
+                self.waiting[kept] = self.waiting[k];
+                kept += 1;
+            }
+        }
+        self.waiting_count = kept;
+    }
+
+    /// Eliminates all variables that wait, largest pivot first.
+    pub(crate) fn leave_all(&mut self) {
+        self.leave_behind();
+        while self.waiting_count > 0 {
+            let share = |k: &usize| self.front.share(self.waiting[*k].0);
+            let largest = (0..self.waiting_count).max_by(|a, b| share(a).total_cmp(&share(b))).unwrap_or(0);
+            let (variable, place) = self.waiting[largest];
+            self.front.total.place = place;
+            self.front.leave(variable);
+            self.waiting_count -= 1;
+            self.waiting.swap(largest, self.waiting_count);
+        }
     }
 
     /// Adds a line over the rows of its ends.
@@ -178,7 +205,7 @@ impl<'m, N: Level> Joining<'m, N> {
             }
             add_member(self, &Member::of_lanes(&[piece]), &ends, &[Ball::of(1.0); 3], [false; 4]);
             for variable in inner.into_iter().flatten() {
-                if is_last { self.leaves_behind(variable) } else { self.front.leave(variable) }
+                if is_last { self.leaves_behind(variable) } else { self.leave(variable) }
             }
             (input, inner) = (output, variables);
         });

@@ -18,7 +18,7 @@
 //! and `d >= (A_k)_kk + e_k`, it is at least that number. *Proof*: a lower diagonal entry only raises `neg`. What is added to the diagonal
 //! of a row that stays commutes with the elimination. Let f be e without its entry k. Then `neg(A_k - diag e) <= [d < 0] + neg(S - diag f)`
 //! (Haynsworth). That is at most `[d < 0] + neg(A_(k+1) - diag(f + e'))`. Induction. ∎ Nothing is asked of the size of a pivot, of the
-//! order or of the condition: beside a small pivot the bound gets weak, not wrong. Parts may join rows that stay at any time.
+//! order or of the condition: beside a small pivot the bound gets weak, not wrong, so its variable waits. Parts may join rows that stay at any time.
 //!
 //! **T3, count** (Wittrick and Williams). `J = Σ held + neg(K)`. K is the dynamic stiffness of all parts, and `held` the number of
 //! frequencies of a member with both ends held. It holds where no member has such a frequency at ω itself. So the minor of each
@@ -51,7 +51,7 @@
 //! | [`row`], [`joining`] | T5: displacements over variables; T3 and T6: parts join the front |
 //! | [`tree`], [`frame`] | which rows the parts of a tree and of a frame have, and when variables leave |
 //! | [`visit`] | how a model names its parts: all that a proof knows of it |
-//! | [`count`] | a run, in memory for its front |
+//! | [`count`], [`memory`] | a run; memory for its front, and lanes |
 //! | [`beside`], [`certificate`] | bounds beside estimates; T4: claims about these |
 //! | [`bisection`] | a frequency that nobody has proposed |
 
@@ -70,6 +70,7 @@ pub(crate) mod general_bending;
 pub(crate) mod joining;
 pub(crate) mod line;
 pub(crate) mod member;
+pub(crate) mod memory;
 pub(crate) mod number;
 pub(crate) mod row;
 pub(crate) mod series;

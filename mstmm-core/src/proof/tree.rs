@@ -149,7 +149,7 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
         let Path { mut rows, .. } = self.take(input);
         hold(support.holds(), &mut rows, input, joining);
         go_on(&rows, &mut [None; 2], input, joining);
-        joining.leave_borders();
+        joining.leave_behind();
     }
 }
 
@@ -251,7 +251,7 @@ fn go_on<N: Level>(
     }
     let kept = Variables::of(rows);
     for &variable in old.list.iter().take(old.count).filter(|variable| !kept.contains(**variable)) {
-        joining.front.leave(variable);
+        joining.leave(variable);
     }
 }
 
@@ -341,7 +341,7 @@ fn through<N: Level>(
         }
     }
     go_on(&rows, &mut next, step, joining);
-    joining.leave_borders();
+    joining.leave_behind();
     next
 }
 

@@ -12,14 +12,19 @@ pub fn visit_network<Y: Placed>(network: &Y, numbers: &dyn Fn(usize) -> MemberNu
     for &node in order.nodes {
         let ends = order.incidence.ends(node);
         // joints behind all others: what they tie has its stiffness then
-        for are_joints in [false, true] {
+        let (mut are_joints, mut has_joints) = (false, true);
+        while has_joints {
+            has_joints = false;
             for &end in ends.iter().filter(|&&end| order.is_first_at(end, node)) {
                 let member = end / 2;
                 let numbers = numbers(member);
                 if matches!(numbers, MemberNumbers::Joint(..)) == are_joints {
-                    visitor.member(&numbers, &[0, 1].map(|end| end_of(network, member, end)), node);
+                    visitor.member(&numbers, &[end_of(network, member, 0), end_of(network, member, 1)], node);
+                } else {
+                    has_joints = !are_joints;
                 }
             }
+            are_joints = true;
         }
         let own = network.node(node).0;
         if own.has_body() {

@@ -2,7 +2,8 @@
 
 use crate::elements::{Beam, Mass, Spring};
 use crate::pass::searched::Undamped;
-use crate::proof::count::{At, Memory, Side};
+use crate::proof::count::{At, Side};
+use crate::proof::memory::Memory;
 use crate::proof::number::TwoWords;
 use crate::search::undamped::proven::Parts;
 use crate::{AnyUndamped, ListStep, StepList, Support};
