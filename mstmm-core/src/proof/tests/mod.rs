@@ -4,6 +4,7 @@
 mod arithmetic;
 mod assembly;
 mod campaign;
+mod closed_forms;
 mod counts;
 mod element_numbers;
 mod exact;
