@@ -389,6 +389,11 @@ impl Truth {
         Truth { roots }
     }
 
+    /// Whether a frequency is within a relative distance of ω.
+    pub(super) fn is_beside(&self, omega: f64, distance: f64) -> bool {
+        self.roots.iter().any(|root| (root.omega - omega).abs() <= distance * omega)
+    }
+
     /// At least so many frequencies are below ω, and at most so many; beyond the last interval nothing bounds them from above.
     pub(super) fn count(&self, omega: f64) -> [u64; 2] {
         let passed = self.roots.iter().rfind(|root| root.upper <= omega);
