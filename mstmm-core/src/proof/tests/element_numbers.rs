@@ -5,7 +5,7 @@ use crate::element::{Element, MemberNumbers, space_of};
 use crate::elements::*;
 use crate::number::{Parameter, Scalar};
 use crate::proof::tests::random::Random;
-use crate::proof::tests::transfer::{Seen, rows, step};
+use crate::proof::tests::transfer::{Seen, beside_pole, rows, step};
 use crate::{Freedoms, Joint};
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -51,7 +51,7 @@ macro_rules! held_to_matrices {
         let mut table = Vec::new();
         $({
             let mut seen = Seen::default();
-            for _ in 0..$runs {
+            for run in 0..$runs {
                 $(let $field: DoubleDouble = $value;)*
                 let length: DoubleDouble = $length;
                 let omega = 10f64.powf(0.6 * $p.random.signed());
@@ -61,6 +61,9 @@ macro_rules! held_to_matrices {
                     continue;
                 }
                 let space = space_of::<$element<DoubleDouble>>();
+                let at = |omega: f64| rows::<$element<DoubleDouble>>(&built, omega);
+                // some beside a frequency with both ends held, where the proof has another form
+                let omega = if run % 4 == 3 { beside_pole(&mut $p.random, space, omega, at) } else { omega };
                 let u = rows::<$element<DoubleDouble>>(&built, omega);
                 step(&mut $p.random, (space, numbers), &u, (length, omega), &mut seen);
                 // parameters of one word are the same numbers

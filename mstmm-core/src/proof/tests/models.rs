@@ -284,12 +284,12 @@ impl Frame {
         let mut members = Vec::new();
         for to in 1..count {
             let from = random.below(to);
-            members.push(Self::member(random, [from, to], decades));
+            members.push(Self::member(random, &nodes, [from, to], decades));
         }
         for _ in 0..random.below(3) {
             let ends = [random.below(count), random.below(count)];
             if ends[0] != ends[1] {
-                members.push(Self::member(random, ends, decades));
+                members.push(Self::member(random, &nodes, ends, decades));
             }
         }
         if random.below(3) == 0 {
@@ -299,12 +299,21 @@ impl Frame {
         Frame { nodes, members }
     }
 
-    fn member(random: &mut Random, [from, to]: [usize; 2], decades: f64) -> Member<UndampedMember<f64>> {
+    fn member(
+        random: &mut Random,
+        nodes: &[Node<f64>],
+        [from, to]: [usize; 2],
+        decades: f64,
+    ) -> Member<UndampedMember<f64>> {
         let [axial_stiffness, bending_stiffness, mass_per_length] = [(); 3].map(|()| size(random, decades));
         let is_hinged = random.below(5) == 0;
         let released = if is_hinged { Freedoms::RZ } else { Freedoms::NONE };
         let section = Section { axial_stiffness, bending_stiffness, mass_per_length };
-        Member::new(End::of(from).releasing(released), to, section)
+        let end = End::of(from).releasing(released);
+        let [x, y] = nodes[from].position;
+        // some ends are tied to their nodes by an arm
+        let end = if random.below(4) == 0 { end.at([x + 0.125, y - 0.0625]) } else { end };
+        Member::new(end, to, section)
     }
 
     /// The same frame with its nodes, members and ends in another order.

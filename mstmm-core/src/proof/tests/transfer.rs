@@ -4,7 +4,7 @@
 //! singular. There, and nowhere else, the proof has to count one more. A wrong number of `member_numbers`, or of the stiffness that the proof
 //! makes of it, puts the step of the count elsewhere.
 
-use crate::element::{Exact, MatrixOf, MemberNumbers, OwnPart, TransferMatrix};
+use crate::element::{BodyNumbers, Exact, MatrixOf, MemberNumbers, OwnPart, TransferMatrix};
 use crate::model::{Spot, StateSpace};
 use crate::number::{Parameter, Scalar};
 use crate::proof::certificate::Prover;
@@ -24,6 +24,8 @@ const SHARP: f64 = 1e-19;
 pub(super) struct Sprung {
     space: Space,
     numbers: MemberNumbers,
+    /// Levers before and behind the element, in a bending path.
+    levers: [DoubleDouble; 2],
     /// Where the far end stands, of an element of a frame, and the vector along it.
     far: [Exact; 2],
     along: [Exact; 2],
@@ -64,8 +66,18 @@ impl Sprung {
 
     fn visit_tree(&self, visitor: &mut dyn Visitor) {
         visitor.tip(0, Support::Free);
-        let step = self.join([1, 0], [0].into(), visitor);
-        visitor.element(step, step - 1, self.space, &self.numbers);
+        let lever = |end: usize| {
+            MemberNumbers::Body(BodyNumbers { output_x: self.levers[end].words(), ..BodyNumbers::default() })
+        };
+        let mut step = self.join([1, 0], [0].into(), visitor);
+        if self.space.is(Space::Bending) {
+            visitor.element(step, step - 1, self.space, &lever(0));
+            visitor.element(step + 1, step, self.space, &self.numbers);
+            visitor.element(step + 2, step + 1, self.space, &lever(1));
+            step += 2;
+        } else {
+            visitor.element(step, step - 1, self.space, &self.numbers);
+        }
         let last = self.join([step + 1, 1], [step].into(), visitor);
         visitor.root(last - 1, Support::Free);
     }
@@ -153,6 +165,54 @@ fn singular(
     (spring, rounded * ROUNDED)
 }
 
+/// A transfer matrix between levers.
+fn behind_levers(u: &[Vec<DoubleDouble>], levers: [DoubleDouble; 2]) -> Vec<Vec<DoubleDouble>> {
+    let mut u = u.to_vec();
+    for row in &mut u {
+        let [y, _, m, _] = row[..] else { continue };
+        row[1] = row[1] + y * levers[0];
+        row[3] = row[3] + m * levers[0];
+    }
+    for column in 0..u.len() {
+        u[0][column] = u[0][column] + levers[1] * u[1][column];
+        u[2][column] = u[2][column] + levers[1] * u[3][column];
+    }
+    u
+}
+
+/// The minor of a transfer matrix that vanishes where the element vibrates with both ends held.
+fn held_minor(u: &[Vec<DoubleDouble>], space: Space) -> f64 {
+    let place = |coordinate: &Coordinate| space.coordinates().iter().position(|own| own == coordinate).unwrap();
+    let row = |row: &Coordinate| {
+        let force = |column: &Coordinate| [u[place(row)][place(&column.dual())]; 2];
+        space.displacements().iter().map(force).collect::<Vec<_>>()
+    };
+    determinant(&space.displacements().iter().map(row).collect::<Vec<_>>())[0].to_f64()
+}
+
+/// A frequency beside one at which the element vibrates with both ends held, above ω, if there is one not far away.
+pub(super) fn beside_pole(
+    random: &mut Random,
+    space: Space,
+    omega: f64,
+    rows: impl Fn(f64) -> Vec<Vec<DoubleDouble>>,
+) -> f64 {
+    let minor = |omega: f64| held_minor(&rows(omega), space);
+    let (mut lower, mut upper, sign) = (omega, omega, minor(omega));
+    while minor(upper) * sign > 0.0 {
+        (lower, upper) = (upper, 1.2 * upper);
+        if upper > 20.0 * omega {
+            return omega;
+        }
+    }
+    for _ in 0..60 {
+        let middle = lower + 0.5 * (upper - lower);
+        if minor(middle) * sign > 0.0 { lower = middle } else { upper = middle }
+    }
+    let away = 10f64.powf(-1.0 - 15.0 * random.unit());
+    upper * if random.below(2) == 0 { 1.0 + away } else { 1.0 - away }
+}
+
 /// What was seen of an element.
 #[derive(Default)]
 pub(super) struct Seen {
@@ -182,6 +242,8 @@ pub(super) fn step(
         (0..freedoms).map(size).collect::<Vec<_>>()
     });
     let last = seen.tried % freedoms;
+    let levers = [0, 1].map(|_| DoubleDouble::from_f64(if random.below(2) == 0 { 0.0 } else { random.signed() }));
+    let u = if space.is(Space::Bending) { &behind_levers(u, levers) } else { u };
     let (spring, distance) = singular(u, space, &springs, last);
     seen.tried += 1;
     // the side of a triangle of 3, 4 and 5: places of a frame are exact, but for a rounding of the last word
@@ -196,7 +258,7 @@ pub(super) fn step(
         let off = Parameter::abs(spring) * DoubleDouble::from_f64(side * distance);
         springs[1][last] = spring + off;
         let along = [[3.0, 0.0], [4.0, 0.0]];
-        let sprung = Sprung { space, numbers, far: [part(3.0), part(4.0)], along, springs: springs.clone() };
+        let sprung = Sprung { space, numbers, levers, far: [part(3.0), part(4.0)], along, springs: springs.clone() };
         Prover::new(&sprung).bounds(omega, 1.0)
     });
     match counts {

@@ -8,7 +8,7 @@ use crate::proof::tests::random::Random;
 use std::vec::Vec;
 
 /// Frequencies at which each model is asked.
-const PLACES: usize = 40;
+const PLACES: usize = 12;
 
 /// Both bounds of one precision.
 type Bounds = [Option<u64>; 2];
