@@ -6,8 +6,9 @@
 use crate::number::Real;
 use crate::proof::certificate::{Precision, Prover};
 use crate::proof::count::Side;
-use crate::proof::tests::models::{Asked, Model, Truth};
+use crate::proof::tests::models::{Asked, Model};
 use crate::proof::tests::random::Random;
+use crate::proof::tests::truth::Truth;
 use crate::search::NaturalFrequency;
 
 /// Relative half widths of intervals that are moved, and by how many half widths they are.

@@ -4,8 +4,9 @@ use crate::elements::{Beam, BeamColumn, FoundationBeam, Mass, RayleighBeam, Rod,
 use crate::proof::certificate::Prover;
 use crate::proof::tests::campaign::{Tally, try_all};
 use crate::proof::tests::exact::{Exact, exact, pi, word};
-use crate::proof::tests::models::{Asked, Truth};
+use crate::proof::tests::models::Asked;
 use crate::proof::tests::random::Random;
+use crate::proof::tests::truth::Truth;
 use crate::search::NaturalFrequency;
 use crate::{AnyUndamped, ListStep, StepList, Support};
 use std::vec::Vec;

@@ -21,5 +21,6 @@ mod tapered;
 mod theorem;
 mod transfer;
 mod trees;
+mod truth;
 mod two_roads;
 mod worst;

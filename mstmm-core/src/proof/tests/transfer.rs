@@ -170,12 +170,13 @@ fn behind_levers(u: &[Vec<DoubleDouble>], levers: [DoubleDouble; 2]) -> Vec<Vec<
     let mut u = u.to_vec();
     for row in &mut u {
         let [y, _, m, _] = row[..] else { continue };
-        row[1] = row[1] + y * levers[0];
-        row[3] = row[3] + m * levers[0];
+        row[1] += y * levers[0];
+        row[3] += m * levers[0];
     }
     for column in 0..u.len() {
-        u[0][column] = u[0][column] + levers[1] * u[1][column];
-        u[2][column] = u[2][column] + levers[1] * u[3][column];
+        let [moved, turned] = [1, 3].map(|row| levers[1] * u[row][column]);
+        u[0][column] += moved;
+        u[2][column] += turned;
     }
     u
 }

@@ -3,8 +3,9 @@
 use crate::proof::certificate::{Precision, Prover};
 use crate::proof::count::Side;
 use crate::proof::tests::campaign::BESIDE;
-use crate::proof::tests::models::{Asked, Model, Truth};
+use crate::proof::tests::models::{Asked, Model};
 use crate::proof::tests::random::Random;
+use crate::proof::tests::truth::Truth;
 use std::vec::Vec;
 
 /// Frequencies at which each model is asked.
