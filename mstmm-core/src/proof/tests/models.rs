@@ -12,7 +12,7 @@ use crate::proof::tests::random::Random;
 use crate::proof::visit::Visited;
 use crate::search::undamped::proven::Parts;
 use crate::search::{NaturalFrequencies, NaturalFrequency};
-use crate::subspace::WittrickWilliams;
+use crate::subspace::{NoCount, WittrickWilliams};
 use crate::{AnyUndamped, DoubleDouble, End, Freedoms, ListStep, Section, Space, StepList, Support, UndampedMember};
 use std::boxed::Box;
 use std::vec;
@@ -29,6 +29,9 @@ pub(super) trait Asked {
     /// The count by minors in twice the digits, which shares nothing with a proof.
     fn counted(&self, omega: f64) -> u64;
 
+    /// The sign of Δ in twice the digits: it changes at frequencies of odd multiplicity, and no count is in it.
+    fn sign(&self, omega: f64) -> f64;
+
     /// The parts.
     fn parts(&self) -> Box<dyn Visited + '_>;
 }
@@ -44,6 +47,11 @@ where
 
     fn counted(&self, omega: f64) -> u64 {
         counted_pass(self, DoubleDouble::from_f64(omega), WittrickWilliams::<f64>::default()).0.below()
+    }
+
+    fn sign(&self, omega: f64) -> f64 {
+        let delta = counted_pass(self, DoubleDouble::from_f64(omega), NoCount).1.mantissa();
+        f64::from(delta > DoubleDouble::from_f64(0.0)) - f64::from(delta < DoubleDouble::from_f64(0.0))
     }
 
     fn parts(&self) -> Box<dyn Visited + '_> {

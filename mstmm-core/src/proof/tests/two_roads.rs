@@ -3,13 +3,16 @@
 use crate::proof::certificate::{Precision, Prover};
 use crate::proof::count::Side;
 use crate::proof::tests::campaign::BESIDE;
-use crate::proof::tests::models::{Asked, Model};
+use crate::proof::tests::models::{Asked, Model, SOUGHT};
 use crate::proof::tests::random::Random;
 use crate::proof::tests::truth::Truth;
 use std::vec::Vec;
 
 /// Frequencies at which each model is asked.
 const PLACES: usize = 12;
+
+/// Relative distance from a frequency at which Δ has its sign.
+const APART: f64 = 1e-9;
 
 /// Both bounds of one precision.
 type Bounds = [Option<u64>; 2];
@@ -21,10 +24,13 @@ struct Seen {
     frequencies: usize,
     /// Where both bounds meet, in two words and in four.
     met: [usize; 2],
-    /// Where the count by minors is outside of the bounds, though no frequency is nearer than this.
+    /// Frequencies that are alone and odd, and those of them at which Δ changes its sign.
+    odd: usize,
+    changed: usize,
+    /// Models of which Δ changes its sign at no frequency.
+    held_twice: usize,
+    /// Where the count by minors is outside of the bounds, beside a frequency, where the minors have no more digits.
     outside: usize,
-    /// The same beside a frequency, where the minors have no more digits.
-    outside_beside: usize,
 }
 
 /// The bounds in two words and in four.
@@ -57,6 +63,21 @@ fn places(random: &mut Random, truth: &Truth, count: usize) -> Vec<f64> {
     (0..count).map(place).collect()
 }
 
+/// How many frequencies that are known are alone and odd, and at how many of them Δ changes its sign in twice the digits.
+fn changes(model: &dyn Asked, truth: &Truth) -> [usize; 2] {
+    let mut counts = [0; 2];
+    for root in truth.roots.iter().filter(|root| root.omega > 0.0 && root.multiplicity % 2 == 1) {
+        let [lower, upper] = [root.lower * (1.0 - APART), root.upper * (1.0 + APART)];
+        let [before, after] = [truth.count(lower), truth.count(upper)];
+        let is_alone = before == [root.index - 1; 2] && after[0] == root.index + root.multiplicity - 1;
+        if is_alone && (after[0] == after[1] || root.index as usize >= SOUGHT) {
+            counts[0] += 1;
+            counts[1] += usize::from(model.sign(lower) * model.sign(upper) < 0.0);
+        }
+    }
+    counts
+}
+
 /// The bounds of a model in one order of elimination, its counts by minors, and at some places the bounds at the opposite of ω².
 fn road(model: &dyn Asked, places: &[f64]) -> Vec<([Bounds; 2], Option<[Bounds; 2]>, u64)> {
     let parts = model.parts();
@@ -81,9 +102,15 @@ fn check(seeds: core::ops::Range<u64>, enough: usize) {
             let truth = Truth::new(roots, &mut Prover::new(&*parts));
             let places = places(&mut picked, &truth, PLACES);
             let road = road(asked, &places);
-            Some((truth, places, road))
+            let [odd, changed] = changes(asked, &truth);
+            // where something is held twice Δ vanishes at every frequency, and minors tell nothing
+            let is_told = changed > 0;
+            assert!(changed == odd || !is_told, "seed {seed}: Δ changes its sign at {changed} of {odd} frequencies");
+            seen.held_twice += usize::from(!is_told);
+            (seen.odd, seen.changed) = (seen.odd + odd, seen.changed + changed);
+            Some((truth, places, road, is_told))
         });
-        let Some((truth, places, one)) = one.flatten() else { continue };
+        let Some((truth, places, one, is_told)) = one.flatten() else { continue };
         let Some(other) = model.ask(&mut random, |asked| road(asked, &places)) else { continue };
         seen.models += 1;
         for ((omega, one), other) in places.iter().zip(one).zip(other) {
@@ -100,8 +127,10 @@ fn check(seeds: core::ops::Range<u64>, enough: usize) {
                     usize::from(all[precision][0].is_some() && all[precision][0] == all[precision][1]);
             }
             let is_outside = [one.2, other.2].iter().any(|count| do_cross(&[all[0], all[1], [Some(*count); 2]]));
-            if is_outside {
-                *if truth.is_beside(*omega, BESIDE) { &mut seen.outside_beside } else { &mut seen.outside } += 1;
+            if is_told && is_outside {
+                let counted = [one.2, other.2];
+                assert!(truth.is_beside(*omega, BESIDE), "seed {seed}, ω = {omega:e}: {all:?}, minors {counted:?}");
+                seen.outside += 1;
             }
         }
         if seen.frequencies >= enough {
@@ -111,7 +140,8 @@ fn check(seeds: core::ops::Range<u64>, enough: usize) {
     std::println!("{seen:#?}");
     assert!(seen.frequencies >= enough, "too few frequencies");
     assert!(4 * seen.met[1] > 3 * seen.frequencies, "bounds are too weak for a test");
-    assert!(1000 * seen.outside <= seen.frequencies, "minors tell another count");
+    assert!(100 * seen.outside <= seen.frequencies, "minors tell another count");
+    assert!(20 * seen.held_twice <= seen.models, "too few models with a determinant");
 }
 
 #[test]
