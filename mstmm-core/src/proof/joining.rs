@@ -170,8 +170,8 @@ impl<'m, N: Level> Joining<'m, N> {
             beam.member
         };
         let mut lanes = [of_lane(0); MOST_LANES];
-        for lane in 1..N::Word::LANES {
-            lanes[lane] = of_lane(lane);
+        for (lane, member) in lanes.iter_mut().enumerate().take(N::Word::LANES).skip(1) {
+            *member = of_lane(lane);
         }
         (Member::of_lanes(&lanes[..N::Word::LANES]), is_beside_pole)
     }

@@ -71,16 +71,16 @@ impl<N: Level, const F: usize, const E: usize> Member<N, F, E> {
     #[inline(always)]
     pub(crate) fn select(truth: <N::Word as Word>::Mask, first: Self, second: Self) -> Self {
         let mut stiffness = first.stiffness;
-        for k in 0..E {
-            stiffness[k] = Ball::select(truth, stiffness[k], second.stiffness[k]);
+        for (entry, other) in stiffness.iter_mut().zip(&second.stiffness) {
+            *entry = Ball::select(truth, *entry, *other);
         }
         let border = match (first.border, second.border) {
             (None, None) => None,
             (first, second) => {
                 let (first, second) = (first.unwrap_or(Border::none()), second.unwrap_or(Border::none()));
                 let mut forces = first.forces;
-                for k in 0..F {
-                    forces[k] = Ball::select(truth, forces[k], second.forces[k]);
+                for (force, other) in forces.iter_mut().zip(&second.forces) {
+                    *force = Ball::select(truth, *force, *other);
                 }
                 Some(Border { forces, flexibility: Ball::select(truth, first.flexibility, second.flexibility) })
             }

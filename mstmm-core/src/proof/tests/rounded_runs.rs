@@ -4,21 +4,16 @@
 //! word they show.
 
 use crate::proof::certificate::Prover;
-use crate::proof::count::{At, Memory, Side};
+use crate::proof::count::{At, Side};
 use crate::proof::functions::Level;
-use crate::proof::number::{Number, OneWord};
+use crate::proof::memory::Memory;
+use crate::proof::number::OneWord;
 use crate::proof::tests::models::Model;
 use crate::proof::tests::random::Random;
 use crate::proof::tests::truth::Truth;
 use crate::proof::tests::worst::{WAYS, Worst, choose};
 use crate::proof::visit::Visited;
 use std::vec::Vec;
-
-impl Level for Worst {
-    const PRODUCT_OF_WORDS: f64 = Worst::PRODUCT;
-    const PARTS: (usize, f64) = OneWord::PARTS;
-    const TERMS: usize = OneWord::TERMS;
-}
 
 /// Relative errors of inverses.
 const OF_INVERSES: [f64; 3] = [0.0, 1e-13, -3e-12];
@@ -49,7 +44,7 @@ fn places(random: &mut Random, truth: &Truth) -> Vec<f64> {
 fn hold<N: Level<Word = f64>>(parts: &dyn Visited, omega: f64, truth: &Truth, seed: u64, seen: &mut Seen) {
     let [least, most] = truth.count(omega).map(|count| count as f64);
     for side in [Side::AtLeast, Side::AtMost] {
-        let Ok(outcome) = Memory::default().run::<N>(parts, At::new([omega, 0.0], 1.0, side)) else { continue };
+        let Ok(outcome) = Memory::default().run::<N>(parts, At::new(&[([omega, 0.0], side)], 1.0)) else { continue };
         // a bound that was lost is NaN
         let is_false = if side == Side::AtLeast { outcome.count > most } else { outcome.count < least };
         assert!(!is_false, "seed {seed}, ω = {omega:e}, {side:?}: {} and not {least} to {most}", outcome.count);

@@ -1,7 +1,7 @@
 //! A number whose every operation is rounded to a side, within its bounds, and as badly as these allow.
 
 use crate::proof::functions::Level;
-use crate::proof::number::{Number, U, two_sum};
+use crate::proof::number::{Number, OneWord, U, two_sum};
 use crate::proof::tests::exact::{Exact, Exactly, exact};
 use crate::proof::word::Word;
 use std::cell::Cell;
@@ -117,8 +117,9 @@ impl Exactly for Worst {
 
 impl Level for Worst {
     type Alone = Self;
-    const PARTS: (usize, f64) = (4, 3e-66);
-    const TERMS: usize = 9;
+    const PRODUCT_OF_WORDS: f64 = Worst::PRODUCT;
+    const PARTS: (usize, f64) = OneWord::PARTS;
+    const TERMS: usize = OneWord::TERMS;
 
     fn everywhere(alone: Self) -> Self {
         alone
