@@ -35,6 +35,10 @@ const LOCAL: usize = 3;
 /// A displacement of an end: at most three variables of its node.
 type EndRow<N> = Row<<N as Level>::Alone, 3>;
 
+/// The stiffness that is added to a rigid joint, beside those of its displacements. It changes nothing. Any number does that no spring is likely to
+/// have beside others with the other sign: a pivot would be zero then.
+const OF_NEIGHBOURS: f64 = 1.37;
+
 /// Cosine and sine of a direction.
 type Axis<N> = [Ball<<N as Level>::Alone>; 2];
 
@@ -184,7 +188,7 @@ impl Nodes {
         let mut gap = rows[1].widened::<{ TERMS }>();
         gap.add(rows[0], Ball::of(-1.0));
         let size = gap.terms().iter().map(|term| joining.front.size(term.variable)).fold(0.0, f64::max);
-        let stiffness = if size > 0.0 && size < f64::INFINITY { size } else { 1.0 };
+        let stiffness = if size > 0.0 && size < f64::INFINITY { size * OF_NEIGHBOURS } else { 1.0 };
         joining.add_term(Ball::of(stiffness), gap.terms());
         let force = joining.enter();
         joining.front.grow(force, 1.0 / stiffness);
