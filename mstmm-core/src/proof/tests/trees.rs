@@ -5,6 +5,7 @@ use crate::pass::searched::Undamped;
 use crate::proof::count::{At, Side};
 use crate::proof::memory::Memory;
 use crate::proof::number::TwoWords;
+use crate::search::NaturalFrequencies;
 use crate::search::undamped::proven::Parts;
 use crate::{AnyUndamped, ListStep, StepList, Support};
 
@@ -43,5 +44,22 @@ fn a_pinned_beam() {
         let wide = [root * (1.0 - 1e-15), root * (1.0 + 1e-15)].map(|x| bounds(&list, x));
         let k = f64::from(k);
         assert_eq!(wide, [[k - 1.0; 2], [k; 2]]);
+    }
+}
+
+/// A beam with a free end on what lets an end turn or slide has the frequencies of one with that end clamped: the pivot of its first end vanishes
+/// at those of the system.
+#[test]
+fn free_beams_are_proven_between_neighbouring_numbers() {
+    for (tip, root) in
+        [(Support::Pinned, Support::Free), (Support::Guided, Support::Free), (Support::Free, Support::Free)]
+    {
+        let beam = Beam { length: 1.3_f64, bending_stiffness: 0.385, mass_per_length: 0.105 };
+        let steps = [ListStep::Tip(tip), ListStep::Element(AnyUndamped::try_from(beam).unwrap()), ListStep::Root(root)];
+        let list = StepList::new(&steps).unwrap();
+        let roots = list.first_frequencies::<12>().unwrap();
+        for root in roots.iter().filter(|root| root.omega > 0.0) {
+            assert!(root.is_proven && root.upper == root.lower.next_up(), "{tip:?}: {root:?}");
+        }
     }
 }
