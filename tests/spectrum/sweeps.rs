@@ -206,3 +206,15 @@ fn a_model_out_of_its_range_leaves_the_others_as_they_are() {
     let all_bad = [model(f64::NAN); 5];
     assert!(all_bad.iter().first_frequencies::<1>().all(|roots| matches!(roots, Err(SweepError::Parameter(_)))));
 }
+
+/// Estimates are beside the frequencies that are proven, and say that nobody has proven them.
+#[test]
+fn estimates_of_usual_models_are_beside_their_frequencies() {
+    let models = (0..20).map(|k| Arms { one: 1.0 + 0.05 * f64::from(k), other: 1.3, trunk: 0.7 });
+    for (estimates, proven) in models.clone().estimates::<4>().zip(models.first_frequencies::<4>()) {
+        for (estimate, root) in estimates.unwrap().iter().zip(&proven.unwrap()) {
+            assert!(!estimate.is_proven && root.is_proven);
+            assert!((estimate.omega / root.omega - 1.0).abs() < 1e-13, "{estimate:?} and {root:?}");
+        }
+    }
+}

@@ -54,18 +54,31 @@ pub trait Sweep: Iterator + Sized {
     where
         Self::Item: Lanewise<System<f64>: Undamped<Parameter = f64>>,
     {
-        FirstFrequencies { models: self, found: [const { None }; MODELS], next: 0 }
+        FirstFrequencies { models: self, found: [const { None }; MODELS], next: 0, is_proven: true }
+    }
+
+    /// Estimates of them, as [`estimates`](NaturalFrequencies::estimates) of the built system gives them, at the cost of the fast search alone:
+    /// nothing is proven.
+    ///
+    /// # Errors
+    /// As [`first_frequencies`](Sweep::first_frequencies).
+    fn estimates<const N: usize>(self) -> FirstFrequencies<Self, N>
+    where
+        Self::Item: Lanewise<System<f64>: Undamped<Parameter = f64>>,
+    {
+        FirstFrequencies { models: self, found: [const { None }; MODELS], next: 0, is_proven: false }
     }
 }
 
 impl<I: Iterator> Sweep for I {}
 
-/// An iterator over the lowest frequencies of models, see [`Sweep::first_frequencies`].
+/// An iterator over the lowest frequencies of models, see [`Sweep::first_frequencies`] and [`Sweep::estimates`].
 #[derive(Clone, Debug)]
 pub struct FirstFrequencies<I, const N: usize> {
     models: I,
     found: [Option<Found<N>>; MODELS],
     next: usize,
+    is_proven: bool,
 }
 
 impl<I, const N: usize> Iterator for FirstFrequencies<I, N>
@@ -83,7 +96,7 @@ where
             for (place, model) in models.iter_mut().zip(self.models.by_ref()) {
                 *place = Some(model);
             }
-            self.found = frequencies(&models);
+            self.found = frequencies(&models, self.is_proven);
         }
         let found = self.found[self.next].take();
         self.next = if found.is_some() { self.next + 1 } else { 0 };
@@ -98,7 +111,7 @@ where
 }
 
 /// The lowest frequencies of up to eight models: of each in step with the others, else alone.
-fn frequencies<M, const N: usize>(models: &[Option<M>; MODELS]) -> [Option<Found<N>>; MODELS]
+fn frequencies<M, const N: usize>(models: &[Option<M>; MODELS], is_proven: bool) -> [Option<Found<N>>; MODELS]
 where
     M: Lanewise<System<f64>: Undamped<Parameter = f64>>,
 {
@@ -108,8 +121,10 @@ where
     let mut found = [const { None }; MODELS];
     for ((found, system), in_step) in found.iter_mut().zip(&systems).zip(in_step) {
         *found = system.as_ref().map(|system| match (system, in_step) {
-            (Ok(system), Some(proposals)) => proven_list(system, proposals).map_err(SweepError::Search),
-            (Ok(system), None) => system.first_frequencies().map_err(SweepError::Search),
+            (Ok(system), Some(proposals)) if is_proven => proven_list(system, proposals).map_err(SweepError::Search),
+            (Ok(_), Some(proposals)) => Ok(FrequencyList::from(proposals)),
+            (Ok(system), None) if is_proven => system.first_frequencies().map_err(SweepError::Search),
+            (Ok(system), None) => system.estimates().map_err(SweepError::Search),
             (Err(error), _) => Err(SweepError::Parameter(*error)),
         });
     }
