@@ -219,7 +219,10 @@ impl Tally {
                 } else {
                     let mut start = below;
                     for root in &found {
-                        if root.lower > lower && root.upper < upper {
+                        if root.lower <= lower {
+                            // the end is in its interval: the root may be on either side
+                            start = roots_below(chain, &square(root.upper)).unwrap_or(start);
+                        } else if root.upper < upper {
                             self.interval(chain, start, root);
                             start += root.multiplicity;
                         }
