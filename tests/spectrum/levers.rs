@@ -111,3 +111,27 @@ fn a_body_with_several_points_is_made_of_levers() {
         assert!((found.omega - squared.sqrt()).abs() < 1e-13 * found.omega, "{found:?} {squared}");
     }
 }
+
+system! {
+    /// Two cantilevers whose tips a mass joins over levers.
+    struct Joined { first: f64, second: f64 }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> lever 2 { output_x: first } -> conn 3;
+    fixed -> beam 4 { length: 0.8, bending_stiffness: 2.0, mass_per_length: 1.0 } -> lever 5 { output_x: second } -> conn 3
+        -> point_mass 6 { mass: 0.7, inertia: 0.2 } -> free;
+}
+
+/// Law: frequencies are continuous. A lever of one metre has coefficients that are exactly 1, and takes other steps of the proof.
+#[test]
+fn levers_of_one_metre_are_as_good_as_others() {
+    for (first, second) in [(1.0, 1.0), (1.0, 2.0), (1.0, 0.5), (-1.0, 0.3), (2.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+        let of = |first, second| Joined { first, second }.build().unwrap().first_frequencies::<6>().unwrap();
+        let (exact, beside) = (of(first, second), of(first * (1.0 + 1e-9), second * (1.0 - 1e-9)));
+        assert!(exact.len() == 6 && beside.len() == 6, "{first} {second}");
+        for (root, other) in exact.iter().zip(&beside) {
+            assert!(
+                root.is_proven && (root.omega / other.omega - 1.0).abs() < 1e-7,
+                "{first} {second}: {root:?} {other:?}"
+            );
+        }
+    }
+}

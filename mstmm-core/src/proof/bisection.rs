@@ -52,7 +52,7 @@ impl Prover<'_> {
         Place::Unknown
     }
 
-    /// The frequency of an index, which is known to be at `lower` or above, sought from a guess on up to a limit.
+    /// The frequency of an index, sought from `lower` on, where `index - 1` are known to be below at least, and from a guess on up to a limit.
     pub(crate) fn bisected<T: Real>(&mut self, index: u64, lower: T, guess: T, limit: T) -> Result<Proven<T>, Refusal> {
         let (mut lower, mut upper) = ((lower, None), (guess, None));
         for _ in 0..STEPS {
@@ -115,10 +115,12 @@ impl Prover<'_> {
         }
         let (lower, upper) = (lower.0, upper.0);
         let count = self.bounds(upper, 1.0)[0].unwrap_or(0);
+        // where nothing was found below the middles, the lower end is that of the caller, who knows of it that so many are below at least
+        let is_apart = self.bounds(lower, 1.0)[1].is_some_and(|most| most < index);
         if upper - lower > upper * T::from_f64(WIDEST * T::EPSILON) || count < index {
             return Err(refused(middle(lower, upper)));
         }
-        Ok(Proven { omega: middle(lower, upper), lower, upper, index, multiplicity: count - (index - 1) })
+        Ok(Proven { omega: middle(lower, upper), lower, upper, index, multiplicity: count - (index - 1), is_apart })
     }
 }
 

@@ -26,6 +26,8 @@ pub(crate) struct Proven<T> {
     /// The index of the first frequency, from 1 on.
     pub(crate) index: u64,
     pub(crate) multiplicity: u64,
+    /// Whether a bound at `lower` is proven. Else a bound at `upper` alone is: the entry before holds some of these frequencies.
+    pub(crate) is_apart: bool,
 }
 
 /// What comes of a claim.
@@ -277,7 +279,8 @@ fn proven<T: Real>(index: u64, ends: [T; 2], bounds: [Bound; 2]) -> Option<Prove
     } else {
         upper
     };
-    (most < index && least >= index).then(|| Proven { omega, lower, upper, index, multiplicity: least - (index - 1) })
+    let multiplicity = least.saturating_sub(index - 1);
+    (most < index && least >= index).then_some(Proven { omega, lower, upper, index, multiplicity, is_apart: true })
 }
 
 /// An end that is no lower than another interval's upper end.

@@ -63,8 +63,11 @@ impl Nodes {
             Some(_) => [enter(true), None, enter(node.free.contains(Freedoms::RZ))],
             None => Freedoms::SINGLE.map(|freedom| enter(node.free.contains(freedom))),
         };
-        self.present[self.count] = Present { index: node.index, variables };
-        self.count += 1;
+        // a node that does not move is eliminated by nobody
+        if variables != [None; 3] {
+            self.present[self.count] = Present { index: node.index, variables };
+            self.count += 1;
+        }
         variables
     }
 
@@ -231,7 +234,7 @@ impl Nodes {
         for k in 0..self.tie_count {
             let (force, last) = self.ties[k];
             if last == node {
-                joining.front.leave(force);
+                joining.leave(force);
             } else {
                 self.ties[kept] = self.ties[k];
                 kept += 1;

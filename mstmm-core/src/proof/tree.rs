@@ -5,14 +5,14 @@ use crate::proof::ball::Ball;
 use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining, Terms};
 use crate::proof::number::Number;
-use crate::proof::row::{Row, Term, is_one, is_zero};
+use crate::proof::row::{Row, TERMS, Term, is_one, is_zero};
 use mstmm_plan::{Freedoms, Space, Support};
 
 /// Displacement and rotation, in this order.
 const FREEDOMS: [Freedoms; 2] = [Freedoms::Y, Freedoms::RZ];
 
 /// What displacement and rotation of a point are of the variables; none where there is no such freedom.
-type PointRows<N> = [Option<Row<N, 2>>; 2];
+type PointRows<N, const T: usize = 2> = [Option<Row<N, T>>; 2];
 
 /// An open path.
 #[derive(Clone, Copy, Debug)]
@@ -94,7 +94,8 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
         output: Option<Space>,
         joining: &mut Joining<'_, N>,
     ) {
-        let mut rows: PointRows<A> = [None; 2];
+        // while paths are joined a row may have the variables of both
+        let mut rows: PointRows<A, TERMS> = [None; 2];
         let mut held = Freedoms::NONE;
         for &input in inputs {
             let path = self.take(input);
@@ -102,11 +103,11 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
                 held = held.union(support.holds());
                 continue;
             }
-            let mut others = path.rows;
+            let mut others: PointRows<A, TERMS> = path.rows.map(|row| row.map(|row| row.widened()));
             for freedom in 0..2 {
                 match (rows[freedom], others[freedom]) {
                     (Some(row), Some(other)) => {
-                        let mut constraint = other.widened();
+                        let mut constraint = other;
                         constraint.add(&row, Ball::of(-1.0));
                         (rows[freedom], others[freedom]) = (None, None);
                         let replaced = satisfy(&constraint, [&mut rows, &mut others], step, joining);
@@ -126,6 +127,7 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
                 rows[freedom] = rows[freedom].or(others[freedom]);
             }
         }
+        let mut rows: PointRows<A> = rows.map(|row| row.map(|row| row.widened()));
         for (freedom, row) in FREEDOMS.into_iter().zip(&mut rows) {
             if output.is_some_and(|output| output.contains(freedom)) && row.is_none() {
                 *row = Some(if held.contains(freedom) { Row::none() } else { Row::of(joining.enter()) });
@@ -174,9 +176,9 @@ fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N::Alone>, step: usize, j
 /// Satisfies that a combination of variables is zero: one of them is a combination of the others. What is zero already needs nothing: it is held
 /// twice, by the same. Returns that variable and the combination.
 #[inline(never)]
-fn satisfy<N: Level>(
+fn satisfy<N: Level, const T: usize>(
     constraint: &Row<N::Alone>,
-    rows: [&mut PointRows<N::Alone>; 2],
+    rows: [&mut PointRows<N::Alone, T>; 2],
     step: usize,
     joining: &mut Joining<'_, N>,
 ) -> Option<(usize, Row<N::Alone>)> {

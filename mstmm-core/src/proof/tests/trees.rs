@@ -2,6 +2,7 @@
 
 use crate::elements::{Beam, Mass, Spring};
 use crate::pass::searched::Undamped;
+use crate::proof::certificate::Prover;
 use crate::proof::count::{At, Side};
 use crate::proof::memory::Memory;
 use crate::proof::number::TwoWords;
@@ -62,4 +63,22 @@ fn free_beams_are_proven_between_neighbouring_numbers() {
             assert!(root.is_proven && root.upper == root.lower.next_up(), "{tip:?}: {root:?}");
         }
     }
+}
+
+/// A search from a number above the frequency, which has a count of one already, says that it proves nothing there.
+#[test]
+fn a_lower_end_above_the_frequency_is_not_proven() {
+    let steps = [
+        ListStep::Tip(Support::Fixed),
+        ListStep::Element(AnyUndamped::try_from(Spring { stiffness: 8.0_f64 }).unwrap()),
+        ListStep::Element(Mass { mass: 2.0 }.try_into().unwrap()),
+        ListStep::Root(Support::Free),
+    ];
+    let list = StepList::new(&steps).unwrap();
+    let parts = Parts(&list);
+    let mut prover = Prover::new(&parts);
+    let beyond = prover.bisected(1, 2.5, 3.0, 1e6).unwrap();
+    assert!(!beyond.is_apart && beyond.lower == 2.5, "{beyond:?}");
+    let found = prover.bisected(1, 1.5, 3.0, 1e6).unwrap();
+    assert!(found.is_apart && found.lower <= 2.0 && 2.0 <= found.upper && found.multiplicity == 1, "{found:?}");
 }

@@ -171,7 +171,8 @@ impl<'a, T: Real> Certification<'a, T> {
                 (settled, floor) = (proven.multiplicity, proven.upper);
                 self.push(&mut found, proven)?;
             } else if let Some((modes, upper)) = self.at_rest(first.map(|first| first.omega())) {
-                let rest = Proven { omega: T::zero(), lower: T::zero(), upper, index: 1, multiplicity: modes };
+                let rest =
+                    Proven { omega: T::zero(), lower: T::zero(), upper, index: 1, multiplicity: modes, is_apart: true };
                 (settled, floor) = (modes, upper);
                 self.push(&mut found, rest)?;
             }
@@ -277,12 +278,16 @@ impl<'a, T: Real> Certification<'a, T> {
         Err(self.refused(end))
     }
 
-    /// Adds a proven entry; frequencies within a few units in the last place are one entry with the one before.
-    fn push<L: Store<NaturalFrequency<T>>>(&self, found: &mut L, proven: Proven<T>) -> Result<(), SearchError> {
-        let Proven { omega, lower, upper, index, multiplicity } = proven;
-        if let Some(last) = found.values().last_mut()
-            && !last.omega.is_zero()
-            && upper - last.lower <= upper * T::from_f64(ONE_ENTRY * T::EPSILON)
+    /// Adds a proven entry. Frequencies within a few units in the last place are one entry with the one before, and so are those that nothing proves to
+    /// be above it.
+    fn push<L: Store<NaturalFrequency<T>>>(&mut self, found: &mut L, proven: Proven<T>) -> Result<(), SearchError> {
+        let Proven { omega, lower, upper, index, multiplicity, is_apart } = proven;
+        let last = found.values().last_mut().filter(|last| !last.omega.is_zero());
+        if !is_apart && last.is_none() {
+            return Err(self.refused(lower));
+        }
+        if let Some(last) = last
+            && (!is_apart || upper - last.lower <= upper * T::from_f64(ONE_ENTRY * T::EPSILON))
         {
             last.omega = last.lower + (upper - last.lower) * T::from_f64(0.5);
             (last.upper, last.multiplicity) = (upper, last.multiplicity + multiplicity);
