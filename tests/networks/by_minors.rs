@@ -94,6 +94,14 @@ impl Report {
             return;
         }
         self.trees += 1;
+        // what is held twice, by exactly the same, makes Δ vanish at all frequencies: trees hold it once, frames refuse it
+        if OMEGAS.into_iter().all(|omega| list.characteristic(DoubleDouble::from(omega)).mantissa().size() == 0.0) {
+            match first(&structure) {
+                Ok(found) => self.wrong.push(format!("{name}: {found:?} of what is held twice")),
+                Err(_) => self.refused += 1,
+            }
+            return;
+        }
         let by_minors = list.first_frequencies::<10>().map(|found| found.to_vec());
         let roots: Vec<f64> = by_minors.iter().flatten().map(|root| root.omega).collect();
         let beside = |omega: f64| roots.iter().map(move |root| (root / omega - 1.0).abs());

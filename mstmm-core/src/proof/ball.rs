@@ -1,6 +1,6 @@
 //! Balls: a number and a bound of its distance from the exact one, for each operation without a proof of its own.
 
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::number::{Number, UNDERFLOW};
 use crate::proof::word::{MOST_LANES, Word, load};
 use core::ops::{Add, Mul, Neg, Sub};

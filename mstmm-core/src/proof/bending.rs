@@ -1,7 +1,7 @@
 //! The bending of a uniform beam over the displacements `y1, θ1 l, y2, θ2 l`, over `EI/l³`, by `x = z⁴ = m ω² l⁴/EI`.
 
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::member::{BESIDE_POLE, Border, Member, any, half_wave, is_nonzero};
 use crate::proof::word::{Word, apart};
 use core::f64::consts::FRAC_1_PI;

@@ -1,8 +1,8 @@
 //! What is known beside estimates: bounds of the count at both ends of the narrowest intervals, of several estimates in the same runs.
 
 use crate::number::Real;
-use crate::proof::certificate::{Bound, Point, Precision, Prover, share_of};
 use crate::proof::count::Side;
+use crate::proof::prover::{Bound, Point, Precision, Prover, share_of};
 
 /// Estimates whose runs are made at once: their ends fill three blocks of eight lanes.
 pub(crate) const AT_ONCE: usize = 12;

@@ -2,8 +2,9 @@
 
 use crate::number::Real;
 use crate::proof::beside::Beside;
-use crate::proof::certificate::{Bound, Claim, Precision, Proven, Prover, zero_of};
+use crate::proof::certificate::{Claim, Proven};
 use crate::proof::count::Side;
+use crate::proof::prover::{Bound, Precision, Prover, zero_of};
 
 /// Steps of a bisection: the exponents of a word, and then its bits, with a step of the secant method between every two.
 const STEPS: usize = 256;

@@ -1,7 +1,7 @@
 //! Four words: the last resort, slow and simple. A sum keeps all of its terms, and a product all of its parts, until they are distilled; what is
 //! dropped then is looked at.
 
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::number::{Number, two_sum};
 use crate::proof::word::Word;
 

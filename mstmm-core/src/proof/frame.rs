@@ -2,8 +2,8 @@
 
 use crate::element::{Exact, MemberNumbers};
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining};
+use crate::proof::level::Level;
 use crate::proof::row::{Row, TERMS, difference, direction};
 use crate::proof::visit::{MemberEnd, NodeNumbers};
 use mstmm_plan::Freedoms;

@@ -6,7 +6,7 @@
 
 use crate::number::{Scalar, Size};
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::member::{any, place};
 use crate::proof::number::{Number, UNDERFLOW};
 use crate::proof::row::Term;

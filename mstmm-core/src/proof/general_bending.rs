@@ -8,7 +8,7 @@
 use crate::element::BeamNumbers;
 use crate::proof::ball::Ball;
 use crate::proof::bending::{Bending, sizes_of, symmetric};
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::member::BESIDE_POLE;
 use crate::proof::number::Number;
 use crate::proof::word::Word;

@@ -1,7 +1,7 @@
 //! A uniform line (rod, string, shaft) over the displacements of its ends, over `H/l`, by `x = (m ω² - k) l²/H`.
 
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::member::{BESIDE_POLE, Member, any, half_wave, is_nonzero};
 use crate::proof::word::{Word, apart};
 use core::f64::consts::FRAC_1_PI;

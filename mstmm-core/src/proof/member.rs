@@ -1,7 +1,7 @@
 //! What a member is in the elimination: its dynamic stiffness, with a border beside a pole, and its count with both ends held.
 
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::number::Number;
 use crate::proof::word::{Word, load};
 use core::array::from_fn;

@@ -2,8 +2,8 @@
 
 use crate::proof::count::{At, Outcome, Outcomes, Place, Room, run};
 use crate::proof::front::Variable;
-use crate::proof::functions::Level;
 use crate::proof::joining::Failure;
+use crate::proof::level::Level;
 use crate::proof::tree::Path;
 use crate::proof::visit::Visited;
 

@@ -42,7 +42,7 @@
 //!
 //! | file | what it has |
 //! |---|---|
-//! | [`word`], [`number`], [`four_words`] | an `f64` or several in lanes; numbers of two and of four words, with the bounds of a sum and a product |
+//! | [`word`], [`number`], [`four_words`], [`level`] | an `f64` or several in lanes; numbers of two and of four words, with the bounds of a sum and a product |
 //! | [`ball`], [`series`], [`functions`] | a number with a bound of its error; Taylor series, sine, cosine and exponential of it |
 //! | [`constants`] | π/2, ln 2, 1/n! |
 //! | [`member`] | a stiffness in balls, its border, its count with held ends |
@@ -52,6 +52,7 @@
 //! | [`tree`], [`frame`] | which rows the parts of a tree and of a frame have, and when variables leave |
 //! | [`visit`] | how a model names its parts: all that a proof knows of it |
 //! | [`count`], [`memory`] | a run; memory for its front, and lanes |
+//! | [`prover`] | bounds of the count at a frequency, in two words and in four |
 //! | [`beside`], [`certificate`] | bounds beside estimates; T4: claims about these |
 //! | [`bisection`] | a frequency that nobody has proposed |
 
@@ -68,10 +69,12 @@ pub(crate) mod front;
 pub(crate) mod functions;
 pub(crate) mod general_bending;
 pub(crate) mod joining;
+pub(crate) mod level;
 pub(crate) mod line;
 pub(crate) mod member;
 pub(crate) mod memory;
 pub(crate) mod number;
+pub(crate) mod prover;
 pub(crate) mod row;
 pub(crate) mod series;
 pub(crate) mod tapered;

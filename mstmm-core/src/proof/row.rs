@@ -2,7 +2,7 @@
 
 use crate::element::Exact;
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::number::Number;
 use crate::proof::word::Word;
 

@@ -2,7 +2,7 @@
 
 use crate::proof::ball::Ball;
 use crate::proof::constants::RECIPROCAL_FACTORIALS;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::number::{U, UNDERFLOW};
 use crate::proof::word::Word;
 

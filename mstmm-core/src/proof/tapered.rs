@@ -18,7 +18,7 @@
 
 use crate::element::TaperedNumbers;
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::member::Member;
 use crate::proof::number::Number;
 use crate::proof::word::Word;

@@ -2,8 +2,8 @@
 
 use crate::element::{BodyNumbers, Exact, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
 use crate::proof::joining::{Failure, Joining, Terms};
+use crate::proof::level::Level;
 use crate::proof::number::Number;
 use crate::proof::row::{Row, TERMS, Term, is_one, is_zero};
 use mstmm_plan::{Freedoms, Space, Support};

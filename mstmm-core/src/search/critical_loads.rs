@@ -3,7 +3,7 @@
 use crate::model::{LoadError, ParameterError, SearchError};
 use crate::number::{InLanes, List, Parameter, Real, Scalar};
 use crate::pass::searched::Undamped;
-use crate::proof::certificate::{Bound, Prover, zero_of};
+use crate::proof::prover::{Bound, Prover, zero_of};
 use crate::search::closed_range::ClosedRange;
 use crate::search::room::add;
 use crate::search::undamped::proven::Parts;

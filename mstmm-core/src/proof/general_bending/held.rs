@@ -2,8 +2,8 @@
 
 use crate::proof::ball::Ball;
 use crate::proof::constants::HALF_PI;
-use crate::proof::functions::Level;
 use crate::proof::general_bending::equations::{Equations, Roots, either};
+use crate::proof::level::Level;
 use crate::proof::member::any;
 use crate::proof::word::Word;
 use core::f64::consts::FRAC_1_PI;

@@ -2,8 +2,8 @@
 
 use crate::proof::ball::Ball;
 use crate::proof::constants::RECIPROCAL_FACTORIALS;
-use crate::proof::functions::Level;
 use crate::proof::general_bending::equations::{Equations, Roots, WavePair, either, select_all};
+use crate::proof::level::Level;
 use crate::proof::member::any;
 use crate::proof::word::Word;
 

@@ -11,7 +11,7 @@
 //! ```
 
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::member::Member;
 use crate::proof::number::Number;
 use crate::proof::tapered::{Piece, RADIUS};

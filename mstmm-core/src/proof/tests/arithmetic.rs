@@ -3,7 +3,7 @@
 use crate::proof::ball::Ball;
 use crate::proof::constants::{HALF_PI, LN_2, RECIPROCAL_FACTORIALS};
 use crate::proof::four_words::FourWords;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::number::{Number, OneWord, TwoWords};
 use crate::proof::tests::exact::{Exact, Exactly, exact, pi, share, size};
 use crate::proof::tests::random::Random;

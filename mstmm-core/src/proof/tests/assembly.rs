@@ -2,7 +2,7 @@
 
 use crate::proof::ball::Ball;
 use crate::proof::front::{Front, Variable, substitute};
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::number::{OneWord, TwoWords};
 use crate::proof::row::Term;
 use crate::proof::tests::arithmetic::number;

@@ -4,8 +4,8 @@
 //! told twice: by the intervals that four words prove, and by a count of minors in twice the digits, which shares nothing with the proof.
 
 use crate::number::Real;
-use crate::proof::certificate::{Precision, Prover};
 use crate::proof::count::Side;
+use crate::proof::prover::{Precision, Prover};
 use crate::proof::tests::models::{Asked, Model};
 use crate::proof::tests::random::Random;
 use crate::proof::tests::truth::Truth;

@@ -1,7 +1,7 @@
 //! False claims about beams and lines of which many digits tell all frequencies: [the campaign](super::campaign) without any count behind it.
 
 use crate::elements::{Beam, BeamColumn, FoundationBeam, Mass, RayleighBeam, Rod, Shaft, Spring, TautString};
-use crate::proof::certificate::Prover;
+use crate::proof::prover::Prover;
 use crate::proof::tests::campaign::{Tally, try_all};
 use crate::proof::tests::exact::{Exact, exact, pi, word};
 use crate::proof::tests::models::Asked;

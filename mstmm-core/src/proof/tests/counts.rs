@@ -3,7 +3,7 @@
 use crate::proof::ball::Ball;
 use crate::proof::bending::bending;
 use crate::proof::four_words::FourWords;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::line::line;
 use crate::proof::member::Member;
 use crate::proof::number::{OneWord, TwoWords};

@@ -2,7 +2,7 @@
 
 use crate::proof::ball::Ball;
 use crate::proof::four_words::FourWords;
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::number::{OneWord, TwoWords};
 use crate::proof::tests::exact::{Exact, Exactly, exact, pi, share, word};
 use crate::proof::tests::random::Random;

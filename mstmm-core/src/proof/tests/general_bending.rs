@@ -3,8 +3,8 @@
 use crate::element::BeamNumbers;
 use crate::proof::ball::Ball;
 use crate::proof::constants::HALF_PI;
-use crate::proof::functions::Level;
 use crate::proof::general_bending::{General, general_bending};
+use crate::proof::level::Level;
 use crate::proof::number::{Number, OneWord, TwoWords};
 use crate::proof::tests::lanes::Four;
 use core::array::from_fn;

@@ -3,11 +3,11 @@
 //! In two words all roundings are far below a unit in the last place of ω, so that a bound that forgets one is right all the same. In one
 //! word they show.
 
-use crate::proof::certificate::Prover;
 use crate::proof::count::{At, Side};
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::memory::Memory;
 use crate::proof::number::OneWord;
+use crate::proof::prover::Prover;
 use crate::proof::tests::models::Model;
 use crate::proof::tests::random::Random;
 use crate::proof::tests::truth::Truth;

@@ -7,7 +7,7 @@
 use crate::element::{BodyNumbers, Exact, MatrixOf, MemberNumbers, OwnPart, TransferMatrix};
 use crate::model::{Spot, StateSpace};
 use crate::number::{Parameter, Scalar};
-use crate::proof::certificate::Prover;
+use crate::proof::prover::Prover;
 use crate::proof::tests::random::Random;
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visited, Visitor};
 use crate::{Coordinate, DoubleDouble, Freedoms, Space, Support};

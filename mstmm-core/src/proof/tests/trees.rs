@@ -2,10 +2,10 @@
 
 use crate::elements::{Beam, Mass, Spring};
 use crate::pass::searched::Undamped;
-use crate::proof::certificate::Prover;
 use crate::proof::count::{At, Side};
 use crate::proof::memory::Memory;
 use crate::proof::number::TwoWords;
+use crate::proof::prover::Prover;
 use crate::search::NaturalFrequencies;
 use crate::search::undamped::proven::Parts;
 use crate::{AnyUndamped, ListStep, StepList, Support};

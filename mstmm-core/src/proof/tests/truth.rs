@@ -1,7 +1,7 @@
 //! What proven intervals tell of the count at any frequency.
 
-use crate::proof::certificate::{Precision, Prover};
 use crate::proof::count::Side;
+use crate::proof::prover::{Precision, Prover};
 use crate::search::NaturalFrequency;
 use std::vec::Vec;
 

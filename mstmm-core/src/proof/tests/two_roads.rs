@@ -1,7 +1,7 @@
 //! Bounds by two roads never cross: two words and four, and two orders of elimination of the same model.
 
-use crate::proof::certificate::{Precision, Prover};
 use crate::proof::count::Side;
+use crate::proof::prover::{Precision, Prover};
 use crate::proof::tests::campaign::BESIDE;
 use crate::proof::tests::models::{Asked, Model, SOUGHT};
 use crate::proof::tests::random::Random;

@@ -1,6 +1,6 @@
 //! A number whose every operation is rounded to a side, within its bounds, and as badly as these allow.
 
-use crate::proof::functions::Level;
+use crate::proof::level::Level;
 use crate::proof::number::{Number, OneWord, U, two_sum};
 use crate::proof::tests::exact::{Exact, Exactly, exact};
 use crate::proof::word::Word;

@@ -2,8 +2,8 @@
 
 use crate::element::BeamNumbers;
 use crate::proof::ball::Ball;
-use crate::proof::functions::Level;
 use crate::proof::general_bending::{General, general_bending};
+use crate::proof::level::Level;
 use crate::proof::member::place;
 use core::array::from_fn;
 use dashu_float::FBig;
