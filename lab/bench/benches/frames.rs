@@ -11,20 +11,14 @@ use mstmm::prelude::*;
 use mstmm_lanes::InstructionSet;
 use std::hint::black_box;
 use std::time::Instant;
+use subjects::frames::{Plain, PlainSystem, Workshop};
+
+pub mod subjects;
 
 type Failure = Box<dyn core::error::Error>;
 
 /// Rounds of each measurement.
 const ROUNDS: usize = 41;
-
-system! {
-    /// A portal of steel, clamped.
-    struct Plain { ea: f64, ei: f64, m: f64 }
-    fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
-        <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (6.0, 0.0);
-}
 
 system! {
     /// A clamped portal with legs of different lengths.
@@ -33,20 +27,6 @@ system! {
         -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
         -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
         <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (6.0, -1.0);
-}
-
-system! {
-    /// A portal with a hinge in a corner, a braced foot and a machine on its girder.
-    struct Workshop { ea: f64, ei: f64, m: f64, brace: f64, machine: f64 }
-    fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 3.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (2.0, 3.0)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (4.0, 3.0)
-        -> pin 4 {}
-        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (4.0, 0.0)
-        <- pinned;
-    conn girder -> rigid_body 6 { mass: machine, inertia: 40.0, centre: (2.0, 3.4) };
-    conn b -> spring 7 { stiffness: brace } -> conn foot;
 }
 
 system! {

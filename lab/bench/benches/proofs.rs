@@ -10,36 +10,16 @@ use mstmm_lanes::InstructionSet;
 use paper::models;
 use std::hint::black_box;
 use std::time::Instant;
+use subjects::frames::{Plain, Workshop};
+
+pub mod subjects;
 
 type Failure = Box<dyn core::error::Error>;
 
 /// Rounds of each measurement; the least counts, since other work on the machine only ever adds.
 const ROUNDS: usize = 60;
 
-system! {
-    /// A clamped portal.
-    struct Portal { ea: f64, ei: f64, m: f64 }
-    fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
-        <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (6.0, 0.0);
-}
-
-system! {
-    /// A portal with a hinge in a corner, a braced foot and a machine on its girder.
-    struct Workshop { ea: f64, ei: f64, m: f64, brace: f64, machine: f64 }
-    fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 3.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (2.0, 3.0)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (4.0, 3.0)
-        -> pin 4 {}
-        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (4.0, 0.0)
-        <- pinned;
-    conn girder -> rigid_body 6 { mass: machine, inertia: 40.0, centre: (2.0, 3.4) };
-    conn b -> spring 7 { stiffness: brace } -> conn foot;
-}
-
-/// Least time of one call in µs, over rounds of so many calls.
+/// Least time of one call over rounds of `calls` calls [µs].
 fn least<R>(calls: u32, mut call: impl FnMut() -> R) -> f64 {
     let mut least = f64::INFINITY;
     for _ in 0..ROUNDS {
@@ -71,7 +51,7 @@ where
     Ok(())
 }
 
-/// A building of so many storeys and bays.
+/// The nodes and the members of a building.
 fn building(storeys: usize, bays: usize) -> (Vec<Node<f64>>, Vec<Member<UndampedMember<f64>>>) {
     let section = Section { axial_stiffness: 1.26e9, bending_stiffness: 5.25e6, mass_per_length: 47.1 };
     let place = |storey: usize, column: usize| storey * (bays + 1) + column;
@@ -102,7 +82,7 @@ fn main() -> Result<(), Failure> {
     row::<_, 3>("4.2", &models::restrained_beam().build()?)?;
     row::<_, 3>("4.3", &models::spring_and_mass().build()?)?;
     row::<_, 5>("4.4", &models::two_spans().build()?)?;
-    row::<_, 10>("portal", &Portal { ea: 1.26e9, ei: 5.25e6, m: 47.1 }.build()?)?;
+    row::<_, 10>("portal", &Plain { ea: 1.26e9, ei: 5.25e6, m: 47.1 }.build()?)?;
     let workshop = Workshop { ea: 4e8, ei: 1e6, m: 20.0, brace: 2e6, machine: 500.0 };
     row::<_, 10>("portal with brace and machine", &workshop.build()?)?;
     let (nodes, members) = building(10, 3);

@@ -2,7 +2,7 @@
 
 use crate::proof::level::Level;
 use crate::proof::number::{Number, UNDERFLOW};
-use crate::proof::word::{MOST_LANES, Word, load};
+use crate::proof::word::{Word, load};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A number within `rad` of `mid`. A bound that is infinite or NaN says nothing.
@@ -112,15 +112,15 @@ impl<N: Level> Ball<N> {
     }
 
     /// A ball in each lane.
+    #[inline(always)]
     pub(crate) fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Ball<N::Alone>) -> Self {
         Ball { mid: N::of_lanes(lanes, &|lane| of(lane).mid), rad: load(lanes, &|lane| of(lane).rad) }
     }
 
     /// The ball of a lane.
+    #[inline(always)]
     pub(crate) fn lane(self, lane: usize) -> Ball<N::Alone> {
-        let mut numbers = [0.0; MOST_LANES];
-        self.rad.store(&mut numbers);
-        Ball { mid: self.mid.lane(lane), rad: numbers[lane] }
+        Ball { mid: self.mid.lane(lane), rad: self.rad.lane(lane) }
     }
 }
 

@@ -116,7 +116,7 @@ impl<T: Real> Evidence<T> {
 pub(crate) struct Beside<T> {
     /// One for each estimate.
     pub(crate) found: [Evidence<T>; AT_ONCE],
-    /// The farthest number in one entry with the lower end of the last one, and a bound from below there.
+    /// Where it was asked for: the farthest number in one entry with the lower end of the last one, and a bound from below there.
     pub(crate) beyond: Option<(T, Bound)>,
 }
 
@@ -129,12 +129,12 @@ impl<T: Real> Beside<T> {
     /// What is known beside up to [`AT_ONCE`] estimates.
     pub(crate) fn of(prover: &mut Prover<'_>, estimates: &[T], precision: Precision) -> Self {
         let mut beside = Self::nothing();
-        beside.find(prover, estimates, precision);
+        beside.find(prover, estimates, precision, false);
         beside
     }
 
-    /// Finds what is known beside up to [`AT_ONCE`] estimates.
-    pub(crate) fn find(&mut self, prover: &mut Prover<'_>, estimates: &[T], precision: Precision) {
+    /// Finds what is known beside up to [`AT_ONCE`] estimates, and beyond the last one.
+    pub(crate) fn find(&mut self, prover: &mut Prover<'_>, estimates: &[T], precision: Precision, and_beyond: bool) {
         let used = &mut self.found[..estimates.len()];
         let Some(last) = used.len().checked_sub(1) else { return };
         for (evidence, omega) in used.iter_mut().zip(estimates) {
@@ -147,7 +147,7 @@ impl<T: Real> Beside<T> {
             for (k, evidence) in used.iter().enumerate() {
                 [points[2 * k], points[2 * k + 1]] = evidence.asks();
             }
-            let asks_beyond = self.beyond.is_none() && !matches!(used[last].next, Next::Ends(_));
+            let asks_beyond = and_beyond && self.beyond.is_none() && !matches!(used[last].next, Next::Ends(_));
             let end = used[last].ends[0] + used[last].ends[0] * T::from_f64(ONE_ENTRY * T::EPSILON);
             points[2 * AT_ONCE] = asks_beyond.then_some(Point { omega: end, side: Side::AtLeast });
             if points.iter().all(Option::is_none) {

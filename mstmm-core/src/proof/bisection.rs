@@ -116,7 +116,7 @@ impl Prover<'_> {
         }
         let (lower, upper) = (lower.0, upper.0);
         let count = self.bounds(upper, 1.0)[0].unwrap_or(0);
-        // where nothing was found below the middles, the lower end is that of the caller, who knows of it that so many are below at least
+        // the lower end may be the caller's, of which a count from below is known and none from above
         let is_apart = self.bounds(lower, 1.0)[1].is_some_and(|most| most < index);
         if upper - lower > upper * T::from_f64(WIDEST * T::EPSILON) || count < index {
             return Err(refused(middle(lower, upper)));

@@ -3,13 +3,14 @@
 use crate::element::{Exact, MemberNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::frame::Nodes;
-use crate::proof::front::{Front, Variable};
+use crate::proof::front::{Front, Total, Variable};
 use crate::proof::joining::{Failure, Joining};
 use crate::proof::level::Level;
 use crate::proof::number::Number;
 use crate::proof::tree::{Path, Paths};
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visited, Visitor};
 use crate::proof::word::{MOST_LANES, Word, load};
+use core::array::from_fn;
 use mstmm_plan::{Space, Support};
 
 /// Which bound of a count is wanted.
@@ -31,17 +32,20 @@ impl Side {
     }
 }
 
-/// What a run tells, a number in each lane.
+/// What a run tells of a lane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Outcome<W> {
+pub(crate) struct Outcome {
     /// The bound; NaN where it was lost.
-    pub(crate) count: W,
+    pub(crate) count: f64,
     /// Δ over `2^exponent` and over powers of two that are the same in all lanes: it decides nothing.
-    pub(crate) value: W,
+    pub(crate) value: f64,
     pub(crate) exponent: i64,
     /// The node or the step of the pivot that is smallest beside the terms of its entry, in the first lane.
     pub(crate) smallest_at: usize,
 }
+
+/// What a run tells of as many lanes as it had; nothing is said of others.
+pub(crate) type Outcomes = [Outcome; MOST_LANES];
 
 /// A run in progress.
 struct Run<'m, N: Level> {
@@ -113,11 +117,7 @@ pub(crate) struct Room<'m, N: Level> {
 
 /// A run at ω², of either sign, in memory for a front.
 #[inline(always)]
-pub(crate) fn run<'m, N: Level>(
-    model: &'m dyn Visited,
-    memory: Room<'m, N>,
-    at: At<N>,
-) -> Result<Outcome<N::Word>, Failure> {
+pub(crate) fn run<'m, N: Level>(model: &'m dyn Visited, memory: Room<'m, N>, at: At<N>) -> Result<Outcomes, Failure> {
     let At { square, toward, omega } = at;
     let front = Front::new(memory.entries, memory.variables, toward);
     let mut run = Run {
@@ -134,28 +134,11 @@ pub(crate) fn run<'m, N: Level>(
         return Err(failure);
     }
     let total = front.total;
-    Ok(Outcome {
-        count: total.negative + held,
-        value: total.product,
-        exponent: total.exponent,
-        smallest_at: total.smallest_at,
-    })
-}
-
-/// The outcomes of so many lanes.
-pub(crate) type Outcomes = ([Outcome<f64>; MOST_LANES], usize);
-
-#[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
-impl<W: Word> Outcome<W> {
-    /// The outcomes of so many lanes.
-    pub(crate) fn lanes(self, lanes: usize) -> Outcomes {
-        let Outcome { exponent, smallest_at, .. } = self;
-        let (mut counts, mut values) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
-        self.count.store(&mut counts);
-        self.value.store(&mut values);
-        let outcome = |lane| Outcome { count: counts[lane], value: values[lane], exponent, smallest_at };
-        (core::array::from_fn(outcome), lanes)
-    }
+    let (mut counts, mut values) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
+    (total.negative + held).store(&mut counts);
+    total.product.store(&mut values);
+    let Total { exponent, smallest_at, .. } = total;
+    Ok(from_fn(|lane| Outcome { count: counts[lane], value: values[lane], exponent, smallest_at }))
 }
 
 /// Where a bound is wanted, at a frequency that is the sum of two words, and which one.
@@ -174,6 +157,7 @@ pub(crate) struct At<N: Number> {
 
 impl<N: Level> At<N> {
     /// At `sign ω²`, a place in each lane.
+    #[inline(always)]
     pub(crate) fn new(places: &[Place], sign: f64) -> Self {
         let omega = places.first().map_or([0.0; 2], |(omega, _)| if sign < 0.0 { [0.0; 2] } else { *omega });
         At {

@@ -161,10 +161,6 @@ impl Level for FourWords {
         alone
     }
 
-    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Self) -> Self {
-        of(&lanes[0])
-    }
-
     fn lane(self, _: usize) -> Self {
         self
     }

@@ -2,7 +2,7 @@
 
 use crate::element::{Exact, MemberNumbers};
 use crate::proof::ball::Ball;
-use crate::proof::joining::{Failure, Joining};
+use crate::proof::joining::{Failure, Joining, add_force, add_line};
 use crate::proof::level::Level;
 use crate::proof::row::{Row, TERMS, difference, direction};
 use crate::proof::visit::{MemberEnd, NodeNumbers};
@@ -35,8 +35,8 @@ const LOCAL: usize = 3;
 /// A displacement of an end: at most three variables of its node.
 type EndRow<N> = Row<<N as Level>::Alone, 3>;
 
-/// The stiffness that is added to a rigid joint, beside those of its displacements. It changes nothing. Any number does that no spring is likely to
-/// have beside others with the other sign: a pivot would be zero then.
+/// The stiffness that is added to a rigid joint, over the largest one of its displacements. Any number is valid, since the joint never stretches. A
+/// whole number would meet springs of the same size and the other sign, and leave a pivot of zero.
 const OF_NEIGHBOURS: f64 = 1.37;
 
 /// Cosine and sine of a direction.
@@ -102,7 +102,8 @@ impl Nodes {
         rows
     }
 
-    /// Displacements along and across a member, given its axis, and rotation at one of its ends, which may have an axis of its own. What the end does not share with its node is a variable of its
+    /// Displacements along and across a member, given its axis, and rotation at one of its ends. An end may have an axis of its own. What it does
+    /// not share with its node is a variable of its
     /// own, which leaves when the member has joined.
     #[inline(never)]
     fn local<N: Level>(
@@ -158,14 +159,14 @@ impl Nodes {
             }
             MemberNumbers::Beam(beam) => {
                 if let Some(line) = beam.longitudinal() {
-                    joining.add_line(&line, length, [first[0].terms(), second[0].terms()]);
+                    add_line(joining, &line, length, [first[0].terms(), second[0].terms()]);
                 }
                 let ends = [&first[1], &first[2], &second[1], &second[2]];
                 joining.add_bending(beam, length, ends.map(|row| row.terms()));
             }
             MemberNumbers::Line(freedom, line) => {
                 let ends = [first[*freedom].terms(), second[*freedom].terms()];
-                joining.add_line(line, Ball::of_pair(line.length), ends);
+                add_line(joining, line, Ball::of_pair(line.length), ends);
             }
             MemberNumbers::Spring(freedom, stiffness) => {
                 joining.add_spring(*stiffness, [&first[*freedom], &second[*freedom]]);
@@ -194,8 +195,7 @@ impl Nodes {
         let stiffness = if size > 0.0 && size < f64::INFINITY { size * OF_NEIGHBOURS } else { 1.0 };
         joining.add_term(Ball::of(stiffness), gap.terms());
         let force = joining.enter();
-        joining.front.grow(force, 1.0 / stiffness);
-        joining.add_force(force, gap.terms());
+        add_force(joining, force, 1.0 / stiffness, gap.terms());
         if self.tie_count == MOST_NODES {
             joining.failure = Some(Failure::Full);
             return;

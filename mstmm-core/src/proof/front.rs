@@ -72,9 +72,9 @@ const LEAST: f64 = f64::from_bits(1);
 /// What a pivot becomes that is zero: any number on the right side of zero is valid.
 const SMALLEST_PIVOT: f64 = 1e-250;
 
-/// Size of a pivot, beside the terms of its entry, below which its variable waits. A small pivot costs digits: its square in the rows that stay, and
-/// a part of these where the system has a frequency just there. As a beam on a pin with a free end, whose frequencies are those of one with that
-/// end clamped. From 0.1 to 1e-5 little changes.
+/// Size of a pivot, beside the terms of its entry, below which its variable waits. The bound is valid whatever it is. A row that stays gets the
+/// quotient by the pivot, with its rounding: at 1e-3 the bound loses three of 32 digits, where a pivot that vanishes loses half of them. Pivots do
+/// vanish at frequencies of a system: a beam on a pin with a free end has those of one with that end clamped.
 const SMALL_PIVOT: f64 = 1e-3;
 
 /// Errors are sums of rounded positive numbers, of up to 9e9 of them: each sum loses u of itself at most. A joint of a million members adds some ten
@@ -161,8 +161,9 @@ impl<'m, N: Number> Front<'m, N> {
     }
 
     /// The pivot of a variable beside the terms of its diagonal entry, in the first lane.
+    #[inline(always)]
     pub(crate) fn share(&self, variable: usize) -> f64 {
-        self.entries[place(variable, variable)].size().first() / self.variables[variable].size
+        share(self, variable)
     }
 
     /// What underflow does to a row while a variable leaves, times the weight of the row.
@@ -216,6 +217,11 @@ apart! {
             front.entries[place(place_of, other)] = N::of(0.0);
         }
         Some(place_of)
+    }
+
+    /// See [`Front::share`].
+    fn share<N: Number>(front: &Front<'_, N>, variable: usize) -> f64 {
+        front.entries[place(variable, variable)].size().first() / front.variables[variable].size
     }
 
     /// See [`Front::leave`] and [`Front::leave_if_large`].

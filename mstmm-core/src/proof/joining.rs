@@ -3,7 +3,7 @@
 use crate::element::{BeamNumbers, Exact, LineNumbers, TaperedNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::bending::{Bending, bending};
-use crate::proof::front::{Front, substitute};
+use crate::proof::front::Front;
 use crate::proof::general_bending::general_bending;
 use crate::proof::level::Level;
 use crate::proof::line::line;
@@ -62,12 +62,6 @@ impl<'m, N: Level> Joining<'m, N> {
             self.failure = Some(Failure::Full);
             0
         })
-    }
-
-    /// Puts a combination of other variables in the place of one.
-    #[inline(always)]
-    pub(crate) fn substitute(&mut self, variable: usize, by: Terms<'_, N>) {
-        substitute(&mut self.front, variable, by);
     }
 
     /// Adds `k row²`.
@@ -133,18 +127,12 @@ impl<'m, N: Level> Joining<'m, N> {
         }
     }
 
-    /// Adds a line over the rows of its ends.
-    #[inline(always)]
-    pub(crate) fn add_line(&mut self, numbers: &LineNumbers, length: Ball<N::Alone>, rows: [Terms<'_, N>; 2]) {
-        add_line(self, numbers, length, rows);
-    }
-
     /// Adds the bending of a beam over the rows of displacement and rotation of both ends.
     pub(crate) fn add_bending(&mut self, numbers: &BeamNumbers, length: Ball<N::Alone>, rows: [Terms<'_, N>; 4]) {
         if numbers.is_plain() {
             return add_plain_bending(self, numbers, length, rows);
         }
-        let (whole, is_beside_pole) = self.general(numbers, length);
+        let (whole, is_beside_pole) = general(self, numbers, length);
         if !is_beside_pole {
             return add_bent(self, &whole, &numbers.bending_stiffness, length, rows);
         }
@@ -154,35 +142,10 @@ impl<'m, N: Level> Joining<'m, N> {
         let part = |share: f64| length * Ball::of(share);
         let [y, theta] = [middle[0].terms(), middle[1].terms()];
         for (share, rows) in [(0.375, [rows[0], rows[1], y, theta]), (0.625, [y, theta, rows[2], rows[3]])] {
-            let (piece, _) = self.general(numbers, part(share));
+            let (piece, _) = general(self, numbers, part(share));
             add_bent(self, &piece, &numbers.bending_stiffness, part(share), rows);
         }
         variables.into_iter().for_each(|variable| self.leaves_behind(variable));
-    }
-
-    /// A general beam, lane by lane, and whether one of them is beside a pole.
-    #[inline(never)]
-    fn general(&self, numbers: &BeamNumbers, length: Ball<N::Alone>) -> (Bending<N>, bool) {
-        let mut is_beside_pole = false;
-        let mut of_lane = |lane: usize| {
-            let beam = general_bending(numbers, length, self.square.lane(lane));
-            is_beside_pole |= beam.is_beside_pole;
-            beam.member
-        };
-        let mut lanes = [of_lane(0); MOST_LANES];
-        for (lane, member) in lanes.iter_mut().enumerate().take(N::Word::LANES).skip(1) {
-            *member = of_lane(lane);
-        }
-        (Member::of_lanes(&lanes[..N::Word::LANES]), is_beside_pole)
-    }
-
-    /// Adds a stiffness between two rows that nobody has proven, with its count with held ends.
-    #[inline(never)]
-    pub(crate) fn add_counted(&mut self, stiffness: [Exact; 3], held: f64, rows: [Terms<'_, N>; 2]) {
-        let stiffness: [Ball<N>; 3] = stiffness.map(Ball::of_pair);
-        let size = stiffness.map(|entry| entry.mid.size().first());
-        add(self, &stiffness, &rows, [size[0].max(size[1]), size[2].max(size[1])]);
-        self.held = self.held + N::Word::of(held);
     }
 
     /// Adds a tapered beam piece by piece. The last inner end leaves behind the first end of the beam: before that its pivot is a pole where
@@ -220,19 +183,6 @@ impl<'m, N: Level> Joining<'m, N> {
         let mut elongation = second.widened::<{ TERMS }>();
         elongation.add(first, Ball::of(-1.0));
         self.add_term(Ball::of_pair(stiffness), elongation.terms());
-    }
-
-    /// Adds the inertia of a body over rows of displacement and rotation of a point, given its mass, its mass moment and its moment of inertia
-    /// about the point.
-    #[inline(always)]
-    pub(crate) fn add_inertia(&mut self, inertia: [Ball<N::Alone>; 3], rows: [Terms<'_, N>; 2]) {
-        add_inertia(self, inertia, rows);
-    }
-
-    /// Adds the force of a rigid joint over the displacements that are equal, and takes off its negative pivot.
-    #[inline(always)]
-    pub(crate) fn add_force(&mut self, force: usize, gap: Terms<'_, N>) {
-        add_force(self, force, gap);
     }
 }
 
@@ -312,8 +262,38 @@ apart! {
         joining.leaves_behind(variable);
     }
 
-    /// See [`Joining::add_line`].
-    fn add_line<N: Level>(
+    /// A general beam, lane by lane, and whether one of them is beside a pole.
+    fn general<N: Level>(
+        joining: &Joining<'_, N>,
+        numbers: &BeamNumbers,
+        length: Ball<N::Alone>,
+    ) -> (Bending<N>, bool) {
+        let first = general_bending(numbers, length, joining.square.lane(0));
+        let (mut lanes, mut is_beside_pole) = ([first.member; MOST_LANES], first.is_beside_pole);
+        for (lane, member) in lanes.iter_mut().enumerate().take(N::Word::LANES).skip(1) {
+            let beam = general_bending(numbers, length, joining.square.lane(lane));
+            *member = beam.member;
+            is_beside_pole |= beam.is_beside_pole;
+        }
+        (Member::of_lanes(&lanes[..N::Word::LANES]), is_beside_pole)
+    }
+
+    /// Adds a stiffness between two rows that nobody has proven, with its count with held ends.
+    pub(crate) fn add_counted<N: Level>(
+        joining: &mut Joining<'_, N>,
+        stiffness: [Exact; 3],
+        held: f64,
+        rows: [Terms<'_, N>; 2],
+    ) {
+        let [input, between, output] = stiffness;
+        let stiffness = [Ball::<N>::of_pair(input), Ball::of_pair(between), Ball::of_pair(output)];
+        let [input, between, output] = [input[0].abs(), between[0].abs(), output[0].abs()];
+        add(joining, &stiffness, &rows, [input.max(between), output.max(between)]);
+        joining.held = joining.held + N::Word::of(held);
+    }
+
+    /// Adds a line over the rows of its ends.
+    pub(crate) fn add_line<N: Level>(
         joining: &mut Joining<'_, N>,
         numbers: &LineNumbers,
         length: Ball<N::Alone>,
@@ -365,8 +345,9 @@ apart! {
         add(joining, &[entry], &[row], [entry.mid.size().first()]);
     }
 
-    /// See [`Joining::add_inertia`].
-    fn add_inertia<N: Level>(joining: &mut Joining<'_, N>, inertia: [Ball<N::Alone>; 3], rows: [Terms<'_, N>; 2]) {
+    /// Adds the inertia of a body over rows of displacement and rotation of a point, given its mass, its mass moment and its moment of inertia
+    /// about the point.
+    pub(crate) fn add_inertia<N: Level>(joining: &mut Joining<'_, N>, inertia: [Ball<N::Alone>; 3], rows: [Terms<'_, N>; 2]) {
         let mut entries = [Ball::of(0.0); 3];
         for (entry, inertia) in entries.iter_mut().zip(inertia) {
             if !is_zero(&inertia) {
@@ -377,8 +358,14 @@ apart! {
         add(joining, &entries, &rows, sizes);
     }
 
-    /// See [`Joining::add_force`].
-    fn add_force<N: Level>(joining: &mut Joining<'_, N>, force: usize, gap: Terms<'_, N>) {
+    /// Adds the force of a rigid joint over the displacements that are equal, given about its flexibility, and takes off its negative pivot.
+    pub(crate) fn add_force<N: Level>(
+        joining: &mut Joining<'_, N>,
+        force: usize,
+        flexibility: f64,
+        gap: Terms<'_, N>,
+    ) {
+        joining.front.grow(force, flexibility);
         for term in gap {
             joining.front.add(force, term.variable, Ball::everywhere(term.coefficient));
         }

@@ -1,7 +1,7 @@
 //! Numbers as functions need them: enough terms and words of constants, and numbers of one lane for what does not depend on the frequency.
 
 use crate::proof::number::{Number, TwoWords, U};
-use crate::proof::word::{MOST_LANES, Word, load};
+use crate::proof::word::{Word, load};
 
 /// A number for which series have enough terms and constants enough words.
 pub(crate) trait Level: Number {
@@ -18,8 +18,11 @@ pub(crate) trait Level: Number {
 
     /// A number in all lanes.
     fn everywhere(alone: Self::Alone) -> Self;
-    /// A number in each lane.
-    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Self::Alone) -> Self;
+    /// A number in each lane; that of the first one, where there are no others.
+    #[inline(always)]
+    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Self::Alone) -> Self {
+        Self::everywhere(of(&lanes[0]))
+    }
     /// The number of a lane.
     fn lane(self, lane: usize) -> Self::Alone;
 }
@@ -35,17 +38,14 @@ impl<W: Word> Level for TwoWords<W> {
         TwoWords { hi: W::of(alone.hi), lo: W::of(alone.lo) }
     }
 
+    #[inline(always)]
     fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> TwoWords<f64>) -> Self {
         TwoWords { hi: load(lanes, &|lane| of(lane).hi), lo: load(lanes, &|lane| of(lane).lo) }
     }
 
+    #[inline(always)]
     fn lane(self, lane: usize) -> TwoWords<f64> {
-        let [hi, lo] = [self.hi, self.lo].map(|word| {
-            let mut numbers = [0.0; MOST_LANES];
-            word.store(&mut numbers);
-            numbers[lane]
-        });
-        TwoWords { hi, lo }
+        TwoWords { hi: self.hi.lane(lane), lo: self.lo.lane(lane) }
     }
 }
 
@@ -58,10 +58,6 @@ impl Level for crate::proof::number::OneWord {
 
     fn everywhere(alone: Self) -> Self {
         alone
-    }
-
-    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Self) -> Self {
-        of(&lanes[0])
     }
 
     fn lane(self, _: usize) -> Self {

@@ -4,7 +4,6 @@ use crate::proof::ball::Ball;
 use crate::proof::level::Level;
 use crate::proof::number::Number;
 use crate::proof::word::{Word, load};
-use core::array::from_fn;
 
 /// The dynamic stiffness of a member over `F` displacements of its ends, `E = F(F + 1)/2` entries of the lower triangle row after row.
 #[derive(Clone, Copy, Debug)]
@@ -57,11 +56,16 @@ pub(crate) fn is_nonzero<N: Number>(ball: Ball<N>) -> <N::Word as Word>::Mask {
 
 impl<N: Level, const F: usize, const E: usize> Member<N, F, E> {
     /// Members in lanes, none with a border.
+    #[inline(always)]
     pub(crate) fn of_lanes(members: &[Member<N::Alone, F, E>]) -> Self {
+        let mut stiffness = [Ball::of(0.0); E];
+        for (k, entry) in stiffness.iter_mut().enumerate() {
+            *entry = Ball::of_lanes(members, &|member| member.stiffness[k]);
+        }
         Member {
-            stiffness: from_fn(|k| Ball::of_lanes(members, &|member| member.stiffness[k])),
+            stiffness,
             border: None,
-            held: [0, 1].map(|k| load(members, &|member| member.held[k])),
+            held: [load(members, &|member| member.held[0]), load(members, &|member| member.held[1])],
             minor: load(members, &|member| member.minor),
             sizes: members.first().map_or([0.0; F], |member| member.sizes),
         }

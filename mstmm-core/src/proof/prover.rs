@@ -2,12 +2,13 @@
 
 use crate::model::Spot;
 use crate::number::{Real, Scalar};
-use crate::proof::count::{At, Outcome, Place, Side};
+use crate::proof::count::{Outcome, Place, Side};
 use crate::proof::four_words::FourWords;
 use crate::proof::joining::Failure;
-use crate::proof::memory::Memory;
+use crate::proof::memory::{Memory, Question};
 use crate::proof::number::TwoWords;
 use crate::proof::visit::Visited;
+use crate::proof::word::MOST_LANES;
 
 /// The precision of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -67,66 +68,55 @@ impl<'a> Prover<'a> {
 
     /// A bound of the count at `sign ω²`.
     pub(crate) fn bound_at<T: Real>(&mut self, omega: T, sign: f64, side: Side, precision: Precision) -> Bound {
-        self.run(omega.words(), sign, side, precision)
+        self.run((omega.words(), side), sign, precision)
     }
 
-    /// A run at the sum of two words; not generic, so that it is compiled here once and not in each crate that searches.
-    fn run(&mut self, omega: [f64; 2], sign: f64, side: Side, precision: Precision) -> Bound {
-        let place = [(omega, side)];
-        let outcome = match precision {
-            Precision::Two => {
-                self.runs += 1;
-                match self.memory.run_in_lanes(self.model, &place, sign) {
-                    Some((outcomes, _)) => Ok(outcomes[0]),
-                    None => self.memory.run::<TwoWords<f64>>(self.model, At::new(&place, sign)),
-                }
-            }
-            Precision::Four => {
-                self.long_runs += 1;
-                self.memory.run::<FourWords>(self.model, At::new(&place, sign))
-            }
-        };
-        self.bound_of(side, outcome)
+    /// A run at a place.
+    fn run(&mut self, place: Place, sign: f64, precision: Precision) -> Bound {
+        let mut bound = [Bound::UNKNOWN];
+        self.run_all(&[place], &[0], sign, precision, &mut bound);
+        bound[0]
     }
 
-    /// Runs at some places, in lanes where the machine has them: the bound of each is put in its slot.
-    fn run_all(&mut self, places: &[Place], slots: &[usize], precision: Precision, bounds: &mut [Bound]) {
+    /// Runs at some places, in lanes where the machine has them: the bound of each is put in its slot. It is not generic, so that runs are compiled here
+    /// once and not in each crate that searches.
+    fn run_all(&mut self, places: &[Place], slots: &[usize], sign: f64, precision: Precision, bounds: &mut [Bound]) {
         let mut from = 0;
         while from < places.len() {
-            let rest = &places[from..];
+            let question = Question { model: self.model, places: &places[from..], sign };
+            let alone = Question { places: &places[from..=from], ..question };
             let outcomes = match precision {
-                Precision::Two if rest.len() > 1 => self.memory.run_in_lanes(self.model, rest, 1.0),
-                _ => None,
+                Precision::Two => match self.memory.run_in_lanes(question) {
+                    Some(outcomes) => Ok(outcomes),
+                    None => self.memory.run::<TwoWords<f64>>(alone).map(|outcomes| (outcomes, 1)),
+                },
+                Precision::Four => self.memory.run::<FourWords>(alone).map(|outcomes| (outcomes, 1)),
             };
-            let Some((outcomes, count)) = outcomes else {
-                let (omega, side) = rest[0];
-                bounds[slots[from]] = self.run(omega, 1.0, side, precision);
-                from += 1;
-                continue;
+            let (outcomes, count) = match outcomes {
+                Ok((outcomes, count)) => (outcomes.map(Some), count),
+                Err(failure) => {
+                    self.failure = Some(failure);
+                    ([None; MOST_LANES], 1)
+                }
             };
-            self.runs += count;
-            for ((_, side), outcome) in rest.iter().zip(outcomes).take(count) {
-                bounds[slots[from]] = self.bound_of(*side, Ok(outcome));
+            match precision {
+                Precision::Two => self.runs += count,
+                Precision::Four => self.long_runs += count,
+            }
+            for (outcome, (_, side)) in outcomes.into_iter().zip(&places[from..from + count]) {
+                bounds[slots[from]] = outcome.map_or(Bound::UNKNOWN, |outcome| self.bound_of(*side, outcome));
                 from += 1;
             }
         }
     }
 
     /// The bound that a run tells.
-    fn bound_of(&mut self, side: Side, outcome: Result<Outcome<f64>, Failure>) -> Bound {
-        match outcome {
-            Ok(Outcome { count, value, exponent, smallest_at }) => {
-                (self.smallest_at, self.failure) = (smallest_at, None);
-                // a lower bound may be negative, and says nothing then; an upper one is not, unless no model has it
-                let found = count;
-                let count = if side == Side::AtLeast { count.max(0.0) } else { count };
-                Bound { count: (count >= 0.0).then_some(count as u64), found, value, exponent }
-            }
-            Err(failure) => {
-                self.failure = Some(failure);
-                Bound::UNKNOWN
-            }
-        }
+    fn bound_of(&mut self, side: Side, outcome: Outcome) -> Bound {
+        let Outcome { count: found, value, exponent, smallest_at } = outcome;
+        (self.smallest_at, self.failure) = (smallest_at, None);
+        // a lower bound may be negative, and says nothing then; an upper one is not, unless no model has it
+        let count = if side == Side::AtLeast { found.max(0.0) } else { found };
+        Bound { count: (count >= 0.0).then_some(count as u64), found, value, exponent }
     }
 
     /// Bounds at as many points as there are.
@@ -143,7 +133,7 @@ impl<'a> Prover<'a> {
                 count += 1;
             }
         }
-        self.run_all(&places[..count], &slots[..count], precision, bounds);
+        self.run_all(&places[..count], &slots[..count], 1.0, precision, bounds);
     }
 
     /// A bound of the number of frequencies below ω.

@@ -2,7 +2,8 @@
 
 use crate::element::{BodyNumbers, Exact, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
-use crate::proof::joining::{Failure, Joining, Terms};
+use crate::proof::front::substitute;
+use crate::proof::joining::{Failure, Joining, Terms, add_counted, add_inertia, add_line};
 use crate::proof::level::Level;
 use crate::proof::number::Number;
 use crate::proof::row::{Row, TERMS, Term, is_one, is_zero};
@@ -187,7 +188,7 @@ fn satisfy<N: Level, const T: usize>(
         joining.failure = Some(Failure::Redundant(step));
         return None;
     };
-    joining.substitute(pivot.variable, by.terms());
+    substitute(&mut joining.front, pivot.variable, by.terms());
     for row in rows.into_iter().flatten().flatten() {
         *row = row.substituted(pivot.variable, &by);
     }
@@ -246,7 +247,7 @@ fn go_on<N: Level>(
                 joining.failure = Some(Failure::Redundant(step));
                 return;
             };
-            joining.substitute(pivot.variable, by.terms());
+            substitute(&mut joining.front, pivot.variable, by.terms());
             old.remove(pivot.variable);
             rows[index] = Some(Row::of(own));
         }
@@ -328,7 +329,7 @@ fn through<N: Level>(
         MemberNumbers::Line(freedom, line) => {
             let index = usize::from(*freedom == 2);
             let own = Row::of(joining.enter());
-            joining.add_line(line, Ball::of_pair(line.length), [[y, theta][index], own.terms()]);
+            add_line(joining, line, Ball::of_pair(line.length), [[y, theta][index], own.terms()]);
             next[index] = Some(own);
         }
         MemberNumbers::Tapered(_) | MemberNumbers::Beam(_) => {
@@ -363,7 +364,7 @@ fn add_body<N: Level>(body: &BodyNumbers, rows: [Terms<'_, N>; 2], joining: &mut
     let [mass, inertia, centre, output] =
         [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::<N::Alone>::of_pair);
     let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };
-    joining.add_inertia([mass, moment, inertia], rows);
+    add_inertia(joining, [mass, moment, inertia], rows);
     if body.axial_force != [0.0; 2] {
         let length = if output.mid.leading() < 0.0 { -output } else { output };
         joining.add_term(Ball::of_pair(body.axial_force) * length, rows[1]);
@@ -391,7 +392,7 @@ fn own_row<N: Level>(
         }
         OwnPart::Stiffness { stiffness, held } => {
             let own = Row::of(joining.enter());
-            joining.add_counted(stiffness, held, [input.terms(), own.terms()]);
+            add_counted(joining, stiffness, held, [input.terms(), own.terms()]);
             Some(own)
         }
     }

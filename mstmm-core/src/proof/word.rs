@@ -84,16 +84,23 @@ pub(crate) trait Word:
         Self::of(0.25).is_less((half - half.nearest()).size())
     }
 
+    /// The number of a lane.
+    #[inline(always)]
+    fn lane(self, lane: usize) -> f64 {
+        let mut numbers = [0.0; MOST_LANES];
+        self.store(&mut numbers);
+        numbers[lane]
+    }
+
     /// The number of the first lane.
     #[inline(always)]
     fn first(self) -> f64 {
-        let mut first = [0.0];
-        self.store(&mut first);
-        first[0]
+        self.lane(0)
     }
 }
 
 /// A number of each lane; the last one fills the lanes beyond.
+#[inline(always)]
 pub(crate) fn load<W: Word, A>(lanes: &[A], of: &dyn Fn(&A) -> f64) -> W {
     let mut numbers = [0.0; MOST_LANES];
     numbers.iter_mut().zip(lanes).for_each(|(number, lane)| *number = of(lane));

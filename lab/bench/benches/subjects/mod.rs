@@ -7,6 +7,8 @@ use mstmm::elements::Beam;
 use mstmm::list::{AnyUndamped, ListStep, StepList};
 use mstmm::prelude::*;
 
+pub mod frames;
+
 /// A chain whose steps live as long as the program.
 pub type BeamChain = StepList<'static, AnyUndamped<f64>>;
 

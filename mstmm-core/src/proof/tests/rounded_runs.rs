@@ -3,9 +3,9 @@
 //! In two words all roundings are far below a unit in the last place of ω, so that a bound that forgets one is right all the same. In one
 //! word they show.
 
-use crate::proof::count::{At, Side};
+use crate::proof::count::Side;
 use crate::proof::level::Level;
-use crate::proof::memory::Memory;
+use crate::proof::memory::{Memory, Question};
 use crate::proof::number::OneWord;
 use crate::proof::prover::Prover;
 use crate::proof::tests::models::Model;
@@ -44,7 +44,8 @@ fn places(random: &mut Random, truth: &Truth) -> Vec<f64> {
 fn hold<N: Level<Word = f64>>(parts: &dyn Visited, omega: f64, truth: &Truth, seed: u64, seen: &mut Seen) {
     let [least, most] = truth.count(omega).map(|count| count as f64);
     for side in [Side::AtLeast, Side::AtMost] {
-        let Ok(outcome) = Memory::default().run::<N>(parts, At::new(&[([omega, 0.0], side)], 1.0)) else { continue };
+        let question = Question { model: parts, places: &[([omega, 0.0], side)], sign: 1.0 };
+        let Ok([outcome, ..]) = Memory::default().run::<N>(question) else { continue };
         // a bound that was lost is NaN
         let is_false = if side == Side::AtLeast { outcome.count > most } else { outcome.count < least };
         assert!(!is_false, "seed {seed}, ω = {omega:e}, {side:?}: {} and not {least} to {most}", outcome.count);

@@ -2,8 +2,8 @@
 
 use crate::elements::{Beam, Mass, Spring};
 use crate::pass::searched::Undamped;
-use crate::proof::count::{At, Side};
-use crate::proof::memory::Memory;
+use crate::proof::count::Side;
+use crate::proof::memory::{Memory, Question};
 use crate::proof::number::TwoWords;
 use crate::proof::prover::Prover;
 use crate::search::NaturalFrequencies;
@@ -12,18 +12,24 @@ use crate::{AnyUndamped, ListStep, StepList, Support};
 
 fn bounds<Y: Undamped>(system: &Y, omega: f64) -> [f64; 2] {
     [Side::AtLeast, Side::AtMost].map(|side| {
-        Memory::default().run::<TwoWords<f64>>(&Parts(system), At::new(&[([omega, 0.0], side)], 1.0)).unwrap().count
+        let question = Question { model: &Parts(system), places: &[([omega, 0.0], side)], sign: 1.0 };
+        Memory::default().run::<TwoWords<f64>>(question).unwrap()[0].count
     })
 }
 
-#[test]
-fn an_oscillator() {
-    let steps = [
+/// A mass on a spring, of 2 rad/s.
+fn oscillator() -> [ListStep<AnyUndamped<f64>>; 4] {
+    [
         ListStep::Tip(Support::Fixed),
         ListStep::Element(AnyUndamped::try_from(Spring { stiffness: 8.0_f64 }).unwrap()),
         ListStep::Element(Mass { mass: 2.0 }.try_into().unwrap()),
         ListStep::Root(Support::Free),
-    ];
+    ]
+}
+
+#[test]
+fn an_oscillator() {
+    let steps = oscillator();
     let list = StepList::new(&steps).unwrap();
     assert_eq!(bounds(&list, 2.0_f64.next_down()), [0.0, 0.0]);
     assert_eq!(bounds(&list, 2.0), [0.0, 1.0]);
@@ -68,12 +74,7 @@ fn free_beams_are_proven_between_neighbouring_numbers() {
 /// A search from a number above the frequency, which has a count of one already, says that it proves nothing there.
 #[test]
 fn a_lower_end_above_the_frequency_is_not_proven() {
-    let steps = [
-        ListStep::Tip(Support::Fixed),
-        ListStep::Element(AnyUndamped::try_from(Spring { stiffness: 8.0_f64 }).unwrap()),
-        ListStep::Element(Mass { mass: 2.0 }.try_into().unwrap()),
-        ListStep::Root(Support::Free),
-    ];
+    let steps = oscillator();
     let list = StepList::new(&steps).unwrap();
     let parts = Parts(&list);
     let mut prover = Prover::new(&parts);

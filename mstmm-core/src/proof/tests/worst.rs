@@ -125,10 +125,6 @@ impl Level for Worst {
         alone
     }
 
-    fn of_lanes<A>(lanes: &[A], of: &dyn Fn(&A) -> Self) -> Self {
-        of(&lanes[0])
-    }
-
     fn lane(self, _: usize) -> Self {
         self
     }

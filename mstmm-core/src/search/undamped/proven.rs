@@ -337,7 +337,7 @@ impl<'p, T: Real> Proposals<'p, T> {
             for (estimate, root) in estimates.iter_mut().zip(next) {
                 *estimate = root.omega;
             }
-            self.known.find(prover, &estimates[..next.len()], Precision::Two);
+            self.known.find(prover, &estimates[..next.len()], Precision::Two, rest.is_empty());
             (self.rest, self.places) = (rest, 0..next.len());
         }
         self.known.found.get(self.places.start).copied()

@@ -54,7 +54,7 @@ pub trait Sweep: Iterator + Sized {
     where
         Self::Item: Lanewise<System<f64>: Undamped<Parameter = f64>>,
     {
-        FirstFrequencies { models: self, found: [const { None }; MODELS], next: 0, is_proven: true }
+        FirstFrequencies::new(self, true)
     }
 
     /// Estimates of them, as [`estimates`](NaturalFrequencies::estimates) of the built system gives them, at the cost of the fast search alone:
@@ -66,7 +66,7 @@ pub trait Sweep: Iterator + Sized {
     where
         Self::Item: Lanewise<System<f64>: Undamped<Parameter = f64>>,
     {
-        FirstFrequencies { models: self, found: [const { None }; MODELS], next: 0, is_proven: false }
+        FirstFrequencies::new(self, false)
     }
 }
 
@@ -79,6 +79,12 @@ pub struct FirstFrequencies<I, const N: usize> {
     found: [Option<Found<N>>; MODELS],
     next: usize,
     is_proven: bool,
+}
+
+impl<I, const N: usize> FirstFrequencies<I, N> {
+    fn new(models: I, is_proven: bool) -> Self {
+        FirstFrequencies { models, found: [const { None }; MODELS], next: 0, is_proven }
+    }
 }
 
 impl<I, const N: usize> Iterator for FirstFrequencies<I, N>
