@@ -69,13 +69,21 @@ impl<N: Level<Word = f64, Alone = N>, const T: usize> Row<N, T> {
                 } else {
                     self.terms[place] = Term { coefficient: sum, is_one: is_one(&sum), ..self.terms[place] };
                 }
-            } else if self.count < T {
-                self.terms[self.count] = Term { variable: term.variable, coefficient, is_one: is_one(&coefficient) };
-                self.count += 1;
             } else {
-                // no row of a model has so many: nothing is known of it
-                self.terms[0].coefficient.rad = N::Word::of(f64::INFINITY);
+                self.push(Term { variable: term.variable, coefficient, is_one: is_one(&coefficient) });
             }
+        }
+    }
+
+    /// Adds a term of a variable that is not in it.
+    #[inline(always)]
+    fn push(&mut self, term: Term<N>) {
+        if self.count < T {
+            self.terms[self.count] = term;
+            self.count += 1;
+        } else {
+            // no row of a model has so many: nothing is known of it
+            self.terms[0].coefficient.rad = N::Word::of(f64::INFINITY);
         }
     }
 
@@ -101,7 +109,7 @@ impl<N: Level<Word = f64, Alone = N>, const T: usize> Row<N, T> {
     #[inline(always)]
     pub(crate) fn widened<const U: usize>(&self) -> Row<N, U> {
         let mut row = Row::none();
-        row.add(self, Ball::of(1.0));
+        self.terms().iter().for_each(|term| row.push(*term));
         row
     }
 }

@@ -6,7 +6,7 @@ use crate::proof::front::substitute;
 use crate::proof::joining::{Failure, Joining, Terms, add_counted, add_inertia, add_line};
 use crate::proof::level::Level;
 use crate::proof::number::Number;
-use crate::proof::row::{Row, TERMS, Term, is_one, is_zero};
+use crate::proof::row::{Row, Term, is_one, is_zero};
 use mstmm_plan::{Freedoms, Space, Support};
 
 /// Displacement and rotation, in this order.
@@ -14,6 +14,9 @@ const FREEDOMS: [Freedoms; 2] = [Freedoms::Y, Freedoms::RZ];
 
 /// What displacement and rotation of a point are of the variables; none where there is no such freedom.
 type PointRows<N, const T: usize = 2> = [Option<Row<N, T>>; 2];
+
+/// Most terms of a row while two paths are joined: each has two variables at most.
+const JOINED: usize = 4;
 
 /// An open path.
 #[derive(Clone, Copy, Debug)]
@@ -96,7 +99,7 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
         joining: &mut Joining<'_, N>,
     ) {
         // while paths are joined a row may have the variables of both
-        let mut rows: PointRows<A, TERMS> = [None; 2];
+        let mut rows: PointRows<A, JOINED> = [None; 2];
         let mut held = Freedoms::NONE;
         for &input in inputs {
             let path = self.take(input);
@@ -104,7 +107,7 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
                 held = held.union(support.holds());
                 continue;
             }
-            let mut others: PointRows<A, TERMS> = path.rows.map(|row| row.map(|row| row.widened()));
+            let mut others: PointRows<A, JOINED> = path.rows.map(|row| row.map(|row| row.widened()));
             for freedom in 0..2 {
                 match (rows[freedom], others[freedom]) {
                     (Some(row), Some(other)) => {
@@ -169,7 +172,7 @@ fn of_support<N: Level>(support: Support, space: Space, joining: &mut Joining<'_
 fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N::Alone>, step: usize, joining: &mut Joining<'_, N>) {
     for (index, freedom) in FREEDOMS.into_iter().enumerate() {
         if let (true, Some(row)) = (held.contains(freedom), rows[index]) {
-            satisfy(&row.widened(), [rows, &mut [None; 2]], step, joining);
+            satisfy(&row, [rows, &mut [None; 2]], step, joining);
         }
     }
 }
@@ -178,11 +181,11 @@ fn hold<N: Level>(held: Freedoms, rows: &mut PointRows<N::Alone>, step: usize, j
 /// twice, by the same. Returns that variable and the combination.
 #[inline(never)]
 fn satisfy<N: Level, const T: usize>(
-    constraint: &Row<N::Alone>,
+    constraint: &Row<N::Alone, T>,
     rows: [&mut PointRows<N::Alone, T>; 2],
     step: usize,
     joining: &mut Joining<'_, N>,
-) -> Option<(usize, Row<N::Alone>)> {
+) -> Option<(usize, Row<N::Alone, T>)> {
     let pivot = largest(constraint, |_| true)?;
     let Some(by) = solved(constraint, &pivot) else {
         joining.failure = Some(Failure::Redundant(step));
@@ -201,7 +204,10 @@ fn rank<N: Level<Word = f64, Alone = N>>(coefficient: &Ball<N>) -> (bool, f64) {
 }
 
 /// The term with the largest coefficient among some variables; a unit goes before others, since it is exact.
-fn largest<N: Level<Word = f64, Alone = N>>(row: &Row<N>, is_asked: impl Fn(usize) -> bool) -> Option<Term<N>> {
+fn largest<N: Level<Word = f64, Alone = N>, const T: usize>(
+    row: &Row<N, T>,
+    is_asked: impl Fn(usize) -> bool,
+) -> Option<Term<N>> {
     let asked = row.terms().iter().filter(|term| !is_zero(&term.coefficient) && is_asked(term.variable));
     let best = asked.max_by(|one, other| {
         let (one, other) = (rank(&one.coefficient), rank(&other.coefficient));
@@ -211,7 +217,10 @@ fn largest<N: Level<Word = f64, Alone = N>>(row: &Row<N>, is_asked: impl Fn(usiz
 }
 
 /// What a variable is of the others where a combination of all is zero; none where its coefficient may be zero.
-fn solved<N: Level<Word = f64, Alone = N>>(constraint: &Row<N>, pivot: &Term<N>) -> Option<Row<N>> {
+fn solved<N: Level<Word = f64, Alone = N>, const T: usize>(
+    constraint: &Row<N, T>,
+    pivot: &Term<N>,
+) -> Option<Row<N, T>> {
     let (is_unit, least) = rank(&pivot.coefficient);
     if least <= 0.0 || least.is_nan() {
         return None;
@@ -236,12 +245,12 @@ fn go_on<N: Level>(
     for index in 0..2 {
         let Some(row) = rows[index] else { continue };
         let other = Variables::of(&[rows[1 - index], None]);
-        let alone = largest(&row.widened(), |variable| !other.contains(variable));
+        let alone = largest(&row, |variable| !other.contains(variable));
         let all = Variables::of(rows);
         let count = rows.iter().flatten().filter(|row| !row.terms().is_empty()).count();
         if let (true, Some(pivot)) = (all.count > count, alone) {
             let own = joining.enter();
-            let mut constraint = row.widened();
+            let mut constraint = row.widened::<JOINED>();
             constraint.add(&Row::<N::Alone, 1>::of(own), Ball::of(-1.0));
             let Some(by) = solved(&constraint, &pivot) else {
                 joining.failure = Some(Failure::Redundant(step));
