@@ -49,6 +49,7 @@
 //! | [`line`], [`bending`], [`general_bending`], [`tapered`] | these of lines, plain beams, general beams, tapered beams |
 //! | [`front`] | T1 and T2: parts are added, variables leave |
 //! | [`row`], [`joining`] | T5: displacements over variables; T3 and T6: parts join the front |
+//! | [`constraint`] | T5: what has to be zero makes a variable a combination of others; what does not go on leaves |
 //! | [`tree`], [`frame`] | which rows the parts of a tree and of a frame have, and when variables leave |
 //! | [`visit`] | how a model names its parts: all that a proof knows of it |
 //! | [`count`], [`memory`] | a run; memory for its front, and lanes |
@@ -62,6 +63,7 @@ pub(crate) mod beside;
 pub(crate) mod bisection;
 pub(crate) mod certificate;
 pub(crate) mod constants;
+pub(crate) mod constraint;
 pub(crate) mod count;
 pub(crate) mod four_words;
 pub(crate) mod frame;
