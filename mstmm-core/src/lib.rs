@@ -20,6 +20,7 @@ mod number;
 mod pass;
 mod proof;
 pub mod search;
+mod structure;
 mod subspace;
 
 pub use answer::energy_shares::EnergyShares;
@@ -101,7 +102,7 @@ pub use pass::network::{
     Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member, Motions,
     MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch, Node, OverallNetwork, Placed, PlacedCharts,
     PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton, SketchedBody, SketchedEnd,
-    SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel, build_member, in_way_back,
+    SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel, build_member, in_factor,
     network_pass, overall_determinant, overall_matrix, visit_network,
 };
 pub use pass::overall::assembly::Assembly;
@@ -113,12 +114,14 @@ pub use pass::side_by_side::Lanewise;
 pub use pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 pub use pass::tree::{ExtendedTree, Planned, Tree};
 pub use proof::visit::{Visitor, visit_steps};
+pub use structure::factor::{Factor, NodeUnknowns};
+pub use structure::member::{MemberLoad, MemberStiffness};
+pub use structure::memory::StructureScalar;
 pub use subspace::connecting::Connecting;
 pub use subspace::count::{Held, NoCount, RootCounter, WittrickWilliams};
 pub use subspace::front::chart::{Chart, JoinedEnd, MOST_ENTRIES, MOST_FREEDOMS, MOST_VARIABLES};
 pub use subspace::front::fronts::{FrontNode, Fronts};
 pub use subspace::front::room::{FrontRoom, FrontScalar};
-pub use subspace::front::way_back_room::WayBack;
 pub use subspace::minors::covector::Covector;
 pub use subspace::minors::line::Line;
 pub use subspace::minors::plane::Plane;

@@ -23,29 +23,62 @@ impl NetworkOrder<'_> {
     }
 
     /// The largest number of variables at once, if all of them stay, given the number of motions of each node and that of the freedoms of
-    /// the ends of each member. There is one more than those of members.
+    /// the ends of each member: of fronts, where there is one more than those of members, or of the motions of nodes and what members have of
+    /// their own.
     pub const fn width(&self, motions: &[usize], freedoms: &[usize]) -> usize {
-        let (mut count, mut widest, mut rank) = (0, 0, 0);
+        let (mut count, mut unknowns, mut widest, mut rank) = (0, 0, 0, 0);
         while rank < self.nodes.len() {
             let node = self.nodes[rank];
             let ends = self.incidence.ends(node);
+            if !self.is_met_before(node, rank, 0, node) {
+                unknowns += motions[node];
+            }
+            // a member has no more unknowns of its own than freedoms: with one more condition at an end its motion vanishes
             let (mut entering, mut leaving, mut place) = (0, 0, 0);
             while place < ends.len() {
                 let end = ends[place];
                 if self.is_first_at(end, node) {
-                    entering += 2 * freedoms[end / 2];
+                    entering += freedoms[end / 2];
+                    let other = self.incidence.beyond(end);
+                    if other != node && !self.is_met_before(other, rank, place, node) {
+                        unknowns += motions[other];
+                    }
                 }
                 leaving += freedoms[end / 2];
                 place += 1;
             }
             let own = if motions[node] > 1 { motions[node] } else { 1 };
-            if count + entering + own > widest {
-                widest = count + entering + own;
+            if count + 2 * entering + own > widest {
+                widest = count + 2 * entering + own;
             }
-            count = count + entering - leaving;
+            if unknowns + entering > widest {
+                widest = unknowns + entering;
+            }
+            count = count + 2 * entering - leaving;
+            unknowns -= motions[node];
             rank += 1;
         }
         widest
+    }
+
+    /// Whether a member has met a node before: one of a node that has left before a rank, or one of the first so many ends of the node that
+    /// leaves now.
+    const fn is_met_before(&self, node: usize, rank: usize, ends_now: usize, now: usize) -> bool {
+        let (ends, mut place) = (self.incidence.ends(node), 0);
+        while place < ends.len() {
+            if self.ranks[self.incidence.beyond(ends[place])] < rank {
+                return true;
+            }
+            place += 1;
+        }
+        let (ends, mut place) = (self.incidence.ends(now), 0);
+        while place < ends_now {
+            if self.incidence.beyond(ends[place]) == node {
+                return true;
+            }
+            place += 1;
+        }
+        false
     }
 }
 

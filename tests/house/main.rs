@@ -21,10 +21,11 @@ const ORDER: &[(&str, &[&str])] = &[
     ("number", &[]),
     ("model", &["number"]),
     ("subspace", &["number", "model"]),
+    ("structure", &["number", "model", "subspace"]),
     ("element", &["number", "model", "subspace"]),
     ("elements", &["number", "model", "subspace", "element"]),
     ("proof", &["number", "model", "element/member_numbers"]),
-    ("pass", &["number", "model", "subspace", "element", "proof/visit"]),
+    ("pass", &["number", "model", "subspace", "structure", "element", "proof/visit"]),
     (
         "search",
         &[

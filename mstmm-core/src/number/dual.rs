@@ -1,12 +1,17 @@
 //! Dual numbers: a value and its derivative with respect to the frequency.
 
+mod operators;
+
 use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Parameter, Real, RealFrequency};
 use crate::number::scalar::{Scalar, short_wave_products_and_slopes};
 use crate::number::wave_functions::{WaveFunctions, WaveProducts};
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
+use core::ops::{Rem, RemAssign};
 use num_complex::Complex;
 use num_traits::{Num, One, Zero};
+
+/// The unit in the last place of numbers in extended precision is less.
+const EXTENDED: f64 = 1e-20;
 
 /// `value + derivative ε` with `ε² = 0`. Order and equality look at the value alone.
 #[derive(Clone, Copy, Debug, Default)]
@@ -53,7 +58,17 @@ impl<S: Scalar> Dual<S> {
     /// A function by its value and slope at `self.value`.
     #[inline]
     fn chain(self, value: S, slope: S) -> Self {
-        Dual { value, derivative: slope * self.derivative }
+        if self.is_known_constant() {
+            Dual::constant(value)
+        } else {
+            Dual { value, derivative: slope * self.derivative }
+        }
+    }
+
+    /// Whether its derivative is seen to vanish: in extended precision, where an operation costs far more than a look.
+    #[inline(always)]
+    fn is_known_constant(&self) -> bool {
+        S::EPSILON < EXTENDED && self.derivative.is_zero()
     }
 }
 
@@ -63,79 +78,6 @@ impl<S: Scalar> PartialEq for Dual<S> {
         self.value == other.value
     }
 }
-
-impl<S: Scalar> Add for Dual<S> {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Dual { value: self.value + other.value, derivative: self.derivative + other.derivative }
-    }
-}
-
-impl<S: Scalar> Sub for Dual<S> {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Dual { value: self.value - other.value, derivative: self.derivative - other.derivative }
-    }
-}
-
-impl<S: Scalar> Mul for Dual<S> {
-    type Output = Self;
-    #[inline]
-    fn mul(self, other: Self) -> Self {
-        Dual {
-            value: self.value * other.value,
-            derivative: self.derivative * other.value + self.value * other.derivative,
-        }
-    }
-}
-
-impl<S: Scalar> Div for Dual<S> {
-    type Output = Self;
-    #[inline]
-    fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        Dual { value, derivative: (self.derivative - value * other.derivative) / other.value }
-    }
-}
-
-impl<S: Scalar> Neg for Dual<S> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        self.map(|part| -part)
-    }
-}
-
-impl<T: Real> Mul<T> for Dual<T> {
-    type Output = Self;
-    #[inline]
-    fn mul(self, factor: T) -> Self {
-        self.map(|part| part * factor)
-    }
-}
-
-impl<T: Real> Mul<T> for Dual<Complex<T>> {
-    type Output = Self;
-    #[inline]
-    fn mul(self, factor: T) -> Self {
-        self.map(|part| part * factor)
-    }
-}
-
-/// Implements the assigning form of an operator.
-macro_rules! assign {
-    ($($trait:ident, $method:ident, $operator:tt;)*) => {$(
-        impl<S: Scalar> $trait for Dual<S> {
-            #[inline]
-            fn $method(&mut self, other: Self) {
-                *self = *self $operator other;
-            }
-        }
-    )*};
-}
-assign! { AddAssign, add_assign, +; SubAssign, sub_assign, -; MulAssign, mul_assign, *; DivAssign, div_assign, /; }
 
 impl<S: Scalar> Zero for Dual<S> {
     #[inline]
@@ -177,7 +119,7 @@ impl<S: Scalar> Scalar for Dual<S> {
     #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.chain(root, S::from_f64(0.5) / root)
+        if self.is_known_constant() { Dual::constant(root) } else { self.chain(root, S::from_f64(0.5) / root) }
     }
 
     #[inline]

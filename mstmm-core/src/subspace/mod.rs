@@ -8,15 +8,13 @@ pub(crate) mod remainder;
 
 pub(crate) use connecting::{Connecting, connection};
 pub(crate) use count::{Held, NoCount, Purpose, RootCounter, Watch, WittrickWilliams};
-pub(crate) use front::chart::{Chart, JoinedEnd, MOST_VARIABLES};
+pub(crate) use front::chart::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES};
 pub(crate) use front::eliminate::Choice;
 pub(crate) use front::fronts::{FrontNode, Fronts};
 pub(crate) use front::room::FrontScalar;
 pub(crate) use front::total::Total;
 pub(crate) use front::units::{Units, unit_of};
 pub(crate) use front::variable::Measure;
-pub(crate) use front::way_back::{LoadEverywhere, NodeLoad};
-pub(crate) use front::way_back_room::{WayBack, WayBackRoom};
 pub(crate) use minors::covector::Covector;
 pub(crate) use minors::join::in_parallel;
 pub(crate) use minors::line::Line;

@@ -366,10 +366,10 @@ const _: () = {
         ) -> [V; 2usize] {
             [value; 2usize]
         }
-        fn in_way_back<S: mstmm::__private::FrontScalar, R>(
-            work: impl ::core::ops::FnOnce(mstmm::__private::WayBack<'_, S>) -> R,
+        fn in_factor<S: mstmm::__private::StructureScalar, R>(
+            work: impl ::core::ops::FnOnce(mstmm::__private::Factor<'_, S>) -> R,
         ) -> R {
-            mstmm::__private::in_way_back::<11usize, 3usize, S, R>(work)
+            mstmm::__private::in_factor::<11usize, 3usize, S, R>(work)
         }
         fn sizes(&self) -> [::core::primitive::usize; 2] {
             [3usize, 2usize]

@@ -156,3 +156,26 @@ fn responses_of_hundreds_of_random_structures_are_those_of_a_stiffness_matrix() 
     judge(random_structures(0..300, Spread::Stiff));
     judge(line_structures(0..100));
 }
+
+/// In the numbers of the model a response loses the digits that the ratio of stiffnesses takes, and not many more.
+#[test]
+fn responses_at_speed_lose_the_ratio_of_stiffnesses() {
+    let mut worst = [0.0_f64; 2];
+    for (ratio, worst) in [1e3, 1e8].into_iter().zip(&mut worst) {
+        let structure = crate::families::named::portal(ratio, 1.0);
+        for omega in [0.0, 0.37, 2.9, 17.3, 71.0] {
+            let differences = asked_to_move(&structure, |network| {
+                let point = PlanePoint::node(2);
+                let response = network
+                    .frequency_response(point.force_x(), point.displacement_x())
+                    .map_err(|error| error.to_string())?;
+                let [exact, quick] = [response.at(omega), response.at_speed(omega)];
+                let exact = exact.map_err(|error| error.to_string())?;
+                Ok((quick.map_err(|error| error.to_string())? / exact - 1.0).abs())
+            });
+            *worst = worst.max(differences.unwrap());
+        }
+    }
+    assert!(worst[0] < 1e-11 && worst[1] < 1e-6, "{worst:?}");
+    assert!(worst.iter().all(|difference| *difference > 0.0), "{worst:?}");
+}

@@ -7,26 +7,31 @@ use crate::model::MotionError;
 use crate::number::Scalar;
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    MovingNetwork, NetworkMotion, Placed, PlaneFrequency, delta, mass_product, mass_product_of_two, motion_everywhere,
+    Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, mass_product, mass_product_of_two, motion_under,
+    motions_under,
 };
 use core::ops::Deref;
 
 /// How often parts of other shapes are taken from one: each time leaves rounding of what was there.
 const PASSES: usize = 3;
 
-/// Distance from a root in which all its shapes are computed: half of the digits of extended precision, in bits, and somewhat less of λ² at
-/// rest, beside stiffnesses of all sizes.
-const BESIDE: i32 = 52;
-const BESIDE_REST: i32 = 56;
+/// Distance, in bits, on both sides of a multiple root in which its shapes are computed: far from the spread of its roots, near beside others.
+const BESIDE: i32 = 48;
 
-/// Relative step of the secant method, large beside the rounding of a root and small beside the distance of other roots.
-const STEP: f64 = 1e-13;
+/// Steps with Rayleigh's quotient. Each squares the distance beside that of other roots.
+const STEPS: usize = 6;
+
+/// Relative size of a step, in bits, below which no other follows.
+const SETTLED: i32 = 90;
+
+/// Relative distance of the root, by Rayleigh's quotient, beyond which the number is not the root rounded, in units of its rounding.
+const ROUNDED: f64 = 4.0;
 
 /// Relative size of λ² - λ₁², with λ₁ the root, beyond which a frequency is none.
 const NO_ROOT: f64 = 1e-7;
 
-/// Relative size of λ² - λ₁² beyond which there is no root at rest: it is one beside λ₁ = 0.
-const BESIDE_NO_ROOT: f64 = 8.0;
+/// Distance, in bits, below the lowest frequency that a part may have: what is less than that is rest, as rounding of stiff parts has it.
+const REST: i32 = 10;
 
 /// What must be left of a motion without its parts in other shapes of a root, or other loads are tried, and how many.
 const LEFT: f64 = 1e-3;
@@ -34,10 +39,6 @@ const RETRIES: usize = 4;
 
 /// The modal mass of a shape beside that of its size, below which two roots share it.
 const DEFECTIVE: f64 = 1e-5;
-
-/// The difference of shapes under two loads, of unit modal mass, and the sum of forces at a node beside the largest, beyond which a shape
-/// is computed again in extended precision.
-const FITTING: f64 = 1e-12;
 
 /// The difference of shapes under two loads beyond which other roots are too close for any precision.
 const RESOLVED: f64 = 1e-9;
@@ -107,6 +108,11 @@ impl<'a, Y: Placed, S: PlaneFrequency<Y::Parameter>, const CAP: usize> PlaneShap
     }
 }
 
+/// A motion of the size 1.
+fn of_size_one<Y: Placed, S: Scalar>(motion: NetworkMotion<Y, S>) -> NetworkMotion<Y, S> {
+    motion.times(S::from_f64(1.0 / motion.size()))
+}
+
 /// A motion less its part in another one of unit modal mass.
 fn without<Y, S>(system: &Y, x: S, motion: &NetworkMotion<Y, S>, other: &NetworkMotion<Y, S>) -> NetworkMotion<Y, S>
 where
@@ -116,13 +122,11 @@ where
     motion.plus(other, -mass_product(system, x, motion, other))
 }
 
-/// The motions under loads everywhere at a root, in plain numbers or at the root with twice the digits.
+/// The motions under loads everywhere at a root.
 #[derive(Clone, Copy)]
 struct AtRoot<'a, Y: Placed, S: PlaneFrequency<Y::Parameter>> {
     system: &'a Y,
     x: S,
-    /// The root in extended precision; none for plain numbers.
-    nearer: Option<S::Precise>,
 }
 
 impl<'a, Y, S> AtRoot<'a, Y, S>
@@ -130,16 +134,28 @@ where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
-    /// The motion under the load of a number.
-    fn motion(&self, number: u32) -> NetworkMotion<Y, S> {
-        match self.nearer {
-            Some(nearer) => {
-                let motion = motion_everywhere(self.system, nearer, number, self.dislocates());
-                let size = S::Precise::from_f64(motion.size());
-                motion.times(S::Precise::from_f64(1.0) / size).rounded(S::nearest)
-            }
-            None => motion_everywhere(self.system, self.x, number, self.dislocates()),
+    /// The motions under two loads at a frequency in extended precision, of the size 1.
+    fn precise_motions(&self, x: S::Precise) -> [NetworkMotion<Y, S::Precise>; 2] {
+        motions_under(self.system, x, &self.load(0)).map(of_size_one)
+    }
+
+    /// The motion under the load of a number beside a multiple root, less that on its other side: shapes of the root grow with opposite signs,
+    /// and what others and the load leave is the same. At rest nothing is taken off: what vanishes there is rounding alone.
+    fn motion_beside(&self, number: u32) -> NetworkMotion<Y, S::Precise> {
+        let x = self.x.precise();
+        if self.x.is_zero() {
+            return of_size_one(motion_under(self.system, x, &self.load(number)));
         }
+        let [above, below] = [1, -1].map(|side: i32| {
+            let away = x.times_power_of_two(-BESIDE) * S::Precise::from_f64(f64::from(side));
+            motion_under(self.system, x + away, &self.load(number))
+        });
+        of_size_one(above.plus(&below, -S::Precise::from_f64(1.0)))
+    }
+
+    /// The load of a number.
+    fn load<R: Scalar>(&self, number: u32) -> Loading<'static, R> {
+        Loading::everywhere(number, self.dislocates())
     }
 
     /// Whether loads have dislocations: at rest, beside motions without stiffness, they would not be small.
@@ -151,12 +167,11 @@ where
         MotionError::NotFinite { frequency: self.x.modulus() }
     }
 
-    /// The motion of unit modal mass under the load of a number.
+    /// A motion with unit modal mass.
     ///
     /// # Errors
     /// It is not finite, or the frequency is no root.
-    fn normalised(&self, number: u32) -> Result<NetworkMotion<Y, S>, MotionError> {
-        let motion = self.motion(number);
+    fn normalised(&self, motion: NetworkMotion<Y, S>) -> Result<NetworkMotion<Y, S>, MotionError> {
         // of a motion at a root the square is out of range in a short format
         let motion = motion.times(S::one() / S::from_f64(motion.size()));
         let mass = mass_product(self.system, self.x, &motion, &motion);
@@ -184,45 +199,49 @@ where
     /// Checks that the frequency is a root, given a motion there and its modal mass: the work of the load over the mass is λ² less that of
     /// the root.
     fn check(&self, motion: &NetworkMotion<Y, S>, mass: S) -> Result<(), MotionError> {
-        let at = if self.x.is_zero() { self.nearer.map_or(self.x, S::nearest) } else { self.x };
+        // rest has no size to compare with
+        let (at, limit) = if self.x.is_zero() {
+            (S::nearest(S::steady(self.system.frequency_estimates().least_exponent() - REST)), 1.0)
+        } else {
+            (self.x, NO_ROOT)
+        };
         let mismatch = (motion.work / mass / at.lambda_squared()).size();
-        // beside rest it is all of λ²; at rest itself it has no size to compare with, and a count has found the root
-        let limit = if self.x.is_zero() { BESIDE_NO_ROOT } else { NO_ROOT };
         if at.is_zero() || mismatch <= limit {
             return Ok(());
         }
         Err(MotionError::NotARoot { frequency: self.x.modulus(), mismatch })
     }
 
-    /// The root with twice the digits, after a step of the secant method with Δ.
-    fn extended(self) -> Self {
+    /// The motions under two loads at the root, found by steps with Rayleigh's quotient: the work of a load on its motion over the modal mass is λ²
+    /// less that of the root.
+    fn motions_at_root(&self) -> [NetworkMotion<Y, S>; 2] {
         let x = self.x.precise();
-        let away = x * S::Precise::from_f64(STEP);
-        let ratio = delta(self.system, x + away).over(delta(self.system, x)).value();
-        let step = away / (ratio - S::Precise::from_f64(1.0));
-        // where Δ is zero, or as small as it can be, there is nothing to gain
-        let is_known = step.size() <= STEP * x.size();
-        AtRoot { nearer: Some(if is_known { x - step } else { x }), ..self }
-    }
-
-    /// A frequency beside a root, so near that other shapes are rounding, and so far that all shapes of the root grow alike.
-    fn beside(self) -> Self {
-        let x = self.x.precise();
-        let nearer = if self.x.is_zero() {
-            S::steady(self.system.frequency_estimates().least_exponent() - BESIDE_REST / 2)
-        } else {
-            x + x.times_power_of_two(-BESIDE)
-        };
-        AtRoot { nearer: Some(nearer), ..self }
+        let mut nearer = x;
+        let mut motions = self.precise_motions(nearer);
+        for _ in 0..STEPS {
+            let motion = motions[0];
+            let rounded = motion.rounded(S::nearest);
+            let mass = mass_product(self.system, self.x, &rounded, &rounded);
+            let step = motion.work / (mass * self.x.slope_of_lambda_squared()).precise();
+            let is_near = (nearer - step - x).size() <= ROUNDED * S::EPSILON * x.size();
+            let is_settled = step.size() <= x.times_power_of_two(-SETTLED).size();
+            // a NaN is no root either
+            if !is_near || is_settled {
+                break;
+            }
+            nearer -= step;
+            motions = self.precise_motions(nearer);
+        }
+        motions.map(|motion| motion.rounded(S::nearest))
     }
 
     fn shape(&self, motion: NetworkMotion<Y, S>) -> PlaneShape<'a, Y, S> {
         PlaneShape { states: PlaneStates { system: self.system, x: self.x, motion, load: None } }
     }
 
-    /// The shape of a simple root, and how far that under another load is from it.
-    fn simple(&self) -> Result<(PlaneShape<'a, Y, S>, f64), MotionError> {
-        let (motion, other) = (self.normalised(0)?, self.normalised(1)?);
+    /// The shape of a simple root, given the motions under two loads, and how far the second one is from it.
+    fn simple(&self, [motion, other]: [NetworkMotion<Y, S>; 2]) -> Result<(PlaneShape<'a, Y, S>, f64), MotionError> {
+        let (motion, other) = (self.normalised(motion)?, self.normalised(other)?);
         let difference = without(self.system, self.x, &other, &motion);
         let misfit = mass_product(self.system, self.x, &difference, &difference).size().sqrt();
         Ok((self.shape(motion), misfit))
@@ -254,13 +273,9 @@ where
             }
             (found.shapes[shape], motions[shape]) = (Some(self.shape(rounded)), Some(motion));
         }
-        if let Some(nearer) = self.nearer {
-            let farther = if self.x.is_zero() { nearer + nearer } else { nearer + nearer - self.x.precise() };
-            let elsewhere = AtRoot { nearer: Some(farther), ..*self };
-            let (_, misfit) = elsewhere.orthogonal(&motions[..multiplicity], number)?;
-            if misfit.is_nan() || misfit > RESOLVED {
-                return Err(MotionError::Unresolved { root: self.x.modulus(), misfit });
-            }
+        let (_, misfit) = self.orthogonal(&motions[..multiplicity], number)?;
+        if misfit.is_nan() || misfit > RESOLVED {
+            return Err(MotionError::Unresolved { root: self.x.modulus(), misfit });
         }
         Ok(found)
     }
@@ -271,9 +286,7 @@ where
         others: &[Option<NetworkMotion<Y, S::Precise>>],
         number: u32,
     ) -> Result<(NetworkMotion<Y, S::Precise>, f64), MotionError> {
-        let x = self.nearer.unwrap_or(self.x.precise());
-        let motion = motion_everywhere(self.system, x, number, self.dislocates());
-        let mut motion = motion.times(S::Precise::from_f64(1.0 / motion.size()));
+        let mut motion = self.motion_beside(number);
         let rounded = motion.rounded(S::nearest);
         let whole = mass_product(self.system, self.x, &rounded, &rounded);
         self.check(&rounded, whole)?;
@@ -298,8 +311,7 @@ where
     }
 }
 
-/// The shape of a simple root: the motion under a load everywhere, which is the shape but for rounding. Where that under another load
-/// differs, or forces at nodes do not add up to zero, it is computed again in extended precision.
+/// The shape of a simple root: the motion under a load everywhere, which is the shape but for rounding, and for that under another load.
 pub(super) fn simple<Y, S>(system: &Y, x: S) -> Result<PlaneShape<'_, Y, S>, MotionError>
 where
     Y: MovingNetwork<S>,
@@ -308,16 +320,13 @@ where
     if is_below_losses(system, x) {
         return Err(MotionError::LossFactor);
     }
-    let plain = AtRoot { system, x, nearer: None };
-    let fits =
-        |(shape, misfit): &(PlaneShape<'_, Y, S>, f64)| misfit.max(shape.gap()).max(shape.imbalance()) <= FITTING;
-    let found = plain.simple();
-    let (shape, misfit) = match found {
-        _ if S::HAS_PRECISE && x.is_zero() => plain.beside().simple()?,
-        Ok(found) if fits(&found) => found,
-        _ if S::HAS_PRECISE => plain.extended().simple()?,
-        found => found?,
+    let at_root = AtRoot { system, x };
+    let motions = match (S::HAS_PRECISE, x.is_zero()) {
+        (true, false) => at_root.motions_at_root(),
+        (true, true) => at_root.precise_motions(x.precise()).map(|motion| motion.rounded(S::nearest)),
+        (false, _) => motions_under(system, x, &at_root.load(0)),
     };
+    let (shape, misfit) = at_root.simple(motions)?;
     if misfit <= RESOLVED { Ok(shape) } else { Err(MotionError::Unresolved { root: x.modulus(), misfit }) }
 }
 
@@ -341,6 +350,5 @@ where
         found.shapes[0] = Some(simple(system, x)?);
         return Ok(found);
     }
-    let plain = AtRoot { system, x, nearer: None };
-    if S::HAS_PRECISE { plain.beside().all(wanted) } else { plain.all(wanted) }
+    AtRoot { system, x }.all(wanted)
 }

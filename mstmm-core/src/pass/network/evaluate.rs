@@ -6,9 +6,8 @@ use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size}
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
-use crate::subspace::{
-    Chart, Choice, FrontNode, FrontScalar, Fronts, JoinedEnd, RootCounter, Total, WayBack, WayBackRoom,
-};
+use crate::structure::{Factor, FactorRoom, StructureScalar};
+use crate::subspace::{Chart, Choice, FrontNode, FrontScalar, Fronts, RootCounter, Total};
 use core::fmt::Debug;
 use mstmm_plan::NetworkOrder;
 
@@ -55,13 +54,13 @@ pub trait Placed: System {
     /// One value for all members.
     fn per_member<V: Copy + Debug>(value: V) -> Self::PerMember<V>;
 
-    /// What a function does in memory for the way back.
-    fn in_way_back<S: FrontScalar, R>(work: impl FnOnce(WayBack<'_, S>) -> R) -> R;
+    /// What a function does in memory for the elimination of its unknowns.
+    fn in_factor<S: StructureScalar, R>(work: impl FnOnce(Factor<'_, S>) -> R) -> R;
 }
 
-/// What a function does in memory for the way back through so many nodes, with fronts of up to `WIDTH` variables without a load.
-pub fn in_way_back<const WIDTH: usize, const NODES: usize, S: Scalar, R>(work: impl FnOnce(WayBack<'_, S>) -> R) -> R {
-    work(WayBackRoom::<S, WIDTH, NODES>::new().way_back())
+/// What a function does in memory for the elimination of so many nodes, with up to `WIDTH` unknowns at once.
+pub fn in_factor<const WIDTH: usize, const NODES: usize, S: Scalar, R>(work: impl FnOnce(Factor<'_, S>) -> R) -> R {
+    work(FactorRoom::<S, WIDTH, NODES>::new().factor())
 }
 
 /// A network whose members are known at a frequency.
@@ -130,27 +129,26 @@ where
 
 /// Takes up and eliminates all nodes in their order.
 #[inline(always)]
-pub(super) fn eliminate_nodes<Y, S>(network: &Y, at: &FrequencyPowers<S>, fronts: &mut Fronts<'_, S>)
+fn eliminate_nodes<Y, S>(network: &Y, at: &FrequencyPowers<S>, fronts: &mut Fronts<'_, S>)
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + FrontScalar,
 {
     let order = network.order();
     for &node in order.nodes {
-        let objects = order.taken_up[node] + push_members(network, (&order, node), at, fronts, |_, _, _, _| {});
+        let objects = order.taken_up[node] + push_members(network, (&order, node), at, fronts);
         let (body, motions) = network.node(node);
         S::eliminate(fronts, &front_node(node, objects, body, motions, at.lambda_squared));
     }
 }
 
-/// Adds the members that are cut by the elimination of a node, and hands on each that is an object. Returns the number of objects.
+/// Adds the members that are cut by the elimination of a node. Returns the number of objects.
 #[inline(always)]
-pub(super) fn push_members<Y, S>(
+fn push_members<Y, S>(
     network: &Y,
     (order, node): (&NetworkOrder<'_>, usize),
     at: &FrequencyPowers<S>,
     fronts: &mut Fronts<'_, S>,
-    added: impl Fn(&mut Fronts<'_, S>, usize, &Chart<S>, &[JoinedEnd<S>; 2]),
 ) -> usize
 where
     Y: PlacedCharts<S>,
@@ -166,17 +164,14 @@ where
         if let Some(chart) = network.chart(member, at, placement.length()) {
             let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
             let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
-            if S::push_chart(fronts, &chart, &ends) > 0 {
-                added(fronts, member, &chart, &ends);
-                count += 1;
-            }
+            count += S::push_chart(fronts, &chart, &ends);
         }
     }
     count
 }
 
 /// What fronts need of a node.
-pub(super) fn front_node<T: Parameter, S: Frequency<T>>(
+fn front_node<T: Parameter, S: Frequency<T>>(
     index: usize,
     objects: usize,
     node: &Node<T>,

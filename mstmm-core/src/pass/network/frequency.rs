@@ -3,14 +3,14 @@
 use crate::number::{Dual, Frequency, FrequencyPowers, Oscillation, Real, Scalar, Single};
 use crate::pass::characteristic::System;
 use crate::pass::network::evaluate::{PlacedCharts, PlacedMotions};
-use crate::subspace::FrontScalar;
+use crate::structure::StructureScalar;
 use num_complex::Complex;
 
 /// A frequency at which motions of plane structures are computed: a real ω, or a complex λ.
-pub trait PlaneFrequency<T: Real>: Oscillation<T> + FrontScalar {
+pub trait PlaneFrequency<T: Real>: Oscillation<T> + StructureScalar {
     /// The number in extended precision, in which doubtful motions are computed again: of a complex one the dual number that searches of
     /// eigenvalues have, since parameters multiply those.
-    type Precise: Frequency<T> + FrontScalar + Single;
+    type Precise: Frequency<T> + StructureScalar + Single;
 
     /// Whether there is an extended precision.
     const HAS_PRECISE: bool;
@@ -50,7 +50,7 @@ where
     FrequencyPowers { lambda_squared: Dual { derivative: S::one(), ..powers.lambda_squared }, ..powers }
 }
 
-impl<T: Real<Extended: FrontScalar> + FrontScalar> PlaneFrequency<T> for T {
+impl<T: Real<Extended: StructureScalar> + StructureScalar> PlaneFrequency<T> for T {
     type Precise = T::Extended;
     const HAS_PRECISE: bool = <T as Oscillation<T>>::HAS_EXTENDED;
 
@@ -79,8 +79,8 @@ impl<T: Real<Extended: FrontScalar> + FrontScalar> PlaneFrequency<T> for T {
 
 impl<T: Real> PlaneFrequency<T> for Complex<T>
 where
-    Complex<T>: FrontScalar<Size = f64, Truth = bool>,
-    Dual<Complex<T::Extended>>: Frequency<T> + FrontScalar<Size = f64, Truth = bool>,
+    Complex<T>: StructureScalar<Size = f64, Truth = bool>,
+    Dual<Complex<T::Extended>>: Frequency<T> + StructureScalar<Size = f64, Truth = bool>,
 {
     type Precise = Dual<Complex<T::Extended>>;
     const HAS_PRECISE: bool = <T as Oscillation<T>>::HAS_EXTENDED;

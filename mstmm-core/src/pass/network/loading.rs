@@ -4,7 +4,8 @@ use crate::model::SpreadLoad;
 use crate::number::{Frequency, FrequencyPowers, Real, Scalar};
 use crate::pass::network::evaluate::Placed;
 use crate::pass::network::member::Placement;
-use crate::subspace::{Chart, LoadEverywhere, MOST_VARIABLES, NodeLoad};
+use crate::structure::{LoadEverywhere, MemberLoad};
+use crate::subspace::{Chart, MOST_VARIABLES};
 
 /// A harmonic load on one node: forces x and y and a moment on it, or displacements by which its support moves it.
 #[derive(Clone, Copy, Debug)]
@@ -50,23 +51,28 @@ pub(crate) enum Loading<'a, S: Scalar> {
 }
 
 impl<S: Scalar> Loading<'_, S> {
-    /// What the load is at a node. A body resists the motion of its support.
-    pub(super) fn on_node<Y: Placed>(&self, network: &Y, node: usize, at: &FrequencyPowers<S>) -> NodeLoad<S>
+    /// The load of a number: forces on all displacements, and perhaps dislocations.
+    pub(crate) fn everywhere(number: u32, dislocates: bool) -> Self {
+        Loading::Everywhere(LoadEverywhere { number, dislocates })
+    }
+
+    /// The forces on the motions of a node. A body resists the motion of its support.
+    pub(super) fn on_node<Y: Placed>(&self, network: &Y, node: usize, at: &FrequencyPowers<S>) -> [S; 3]
     where
         S: Frequency<Y::Parameter>,
     {
-        let load = match self {
-            Loading::Everywhere(load) => return NodeLoad::Everywhere(*load),
-            Loading::Acting(load, _) => load,
+        let acting = match self {
+            Loading::Everywhere(_) => None,
+            Loading::Acting(load, _) => load.on_node(network, node),
         };
-        let Some(mut forces) = load.on_node(network, node) else { return NodeLoad::Nothing };
+        let Some(mut forces) = acting else { return [S::zero(); 3] };
         let (body, motions) = network.node(node);
         if let Some(moved) = self.moved(node) {
             for (force, momentum) in forces.iter_mut().zip(body.momentum(moved)) {
                 *force -= at.lambda_squared * momentum;
             }
         }
-        NodeLoad::Motions(motions.parts_of(forces))
+        motions.parts_of(forces)
     }
 
     /// By what its support moves a node.
@@ -89,28 +95,15 @@ impl<S: Scalar> Loading<'_, S> {
         })
     }
 
-    /// What Π of a member grows by under a load along it.
-    pub(super) fn along(&self, member: usize, chart: &Chart<S>) -> [S; MOST_VARIABLES] {
-        match self {
-            Loading::Acting(ActingLoad::Spread(_), load) => load(member, chart),
-            _ => [S::zero(); MOST_VARIABLES],
-        }
-    }
-
-    /// What Π of a member grows by, whose ends supports may move.
-    pub(super) fn of_chart<T: Real>(
-        &self,
-        member: usize,
-        placement: &Placement<T>,
-        chart: &Chart<S>,
-    ) -> Option<[S; MOST_VARIABLES]>
+    /// What acts on a member.
+    pub(super) fn on_member<T: Real>(&self, member: usize, placement: &Placement<T>, chart: &Chart<S>) -> MemberLoad<S>
     where
         S: Frequency<T>,
     {
-        let is_something = |parts: &[S]| parts.iter().any(|part| !part.is_zero());
-        let moved = self.of_ends(placement);
-        let load =
-            if is_something(moved.as_flattened()) { chart.load_of_moved(&moved) } else { self.along(member, chart) };
-        is_something(&load).then_some(load)
+        let along = match self {
+            Loading::Acting(ActingLoad::Spread(_), load) => load(member, chart),
+            _ => [S::zero(); MOST_VARIABLES],
+        };
+        MemberLoad { along, moved: chart.moved(&self.of_ends(placement)) }
     }
 }

@@ -25,14 +25,12 @@ mod visit;
 pub(crate) use chart_load::{load_on_chart, load_work};
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
-pub use evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
+pub use evaluate::{Placed, PlacedCharts, PlacedMotions, in_factor, network_pass};
 pub(crate) use frame::{moved, turned};
 pub use frequency::{MovingNetwork, PlaneFrequency};
 pub(crate) use loading::{ActingLoad, LoadAt, Loading};
 pub use member::{End, Member, Placement};
-pub(crate) use motion::{
-    NetworkMotion, delta, longest, motion_everywhere, motion_under, rounding_under, size_of_forces,
-};
+pub(crate) use motion::{NetworkMotion, motion_under, motions_under};
 pub use node::{Motions, Node};
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;

@@ -129,7 +129,7 @@ impl<T: Parameter> Motions<T> {
     pub(crate) fn parts_of<S: Frequency<T>>(&self, sum: [S; 3]) -> [S; 3] {
         self.directions.map(|direction| {
             let mut part = S::zero();
-            for (term, direction) in sum.iter().zip(direction) {
+            for (term, direction) in sum.iter().zip(direction).filter(|(_, direction)| !direction.vanishes().all()) {
                 part += *term * direction;
             }
             part
@@ -141,7 +141,7 @@ impl<T: Parameter> Motions<T> {
     /// The displacements x, y and the rotation of the node in its motions.
     pub(crate) fn displacements<S: Frequency<T>>(&self, motions: [S; 3]) -> [S; 3] {
         [0, 1, 2].map(|k| {
-            let parts = motions.iter().zip(&self.directions);
+            let parts = motions.iter().zip(&self.directions).filter(|(_, direction)| !direction[k].vanishes().all());
             parts.fold(S::zero(), |sum, (motion, direction)| sum + *motion * direction[k])
         })
     }

@@ -7,7 +7,7 @@ use crate::model::{FrequencyEstimates, Spot, is_size_of_direction};
 use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
-use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_way_back, network_pass};
+use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_factor, network_pass};
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::overall::PlacedTransfers;
@@ -15,7 +15,8 @@ use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
 use crate::pass::network::visit::visit_network;
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::proof::visit::Visitor;
-use crate::subspace::{Chart, FrontScalar, RootCounter, WayBack};
+use crate::structure::{Factor, StructureScalar};
+use crate::subspace::{Chart, FrontScalar, RootCounter};
 use core::array;
 use core::fmt::Debug;
 use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
@@ -293,8 +294,8 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
         [value; MEMBERS]
     }
 
-    fn in_way_back<S: FrontScalar, R>(work: impl FnOnce(WayBack<'_, S>) -> R) -> R {
-        in_way_back::<WIDTH, NODES, S, R>(work)
+    fn in_factor<S: StructureScalar, R>(work: impl FnOnce(Factor<'_, S>) -> R) -> R {
+        in_factor::<WIDTH, NODES, S, R>(work)
     }
 }
 

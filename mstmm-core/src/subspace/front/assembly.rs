@@ -13,15 +13,12 @@ use crate::subspace::front::variable::{Measure, Variable};
 impl<S: Scalar> Fronts<'_, S> {
     /// Joins the last objects at a node, with the body there.
     pub(super) fn join(&mut self, node: &FrontNode<S>, from: usize) {
-        let (units, elsewhere) = self.units(node, from);
+        let (units, boundary) = self.units(node, from);
         for object in from..self.objects.count {
             self.restrain(node, object, units);
         }
-        let riders = if self.has_readers { self.interior(node, from) } else { 0 } + self.objects.loads;
-        let boundary = riders + elsewhere;
-        let count = self.aim(node, from, units, [riders, boundary]);
-        self.front.begin(riders, boundary, count);
-        self.front.variables[..riders].fill(Variable::LOAD);
+        let count = self.aim(node, from, units, boundary);
+        self.front.begin(boundary, count);
         for motion in 0..node.motions {
             let is_rotation = node.is_rotation(motion);
             let unit = units.of(is_rotation);
@@ -45,18 +42,11 @@ impl<S: Scalar> Fronts<'_, S> {
         for variable in &self.objects.variables[self.objects.last(from)] {
             if variable.node == node.index {
                 units.include(variable);
-            } else if !variable.is_load() {
+            } else {
                 elsewhere += 1;
             }
         }
         (units.units(node.inertias), elsewhere)
-    }
-
-    /// The number of variables that will leave: motions of the node, and what its ports have of their own.
-    fn interior(&self, node: &FrontNode<S>, from: usize) -> usize {
-        let variables = &self.objects.variables[self.objects.last(from)];
-        let is_own = |variable: &&Variable| variable.node == node.index && variable.is_force != variable.is_released;
-        node.motions + variables.iter().filter(is_own).count()
     }
 
     /// Lets displacements of an object at the node become forces where it is stiff in its units. Else these stiffnesses would be added to
@@ -81,12 +71,11 @@ impl<S: Scalar> Fronts<'_, S> {
     fn flip(&mut self, object: usize, place: usize, unit: i32) {
         let Fronts { objects, front, total, .. } = self;
         let variables = objects.range(object);
-        front.begin(objects.loads, variables.len(), variables.len());
+        front.begin(variables.len(), variables.len());
         front.variables[..front.count].copy_from_slice(&objects.variables[variables.clone()]);
         front.errors[..front.count].copy_from_slice(&objects.errors[variables]);
         front.entries[..row(front.count)].copy_from_slice(objects.triangle(object));
         let power = power_of_two(front.variables[place].shift_to(unit));
-        front.variables[place].restrained = Some(front.variables[place].unit);
         front.variables[place].unit = unit;
         front.errors[place] *= power * power;
         for other in 0..front.count {
@@ -95,20 +84,15 @@ impl<S: Scalar> Fronts<'_, S> {
             *entry = entry.scaled(factor);
         }
         front.flip_one(place, total);
-        objects.copy(object, front, 0);
+        objects.copy(object, front);
     }
 
-    /// Finds where each variable goes, given how many are riders, and how many these and the boundary, behind which the motions stand.
-    /// Returns the number of all.
-    fn aim(&mut self, node: &FrontNode<S>, from: usize, units: Units, [riders, boundary]: [usize; 2]) -> usize {
+    /// Finds where each variable goes, given how many those of the boundary are, behind which the motions stand. Returns the number of all.
+    fn aim(&mut self, node: &FrontNode<S>, from: usize, units: Units, boundary: usize) -> usize {
         let places = self.objects.last(from);
         let variables = &self.objects.variables[places.clone()];
-        let (mut outer, mut inner) = (riders, boundary + node.motions);
+        let (mut outer, mut inner) = (0, boundary + node.motions);
         for (variable, target) in variables.iter().zip(&mut self.targets[places]) {
-            if variable.is_load() {
-                *target = Target { kind: Kind::Place, place: riders as u32 - 1, power: 1.0 };
-                continue;
-            }
             let unit = units.of(variable.is_rotation);
             let (next, unit) = if variable.node != node.index {
                 // the unit of a front is no smaller than that of its node

@@ -65,7 +65,7 @@ impl<S: Scalar> Chart<S> {
     }
 
     /// Displacements of both ends in the units of the chart, by the places of its variables.
-    pub(super) fn moved(&self, displacements: &[[S; MOST_FREEDOMS]; 2]) -> [S; MOST_VARIABLES] {
+    pub(crate) fn moved(&self, displacements: &[[S; MOST_FREEDOMS]; 2]) -> [S; MOST_VARIABLES] {
         let mut moved = [S::zero(); MOST_VARIABLES];
         let mut place = 0;
         for (freedom, displacement) in displacements.iter().flat_map(|end| Freedoms::SINGLE.into_iter().zip(end)) {
@@ -75,18 +75,6 @@ impl<S: Scalar> Chart<S> {
             }
         }
         moved
-    }
-
-    /// The load that displacements c of the ends, in the units of the chart, are: a displacement v becomes `v + c`, so that Π grows by the
-    /// entries `M c`; a force f does work on the motion, `f c`.
-    pub(crate) fn load_of_moved(&self, displacements: &[[S; MOST_FREEDOMS]; 2]) -> [S; MOST_VARIABLES] {
-        let moved = self.moved(displacements);
-        core::array::from_fn(|place| {
-            let displaced = (0..MOST_VARIABLES).filter(|other| !self.is_force(*other));
-            let terms = displaced.map(|other| self.entry(place, other) * moved[other]);
-            let own = if self.is_force(place) { moved[place] } else { S::zero() };
-            terms.fold(own, |sum, term| sum + term)
-        })
     }
 
     /// The displacements and forces of both ends, given the values of the variables and what Π grows by with each of them under a load.

@@ -69,10 +69,10 @@ impl<S: Scalar> Front<'_, S> {
     #[inline]
     fn suffices(&self, total: &mut Total<S>) -> bool {
         let last = self.count - 1;
-        let entries = &self.entries[row(last) + self.riders..row(self.count)];
+        let entries = &self.entries[row(last)..row(self.count)];
         let largest = triangle::largest(entries);
         total.look_at_row(largest, self.terms[last], self.errors[last]);
-        let own = entries[last - self.riders].size().first();
+        let own = entries[last].size().first();
         own > 0.0 && own >= SUFFICIENT * largest
     }
 
@@ -119,8 +119,7 @@ impl<S: Scalar> Front<'_, S> {
         }
         let between = entries[partner];
         let determinant = (entries[last] * before[row(partner) + partner] - between * between).size().first();
-        let sizes =
-            self.interior().map(|place| triangle::largest(&self.entries[row(place) + self.riders..row(place + 1)]));
+        let sizes = self.interior().map(|place| triangle::largest(&self.entries[row(place)..row(place + 1)]));
         let of_all = sizes.fold(0.0, f64::max);
         (determinant >= PAIRED * of_all * of_all).then_some(partner)
     }
@@ -145,14 +144,10 @@ impl<S: Scalar> Front<'_, S> {
         }
     }
 
-    /// Takes a row that is zero: Δ vanishes, since nothing holds the variable, or its terms have cancelled, and rounding stands for them. A
-    /// variable that riders read moves freely then, as far as rounding of its unit lets it.
+    /// Takes a row that is zero: Δ vanishes, since nothing holds the variable, or its terms have cancelled, and rounding stands for them.
     #[cold]
     fn pivot_on_nothing(&mut self, total: &mut Total<S>) {
         let last = self.count - 1;
-        if self.riders > 0 && self.terms[last] == 0.0 {
-            self.terms[last] = 1.0;
-        }
         self.entries[triangle::place(last, last)] = S::from_f64(S::EPSILON * self.terms[last]);
         if self.terms[last] > 0.0 {
             self.pivot_on_last(total);
@@ -177,7 +172,7 @@ impl<S: Scalar> Front<'_, S> {
             if size * size > gain {
                 (gain, best) = (size * size, Some((place, None)));
             }
-            for (other, (between, of_other)) in entries.iter().zip(&*diagonal).enumerate().skip(self.riders) {
+            for (other, (between, of_other)) in entries.iter().zip(&*diagonal).enumerate() {
                 if between.is_zero() {
                     continue;
                 }
@@ -194,7 +189,7 @@ impl<S: Scalar> Front<'_, S> {
     /// Flips variables of the boundary until no entry exceeds the bound. The product of pivots grows with each, so that it ends.
     fn bound(&mut self, total: &mut Total<S>) {
         // each flip gains a factor of the bound: more than these find no end for a NaN
-        for _ in 0..8 * (self.boundary - self.riders) {
+        for _ in 0..8 * self.boundary {
             match self.beyond_bound() {
                 Some((place, None)) => self.flip_one(place, total),
                 Some((place, Some(other))) => self.pivot_on_two([place, other], After::Flips, total),
@@ -205,19 +200,18 @@ impl<S: Scalar> Front<'_, S> {
 
     /// A variable of the boundary, or two, whose entry exceeds the bound.
     fn beyond_bound(&self) -> Option<Pivot> {
-        let mut rows =
-            (self.riders..self.boundary).map(|place| &self.entries[row(place) + self.riders..row(place + 1)]);
+        let mut rows = (0..self.boundary).map(|place| &self.entries[row(place)..row(place + 1)]);
         if !rows.any(|entries| entries.iter().any(|entry| entry.size().first() > BOUND)) {
             return None;
         }
         let (mut largest, mut single, mut pair) = (BOUND, None, None);
         let mut largest_beside = BOUND;
-        for place in self.riders..self.boundary {
+        for place in 0..self.boundary {
             let own = self.size(place, place);
             if own > largest {
                 (largest, single) = (own, Some(place));
             }
-            for other in self.riders..place {
+            for other in 0..place {
                 let size = self.size(place, other);
                 if size > largest_beside {
                     (largest_beside, pair) = (size, Some([place, other]));

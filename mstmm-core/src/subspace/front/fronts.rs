@@ -17,8 +17,6 @@ pub struct Fronts<'r, S: Scalar> {
     pub(super) targets: &'r mut [Target],
     pub(super) total: Total<S>,
     pub(super) choice: Choice,
-    /// Whether each interior variable of a front has a rider by which it is read.
-    pub(super) has_readers: bool,
 }
 
 /// A node that is eliminated.
@@ -46,16 +44,6 @@ impl<S> FrontNode<S> {
 }
 
 impl<S: Scalar> Fronts<'_, S> {
-    /// Makes fronts that nobody reads and nothing loads.
-    pub(crate) fn forget_loads(&mut self) {
-        (self.has_readers, self.objects.loads) = (false, 0);
-    }
-
-    /// Lets pivots be chosen in a way, and errors be carried along or not.
-    pub(crate) fn choose(&mut self, choice: Choice, carries_errors: bool) {
-        (self.choice, self.total.carries_errors) = (choice, carries_errors);
-    }
-
     /// Δ and the count, once all nodes are eliminated.
     pub(crate) fn total(&self) -> &Total<S> {
         &self.total

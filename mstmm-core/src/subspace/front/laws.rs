@@ -37,7 +37,7 @@ prop_compose! {
 
 /// Fills a front with a case, whose interior variables are its first ones.
 fn fill(front: &mut Front<'_, f64>, case: &Case) {
-    front.begin(0, BOUNDARY, COUNT);
+    front.begin(BOUNDARY, COUNT);
     let place = |row: usize| (row + BOUNDARY) % COUNT;
     for row in 0..COUNT {
         front.variables[place(row)] =

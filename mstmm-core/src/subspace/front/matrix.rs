@@ -4,8 +4,8 @@ use crate::number::{Scalar, Size};
 use crate::subspace::front::triangle::{self, row};
 use crate::subspace::front::variable::Variable;
 
-/// A symmetric matrix over variables, in memory of the caller's: riders first, then those of the boundary, then the interior ones, of which
-/// the last one leaves first. So what is left when all have left stands at the beginning. No choice of pivots looks at a rider.
+/// A symmetric matrix over variables, in memory of the caller's: those of the boundary first, then the interior ones, of which the last one leaves
+/// first. So what is left when all have left stands at the beginning.
 #[derive(Debug)]
 pub(crate) struct Front<'r, S> {
     /// The lower triangle.
@@ -18,19 +18,18 @@ pub(crate) struct Front<'r, S> {
     pub(super) terms: &'r mut [f64],
     /// Error of each row in units of rounding, with what rounding has done to all that it was made of.
     pub(super) errors: &'r mut [f64],
-    /// The number of riders, of these and the boundary, and of all.
-    pub(super) riders: usize,
+    /// The number of those of the boundary, and of all.
     pub(super) boundary: usize,
     pub(super) count: usize,
 }
 
 impl<S: Scalar> Front<'_, S> {
-    /// Begins anew with so many variables without entries, of which the first ones are riders, and these and the next ones stay.
-    pub(super) fn begin(&mut self, riders: usize, boundary: usize, count: usize) {
+    /// Begins anew with so many variables without entries, of which the first ones stay.
+    pub(super) fn begin(&mut self, boundary: usize, count: usize) {
         self.entries[..row(count)].fill(S::zero());
         self.terms[..count].fill(0.0);
         self.errors[..count].fill(0.0);
-        (self.riders, self.boundary, self.count) = (riders, boundary, count);
+        (self.boundary, self.count) = (boundary, count);
     }
 
     /// An entry, or its mirror image.

@@ -26,5 +26,3 @@ pub(crate) mod total;
 pub(crate) mod triangle;
 pub(crate) mod units;
 pub(crate) mod variable;
-pub(crate) mod way_back;
-pub(crate) mod way_back_room;

@@ -34,8 +34,6 @@ pub(crate) struct Objects<'r, S> {
     /// Where each object begins, and the next one would.
     pub(super) starts: &'r mut [Start],
     pub(super) count: usize,
-    /// The number of loads that each object begins with: one or none.
-    pub(super) loads: usize,
 }
 
 impl<S: Scalar> Objects<'_, S> {
@@ -69,7 +67,7 @@ impl<S: Scalar> Objects<'_, S> {
     /// Adds a member by its chart, without displacements that vanish. Returns the number of objects that were added: one without variables is
     /// none.
     pub(super) fn push_chart(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], total: &mut Total<S>) -> usize {
-        let (start, loads) = (self.starts[self.count], self.loads);
+        let start = self.starts[self.count];
         // the places in the chart of the variables that stay
         let mut kept = [0; MOST_VARIABLES];
         let (mut place, mut count) = (0, 0);
@@ -79,7 +77,7 @@ impl<S: Scalar> Objects<'_, S> {
                     continue;
                 }
                 if end.keeps(chart.is_force(place), kind) {
-                    let (is_rotation, next) = (freedom + 1 == MOST_FREEDOMS, start.variable + loads + count);
+                    let (is_rotation, next) = (freedom + 1 == MOST_FREEDOMS, start.variable + count);
                     self.variables[next] = Variable {
                         node: end.node as u32,
                         measure: chart.measure,
@@ -87,7 +85,6 @@ impl<S: Scalar> Objects<'_, S> {
                         is_force: chart.is_force(place),
                         is_rotation,
                         is_released: end.released.contains(kind),
-                        restrained: None,
                     };
                     self.rows[next] = end.rows[freedom];
                     kept[count] = place;
@@ -102,22 +99,21 @@ impl<S: Scalar> Objects<'_, S> {
             return 0;
         }
         let kept = &kept[..count];
-        self.open(loads + count);
-        self.variables[start.variable..start.variable + loads].fill(Variable::LOAD);
-        let entries = &mut self.entries[start.entry..start.entry + row(loads + count)];
-        if loads == 0 && count == place {
+        self.open(count);
+        let entries = &mut self.entries[start.entry..start.entry + row(count)];
+        if count == place {
             entries.copy_from_slice(&chart.entries[..row(count)]);
         } else {
             entries.fill(S::zero());
             for (k, one) in kept.iter().enumerate() {
                 let from = &chart.entries[row(*one)..=row(*one) + one];
-                for (other, entry) in kept[..=k].iter().zip(&mut entries[row(loads + k) + loads..]) {
+                for (other, entry) in kept[..=k].iter().zip(&mut entries[row(k)..]) {
                     *entry = from[*other];
                 }
             }
         }
         if total.carries_errors {
-            for (one, error) in kept.iter().zip(&mut self.errors[start.variable + loads..]) {
+            for (one, error) in kept.iter().zip(&mut self.errors[start.variable..]) {
                 let sizes = kept.iter().map(|other| chart.entry(*one, *other).size().first());
                 *error = sizes.fold(0.0, f64::max);
             }
@@ -125,69 +121,44 @@ impl<S: Scalar> Objects<'_, S> {
         1
     }
 
-    /// Loads the last object, a member, by what Π grows by with each variable of its chart.
-    pub(super) fn load_chart(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], load: &[S; MOST_VARIABLES]) {
-        let Start { variable, entry } = self.starts[self.count - 1];
-        debug_assert!(self.variables[variable].is_load());
-        let (mut place, mut next) = (0, self.loads);
-        for end in ends {
-            for kind in Freedoms::SINGLE {
-                if !chart.freedoms.contains(kind) {
-                    continue;
-                }
-                if end.keeps(chart.is_force(place), kind) {
-                    self.entries[entry + row(next)] += load[place];
-                    next += 1;
-                }
-                place += 1;
-            }
-        }
-    }
-
-    /// Replaces the last objects, from one on, by what is left of their front, if anything but loads is, in units that are `2^shift` times
-    /// as large.
+    /// Replaces the last objects, from one on, by what is left of their front, if anything is, in units that are `2^shift` times as large.
     pub(super) fn replace_last(&mut self, from: usize, node: u32, front: &Front<'_, S>, shift: i32) {
         let places = self.last(from);
         self.count = from;
-        if front.boundary == front.riders {
+        if front.boundary == 0 {
             return;
         }
-        let loads = self.loads;
-        let Start { variable, entry } = self.open(loads + front.boundary - front.riders);
+        let Start { variable, entry } = self.open(front.boundary);
         // those elsewhere are the boundary, in their order
-        let mut next = variable + loads;
+        let mut next = variable;
         for place in places {
-            if self.variables[place].node != node && !self.variables[place].is_load() {
+            if self.variables[place].node != node {
                 self.rows[next] = self.rows[place];
                 next += 1;
             }
         }
-        self.copy(self.count - 1, front, front.riders - loads);
+        self.copy(self.count - 1, front);
         if shift == 0 {
             return;
         }
         let powers = [power_of_two(shift), power_of_two(-shift)];
-        for one in variable + loads..next {
+        for one in variable..next {
             let own = powers[usize::from(self.variables[one].is_force)];
             self.errors[one] *= own * own;
             self.variables[one].unit += shift;
             let entries = &mut self.entries[entry + row(one - variable)..];
             for (entry, other) in entries.iter_mut().zip(&self.variables[variable..=one]) {
-                let other = if other.is_load() { 1.0 } else { powers[usize::from(other.is_force)] };
-                *entry = entry.scaled(own * other);
+                *entry = entry.scaled(own * powers[usize::from(other.is_force)]);
             }
         }
     }
 
-    /// Copies the riders and the boundary of a front, from a place on, to an object of as many variables.
-    pub(super) fn copy(&mut self, object: usize, front: &Front<'_, S>, first: usize) {
+    /// Copies the boundary of a front to an object of as many variables.
+    pub(super) fn copy(&mut self, object: usize, front: &Front<'_, S>) {
         let (places, entry) = (self.range(object), self.starts[object].entry);
         let count = places.len();
-        self.variables[places.clone()].copy_from_slice(&front.variables[first..front.boundary]);
-        self.errors[places].copy_from_slice(&front.errors[first..front.boundary]);
-        for k in 0..count {
-            let from = row(first + k) + first;
-            self.entries[entry + row(k)..=entry + row(k) + k].copy_from_slice(&front.entries[from..=from + k]);
-        }
+        self.variables[places.clone()].copy_from_slice(&front.variables[..count]);
+        self.errors[places].copy_from_slice(&front.errors[..count]);
+        self.entries[entry..entry + row(count)].copy_from_slice(&front.entries[..row(count)]);
     }
 }

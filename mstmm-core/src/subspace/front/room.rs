@@ -1,7 +1,7 @@
 //! The memory of fronts, and the numbers that fronts are compiled for.
 
 use crate::number::{Scalar, for_compiled_numbers};
-use crate::subspace::front::chart::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES};
+use crate::subspace::front::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
 use crate::subspace::front::eliminate::Choice;
 use crate::subspace::front::fronts::{FrontNode, Fronts};
 use crate::subspace::front::matrix::Front;
@@ -10,7 +10,6 @@ use crate::subspace::front::target::Target;
 use crate::subspace::front::total::Total;
 use crate::subspace::front::triangle::row;
 use crate::subspace::front::variable::Variable;
-use crate::subspace::front::way_back::{Back, Kept, NodeLoad};
 
 /// Memory for fronts of up to `W` variables at once.
 #[derive(Debug)]
@@ -56,7 +55,6 @@ impl<S: Scalar, const W: usize> FrontRoom<S, W> {
                 errors: waiting_errors,
                 starts: &mut self.starts,
                 count: 0,
-                loads: 0,
             },
             front: Front {
                 entries: front,
@@ -65,14 +63,12 @@ impl<S: Scalar, const W: usize> FrontRoom<S, W> {
                 variables,
                 terms,
                 errors,
-                riders: 0,
                 boundary: 0,
                 count: 0,
             },
             targets: &mut self.targets,
             total: Total::new(carries_errors),
             choice,
-            has_readers: false,
         }
     }
 }
@@ -104,31 +100,9 @@ pub trait FrontScalar: Scalar {
     #[doc(hidden)]
     fn push_chart(fronts: &mut Fronts<'_, Self>, chart: &Chart<Self>, ends: &[JoinedEnd<Self>; 2]) -> usize;
 
-    /// Loads the member that was added last, by what Π grows by with each variable of its chart.
-    #[doc(hidden)]
-    fn load_chart(
-        fronts: &mut Fronts<'_, Self>,
-        chart: &Chart<Self>,
-        ends: &[JoinedEnd<Self>; 2],
-        load: &[Self; MOST_VARIABLES],
-    );
-
     /// Eliminates a node.
     #[doc(hidden)]
     fn eliminate(fronts: &mut Fronts<'_, Self>, node: &FrontNode<Self>);
-
-    /// Eliminates a node under a load, and keeps what the way back needs.
-    #[doc(hidden)]
-    fn eliminate_and_keep(
-        fronts: &mut Fronts<'_, Self>,
-        node: &FrontNode<Self>,
-        load: &NodeLoad<Self>,
-        kept: &mut Kept<'_, Self>,
-    );
-
-    /// Goes back through a node. Returns its motions.
-    #[doc(hidden)]
-    fn recover(back: &mut Back<'_, Self>, node: &FrontNode<Self>) -> [Self; MOST_FREEDOMS];
 }
 
 /// Compiles fronts of numbers, given the zero of each: a constant, since memory is filled with it in one go.
@@ -145,30 +119,8 @@ macro_rules! compiled {
                 fronts.objects.push_chart(chart, ends, &mut fronts.total)
             }
 
-            fn load_chart(
-                fronts: &mut Fronts<'_, Self>,
-                chart: &Chart<Self>,
-                ends: &[JoinedEnd<Self>; 2],
-                load: &[Self; MOST_VARIABLES],
-            ) {
-                fronts.objects.load_chart(chart, ends, load);
-            }
-
             fn eliminate(fronts: &mut Fronts<'_, Self>, node: &FrontNode<Self>) {
                 fronts.take_up(node);
-            }
-
-            fn eliminate_and_keep(
-                fronts: &mut Fronts<'_, Self>,
-                node: &FrontNode<Self>,
-                load: &NodeLoad<Self>,
-                kept: &mut Kept<'_, Self>,
-            ) {
-                fronts.take_up_and_keep(node, load, kept);
-            }
-
-            fn recover(back: &mut Back<'_, Self>, node: &FrontNode<Self>) -> [Self; MOST_FREEDOMS] {
-                back.node(node)
             }
         }
     )*};
@@ -187,25 +139,5 @@ impl<V: crate::number::lanes::Waving> FrontScalar for mstmm_lanes::Lanes<V> {
         0
     }
 
-    fn load_chart(
-        _fronts: &mut Fronts<'_, Self>,
-        _chart: &Chart<Self>,
-        _ends: &[JoinedEnd<Self>; 2],
-        _load: &[Self; MOST_VARIABLES],
-    ) {
-    }
-
     fn eliminate(_fronts: &mut Fronts<'_, Self>, _node: &FrontNode<Self>) {}
-
-    fn eliminate_and_keep(
-        _fronts: &mut Fronts<'_, Self>,
-        _node: &FrontNode<Self>,
-        _load: &NodeLoad<Self>,
-        _kept: &mut Kept<'_, Self>,
-    ) {
-    }
-
-    fn recover(_back: &mut Back<'_, Self>, _node: &FrontNode<Self>) -> [Self; MOST_FREEDOMS] {
-        [Self::from_f64(0.0); MOST_FREEDOMS]
-    }
 }

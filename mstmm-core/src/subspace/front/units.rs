@@ -92,7 +92,7 @@ impl<S: Scalar> Front<'_, S> {
     pub(super) fn balance(&self) -> i32 {
         let mut largest = [0.0_f64; 2];
         let (mut least, mut greatest) = (0, 0);
-        for (place, variable) in self.variables[..self.boundary].iter().enumerate().skip(self.riders) {
+        for (place, variable) in self.variables[..self.boundary].iter().enumerate() {
             let kind = usize::from(variable.is_force);
             let size = self.entries[row(place) + place].size().first();
             // an entry that is rounding alone, as across a bar between two pins at rest, has no size: it would become the unit

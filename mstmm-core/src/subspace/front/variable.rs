@@ -15,8 +15,6 @@ pub(crate) struct Variable {
     pub(crate) is_rotation: bool,
     /// Whether the end does not share the freedom with its node.
     pub(crate) is_released: bool,
-    /// The unit of the displacement that it was, if its node has restrained it.
-    pub(super) restrained: Option<i32>,
 }
 
 /// What gives a variable its unit.
@@ -46,17 +44,7 @@ impl Variable {
         is_force: false,
         is_rotation: false,
         is_released: false,
-        restrained: None,
     };
-
-    /// A load: a number that no node has and no pivot looks at.
-    pub(super) const LOAD: Variable = Variable { node: u32::MAX, ..Variable::DISPLACEMENT };
-
-    /// Whether it is a load.
-    #[inline]
-    pub(super) fn is_load(&self) -> bool {
-        self.node == u32::MAX
-    }
 
     /// Logarithm to base 2 of the factor of a row of this variable in another unit.
     #[inline]

@@ -164,10 +164,10 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
                 [value; #members]
             }
 
-            fn in_way_back<S: #private::FrontScalar, R>(
-                work: impl ::core::ops::FnOnce(#private::WayBack<'_, S>) -> R,
+            fn in_factor<S: #private::StructureScalar, R>(
+                work: impl ::core::ops::FnOnce(#private::Factor<'_, S>) -> R,
             ) -> R {
-                #private::in_way_back::<#width, #nodes, S, R>(work)
+                #private::in_factor::<#width, #nodes, S, R>(work)
             }
 
             fn sizes(&self) -> [::core::primitive::usize; 2] {

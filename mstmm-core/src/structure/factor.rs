@@ -1,0 +1,322 @@
+//! The matrix of the unknowns that have not left, and their elimination. No pivot is searched: an unknown waits while its pivot is small.
+
+use crate::number::{Scalar, Size, binary_exponent, power_of_two};
+
+/// Size of a pivot beside the largest term of its entry, below which its unknown waits for others to leave. Pivots vanish where the structure so
+/// far has a natural frequency.
+const SMALL_PIVOT: f64 = 1e-3;
+
+/// Size of a pivot beside the largest term of its entry, in units of rounding, below which it is rounding alone.
+const ROUNDING: f64 = 4.0;
+
+/// Loads that a factor solves for at once.
+pub(crate) const LOADS: usize = 2;
+
+/// Loads on all displacements of the size of their units, of a number and the next one, and perhaps dislocations.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LoadEverywhere {
+    pub(crate) number: u32,
+    pub(crate) dislocates: bool,
+}
+
+/// An unknown that has not left.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Unknown<S> {
+    number: u32,
+    is_taken: bool,
+    /// Whether it leaves as soon as its pivot is large.
+    waits: bool,
+    /// Whether it is a force.
+    is_force: bool,
+    /// The largest term of its diagonal entry, or a usual size of these.
+    size: f64,
+    loads: [S; LOADS],
+}
+
+impl<S: Scalar> Unknown<S> {
+    pub(crate) fn none() -> Self {
+        Unknown { number: 0, is_taken: false, waits: false, is_force: false, size: 0.0, loads: [S::zero(); LOADS] }
+    }
+}
+
+/// The row of an unknown that has left: its value under each load is that of `values`, less each number times the value of the unknown beside it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row<S> {
+    number: u32,
+    first: u32,
+    values: [S; LOADS],
+}
+
+impl<S: Scalar> Row<S> {
+    pub(crate) fn none() -> Self {
+        Row { number: 0, first: 0, values: [S::zero(); LOADS] }
+    }
+}
+
+/// The unknowns of a node: its motions.
+#[derive(Clone, Copy, Debug)]
+pub struct NodeUnknowns {
+    pub(crate) first: u32,
+    pub(crate) slots: [u32; 3],
+    pub(crate) count: u32,
+    pub(crate) has_entered: bool,
+}
+
+impl NodeUnknowns {
+    /// None yet.
+    pub(crate) const NONE: Self = NodeUnknowns { first: 0, slots: [0; 3], count: 0, has_entered: false };
+}
+
+/// The elimination of a structure, in memory of the caller's.
+#[derive(Debug)]
+pub struct Factor<'r, S: Scalar> {
+    /// The lower triangle over the slots of unknowns, row after row.
+    pub(super) entries: &'r mut [S],
+    pub(super) unknowns: &'r mut [Unknown<S>],
+    /// Number of slots that are in use or were.
+    pub(super) width: usize,
+    pub(super) rows: &'r mut [Row<S>],
+    pub(super) numbers: &'r mut [S],
+    pub(super) beside: &'r mut [u32],
+    pub(super) row_count: usize,
+    pub(super) number_count: usize,
+    /// The values of all unknowns under each load, once all have left.
+    pub(super) values: &'r mut [[S; LOADS]],
+    pub(super) entered: u32,
+    /// The load of all unknowns, if there is one.
+    pub(crate) everywhere: Option<LoadEverywhere>,
+    /// The node that is taken up, and the first one where a pivot was rounding alone.
+    pub(crate) node: u32,
+    pub(crate) vanished_at: Option<u32>,
+    /// Whether there was no slot for an unknown, though the order of a network has counted them: then nothing is known.
+    pub(super) is_full: bool,
+    /// The work of each load on its motion.
+    pub(crate) works: [S; LOADS],
+}
+
+/// The place of an entry, or of its mirror image, in the lower triangle.
+#[inline(always)]
+const fn place(row: usize, column: usize) -> usize {
+    if row < column { column * (column + 1) / 2 + row } else { row * (row + 1) / 2 + column }
+}
+
+impl<S: Scalar> Factor<'_, S> {
+    /// Takes a slot for an unknown. Where there is none, one that waits leaves.
+    pub(super) fn enter(&mut self, is_force: bool) -> (u32, u32) {
+        let free = self.unknowns[..self.width].iter().position(|unknown| !unknown.is_taken);
+        let slot = match free {
+            Some(free) => free,
+            None if self.width < self.unknowns.len() => {
+                self.width += 1;
+                self.width - 1
+            }
+            None => self.make_room(),
+        };
+        let number = self.entered;
+        self.entered += 1;
+        self.unknowns[slot] = Unknown { number, is_taken: true, is_force, ..Unknown::none() };
+        for other in 0..self.width {
+            self.entries[place(slot, other)] = S::zero();
+        }
+        (number, slot as u32)
+    }
+
+    /// Lets the unknown with the largest pivot of those that wait leave.
+    #[cold]
+    fn make_room(&mut self) -> usize {
+        let waiting = (0..self.width).filter(|slot| self.unknowns[*slot].waits);
+        match waiting.max_by(|one, other| self.share(*one).total_cmp(&self.share(*other))) {
+            Some(best) => {
+                self.leave(best);
+                best
+            }
+            None => {
+                self.is_full = true;
+                0
+            }
+        }
+    }
+
+    /// Lets the motions of a node enter.
+    pub(super) fn enter_node(&mut self, count: usize) -> NodeUnknowns {
+        let mut node =
+            NodeUnknowns { has_entered: true, count: count as u32, first: self.entered, ..NodeUnknowns::NONE };
+        for slot in &mut node.slots[..count] {
+            *slot = self.enter(false).1;
+        }
+        node
+    }
+
+    /// Adds to an entry, and thereby to its mirror image.
+    #[inline]
+    pub(super) fn add(&mut self, row: u32, column: u32, term: S) {
+        self.entries[place(row as usize, column as usize)] += term;
+        if row == column {
+            self.note(row, term.size().first());
+        }
+    }
+
+    /// Notes a usual size of terms of the diagonal entry of an unknown: its own may vanish.
+    pub(super) fn note(&mut self, slot: u32, size: f64) {
+        let unknown = &mut self.unknowns[slot as usize];
+        unknown.size = unknown.size.max(size);
+    }
+
+    /// Lets an unknown wait: all that knows it has joined.
+    pub(super) fn wait(&mut self, slot: u32) {
+        self.unknowns[slot as usize].waits = true;
+    }
+
+    /// Adds a force on an unknown to the first load.
+    #[inline]
+    pub(super) fn add_load(&mut self, slot: u32, force: S) {
+        self.unknowns[slot as usize].loads[0] += force;
+    }
+
+    /// The size of a pivot beside the largest term of its entry.
+    fn share(&self, slot: usize) -> f64 {
+        let size = self.entries[place(slot, slot)].size().first();
+        if size > 0.0 { size / self.unknowns[slot].size } else { 0.0 }
+    }
+
+    /// Lets the motions of a node leave, and what has waited for them, but for those whose pivots are small.
+    pub(super) fn leave_node(&mut self, node: &NodeUnknowns) {
+        for slot in &node.slots[..node.count as usize] {
+            self.wait(*slot);
+            self.leave_if_large(*slot as usize);
+        }
+        while (0..self.width).any(|slot| self.leave_if_large(slot)) {}
+    }
+
+    /// Lets an unknown that waits leave if its pivot is large. Returns whether it has left.
+    fn leave_if_large(&mut self, slot: usize) -> bool {
+        let is_ready = self.unknowns[slot].waits && self.share(slot) >= SMALL_PIVOT;
+        if is_ready {
+            self.leave(slot);
+        }
+        is_ready
+    }
+
+    /// Lets all unknowns leave that are left, largest pivot first.
+    fn leave_all(&mut self) {
+        while self.unknowns[..self.width].iter().any(|unknown| unknown.is_taken) {
+            self.unknowns[..self.width].iter_mut().for_each(|unknown| unknown.waits = unknown.is_taken);
+            self.make_room();
+        }
+    }
+
+    /// Eliminates an unknown.
+    fn leave(&mut self, slot: usize) {
+        self.load_everywhere(slot);
+        let Unknown { number, size, loads, .. } = self.unknowns[slot];
+        (self.unknowns[slot].is_taken, self.unknowns[slot].waits) = (false, false);
+        let mut pivot = self.entries[place(slot, slot)];
+        if pivot.size().first() <= ROUNDING * S::EPSILON * size {
+            self.vanished_at = self.vanished_at.or(Some(self.node));
+            pivot = S::from_f64(S::EPSILON * if size > 0.0 { size } else { 1.0 });
+        }
+        let inverse = S::one() / pivot;
+        let is_loaded = loads.map(|load| !load.is_constant_zero());
+        let first = self.number_count;
+        let row = &mut self.rows[self.row_count];
+        *row = Row { number, first: first as u32, ..Row::none() };
+        for load in (0..LOADS).filter(|load| is_loaded[*load]) {
+            row.values[load] = loads[load] * inverse;
+            self.works[load] += loads[load] * row.values[load];
+        }
+        self.row_count += 1;
+        for row in 0..self.width {
+            let entry = self.entries[place(row, slot)];
+            if !self.unknowns[row].is_taken || entry.is_constant_zero() {
+                continue;
+            }
+            let factor = entry * inverse;
+            self.numbers[self.number_count] = factor;
+            self.beside[self.number_count] = row as u32;
+            self.number_count += 1;
+            for k in first..self.number_count {
+                let column = self.beside[k] as usize;
+                let term = factor * self.entries[place(column, slot)];
+                let sum = &mut self.entries[place(row, column)];
+                *sum -= term;
+                if row == column {
+                    self.note(row as u32, term.size().first());
+                }
+            }
+            for load in (0..LOADS).filter(|load| is_loaded[*load]) {
+                self.unknowns[row].loads[load] -= factor * loads[load];
+            }
+        }
+        // slots are taken again: what is beside is known by its number
+        for beside in &mut self.beside[first..self.number_count] {
+            *beside = self.unknowns[*beside as usize].number;
+        }
+    }
+
+    /// Adds what acts everywhere to the load of an unknown.
+    fn load_everywhere(&mut self, slot: usize) {
+        let Some(LoadEverywhere { number, dislocates }) = self.everywhere else { return };
+        let unknown = &mut self.unknowns[slot];
+        if unknown.is_force && !dislocates {
+            return;
+        }
+        // loads of the size of the root of a stiffness, or of a flexibility, do equal works
+        let unit = if unknown.size > 0.0 { power_of_two(binary_exponent(unknown.size) / 2) } else { 1.0 };
+        for (next, load) in (number..).zip(&mut unknown.loads) {
+            *load += S::from_f64(scattered([self.node, unknown.number, next]) * unit);
+        }
+    }
+
+    /// Finds the values of all unknowns, the last one first.
+    pub(super) fn solve(&mut self) {
+        self.leave_all();
+        if self.is_full {
+            self.values.fill([S::from_f64(f64::NAN); LOADS]);
+            return;
+        }
+        let mut end = self.number_count;
+        for row in self.rows[..self.row_count].iter().rev() {
+            let first = row.first as usize;
+            let mut values = row.values;
+            for (factor, beside) in self.numbers[first..end].iter().zip(&self.beside[first..end]) {
+                for (value, other) in values.iter_mut().zip(self.values[*beside as usize]) {
+                    if !other.is_constant_zero() {
+                        *value -= *factor * other;
+                    }
+                }
+            }
+            self.values[row.number as usize] = values;
+            end = first;
+        }
+    }
+
+    /// The value of an unknown under a load.
+    #[inline]
+    pub(crate) fn value(&self, number: u32, load: usize) -> S {
+        self.values[number as usize][load]
+    }
+
+    /// The values of the motions of a node under a load.
+    pub(crate) fn values_of(&self, node: &NodeUnknowns, load: usize) -> [S; 3] {
+        let mut values = [S::zero(); 3];
+        for (motion, value) in values.iter_mut().enumerate().take(node.count as usize) {
+            *value = self.value(node.first + motion as u32, load);
+        }
+        values
+    }
+}
+
+/// A number of the size of 1 that follows from three others without any order, so that loads of several numbers are independent on whatever
+/// unknowns, and no motion is at rest under all of them.
+fn scattered(from: [u32; 3]) -> f64 {
+    let mut bits = 0_u64;
+    for part in from {
+        // the mixing steps of SplitMix64
+        bits = bits.wrapping_add(u64::from(part)).wrapping_add(0x9E37_79B9_7F4A_7C15);
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        bits ^= bits >> 31;
+    }
+    let part = (bits >> 33) as f64 / f64::from(1_u32 << 31);
+    if part < 0.5 { part + 0.5 } else { -part }
+}

@@ -1,0 +1,213 @@
+//! A member joins the factor: its displacements are sums of the motions of its nodes.
+
+use crate::model::EndMotion;
+use crate::number::{Scalar, Size, power_of_two};
+use crate::structure::factor::{Factor, NodeUnknowns};
+use crate::structure::member::{Kind, MemberStiffness, place_of};
+use crate::subspace::{MOST_FREEDOMS, MOST_VARIABLES};
+
+/// A usual size of the flexibility of a border, in the units of its chart: it stays where that is less than 1e-3.
+const FLEXIBILITY: f64 = 1e-6;
+
+/// What a variable of a member is of the unknowns.
+#[derive(Clone, Copy)]
+struct Sum<S> {
+    slots: [u32; MOST_FREEDOMS],
+    coefficients: [S; MOST_FREEDOMS],
+    count: usize,
+}
+
+impl<S: Scalar> Sum<S> {
+    /// Nothing.
+    fn none() -> Self {
+        Sum { slots: [0; MOST_FREEDOMS], coefficients: [S::zero(); MOST_FREEDOMS], count: 0 }
+    }
+
+    /// An unknown.
+    fn of(slot: u32) -> Self {
+        let mut sum = Sum::none();
+        (sum.slots[0], sum.coefficients[0], sum.count) = (slot, S::one(), 1);
+        sum
+    }
+
+    /// The displacement of an end in a freedom, in its unit.
+    fn of_end(member: &MemberStiffness<S>, end: usize, freedom: usize, node: &NodeUnknowns) -> Self {
+        let power = power_of_two(-member.unit(freedom));
+        let mut sum = Sum::none();
+        for (slot, coefficient) in node.slots[..node.count as usize].iter().zip(member.rows[end][freedom]) {
+            if !coefficient.is_constant_zero() {
+                (sum.slots[sum.count], sum.coefficients[sum.count]) = (*slot, coefficient.scaled(power));
+                sum.count += 1;
+            }
+        }
+        sum
+    }
+
+    /// The terms.
+    fn terms(&self) -> impl Iterator<Item = (u32, S)> {
+        self.slots.into_iter().zip(self.coefficients).take(self.count)
+    }
+}
+
+impl<S: Scalar> Factor<'_, S> {
+    /// Adds a member, whose nodes have entered.
+    pub(super) fn join(&mut self, member: &mut MemberStiffness<S>, nodes: [&NodeUnknowns; 2]) {
+        self.works[0] += member.work;
+        let count = member.count();
+        // of each variable its displacement, and of one that is an unknown itself that one
+        let (mut displacements, mut own) = ([Sum::none(); MOST_VARIABLES], [Sum::none(); MOST_VARIABLES]);
+        for variable in 0..count {
+            let kind = member.kinds[variable];
+            if kind.is_own() {
+                let (number, slot) = self.enter(kind.is_border());
+                member.unknowns[variable] = number;
+                self.note(slot, FLEXIBILITY);
+                own[variable] = Sum::of(slot);
+            }
+            let (end, freedom) = place_of(member.freedoms(), variable);
+            displacements[variable] = match kind {
+                Kind::Tied | Kind::Border => Sum::of_end(member, end, freedom, nodes[end]),
+                Kind::Loose => own[variable],
+                Kind::Held | Kind::HeldBorder | Kind::Released => Sum::none(),
+            };
+        }
+        // the unit of a chart is a usual size of its stiffness
+        for (slot, coefficient) in displacements.iter().flat_map(Sum::terms) {
+            let size = coefficient.size().first();
+            self.note(slot, size * size);
+        }
+        let loads = member.loads();
+        self.add_displacements(member, &displacements, &loads);
+        if member.kinds[..count].iter().any(|kind| kind.is_border()) {
+            self.add_borders(member, &displacements, &own, &loads);
+        }
+        own.iter().flat_map(Sum::terms).for_each(|(slot, _)| self.wait(slot));
+    }
+
+    /// Adds the stiffness over displacements.
+    fn add_displacements(
+        &mut self,
+        member: &MemberStiffness<S>,
+        displacements: &[Sum<S>; MOST_VARIABLES],
+        loads: &[S; MOST_VARIABLES],
+    ) {
+        for row in (0..member.count()).filter(|row| member.kinds[*row].moves()) {
+            for column in (0..=row).filter(|column| member.kinds[*column].moves()) {
+                self.add_product(member.entry(row, column), &displacements[row], &displacements[column], row == column);
+            }
+            self.push(loads[row], &displacements[row]);
+        }
+    }
+
+    /// Adds the borders `[[R, gᵀ], [g, -σ]]`, with the unknown `f - g y` in the place of the force f: `[[R + gᵀ(2 - σ)g, gᵀ(1 - σ)], .., -σ]`.
+    /// That is another basis of the same form. Without it a row of R is zero, and the sum over several members may vanish at each frequency.
+    fn add_borders(
+        &mut self,
+        member: &MemberStiffness<S>,
+        displacements: &[Sum<S>; MOST_VARIABLES],
+        own: &[Sum<S>; MOST_VARIABLES],
+        loads: &[S; MOST_VARIABLES],
+    ) {
+        let count = member.count();
+        let is_border = |variable: &usize| member.kinds[*variable].is_border();
+        for border in (0..count).filter(is_border) {
+            // the rows of (2 - σ) g and of (1 - σ) g
+            let mixed = |variable: usize, times: f64| {
+                let own = member.coupling(border, variable) * S::from_f64(times);
+                (0..count)
+                    .filter(is_border)
+                    .fold(own, |sum, other| sum + member.entry(border, other) * member.coupling(other, variable))
+            };
+            for row in 0..count {
+                let twice = mixed(row, 2.0);
+                for (column, displacement) in displacements.iter().enumerate().take(count) {
+                    // each pair is met twice, and stands twice in the form
+                    let entry = (member.coupling(border, column) * twice).times_power_of_two(-1);
+                    self.add_product(entry, &displacements[row], displacement, false);
+                }
+                self.add_product(mixed(row, 1.0), &own[border], &displacements[row], false);
+                self.push(member.coupling(border, row) * loads[border], &displacements[row]);
+            }
+            for other in (0..=border).filter(is_border) {
+                self.add_product(member.entry(border, other), &own[border], &own[other], border == other);
+            }
+            self.push(loads[border], &own[border]);
+        }
+    }
+
+    /// Adds an entry between two variables, which stands twice in the form, or once on the diagonal.
+    fn add_product(&mut self, entry: S, row: &Sum<S>, column: &Sum<S>, is_diagonal: bool) {
+        if entry.is_constant_zero() {
+            return;
+        }
+        for (one, of_one) in row.terms() {
+            let scaled = entry * of_one;
+            for (other, of_other) in column.terms() {
+                if is_diagonal && other > one {
+                    continue;
+                }
+                let term = scaled * of_other;
+                let is_double = !is_diagonal && one == other;
+                self.add(one, other, if is_double { term + term } else { term });
+            }
+        }
+    }
+
+    /// Adds what the potential grows by with a variable: a force, negative.
+    fn push(&mut self, load: S, sum: &Sum<S>) {
+        if load.is_zero() {
+            return;
+        }
+        for (slot, coefficient) in sum.terms() {
+            self.add_load(slot, -(load * coefficient));
+        }
+    }
+
+    /// Adds the body of a node and the forces on its motions, and lets these leave.
+    pub(super) fn take_up(
+        &mut self,
+        node: &NodeUnknowns,
+        body: &Option<[[S; MOST_FREEDOMS]; MOST_FREEDOMS]>,
+        forces: &[S; MOST_FREEDOMS],
+    ) {
+        let slots = &node.slots[..node.count as usize];
+        for (row, slot) in slots.iter().enumerate() {
+            for (column, other) in slots[..=row].iter().enumerate() {
+                if let Some(entries) = body {
+                    self.add(*slot, *other, entries[row][column]);
+                }
+            }
+            self.add_load(*slot, forces[row]);
+        }
+        self.leave_node(node);
+    }
+
+    /// The motion of both ends of a member under a load.
+    pub(super) fn motion(
+        &self,
+        member: &MemberStiffness<S>,
+        nodes: [&NodeUnknowns; 2],
+        load: usize,
+    ) -> [EndMotion<S>; 2] {
+        let (mut displacements, mut own) = ([S::zero(); MOST_VARIABLES], [S::zero(); MOST_VARIABLES]);
+        let of_nodes = nodes.map(|node| self.values_of(node, load));
+        for variable in 0..member.count() {
+            let kind = member.kinds[variable];
+            if kind.is_own() {
+                own[variable] = self.value(member.unknowns[variable], load);
+            }
+            let (end, freedom) = place_of(member.freedoms(), variable);
+            displacements[variable] = match kind {
+                Kind::Tied | Kind::Border => {
+                    let terms = member.rows[end][freedom].iter().zip(of_nodes[end]);
+                    let terms = terms.take(nodes[end].count as usize).filter(|(coefficient, _)| !coefficient.is_zero());
+                    let displacement = terms.fold(S::zero(), |sum, (coefficient, value)| sum + *coefficient * value);
+                    displacement.scaled(power_of_two(-member.unit(freedom)))
+                }
+                Kind::Loose => own[variable],
+                Kind::Held | Kind::HeldBorder | Kind::Released => S::zero(),
+            };
+        }
+        member.motion(&displacements, &own)
+    }
+}

@@ -1,0 +1,21 @@
+//! Answers by the dynamic stiffness of a structure, eliminated without pivoting, in numbers of enough digits.
+//!
+//! The unknowns are the motions of nodes. A member adds its stiffness over the displacements of its ends. Beside a frequency with held ends
+//! that has a pole. There a force of the member stays an unknown, a border: `[[R, gᵀ], [g, -σ]]`, whose elimination gives the stiffness
+//! `R + gᵀ g/σ` back. R, g and σ are entire.
+//!
+//! | file | what it has |
+//! |---|---|
+//! | [`member`] | the chart of a member in displacements, with its borders; its motion, once unknowns are known |
+//! | [`join`] | a member joins the factor by the rows of its ends |
+//! | [`factor`] | the matrix of the unknowns that have not left; an unknown leaves |
+//! | [`memory`] | memory of the caller's, and the numbers that the factor is compiled for |
+
+pub(crate) mod factor;
+pub(crate) mod join;
+pub(crate) mod member;
+pub(crate) mod memory;
+
+pub(crate) use factor::{Factor, LOADS, LoadEverywhere, NodeUnknowns};
+pub(crate) use member::{MemberLoad, MemberStiffness};
+pub(crate) use memory::{FactorRoom, StructureScalar};
