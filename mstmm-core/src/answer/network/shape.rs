@@ -15,17 +15,19 @@ use core::ops::Deref;
 /// How often parts of other shapes are taken from one: each time leaves rounding of what was there.
 const PASSES: usize = 3;
 
-/// Distance, in bits, on both sides of a multiple root in which its shapes are computed: far from the spread of its roots, near beside others.
-const BESIDE: i32 = 48;
+/// Distance on both sides of a multiple root in which its shapes are computed, in units of the rounding of the root: its roots are within 4 of
+/// these, and others are far in comparison.
+const BESIDE: f64 = 16.0;
 
 /// Steps with Rayleigh's quotient. Each squares the distance beside that of other roots.
 const STEPS: usize = 6;
 
-/// Relative size of a step, in bits, below which no other follows.
-const SETTLED: i32 = 90;
+/// Relative size of a step below which no other follows, in units of rounding in extended precision: some digits for what stiff members take.
+const SETTLED: f64 = 16_384.0;
 
-/// Relative distance of the root, by Rayleigh's quotient, beyond which the number is not the root rounded, in units of its rounding.
-const ROUNDED: f64 = 4.0;
+/// Relative distance of the root, by Rayleigh's quotient, beyond which the number is not the root rounded, in units of its rounding: of a natural
+/// frequency, and of an eigenvalue, which is less exact.
+const ROUNDED: [f64; 2] = [4.0, 512.0];
 
 /// Relative size of λ² - λ₁², with λ₁ the root, beyond which a frequency is none.
 const NO_ROOT: f64 = 1e-7;
@@ -146,10 +148,10 @@ where
         if self.x.is_zero() {
             return of_size_one(motion_under(self.system, x, &self.load(number)));
         }
-        let [above, below] = [1, -1].map(|side: i32| {
-            let away = x.times_power_of_two(-BESIDE) * S::Precise::from_f64(f64::from(side));
-            motion_under(self.system, x + away, &self.load(number))
-        });
+        // without extended precision the distance is between its own rounding and that of the answer
+        let distance = if S::HAS_PRECISE { BESIDE * S::EPSILON } else { Scalar::sqrt(S::EPSILON) };
+        let [above, below] = [distance, -distance]
+            .map(|distance| motion_under(self.system, x + x * S::Precise::from_f64(distance), &self.load(number)));
         of_size_one(above.plus(&below, -S::Precise::from_f64(1.0)))
     }
 
@@ -216,15 +218,16 @@ where
     /// less that of the root.
     fn motions_at_root(&self) -> [NetworkMotion<Y, S>; 2] {
         let x = self.x.precise();
+        let rounded = ROUNDED[usize::from(!self.x.lambda().is_zero())] * S::EPSILON;
         let mut nearer = x;
         let mut motions = self.precise_motions(nearer);
         for _ in 0..STEPS {
             let motion = motions[0];
-            let rounded = motion.rounded(S::nearest);
-            let mass = mass_product(self.system, self.x, &rounded, &rounded);
+            let plain = motion.rounded(S::nearest);
+            let mass = mass_product(self.system, self.x, &plain, &plain);
             let step = motion.work / (mass * self.x.slope_of_lambda_squared()).precise();
-            let is_near = (nearer - step - x).size() <= ROUNDED * S::EPSILON * x.size();
-            let is_settled = step.size() <= x.times_power_of_two(-SETTLED).size();
+            let is_near = (nearer - step - x).size() <= rounded * x.size();
+            let is_settled = step.size() <= SETTLED * S::Precise::EPSILON * x.size();
             // a NaN is no root either
             if !is_near || is_settled {
                 break;
