@@ -5,7 +5,7 @@
 //! the force of a border, or the displacement of a released end, is an unknown of its own.
 
 use crate::model::EndMotion;
-use crate::number::{Scalar, Size};
+use crate::number::{Scalar, Size, power_of_two};
 use crate::subspace::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES, Measure, Units};
 use mstmm_plan::Freedoms;
 
@@ -226,6 +226,13 @@ impl<S: Scalar> MemberStiffness<S> {
                 }
             };
         }
-        self.chart.motion(&values, &self.load.along)
+        let mut ends = self.chart.motion(&values, &self.load.along);
+        // an end moves as its node does: what the force of a border makes of it is that but for rounding, and for a dislocation
+        for variable in (0..count).filter(|variable| self.kinds[*variable].is_border()) {
+            let (end, freedom) = place_of(self.chart.freedoms, variable);
+            let displacement = displacements[variable] + self.load.moved[variable];
+            ends[end].displacements[freedom] = displacement.scaled(power_of_two(self.unit(freedom)));
+        }
+        ends
     }
 }

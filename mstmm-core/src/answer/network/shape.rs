@@ -7,8 +7,7 @@ use crate::model::MotionError;
 use crate::number::Scalar;
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, mass_product, mass_product_of_two, motion_under,
-    motions_under,
+    Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, mass_product, mass_product_of_two, motions_under,
 };
 use core::ops::Deref;
 
@@ -141,18 +140,18 @@ where
         motions_under(self.system, x, &self.load(0)).map(of_size_one)
     }
 
-    /// The motion under the load of a number beside a multiple root, less that on its other side: shapes of the root grow with opposite signs,
-    /// and what others and the load leave is the same. At rest nothing is taken off: what vanishes there is rounding alone.
-    fn motion_beside(&self, number: u32) -> NetworkMotion<Y, S::Precise> {
+    /// The motions under the load of a number and the next one beside a root, less those on its other side: shapes of the root grow with opposite
+    /// signs, and what others and the load leave is the same. At rest nothing is taken off: what vanishes there is rounding alone.
+    fn motions_beside(&self, number: u32) -> [NetworkMotion<Y, S::Precise>; 2] {
         let x = self.x.precise();
         if self.x.is_zero() {
-            return of_size_one(motion_under(self.system, x, &self.load(number)));
+            return motions_under(self.system, x, &self.load(number)).map(of_size_one);
         }
         // without extended precision the distance is between its own rounding and that of the answer
         let distance = if S::HAS_PRECISE { BESIDE * S::EPSILON } else { Scalar::sqrt(S::EPSILON) };
         let [above, below] = [distance, -distance]
-            .map(|distance| motion_under(self.system, x + x * S::Precise::from_f64(distance), &self.load(number)));
-        of_size_one(above.plus(&below, -S::Precise::from_f64(1.0)))
+            .map(|distance| motions_under(self.system, x + x * S::Precise::from_f64(distance), &self.load(number)));
+        [0, 1].map(|load| of_size_one(above[load].plus(&below[load], -S::Precise::from_f64(1.0))))
     }
 
     /// The load of a number.
@@ -242,12 +241,15 @@ where
         PlaneShape { states: PlaneStates { system: self.system, x: self.x, motion, load: None } }
     }
 
-    /// The shape of a simple root, given the motions under two loads, and how far the second one is from it.
+    /// The shape of a simple root, given the motions under two loads, and how far it is off: the second motion from it, or forces from balance.
     fn simple(&self, [motion, other]: [NetworkMotion<Y, S>; 2]) -> Result<(PlaneShape<'a, Y, S>, f64), MotionError> {
         let (motion, other) = (self.normalised(motion)?, self.normalised(other)?);
         let difference = without(self.system, self.x, &other, &motion);
         let misfit = mass_product(self.system, self.x, &difference, &difference).size().sqrt();
-        Ok((self.shape(motion), misfit))
+        let shape = self.shape(motion);
+        // at rest no force is there to compare with
+        let imbalance = if self.x.is_zero() { 0.0 } else { shape.imbalance() };
+        Ok((shape, misfit.max(imbalance)))
     }
 
     /// As many shapes as a root has, orthogonal with respect to the mass.
@@ -289,7 +291,7 @@ where
         others: &[Option<NetworkMotion<Y, S::Precise>>],
         number: u32,
     ) -> Result<(NetworkMotion<Y, S::Precise>, f64), MotionError> {
-        let mut motion = self.motion_beside(number);
+        let [mut motion, _] = self.motions_beside(number);
         let rounded = motion.rounded(S::nearest);
         let whole = mass_product(self.system, self.x, &rounded, &rounded);
         self.check(&rounded, whole)?;
@@ -314,7 +316,8 @@ where
     }
 }
 
-/// The shape of a simple root: the motion under a load everywhere, which is the shape but for rounding, and for that under another load.
+/// The shape of a simple root: the difference of motions on both sides of it, under a load everywhere. Where that under another load differs, the
+/// root has another one beside it, and the motion at the root itself is told from that of the other one.
 pub(super) fn simple<Y, S>(system: &Y, x: S) -> Result<PlaneShape<'_, Y, S>, MotionError>
 where
     Y: MovingNetwork<S>,
@@ -324,13 +327,18 @@ where
         return Err(MotionError::LossFactor);
     }
     let at_root = AtRoot { system, x };
-    let motions = match (S::HAS_PRECISE, x.is_zero()) {
-        (true, false) => at_root.motions_at_root(),
-        (true, true) => at_root.precise_motions(x.precise()).map(|motion| motion.rounded(S::nearest)),
-        (false, _) => motions_under(system, x, &at_root.load(0)),
-    };
-    let (shape, misfit) = at_root.simple(motions)?;
-    if misfit <= RESOLVED { Ok(shape) } else { Err(MotionError::Unresolved { root: x.modulus(), misfit }) }
+    let beside = at_root.simple(at_root.motions_beside(0).map(|motion| motion.rounded(S::nearest)));
+    match beside {
+        Ok((shape, misfit)) if misfit <= RESOLVED => Ok(shape),
+        beside if x.is_zero() || !S::HAS_PRECISE => Err(match beside {
+            Ok((_, misfit)) => MotionError::Unresolved { root: x.modulus(), misfit },
+            Err(error) => error,
+        }),
+        _ => {
+            let (shape, misfit) = at_root.simple(at_root.motions_at_root())?;
+            if misfit <= RESOLVED { Ok(shape) } else { Err(MotionError::Unresolved { root: x.modulus(), misfit }) }
+        }
+    }
 }
 
 /// All shapes of a root, orthogonal with respect to the mass: motions under as many loads as it is multiple.

@@ -2,7 +2,7 @@
 
 use crate::model::{EndMotion, Hold, MotionError, PlaneEntry, PlanePoint, Quantity, Site, SpreadLoad, Tied};
 use crate::number::Frequency;
-use crate::pass::network::{ActingLoad, NetworkMotion, Placed, moved, turned};
+use crate::pass::network::{ActingLoad, NetworkMotion, Placed, longest, moved, size_of_forces, turned};
 use mstmm_plan::Freedoms;
 
 /// The displacements and forces of a plane structure in one motion.
@@ -114,6 +114,26 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     pub(super) fn tied(&self, member: usize, end: usize) -> [S; 3] {
         let placement = self.system.placement(member);
         placement.tied(end, self.motion.nodes.as_ref()[placement.node_of(end)])
+    }
+
+    /// The largest sum of forces on the motions of a node, beside the largest force of a member or of inertia; a moment counts by the
+    /// longest member.
+    pub(super) fn imbalance(&self) -> f64 {
+        let nodes = self.system.sizes()[0];
+        let length = longest(self.system);
+        let size = |forces: &[S; 3]| size_of_forces(forces, length);
+        let mut largest = self.motion.largest_force(length);
+        let mut worst = 0.0_f64;
+        let reactions = self.reactions();
+        let of_nodes = self.motion.nodes.as_ref().iter().zip(reactions.as_ref());
+        for (node, (displacements, reaction)) in of_nodes.enumerate().take(nodes) {
+            for (row, displacement) in self.inertia(node).iter().zip(displacements) {
+                largest = largest.max(size(&row.map(|entry| entry * *displacement)));
+            }
+            let motions = self.system.node(node).1;
+            worst = worst.max(size(&motions.displacements(motions.parts_of(*reaction))));
+        }
+        if worst > 0.0 { worst / largest } else { 0.0 }
     }
 
     /// λ² times the mass matrix of the body of a node.

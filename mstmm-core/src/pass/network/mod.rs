@@ -30,7 +30,7 @@ pub(crate) use frame::{moved, turned};
 pub use frequency::{MovingNetwork, PlaneFrequency};
 pub(crate) use loading::{ActingLoad, LoadAt, Loading};
 pub use member::{End, Member, Placement};
-pub(crate) use motion::{NetworkMotion, motion_under, motions_under};
+pub(crate) use motion::{NetworkMotion, longest, motion_under, motions_under, size_of_forces};
 pub use node::{Motions, Node};
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;

@@ -142,8 +142,14 @@ where
     NetworkMotion { nodes, members, work: factor.works[load], vanished_at: factor.vanished_at }
 }
 
+/// The length of the longest member, by which moments are compared with forces; 1 if none has a length.
+pub(crate) fn longest<Y: Placed>(network: &Y) -> f64 {
+    let lengths = (0..network.sizes()[1]).map(|member| network.placement(member).own_length().size());
+    Some(lengths.fold(0.0, f64::max)).filter(|length| *length > 0.0).unwrap_or(1.0)
+}
+
 /// The size of two forces and a moment, which counts by a length.
-fn size_of_forces<S: Scalar>(forces: &[S; 3], length: f64) -> f64 {
+pub(crate) fn size_of_forces<S: Scalar>(forces: &[S; 3], length: f64) -> f64 {
     let [x, y, moment] = forces.map(|force| force.size().first());
     x.max(y).max(moment / length)
 }
