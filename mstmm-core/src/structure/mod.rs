@@ -15,6 +15,8 @@ pub(crate) mod factor;
 pub(crate) mod join;
 pub(crate) mod member;
 pub(crate) mod memory;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use factor::{Factor, LOADS, LoadEverywhere, NodeUnknowns};
 pub(crate) use member::{MemberLoad, MemberStiffness};

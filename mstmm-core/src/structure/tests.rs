@@ -1,0 +1,66 @@
+//! The factor: its values solve the equations, whatever pivots are small, and unknowns of one slot follow each other.
+
+extern crate std;
+
+use crate::structure::FactorRoom;
+use std::vec::Vec;
+
+/// A number of `[-1, 1)` that follows from two others.
+fn scattered(row: usize, column: usize) -> f64 {
+    ((row * 37 + column * 101 + 13) as f64 * 0.618_033_988_749_894_9).fract() * 2.0 - 1.0
+}
+
+/// A symmetric matrix of six unknowns, some of whose diagonal entries vanish or nearly do.
+fn matrix(diagonal: impl Fn(usize) -> f64) -> [[f64; 6]; 6] {
+    core::array::from_fn(|row| {
+        core::array::from_fn(
+            |column| {
+                if row == column { diagonal(row) } else { scattered(row.max(column), row.min(column)) }
+            },
+        )
+    })
+}
+
+/// The largest residual of the values that a factor finds for three nodes of two motions each.
+fn residual(matrix: &[[f64; 6]; 6]) -> f64 {
+    let mut room = FactorRoom::<f64, 6, 3>::new();
+    let mut factor = room.factor();
+    let nodes: Vec<_> = (0..3).map(|_| factor.enter_node(2)).collect();
+    let slots: Vec<u32> = nodes.iter().flat_map(|node| node.slots[..2].to_vec()).collect();
+    for (row, entries) in matrix.iter().enumerate() {
+        for (column, entry) in entries.iter().enumerate().take(row + 1) {
+            factor.add(slots[row], slots[column], *entry);
+        }
+        factor.note(slots[row], 1.0);
+    }
+    let forces: Vec<f64> = (0..6).map(|row| scattered(row, 7)).collect();
+    for (node, unknowns) in nodes.iter().enumerate() {
+        factor.take_up(unknowns, &None, &[forces[2 * node], forces[2 * node + 1], 0.0]);
+    }
+    factor.solve();
+    let values: Vec<f64> = nodes.iter().flat_map(|node| factor.values_of(node, 0)[..2].to_vec()).collect();
+    let of_row = |row: usize| {
+        let terms = matrix[row].iter().zip(&values).map(|(entry, value)| entry * value);
+        (terms.sum::<f64>() - forces[row]).abs()
+    };
+    let work: f64 = forces.iter().zip(&values).map(|(force, value)| force * value).sum();
+    (0..6).map(of_row).fold((factor.works[0] - work).abs() / (1.0 + work.abs()), f64::max)
+}
+
+#[test]
+fn values_solve_the_equations() {
+    assert!(residual(&matrix(|row| 3.0 + row as f64)) < 1e-14);
+    // what leaves first has no stiffness of its own: it waits for others
+    assert!(residual(&matrix(|row| if row < 2 { 0.0 } else { 2.0 })) < 1e-13);
+    assert!(residual(&matrix(|row| if row % 2 == 0 { 1e-14 } else { -2.0 })) < 1e-13);
+}
+
+#[test]
+fn a_factor_without_room_knows_nothing() {
+    let mut room = FactorRoom::<f64, 3, 2>::new();
+    let mut factor = room.factor();
+    let nodes = [factor.enter_node(2), factor.enter_node(2)];
+    nodes.iter().for_each(|node| factor.take_up(node, &None, &[1.0; 3]));
+    factor.solve();
+    assert!(factor.values_of(&nodes[0], 0)[0].is_nan());
+}
