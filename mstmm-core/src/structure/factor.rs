@@ -1,12 +1,13 @@
 //! The matrix of the unknowns that have not left, and their elimination. No pivot is searched: an unknown waits while its pivot is small.
 
 use crate::number::{Scalar, Size, binary_exponent, power_of_two};
+use crate::subspace::front::triangle::place;
 
-/// Size of a pivot beside the largest term of its entry, below which its unknown waits for others to leave. Pivots vanish where the structure so
-/// far has a natural frequency.
+/// Size of a pivot beside the largest term of its entry, below which its unknown waits for others to leave: a pivot loses three digits at most.
+/// Pivots vanish where the structure so far has a natural frequency.
 const SMALL_PIVOT: f64 = 1e-3;
 
-/// Size of a pivot beside the largest term of its entry, in units of rounding, below which it is rounding alone.
+/// Size of a pivot beside the largest term of its entry, in units of rounding, below which it is rounding alone: each of a few terms adds one unit.
 const ROUNDING: f64 = 4.0;
 
 /// Loads that a factor solves for at once.
@@ -92,12 +93,6 @@ pub struct Factor<'r, S: Scalar> {
     pub(super) is_full: bool,
     /// The work of each load on its motion.
     pub(crate) works: [S; LOADS],
-}
-
-/// The place of an entry, or of its mirror image, in the lower triangle.
-#[inline(always)]
-const fn place(row: usize, column: usize) -> usize {
-    if row < column { column * (column + 1) / 2 + row } else { row * (row + 1) / 2 + column }
 }
 
 impl<S: Scalar> Factor<'_, S> {

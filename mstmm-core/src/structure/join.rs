@@ -3,10 +3,10 @@
 use crate::model::EndMotion;
 use crate::number::{Scalar, Size, power_of_two};
 use crate::structure::factor::{Factor, NodeUnknowns};
-use crate::structure::member::{Kind, MemberStiffness, place_of};
+use crate::structure::member::{Kind, MemberStiffness};
 use crate::subspace::{MOST_FREEDOMS, MOST_VARIABLES};
 
-/// A usual size of the flexibility of a border, in the units of its chart: it stays where that is less than 1e-3.
+/// A usual size of the flexibility of a border, in the units of its chart. It is a border where that is less than 1e-3, and may vanish.
 const FLEXIBILITY: f64 = 1e-6;
 
 /// What a variable of a member is of the unknowns.
@@ -64,7 +64,7 @@ impl<S: Scalar> Factor<'_, S> {
                 self.note(slot, FLEXIBILITY);
                 own[variable] = Sum::of(slot);
             }
-            let (end, freedom) = place_of(member.freedoms(), variable);
+            let (end, freedom) = member.places[variable];
             displacements[variable] = match kind {
                 Kind::Tied | Kind::Border => Sum::of_end(member, end, freedom, nodes[end]),
                 Kind::Loose => own[variable],
@@ -196,7 +196,7 @@ impl<S: Scalar> Factor<'_, S> {
             if kind.is_own() {
                 own[variable] = self.value(member.unknowns[variable], load);
             }
-            let (end, freedom) = place_of(member.freedoms(), variable);
+            let (end, freedom) = member.places[variable];
             displacements[variable] = match kind {
                 Kind::Tied | Kind::Border => {
                     let terms = member.rows[end][freedom].iter().zip(of_nodes[end]);

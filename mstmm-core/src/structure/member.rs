@@ -60,19 +60,14 @@ pub struct MemberStiffness<S: Scalar> {
     chart: Chart<S>,
     load: MemberLoad<S>,
     pub(crate) kinds: [Kind; MOST_VARIABLES],
+    /// The end and the freedom of each variable.
+    pub(crate) places: [(usize, usize); MOST_VARIABLES],
     /// What the displacements of both ends are of the motions of their nodes.
     pub(crate) rows: [[[S; MOST_FREEDOMS]; MOST_FREEDOMS]; 2],
     /// The numbers of the unknowns of its own.
     pub(crate) unknowns: [u32; MOST_VARIABLES],
     /// The work of the load on what flips have solved for.
     pub(crate) work: S,
-}
-
-/// The end and the freedom of a variable of a chart.
-pub(crate) fn place_of(freedoms: Freedoms, variable: usize) -> (usize, usize) {
-    let count = freedoms.count();
-    let mut own = Freedoms::SINGLE.iter().enumerate().filter(|(_, kind)| freedoms.contains(**kind));
-    (variable / count, own.nth(variable % count).map_or(0, |(freedom, _)| freedom))
 }
 
 impl<S: Scalar> MemberStiffness<S> {
@@ -83,6 +78,7 @@ impl<S: Scalar> MemberStiffness<S> {
             chart: Chart::empty(Freedoms::NONE, Units { displacement: 0, rotation: 0 }, Measure::Nothing),
             load: MemberLoad { along: zero, moved: zero },
             kinds: [Kind::Held; MOST_VARIABLES],
+            places: [(0, 0); MOST_VARIABLES],
             rows: [[[S::zero(); MOST_FREEDOMS]; MOST_FREEDOMS]; 2],
             unknowns: [0; MOST_VARIABLES],
             work: S::zero(),
@@ -96,8 +92,12 @@ impl<S: Scalar> MemberStiffness<S> {
         let count = member.count();
         let mut is_released = [false; MOST_VARIABLES];
         let mut rests = [false; MOST_VARIABLES];
-        for variable in 0..count {
-            let (end, freedom) = place_of(chart.freedoms, variable);
+        let own = |end| {
+            (0..3).filter(|freedom| chart.freedoms.contains(Freedoms::SINGLE[*freedom])).map(move |own| (end, own))
+        };
+        for (variable, place) in own(0).chain(own(1)).enumerate() {
+            member.places[variable] = place;
+            let (end, freedom) = place;
             is_released[variable] = ends[end].released.contains(Freedoms::SINGLE[freedom]);
             rests[variable] = ends[end].rests;
         }
@@ -127,11 +127,6 @@ impl<S: Scalar> MemberStiffness<S> {
     /// The number of its variables.
     pub(crate) fn count(&self) -> usize {
         2 * self.chart.freedoms.count()
-    }
-
-    /// The freedoms of its ends.
-    pub(crate) fn freedoms(&self) -> Freedoms {
-        self.chart.freedoms
     }
 
     /// An entry of its matrix.
@@ -229,7 +224,7 @@ impl<S: Scalar> MemberStiffness<S> {
         let mut ends = self.chart.motion(&values, &self.load.along);
         // an end moves as its node does: what the force of a border makes of it is that but for rounding, and for a dislocation
         for variable in (0..count).filter(|variable| self.kinds[*variable].is_border()) {
-            let (end, freedom) = place_of(self.chart.freedoms, variable);
+            let (end, freedom) = self.places[variable];
             let displacement = displacements[variable] + self.load.moved[variable];
             ends[end].displacements[freedom] = displacement.scaled(power_of_two(self.unit(freedom)));
         }

@@ -223,8 +223,7 @@ fn shapes_of_random_structures_fit_together() {
 #[ignore = "many structures: in .ci/long"]
 fn shapes_of_hundreds_of_random_structures_fit_together() {
     judge("moderate", random_structures(0..300, Spread::Moderate));
-    // stiffnesses of 4e-19 and 4e8 meet in one of them, the first one after 141 others: 32 digits are not enough, and most of its shapes are refused
-    judge("stiff", random_structures(0..141, Spread::Stiff).chain(random_structures(142..300, Spread::Stiff)));
+    judge("stiff", random_structures(0..300, Spread::Stiff));
     judge("in a line", line_structures(0..100));
 }
 

@@ -198,14 +198,14 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
         let load = acting_at::<Y, S>(self.system, self.load.acting)?;
-        let motion = self.motion(x)?;
+        let motion = self.motion(x, load)?;
         let frequency = x.modulus();
         if !(x.lambda_squared().size().is_finite() && (motion.vanished_at.is_some() || motion.is_finite())) {
             return Err(MotionError::NotFinite { frequency });
         }
         match motion.vanished_at {
             None => Ok(PlaneStates { system: self.system, x, motion, load: Some(load) }),
-            Some(node) if self.vanishes_elsewhere(x)? => {
+            Some(node) if self.vanishes_elsewhere(x, load)? => {
                 Err(MotionError::Mechanism { at: self.system.spot(node as usize) })
             }
             Some(_) => Err(MotionError::Resonance { frequency }),
@@ -213,12 +213,11 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     }
 
     /// The motion under the load: computed in extended precision, where there is one.
-    fn motion<S>(&self, x: S) -> Result<NetworkMotion<Y, S>, MotionError>
+    fn motion<S>(&self, x: S, load: ActingLoad<S>) -> Result<NetworkMotion<Y, S>, MotionError>
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        let load = acting_at::<Y, S>(self.system, self.load.acting)?;
         if !S::HAS_PRECISE {
             return self.motion_at_speed(x, load);
         }
@@ -232,14 +231,14 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
 
     /// Whether something vanishes at another frequency, too, far from one: then it does at all.
     #[cold]
-    fn vanishes_elsewhere<S>(&self, x: S) -> Result<bool, MotionError>
+    fn vanishes_elsewhere<S>(&self, x: S, load: ActingLoad<S>) -> Result<bool, MotionError>
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
         let low = S::nearest(S::steady(self.lowest_exponent()));
         let other = if x.is_zero() { low } else { x * S::from_f64(ELSEWHERE) };
-        Ok(self.motion(other)?.vanished_at.is_some())
+        Ok(self.motion(other, load)?.vanished_at.is_some())
     }
 
     /// Writes the responses at the frequencies of `grid` to `values`.

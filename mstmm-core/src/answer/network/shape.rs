@@ -14,14 +14,15 @@ use core::ops::Deref;
 /// How often parts of other shapes are taken from one: each time leaves rounding of what was there.
 const PASSES: usize = 3;
 
-/// Distance on both sides of a multiple root in which its shapes are computed, in units of the rounding of the root: its roots are within 4 of
-/// these, and others are far in comparison.
+/// Distance on both sides of a root in which its shapes are computed, in units of the rounding of the root. The roots of an entry are within 4 of
+/// these. Another root takes part by the square of this distance over its own.
 const BESIDE: f64 = 16.0;
 
-/// Steps with Rayleigh's quotient. Each squares the distance beside that of other roots.
+/// Steps with Rayleigh's quotient. Each squares the distance beside that of other roots: one does from 16 digits to 32, and five more where another
+/// root is as near as rounding.
 const STEPS: usize = 6;
 
-/// Relative size of a step below which no other follows, in units of rounding in extended precision: some digits for what stiff members take.
+/// Relative size of a step below which no other follows, in units of rounding in extended precision: four digits for what stiff members take.
 const SETTLED: f64 = 16_384.0;
 
 /// Relative distance of the root, by Rayleigh's quotient, beyond which the number is not the root rounded, in units of its rounding: of a natural
@@ -135,9 +136,9 @@ where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
-    /// The motions under two loads at a frequency in extended precision, of the size 1.
-    fn precise_motions(&self, x: S::Precise) -> [NetworkMotion<Y, S::Precise>; 2] {
-        motions_under(self.system, x, &self.load(0)).map(of_size_one)
+    /// The motions under the load of a number and the next one at a frequency in extended precision, of the size 1.
+    fn precise_motions(&self, x: S::Precise, number: u32) -> [NetworkMotion<Y, S::Precise>; 2] {
+        motions_under(self.system, x, &self.load(number)).map(of_size_one)
     }
 
     /// The motions under the load of a number and the next one beside a root, less those on its other side: shapes of the root grow with opposite
@@ -145,7 +146,7 @@ where
     fn motions_beside(&self, number: u32) -> [NetworkMotion<Y, S::Precise>; 2] {
         let x = self.x.precise();
         if self.x.is_zero() {
-            return motions_under(self.system, x, &self.load(number)).map(of_size_one);
+            return self.precise_motions(x, number);
         }
         // without extended precision the distance is between its own rounding and that of the answer
         let distance = if S::HAS_PRECISE { BESIDE * S::EPSILON } else { Scalar::sqrt(S::EPSILON) };
@@ -219,7 +220,7 @@ where
         let x = self.x.precise();
         let rounded = ROUNDED[usize::from(!self.x.lambda().is_zero())] * S::EPSILON;
         let mut nearer = x;
-        let mut motions = self.precise_motions(nearer);
+        let mut motions = self.precise_motions(nearer, 0);
         for _ in 0..STEPS {
             let motion = motions[0];
             let plain = motion.rounded(S::nearest);
@@ -232,7 +233,7 @@ where
                 break;
             }
             nearer -= step;
-            motions = self.precise_motions(nearer);
+            motions = self.precise_motions(nearer, 0);
         }
         motions.map(|motion| motion.rounded(S::nearest))
     }
@@ -255,20 +256,26 @@ where
     /// As many shapes as a root has, orthogonal with respect to the mass.
     ///
     /// A light part moves much farther than a heavy one. So motions stay in extended precision until all others are taken from them. What is
-    /// left of one more motion, elsewhere beside the root and under another load, tells how far other roots take part.
+    /// left of one more motion, under another load, tells how far other roots take part.
     fn all<const CAP: usize>(&self, multiplicity: usize) -> Result<PlaneShapes<'a, Y, S, CAP>, MotionError> {
         let mut found = PlaneShapes { shapes: [const { None }; CAP] };
         let mut motions = [const { None::<NetworkMotion<Y, S::Precise>> }; CAP];
-        let mut number = 0;
-        for shape in 0..multiplicity {
-            let mut best = self.orthogonal(&motions[..shape], number)?;
+        // a factor has the motions of two numbers
+        let (mut number, mut pair) = (0, self.motions_beside(0));
+        let mut next = || {
+            if number > 0 && number % 2 == 0 {
+                pair = self.motions_beside(number);
+            }
             number += 1;
+            pair[(number as usize - 1) % 2]
+        };
+        for shape in 0..multiplicity {
+            let mut best = self.orthogonal(&motions[..shape], next())?;
             for _ in 0..RETRIES {
                 if best.1 > LEFT {
                     break;
                 }
-                let other = self.orthogonal(&motions[..shape], number)?;
-                number += 1;
+                let other = self.orthogonal(&motions[..shape], next())?;
                 best = if other.1 > best.1 { other } else { best };
             }
             let (motion, rounded) = (best.0, best.0.rounded(S::nearest));
@@ -278,20 +285,19 @@ where
             }
             (found.shapes[shape], motions[shape]) = (Some(self.shape(rounded)), Some(motion));
         }
-        let (_, misfit) = self.orthogonal(&motions[..multiplicity], number)?;
+        let (_, misfit) = self.orthogonal(&motions[..multiplicity], next())?;
         if misfit.is_nan() || misfit > RESOLVED {
             return Err(MotionError::Unresolved { root: self.x.modulus(), misfit });
         }
         Ok(found)
     }
 
-    /// The motion under the load of a number without its parts in others, of unit modal mass, and what is left of it as a part of the whole.
+    /// A motion without its parts in others, of unit modal mass, and what is left of it as a part of the whole.
     fn orthogonal(
         &self,
         others: &[Option<NetworkMotion<Y, S::Precise>>],
-        number: u32,
+        mut motion: NetworkMotion<Y, S::Precise>,
     ) -> Result<(NetworkMotion<Y, S::Precise>, f64), MotionError> {
-        let [mut motion, _] = self.motions_beside(number);
         let rounded = motion.rounded(S::nearest);
         let whole = mass_product(self.system, self.x, &rounded, &rounded);
         self.check(&rounded, whole)?;

@@ -7,7 +7,7 @@ use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, Node};
 use crate::structure::{Factor, FactorRoom, StructureScalar};
-use crate::subspace::{Chart, Choice, FrontNode, FrontScalar, Fronts, RootCounter, Total};
+use crate::subspace::{Chart, Choice, FrontNode, FrontScalar, Fronts, JoinedEnd, RootCounter, Total};
 use core::fmt::Debug;
 use mstmm_plan::NetworkOrder;
 
@@ -155,6 +155,21 @@ where
     S: Frequency<Y::Parameter> + FrontScalar,
 {
     let mut count = 0;
+    for_each_cut(network, (order, node), at, |_, chart, ends| count += S::push_chart(fronts, chart, ends));
+    count
+}
+
+/// Hands on each member that is cut by the elimination of a node, with its chart and where its ends are joined.
+#[inline(always)]
+pub(super) fn for_each_cut<Y, S>(
+    network: &Y,
+    (order, node): (&NetworkOrder<'_>, usize),
+    at: &FrequencyPowers<S>,
+    mut take: impl FnMut(usize, &Chart<S>, &[JoinedEnd<S>; 2]),
+) where
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter>,
+{
     for &end in order.incidence.ends(node) {
         let member = end / 2;
         if !order.is_first_at(end, node) {
@@ -164,10 +179,9 @@ where
         if let Some(chart) = network.chart(member, at, placement.length()) {
             let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
             let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
-            count += S::push_chart(fronts, &chart, &ends);
+            take(member, &chart, &ends);
         }
     }
-    count
 }
 
 /// What fronts need of a node.
@@ -185,8 +199,6 @@ fn front_node<T: Parameter, S: Frequency<T>>(
         motions: motions.count,
         has_rotation: motions.has_rotation,
         inertias: [node.mass, node.inertia].map(|inertia| square * inertia.to_f64()),
-        body: node
-            .has_body()
-            .then(|| motions.masses::<S>(node).map(|column| column.map(|entry| lambda_squared * entry))),
+        body: motions.body(node, lambda_squared),
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::model::EndMotion;
 use crate::number::{Frequency, FrequencyPowers, Scalar, Size};
-use crate::pass::network::evaluate::{Placed, PlacedCharts};
+use crate::pass::network::evaluate::{Placed, PlacedCharts, for_each_cut};
 use crate::pass::network::loading::Loading;
 use crate::structure::{Factor, LOADS, MemberStiffness, NodeUnknowns, StructureScalar};
 
@@ -89,25 +89,14 @@ where
             }
             *unknowns
         };
-        for &end in order.incidence.ends(node) {
-            let member = end / 2;
-            if !order.is_first_at(end, node) {
-                continue;
-            }
-            let placement = network.placement(member);
-            if let Some(chart) = network.chart(member, at, placement.length()) {
-                let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
-                let of_nodes = nodes.map(|node| entered(factor, node));
-                let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
-                let load = loading.on_member(member, placement, &chart);
-                S::join(factor, &mut stiffnesses.as_mut()[member], &chart, (&ends, of_nodes.each_ref()), &load);
-            }
-        }
+        for_each_cut(network, (&order, node), at, |member, chart, ends| {
+            let nodes = ends.each_ref().map(|end| entered(factor, end.node));
+            let load = loading.on_member(member, network.placement(member), chart);
+            S::join(factor, &mut stiffnesses.as_mut()[member], chart, (ends, nodes.each_ref()), &load);
+        });
         let own = entered(factor, node);
         let (body, motions) = network.node(node);
-        let body = body
-            .has_body()
-            .then(|| motions.masses::<S>(body).map(|column| column.map(|entry| at.lambda_squared * entry)));
+        let body = motions.body(body, at.lambda_squared);
         S::take_up(factor, &own, &body, &loading.on_node(network, node, at));
     }
     (unknowns, stiffnesses)

@@ -117,6 +117,11 @@ impl<T: Parameter> Motions<T> {
         motions
     }
 
+    /// λ² times the mass matrix of the body of a node over its motions, if it has one.
+    pub(crate) fn body<S: Frequency<T>>(&self, node: &Node<T>, lambda_squared: S) -> Option<[[S; 3]; 3]> {
+        node.has_body().then(|| self.masses::<S>(node).map(|column| column.map(|entry| lambda_squared * entry)))
+    }
+
     /// The mass matrix of the body of a node over its motions.
     pub(crate) fn masses<S: Frequency<T>>(&self, node: &Node<T>) -> [[S; 3]; 3] {
         // of all three displacements by all motions, and then of all motions by these
