@@ -153,3 +153,34 @@ fn the_book_has_all_pages() {
         assert!(compiled.contains(&format!("\"../../../{path}\"")), "{path} is not compiled");
     }
 }
+
+/// An example that a document tells to run has a source: a file, a folder with a main file, or one in a package of its own.
+#[test]
+fn examples_that_documents_run_are_there() {
+    let places = |name: &str| {
+        [
+            format!("{name}.rs"),
+            format!("{name}/main.rs"),
+            format!("{name}/{name}.rs"),
+            format!("{name}/examples/{name}/main.rs"),
+        ]
+    };
+    let mut seen = 0;
+    let mut missing = Vec::new();
+    for document in documents() {
+        for named in document.text.split("--example ").skip(1) {
+            let name: String = named.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+            // `--example <name>` stands for any
+            if name.is_empty() {
+                continue;
+            }
+            seen += 1;
+            let is_there = |folder: &str| places(&name).iter().any(|place| root().join(folder).join(place).exists());
+            if !["examples", "mstmm-drawing/examples", "lab/fuzz/examples"].into_iter().any(is_there) {
+                missing.push(format!("{}: {name}", document.path.display()));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
+    assert!(seen > 1, "no document names an example");
+}
