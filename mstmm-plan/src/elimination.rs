@@ -20,16 +20,6 @@ impl Elimination {
     /// A node about which nothing is known yet.
     pub const UNKNOWN: Elimination =
         Elimination { parent: NONE, ends: 0, is_eliminated: false, first_child: NONE, next_sibling: NONE };
-
-    /// How many fronts a node takes up, once all are in order.
-    pub(crate) const fn taken_up(nodes: &[Elimination], node: usize) -> usize {
-        let (mut count, mut child) = (0, nodes[node].first_child);
-        while child != NONE {
-            count += 1;
-            child = nodes[child].next_sibling;
-        }
-        count
-    }
 }
 
 /// The nodes of each member, and the members of each node.

@@ -11,8 +11,6 @@ pub struct NetworkOrder<'a> {
     pub nodes: &'a [usize],
     /// The place of each node in that order.
     ranks: &'a [usize],
-    /// How many fronts each node takes up.
-    pub taken_up: &'a [usize],
 }
 
 impl NetworkOrder<'_> {
@@ -22,11 +20,10 @@ impl NetworkOrder<'_> {
         self.ranks[other] > self.ranks[node] || (other == node && end.is_multiple_of(2))
     }
 
-    /// The largest number of variables at once, if all of them stay, given the number of motions of each node and that of the freedoms of
-    /// the ends of each member: of fronts, where there is one more than those of members, or of the motions of nodes and what members have of
-    /// their own.
+    /// The largest number of unknowns at once, given the number of motions of each node and that of the freedoms of the ends of each member:
+    /// the motions of nodes, and what members have of their own.
     pub const fn width(&self, motions: &[usize], freedoms: &[usize]) -> usize {
-        let (mut count, mut unknowns, mut widest, mut rank) = (0, 0, 0, 0);
+        let (mut unknowns, mut widest, mut rank) = (0, 0, 0);
         while rank < self.nodes.len() {
             let node = self.nodes[rank];
             let ends = self.incidence.ends(node);
@@ -34,7 +31,7 @@ impl NetworkOrder<'_> {
                 unknowns += motions[node];
             }
             // a member has no more unknowns of its own than freedoms: with one more condition at an end its motion vanishes
-            let (mut entering, mut leaving, mut place) = (0, 0, 0);
+            let (mut entering, mut place) = (0, 0);
             while place < ends.len() {
                 let end = ends[place];
                 if self.is_first_at(end, node) {
@@ -44,17 +41,11 @@ impl NetworkOrder<'_> {
                         unknowns += motions[other];
                     }
                 }
-                leaving += freedoms[end / 2];
                 place += 1;
-            }
-            let own = if motions[node] > 1 { motions[node] } else { 1 };
-            if count + 2 * entering + own > widest {
-                widest = count + 2 * entering + own;
             }
             if unknowns + entering > widest {
                 widest = unknowns + entering;
             }
-            count = count + 2 * entering - leaving;
             unknowns -= motions[node];
             rank += 1;
         }
@@ -93,8 +84,6 @@ pub struct OrderMemory<'a> {
     pub nodes: &'a mut [usize],
     /// The place of each node in that order.
     pub ranks: &'a mut [usize],
-    /// How many fronts each node takes up.
-    pub taken_up: &'a mut [usize],
     /// What the search keeps of each node, [`Elimination::UNKNOWN`] at first.
     pub elimination: &'a mut [Elimination],
 }
@@ -102,17 +91,16 @@ pub struct OrderMemory<'a> {
 impl<'a> OrderMemory<'a> {
     /// Puts a network in order, given the two nodes of each member. Nodes without members stand in none.
     pub const fn set_in_order(self, members: &'a [[usize; 2]]) -> NetworkOrder<'a> {
-        let OrderMemory { ends, first_end, nodes, ranks, taken_up, elimination } = self;
+        let OrderMemory { ends, first_end, nodes, ranks, elimination } = self;
         let incidence = Incidence::new(members, first_end, ends.as_flattened_mut());
         let count = eliminated_in_order(&incidence, elimination, nodes);
         let mut rank = 0;
         while rank < count {
             let node = nodes[rank];
             ranks[node] = rank;
-            taken_up[node] = Elimination::taken_up(elimination, node);
             rank += 1;
         }
-        NetworkOrder { incidence, nodes: nodes.split_at(count).0, ranks, taken_up }
+        NetworkOrder { incidence, nodes: nodes.split_at(count).0, ranks }
     }
 }
 
@@ -124,7 +112,6 @@ pub struct OrderRoom<const NODES: usize, const MEMBERS: usize> {
     ends: [[usize; 2]; MEMBERS],
     nodes: [usize; NODES],
     ranks: [usize; NODES],
-    taken_up: [usize; NODES],
     /// How many nodes there are in the order.
     in_order: usize,
 }
@@ -137,7 +124,6 @@ impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
         ends: [[0; 2]; MEMBERS],
         nodes: [0; NODES],
         ranks: [0; NODES],
-        taken_up: [0; NODES],
         in_order: 0,
     };
 
@@ -170,13 +156,12 @@ impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
 
     const fn set_in_order(&mut self, nodes: usize, members: usize) {
         let mut elimination = [Elimination::UNKNOWN; NODES];
-        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, taken_up, in_order } = self;
+        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, in_order } = self;
         let memory = OrderMemory {
             ends: ends.as_mut_slice().split_at_mut(members).0,
             first_end: first_end.as_mut_slice().split_at_mut(nodes).0,
             nodes: order.as_mut_slice().split_at_mut(nodes).0,
             ranks: ranks.as_mut_slice().split_at_mut(nodes).0,
-            taken_up: taken_up.as_mut_slice().split_at_mut(nodes).0,
             elimination: elimination.split_at_mut(nodes).0,
         };
         *in_order = memory.set_in_order(pairs.as_slice().split_at(members).0).nodes.len();
@@ -184,14 +169,13 @@ impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
 
     /// The order of so many nodes and members.
     pub const fn order(&self, nodes: usize, members: usize) -> NetworkOrder<'_> {
-        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, taken_up, in_order } = self;
+        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, in_order } = self;
         let ends = ends.as_slice().split_at(members).0.as_flattened();
         let pairs = pairs.as_slice().split_at(members).0;
         NetworkOrder {
             incidence: Incidence::sorted(pairs, first_end.as_slice().split_at(nodes).0, ends),
             nodes: order.as_slice().split_at(*in_order).0,
             ranks: ranks.as_slice().split_at(nodes).0,
-            taken_up: taken_up.as_slice().split_at(nodes).0,
         }
     }
 }
@@ -216,7 +200,7 @@ mod tests {
             .collect()
     }
 
-    /// Variables of the widest front with three freedoms everywhere.
+    /// Most unknowns at once with three freedoms everywhere.
     fn width(members: &[[usize; 2]]) -> usize {
         let nodes = 1 + members.iter().flatten().max().unwrap();
         let mut room = OrderRoom::<500, 900>::EMPTY;
@@ -226,14 +210,14 @@ mod tests {
 
     #[test]
     fn widths_do_not_grow_with_length() {
-        for (bays, expected) in [(1, 21), (2, 27), (3, 30)] {
+        for (bays, expected) in [(1, 15), (2, 18), (3, 21)] {
             assert_eq!([10, 40].map(|levels| width(&storeys(bays, levels))), [expected; 2]);
         }
         let chain = (0..400).map(|k| [k, k + 1]).collect::<Vec<_>>();
         let ring = (0..48).map(|k| [k, (k + 1) % 48]).collect::<Vec<_>>();
         // arms of five members
         let star = (0..40).map(|k| [if k % 5 == 0 { 0 } else { k }, k + 1]).collect::<Vec<_>>();
-        assert_eq!([&chain, &ring, &star].map(|members| width(members)), [12, 15, 30]);
+        assert_eq!([&chain, &ring, &star].map(|members| width(members)), [9, 15, 12]);
     }
 
     const CHAIN: OrderRoom<4, 3> = OrderRoom::of([[2, 0], [0, 3], [3, 1]]);
@@ -243,10 +227,10 @@ mod tests {
         let mut room = OrderRoom::<7, 9>::EMPTY;
         assert_eq!(room.fill(4, |_| false, [[2, 0], [0, 3], [3, 1]].into_iter()), None);
         let (one, other) = (CHAIN.order(4, 3), room.order(4, 3));
-        assert_eq!((one.nodes, one.taken_up), (other.nodes, other.taken_up));
+        assert_eq!(one.nodes, other.nodes);
         assert_eq!(one.nodes, [1, 3, 0, 2]);
-        // two members of three freedoms and a node of as many motions
-        assert_eq!(other.width(&[3; 4], &[3; 3]), 12);
+        // two nodes of three motions, and a member of as many freedoms
+        assert_eq!(other.width(&[3; 4], &[3; 3]), 9);
     }
 
     #[test]

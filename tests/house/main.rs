@@ -21,9 +21,9 @@ const ORDER: &[(&str, &[&str])] = &[
     ("number", &[]),
     ("model", &["number"]),
     ("subspace", &["number", "model"]),
-    ("structure", &["number", "model", "subspace"]),
-    ("element", &["number", "model", "subspace"]),
-    ("elements", &["number", "model", "subspace", "element"]),
+    ("structure", &["number", "model"]),
+    ("element", &["number", "model", "subspace", "structure"]),
+    ("elements", &["number", "model", "subspace", "structure", "element"]),
     ("proof", &["number", "model", "element/member_numbers"]),
     ("pass", &["number", "model", "subspace", "structure", "element", "proof/visit"]),
     (

@@ -24,7 +24,7 @@ fn many_cantilevers_on_one_clamp() {
     }
     // cos z cosh z = -1
     assert_each(&structure, 60, 1.875_104_068_711_961_2_f64.powi(2));
-    assert_eq!(needed_width(&structure), 9);
+    assert_eq!(needed_width(&structure), 6);
 }
 
 #[test]

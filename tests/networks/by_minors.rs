@@ -1,4 +1,4 @@
-//! The same model by minors of planes, as a list of steps, and by fronts, as a network.
+//! The same model by minors of planes, as a list of steps, and by stiffnesses, as a network.
 
 use crate::checks::Found;
 use crate::structure::{Element, Structure};
@@ -54,7 +54,7 @@ fn on_grid(length: f64) -> f64 {
 struct Report {
     trees: usize,
     refused: usize,
-    refused_by_fronts: Vec<String>,
+    refused_by_stiffnesses: Vec<String>,
     refused_by_minors: Vec<String>,
     counts: usize,
     roots: usize,
@@ -113,7 +113,7 @@ impl Report {
                 self.refused += 1;
                 return;
             }
-            (Ok(_), Err(error)) => self.refused_by_fronts.push(format!("{name}: {error}")),
+            (Ok(_), Err(error)) => self.refused_by_stiffnesses.push(format!("{name}: {error}")),
             (Err(error), Ok(_)) => self.refused_by_minors.push(format!("{name}: {error}")),
         }
         for omega in OMEGAS {
@@ -168,7 +168,7 @@ impl Report {
         let Report {
             trees,
             refused,
-            refused_by_fronts,
+            refused_by_stiffnesses,
             refused_by_minors,
             counts,
             roots,
@@ -183,11 +183,11 @@ impl Report {
         );
         println!("  furthest {furthest_name}");
         println!("  {quotients} quotients of Δ, constant up to {largest:e}");
-        refused_by_fronts.iter().for_each(|why| println!("  refused by fronts alone: {why}"));
+        refused_by_stiffnesses.iter().for_each(|why| println!("  refused by stiffnesses alone: {why}"));
         refused_by_minors.iter().for_each(|why| println!("  refused by minors alone: {why}"));
         wrong.iter().for_each(|why| println!("  wrong {why}"));
         assert!(wrong.is_empty(), "{} wrong", wrong.len());
-        assert!(refused_by_fronts.is_empty(), "{} of {trees} refused", refused_by_fronts.len());
+        assert!(refused_by_stiffnesses.is_empty(), "{} of {trees} refused", refused_by_stiffnesses.len());
     }
 }
 
@@ -201,12 +201,12 @@ fn judge(seeds: core::ops::Range<u64>) {
 }
 
 #[test]
-fn trees_by_fronts_are_trees_by_minors() {
+fn trees_by_charts_are_trees_by_minors() {
     judge(0..10);
 }
 
 #[test]
 #[ignore = "many trees: in .ci/long"]
-fn many_trees_by_fronts_are_trees_by_minors() {
+fn many_trees_by_charts_are_trees_by_minors() {
     judge(0..2000);
 }

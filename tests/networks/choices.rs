@@ -1,6 +1,6 @@
-//! Certificates beside roots at which rounding decides the sign of a pivot, though no row of a front is small beside its error.
+//! Certificates beside roots at which rounding decides the sign of a pivot, though no pivot is small beside the terms of its entry.
 
-use crate::directed::{Report, by_fronts};
+use crate::directed::{Report, by_charts};
 use crate::families::random::Spread;
 use crate::families::random_structures;
 use crate::structure::{End, Freedoms, Node, Section, Structure};
@@ -25,7 +25,7 @@ fn body_on_a_slider(mass: f64) -> Structure {
     let sliding = End::from(body).at([1.515625, 1.25]).releasing(Freedoms::X);
     structure.beam(head, sliding, beam(935.0, 0.211, 0.13));
     structure.beam(head, End::from(foot).at([-1.65625, -0.59375]), beam(3820.0, 2.53, 2.73));
-    by_fronts(structure, foot)
+    by_charts(structure, foot)
 }
 
 /// A body on a stiff spring and two soft ones below a head on two legs, which stand on one foot: axial stiffnesses of both leave the head one
@@ -41,7 +41,7 @@ fn body_below_a_head() -> Structure {
     structure.spring(foot, on_body(0.859375, -0.984375), 0.0708);
     structure.spring(foot, on_body(0.8125, -0.84375), 9.8e6);
     structure.spring(head, on_body(0.75, -1.0), 0.0189);
-    by_fronts(structure, foot)
+    by_charts(structure, foot)
 }
 
 /// Rows are larger than their errors here, which add up: without another choice of pivots these intervals stood beside the first root.

@@ -3,7 +3,7 @@
 use mstmm::network::{Freedoms, Member, Network, Node, Room, Section, Support, UndampedMember};
 use mstmm::prelude::*;
 
-/// Far stiffer beams along than others across: a thousandth of a frequency away from the first one fronts in `f64` do not tell on which side it is.
+/// Far stiffer beams along than others across: a thousandth of a frequency away from the first one pivots in `f64` do not tell on which side it is.
 #[test]
 fn a_count_that_rounding_decides_is_left_to_the_judge() {
     let (clamp, pin) = (Support::Fixed.holds(), Support::Pinned.holds());

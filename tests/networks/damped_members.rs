@@ -148,7 +148,7 @@ system! {
     conn 4 <- spring 5 { stiffness: 60.0, loss_factor: 0.5 * eta } <- fixed
 }
 
-/// Minors and fronts share the constants of beams alone: roots, responses, shapes, energies and sensitivities agree.
+/// Minors and stiffnesses share the constants of beams alone: roots, responses, shapes, energies and sensitivities agree.
 #[test]
 fn trees_and_fronts_agree() {
     for (eta, c, medium) in [(0.2, 1e-3, 2.0), (0.0, 2e-3, 3.0), (0.4, 0.0, 0.0)] {

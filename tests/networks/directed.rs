@@ -108,9 +108,9 @@ fn families_have_their_frequencies_where_they_belong_at_every_decade() {
     judge(families(1).into_iter());
 }
 
-/// A structure that is searched by fronts from the beginning, since a joint that an end does not share in whole is not known in numbers: with
+/// A structure that is searched by charts from the beginning, since a joint that an end does not share in whole is not known in numbers: with
 /// one between a node at rest and a clamp at its place, which changes no frequency.
-pub(crate) fn by_fronts(mut structure: Structure, rests: usize) -> Structure {
+pub(crate) fn by_charts(mut structure: Structure, rests: usize) -> Structure {
     let clamp = structure.clamp(structure.nodes[rests].position);
     let ends = [End::from(rests).releasing(Freedoms::RZ), End::from(clamp)];
     structure.members.push(Member { ends, along: None, element: Element::Hinge { stiffness: [1e3; 3] } });

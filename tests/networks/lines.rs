@@ -1,4 +1,4 @@
-//! Structures in a line by fronts, against the oracle.
+//! Structures in a line by stiffnesses, against the oracle.
 
 use crate::directed::Report;
 use crate::families::line::line_structures;

@@ -1,4 +1,4 @@
-//! The determinant of the overall matrix against Δ of fronts: one constant for all frequencies.
+//! The determinant of the overall matrix against Δ of the dynamic stiffness: one constant for all frequencies.
 #![expect(clippy::unwrap_used, reason = "a structure that cannot be built fails the test")]
 
 use crate::families::damped::damped_structure;
@@ -173,7 +173,7 @@ impl Report {
 }
 
 #[test]
-fn overall_determinants_of_named_structures_are_those_of_fronts() {
+fn overall_determinants_of_named_structures_are_proportional_to_delta() {
     let mut report = Report::default();
     for (name, structure) in [
         ("portal", portal(1e4, 1.0)),
@@ -194,7 +194,7 @@ fn overall_determinants_of_named_structures_are_those_of_fronts() {
 }
 
 #[test]
-fn overall_determinants_of_random_structures_are_those_of_fronts() {
+fn overall_determinants_of_random_structures_are_proportional_to_delta() {
     let mut report = Report::default();
     for (name, structure) in random_structures(0..40, Spread::Moderate) {
         report.undamped(&name, &structure);
@@ -221,7 +221,7 @@ fn another_number_of_unknowns_is_refused() {
 
 /// λ with decay and growth.
 #[test]
-fn overall_determinants_of_damped_structures_are_those_of_fronts() {
+fn overall_determinants_of_damped_structures_are_proportional_to_delta() {
     let mut report = Report::default();
     for seed in 0..12 {
         let structure = damped_structure(seed);

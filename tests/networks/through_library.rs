@@ -10,7 +10,7 @@ use mstmm::number::{DoubleDouble, Scaled};
 use mstmm::prelude::*;
 use mstmm::search::{FrequencyList, SearchError};
 
-/// Variables of the widest front.
+/// Unknowns at once.
 const WIDTH: usize = 60;
 
 /// Sizes of the largest structure.
@@ -92,7 +92,7 @@ pub(crate) fn asked<R: Send>(
     })
 }
 
-/// Variables of the widest front of a damped structure.
+/// Unknowns at once of a damped structure.
 const DAMPED_WIDTH: usize = 40;
 
 /// The eigenvalues of least modulus, or those in a region with their number there.

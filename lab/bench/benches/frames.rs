@@ -129,7 +129,7 @@ fn print_stiffnesses<const BEAMS: usize>(
     Ok(())
 }
 
-/// A row of evaluations of Δ by fronts: the least time over rounds for each kind of number, in times of the standard functions.
+/// A row of evaluations of Δ: the least time over rounds for each kind of number, in times of the standard functions.
 macro_rules! evaluations {
     ($name:literal, $system:expr) => {{
         let system = $system;
@@ -179,7 +179,7 @@ fn main() -> Result<(), Failure> {
     rows!("plain", Plain, plain.clone(), Plain::conn_b.force_x(), Plain::planar_beam_1.input().moment());
     let workshop = Workshop { ea: 4e8, ei: 1e6, m: 20.0, brace: 2e6, machine: 500.0 }.build()?;
     rows!("workshop", Workshop, workshop, Workshop::conn_b.force_x(), Workshop::planar_beam_1.input().moment());
-    println!("\n| Δ by fronts | sin, cos, exp [ns] | real | dual | complex | double-double |");
+    println!("\n| Δ | sin, cos, exp [ns] | real | dual | complex | double-double |");
     println!("|---|---|---|---|---|---|");
     evaluations!("portal", plain.clone());
     evaluations!("ring", Ring { ea: 1.26e9, ei: 5.25e6, m: 47.1 }.build()?);

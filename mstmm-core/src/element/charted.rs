@@ -1,11 +1,11 @@
-//! Charts: what an element is in a front.
+//! Charts: what an element is in a plane structure.
 
 use crate::element::member_motion::VisitMember;
 use crate::element::member_numbers::MemberNumbers;
 use crate::element::traits::{Element, space_of};
 use crate::model::{FrequencyEstimates, InvalidParameter};
 use crate::number::{FrequencyPowers, Real, Scalar};
-use crate::subspace::Chart;
+use crate::structure::Chart;
 use core::fmt::Debug;
 use mstmm_plan::{Freedoms, Space, refuse_if};
 use num_complex::Complex;

@@ -12,7 +12,7 @@ use crate::elements::{
 };
 use crate::model::{FrequencyEstimates, InvalidParameter};
 use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real, Single};
-use crate::subspace::Chart;
+use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 
 /// The cross section of a beam between two points, which give its length: a [`PlanarBeam`] without it.

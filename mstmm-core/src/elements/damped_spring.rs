@@ -11,7 +11,8 @@ use crate::elements::shared::line_step::{back_through_stiffness, through_stiffne
 use crate::elements::shared::massless::{elongation, off_pole};
 use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement, Rotation, StateSpace, Translation};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single};
-use crate::subspace::{Chart, Covector, RootCounter, Subspace};
+use crate::structure::Chart;
+use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
 

@@ -17,7 +17,8 @@ use crate::model::{
     EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, Rotation, State, StateSpace, Translation,
 };
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
-use crate::subspace::{Chart, Covector, RootCounter, Subspace};
+use crate::structure::Chart;
+use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
 

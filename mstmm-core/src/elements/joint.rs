@@ -8,7 +8,7 @@ use crate::elements::shared::line_forms::half;
 use crate::elements::{ElasticHinge, PlanarHinge};
 use crate::model::{FrequencyEstimates, InvalidParameter, Planar, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Single};
-use crate::subspace::Chart;
+use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 use nalgebra::Matrix6;
 

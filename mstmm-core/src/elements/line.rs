@@ -12,7 +12,8 @@ use crate::elements::shared::line_step::{back_through_stiffness, through_inertia
 use crate::elements::shared::massless::Massless;
 use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement, Rotation, StateSpace, Translation};
 use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
-use crate::subspace::{Chart, Covector, RootCounter, Subspace};
+use crate::structure::Chart;
+use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
 

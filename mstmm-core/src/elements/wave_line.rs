@@ -13,7 +13,8 @@ use crate::elements::shared::rod_motion::{Stretch, path_state};
 use crate::elements::shared::uniform_line::{LineSection, LineWaves, UniformLine};
 use crate::model::{EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, Rotation, State, Translation};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
-use crate::subspace::{Chart, Covector, RootCounter, Subspace};
+use crate::structure::Chart;
+use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::Coordinate;
 use nalgebra::Matrix2;
 

@@ -114,7 +114,7 @@ apart! {
 #[cfg(feature = "std")]
 #[inline(never)]
 fn beyond_stack<N: Level<Word = f64>>(question: Question<'_>) -> Result<Outcomes, Failure> {
-    /// Variables of the widest front.
+    /// Unknowns at once.
     const WIDEST: usize = 512;
     let mut entries = std::vec![N::of(0.0); WIDEST * (WIDEST + 1) / 2];
     let mut variables = std::vec![Variable::none(); WIDEST];

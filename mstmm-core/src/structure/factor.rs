@@ -1,7 +1,8 @@
 //! The matrix of the unknowns that have not left, and their elimination. No pivot is searched: an unknown waits while its pivot is small.
 
 use crate::number::{Scalar, Size, binary_exponent, power_of_two};
-use crate::subspace::front::triangle::place;
+use crate::structure::total::Total;
+use crate::structure::triangle::place;
 
 /// Size of a pivot beside the largest term of its entry, below which its unknown waits for others to leave: a pivot loses three digits at most.
 /// Pivots vanish where the structure so far has a natural frequency.
@@ -93,6 +94,10 @@ pub struct Factor<'r, S: Scalar> {
     pub(super) is_full: bool,
     /// The work of each load on its motion.
     pub(crate) works: [S; LOADS],
+    /// Δ and the count so far.
+    pub(crate) total: Total<S>,
+    /// Whether rows are kept for the values of unknowns; else Δ alone is asked for.
+    pub(crate) keeps_rows: bool,
 }
 
 impl<S: Scalar> Factor<'_, S> {
@@ -193,10 +198,13 @@ impl<S: Scalar> Factor<'_, S> {
     }
 
     /// Lets all unknowns leave that are left, largest pivot first.
-    fn leave_all(&mut self) {
+    pub(super) fn leave_all(&mut self) {
         while self.unknowns[..self.width].iter().any(|unknown| unknown.is_taken) {
             self.unknowns[..self.width].iter_mut().for_each(|unknown| unknown.waits = unknown.is_taken);
             self.make_room();
+        }
+        if self.is_full {
+            self.total = Total::unknown();
         }
     }
 
@@ -209,7 +217,11 @@ impl<S: Scalar> Factor<'_, S> {
         if pivot.size().first() <= ROUNDING * S::EPSILON * size {
             self.vanished_at = self.vanished_at.or(Some(self.node));
             pivot = S::from_f64(S::EPSILON * if size > 0.0 { size } else { 1.0 });
+            if size == 0.0 {
+                self.total.multiply(S::zero(), 0);
+            }
         }
+        self.total.pivot(pivot);
         let inverse = S::one() / pivot;
         let is_loaded = loads.map(|load| !load.is_constant_zero());
         let first = self.number_count;
@@ -241,6 +253,10 @@ impl<S: Scalar> Factor<'_, S> {
             for load in (0..LOADS).filter(|load| is_loaded[*load]) {
                 self.unknowns[row].loads[load] -= factor * loads[load];
             }
+        }
+        if !self.keeps_rows {
+            (self.row_count, self.number_count) = (0, 0);
+            return;
         }
         // slots are taken again: what is beside is known by its number
         for beside in &mut self.beside[first..self.number_count] {

@@ -2,9 +2,9 @@
 
 use crate::model::EndMotion;
 use crate::number::{Scalar, Size, power_of_two};
+use crate::structure::chart::{MOST_FREEDOMS, MOST_VARIABLES};
 use crate::structure::factor::{Factor, NodeUnknowns};
 use crate::structure::member::{Kind, MemberStiffness};
-use crate::subspace::{MOST_FREEDOMS, MOST_VARIABLES};
 
 /// A usual size of the flexibility of a border, in the units of its chart. It is a border where that is less than 1e-3, and may vanish.
 const FLEXIBILITY: f64 = 1e-6;
@@ -53,6 +53,7 @@ impl<S: Scalar> Factor<'_, S> {
     /// Adds a member, whose nodes have entered.
     pub(super) fn join(&mut self, member: &mut MemberStiffness<S>, nodes: [&NodeUnknowns; 2]) {
         self.works[0] += member.work;
+        self.total.include(member.product(), member.below());
         let count = member.count();
         // of each variable its displacement, and of one that is an unknown itself that one
         let (mut displacements, mut own) = ([Sum::none(); MOST_VARIABLES], [Sum::none(); MOST_VARIABLES]);

@@ -5,8 +5,9 @@
 //! the force of a border, or the displacement of a released end, is an unknown of its own.
 
 use crate::model::EndMotion;
-use crate::number::{Scalar, Size, power_of_two};
-use crate::subspace::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES, Measure, Units};
+use crate::number::{Scalar, Scaled, Size, power_of_two};
+use crate::structure::chart::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES};
+use crate::structure::units::Units;
 use mstmm_plan::Freedoms;
 
 /// The diagonal entry of a variable, in the units of its chart, below which it is not flipped. Entries grow by its inverse, and so does the
@@ -75,7 +76,7 @@ impl<S: Scalar> MemberStiffness<S> {
     pub(crate) fn none() -> Self {
         let zero = [S::zero(); MOST_VARIABLES];
         MemberStiffness {
-            chart: Chart::empty(Freedoms::NONE, Units { displacement: 0, rotation: 0 }, Measure::Nothing),
+            chart: Chart::empty(Freedoms::NONE, Units { displacement: 0, rotation: 0 }),
             load: MemberLoad { along: zero, moved: zero },
             kinds: [Kind::Held; MOST_VARIABLES],
             places: [(0, 0); MOST_VARIABLES],
@@ -101,16 +102,17 @@ impl<S: Scalar> MemberStiffness<S> {
             is_released[variable] = ends[end].released.contains(Freedoms::SINGLE[freedom]);
             rests[variable] = ends[end].rests;
         }
-        let mut largest = true;
-        while largest {
+        loop {
             let wrong = (0..count).filter(|variable| member.chart.is_force(*variable) != is_released[*variable]);
             let size = |variable: usize| member.chart.entry(variable, variable).size().first();
-            let best = wrong.max_by(|one, other| size(*one).total_cmp(&size(*other)));
-            let flipped = best.filter(|variable| size(*variable) >= SMALL);
-            largest = flipped.is_some();
-            if let Some(variable) = flipped {
-                member.flip(variable);
+            let number = wrong.clone().count();
+            let Some(largest) = wrong.max_by(|one, other| size(*one).total_cmp(&size(*other))) else { break };
+            // no more motions than freedoms are left to a member that is held: as many variables at most must stay as they are
+            let least = if number > chart.freedoms.count() { f64::MIN_POSITIVE } else { SMALL };
+            if size(largest) < least || size(largest).is_nan() {
+                break;
             }
+            member.flip(largest);
         }
         for variable in 0..count {
             member.kinds[variable] = match (is_released[variable], member.chart.is_force(variable), rests[variable]) {
@@ -121,12 +123,35 @@ impl<S: Scalar> MemberStiffness<S> {
                 (false, true, false) => Kind::Border,
                 (false, true, true) => Kind::HeldBorder,
             };
+            match member.kinds[variable] {
+                kind if kind.is_own() => member.multiply(variable, S::one()),
+                Kind::Released => member.chart.below = member.chart.below + S::Size::of(1.0),
+                _ => {}
+            }
         }
+    }
+
+    /// Multiplies the product by the pivot of a variable, in the unit of that.
+    fn multiply(&mut self, variable: usize, pivot: S) {
+        let unit = i64::from(self.unit(self.places[variable].1));
+        let pivot =
+            if self.chart.is_force(variable) { Scaled::new(-pivot, 2 * unit) } else { Scaled::new(pivot, -2 * unit) };
+        self.chart.product = self.chart.product.product(pivot);
     }
 
     /// The number of its variables.
     pub(crate) fn count(&self) -> usize {
         2 * self.chart.freedoms.count()
+    }
+
+    /// Its part of Δ, but for the pivots of the unknowns of its own.
+    pub(crate) fn product(&self) -> Scaled<S> {
+        self.chart.product
+    }
+
+    /// Its part of the count, likewise.
+    pub(crate) fn below(&self) -> S::Size {
+        self.chart.below
     }
 
     /// An entry of its matrix.
@@ -149,7 +174,8 @@ impl<S: Scalar> MemberStiffness<S> {
         for (other, entry) in row.iter_mut().enumerate().take(count) {
             *entry = self.chart.entry(variable, other);
         }
-        let inverse = S::one() / row[variable];
+        let pivot = row[variable];
+        let inverse = S::one() / pivot;
         let load = self.load.along[variable];
         let signed = if self.chart.is_force(variable) { -inverse } else { inverse };
         for one in (0..count).filter(|one| *one != variable && !row[*one].is_constant_zero()) {
@@ -164,6 +190,10 @@ impl<S: Scalar> MemberStiffness<S> {
             }
         }
         self.chart.set(variable, variable, -inverse);
+        self.multiply(variable, pivot);
+        let becomes_force = !self.chart.is_force(variable);
+        self.chart.below =
+            self.chart.below + S::Size::one_if(pivot.is_negative()) + S::Size::of(-f64::from(becomes_force));
         self.chart.forces ^= 1 << variable;
         if !load.is_zero() {
             self.work += load * load * inverse;

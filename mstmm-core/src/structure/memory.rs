@@ -3,9 +3,10 @@
 use crate::model::EndMotion;
 use crate::number::Scalar;
 use crate::number::compiled::for_compiled_numbers;
+use crate::structure::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
 use crate::structure::factor::{Factor, LOADS, NodeUnknowns, Row, Unknown};
 use crate::structure::member::{MemberLoad, MemberStiffness};
-use crate::subspace::{Chart, JoinedEnd, MOST_FREEDOMS};
+use crate::structure::total::Total;
 
 /// Memory for a structure of so many nodes, of whose unknowns up to `W` are there at once. At each node no more than these leave, and each has no
 /// more beside it.
@@ -34,7 +35,7 @@ impl<S: Scalar, const W: usize, const NODES: usize> FactorRoom<S, W, NODES> {
     }
 
     /// The factor of a structure that nothing has joined.
-    pub(crate) fn factor(&mut self) -> Factor<'_, S> {
+    pub(crate) fn factor(&mut self, keeps_rows: bool) -> Factor<'_, S> {
         Factor {
             entries: self.entries.as_flattened_mut(),
             unknowns: &mut self.unknowns,
@@ -51,6 +52,8 @@ impl<S: Scalar, const W: usize, const NODES: usize> FactorRoom<S, W, NODES> {
             vanished_at: None,
             is_full: false,
             works: [S::zero(); LOADS],
+            total: Total::new(),
+            keeps_rows,
         }
     }
 }
@@ -84,7 +87,11 @@ pub trait StructureScalar: Scalar {
         forces: &[Self; MOST_FREEDOMS],
     );
 
-    /// Finds the values of all unknowns.
+    /// Lets all unknowns leave that are left.
+    #[doc(hidden)]
+    fn leave_all(factor: &mut Factor<'_, Self>);
+
+    /// Finds the values of all unknowns, which have left.
     #[doc(hidden)]
     fn solve(factor: &mut Factor<'_, Self>);
 
@@ -126,6 +133,10 @@ macro_rules! compiled {
                 factor.take_up(node, body, forces);
             }
 
+            fn leave_all(factor: &mut Factor<'_, Self>) {
+                factor.leave_all();
+            }
+
             fn solve(factor: &mut Factor<'_, Self>) {
                 factor.solve();
             }
@@ -138,3 +149,43 @@ macro_rules! compiled {
 }
 
 for_compiled_numbers!(compiled);
+
+/// Numbers in lanes would wait for different pivots: nothing is known of their structures.
+#[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
+impl<V: crate::number::lanes::Waving> StructureScalar for mstmm_lanes::Lanes<V> {
+    fn enter(_factor: &mut Factor<'_, Self>, _motions: usize) -> NodeUnknowns {
+        NodeUnknowns { has_entered: true, ..NodeUnknowns::NONE }
+    }
+
+    fn join(
+        _factor: &mut Factor<'_, Self>,
+        _member: &mut MemberStiffness<Self>,
+        _chart: &Chart<Self>,
+        _ends: (&[JoinedEnd<Self>; 2], [&NodeUnknowns; 2]),
+        _load: &MemberLoad<Self>,
+    ) {
+    }
+
+    fn take_up(
+        _factor: &mut Factor<'_, Self>,
+        _node: &NodeUnknowns,
+        _body: &Option<[[Self; MOST_FREEDOMS]; MOST_FREEDOMS]>,
+        _forces: &[Self; MOST_FREEDOMS],
+    ) {
+    }
+
+    fn leave_all(factor: &mut Factor<'_, Self>) {
+        factor.total = Total::unknown();
+    }
+
+    fn solve(_factor: &mut Factor<'_, Self>) {}
+
+    fn motion(
+        _factor: &Factor<'_, Self>,
+        _member: &MemberStiffness<Self>,
+        _nodes: [&NodeUnknowns; 2],
+        _load: usize,
+    ) -> [EndMotion<Self>; 2] {
+        [EndMotion::at_rest(); 2]
+    }
+}

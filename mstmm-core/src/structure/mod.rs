@@ -11,13 +11,21 @@
 //! | [`factor`] | the matrix of the unknowns that have not left; an unknown leaves |
 //! | [`memory`] | memory of the caller's, and the numbers that the factor is compiled for |
 
+pub(crate) mod chart;
 pub(crate) mod factor;
 pub(crate) mod join;
 pub(crate) mod member;
 pub(crate) mod memory;
+mod path_chart;
 #[cfg(test)]
 mod tests;
+mod total;
+mod triangle;
+mod units;
 
+pub(crate) use chart::{Chart, JoinedEnd, MOST_VARIABLES};
 pub(crate) use factor::{Factor, LOADS, LoadEverywhere, NodeUnknowns};
 pub(crate) use member::{MemberLoad, MemberStiffness};
 pub(crate) use memory::{FactorRoom, StructureScalar};
+pub(crate) use total::Total;
+pub(crate) use units::{Units, unit_of};

@@ -24,7 +24,7 @@ fn matrix(diagonal: impl Fn(usize) -> f64) -> [[f64; 6]; 6] {
 /// The largest residual of the values that a factor finds for three nodes of two motions each.
 fn residual(matrix: &[[f64; 6]; 6]) -> f64 {
     let mut room = FactorRoom::<f64, 6, 3>::new();
-    let mut factor = room.factor();
+    let mut factor = room.factor(true);
     let nodes: Vec<_> = (0..3).map(|_| factor.enter_node(2)).collect();
     let slots: Vec<u32> = nodes.iter().flat_map(|node| node.slots[..2].to_vec()).collect();
     for (row, entries) in matrix.iter().enumerate() {
@@ -58,7 +58,7 @@ fn values_solve_the_equations() {
 #[test]
 fn a_factor_without_room_knows_nothing() {
     let mut room = FactorRoom::<f64, 3, 2>::new();
-    let mut factor = room.factor();
+    let mut factor = room.factor(true);
     let nodes = [factor.enter_node(2), factor.enter_node(2)];
     nodes.iter().for_each(|node| factor.take_up(node, &None, &[1.0; 3]));
     factor.solve();

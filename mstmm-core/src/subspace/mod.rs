@@ -2,19 +2,11 @@
 
 pub(crate) mod connecting;
 pub(crate) mod count;
-pub(crate) mod front;
 pub(crate) mod minors;
 pub(crate) mod remainder;
 
 pub(crate) use connecting::{Connecting, connection};
 pub(crate) use count::{Held, NoCount, Purpose, RootCounter, Watch, WittrickWilliams};
-pub(crate) use front::chart::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES};
-pub(crate) use front::eliminate::Choice;
-pub(crate) use front::fronts::{FrontNode, Fronts};
-pub(crate) use front::room::FrontScalar;
-pub(crate) use front::total::Total;
-pub(crate) use front::units::{Units, unit_of};
-pub(crate) use front::variable::Measure;
 pub(crate) use minors::covector::Covector;
 pub(crate) use minors::join::in_parallel;
 pub(crate) use minors::line::Line;

@@ -1,4 +1,4 @@
-//! Emits the code of a model with locations: its numbers, the built system, and what an evaluation by fronts asks of it.
+//! Emits the code of a model with locations: its numbers, the built system, and what its evaluation asks of it.
 
 mod drawn;
 mod numbers;

@@ -16,19 +16,18 @@ impl Skeleton<'_> {
         let rests = |node: usize| self.nodes[node].motions() == 0;
         let pairs: Vec<[usize; 2]> = pairs.into_iter().map(|pair| in_motion(pair, pair.map(rests))).collect();
         let mut ends = vec![[0; 2]; pairs.len()];
-        let [mut first_end, mut nodes, mut ranks, mut taken_up] = [(); 4].map(|()| vec![0; self.nodes.len()]);
+        let [mut first_end, mut nodes, mut ranks] = [(); 3].map(|()| vec![0; self.nodes.len()]);
         let memory = OrderMemory {
             ends: &mut ends,
             first_end: &mut first_end,
             nodes: &mut nodes,
             ranks: &mut ranks,
-            taken_up: &mut taken_up,
             elimination: &mut vec![Elimination::UNKNOWN; self.nodes.len()],
         };
         Ok(ask(memory.set_in_order(&pairs)))
     }
 
-    /// The largest number of variables of a front; none where rustc alone knows the freedoms of a member.
+    /// The largest number of unknowns at once; none where rustc alone knows the freedoms of a member.
     ///
     /// # Errors
     /// As [`in_order`](Self::in_order).

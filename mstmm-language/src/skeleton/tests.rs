@@ -31,7 +31,7 @@ fn loops_and_the_members_that_close_them() {
             # Size
 
             ```text
-            nodes 6, members 7, variables of the widest front 23
+            nodes 6, members 7, unknowns at once 16
             closed loops 2, cut at planar_beam 6, spring brace
             unknowns of the overall transfer equation 14, root pinned at planar_beam 5
             ```
@@ -69,7 +69,7 @@ fn nodes_that_are_no_points() {
             # Size
 
             ```text
-            nodes 8, members 8, variables of the widest front 16
+            nodes 8, members 8, unknowns at once 9
             closed loops 1, cut at spring 6
             unknowns of the overall transfer equation 18, root roller at conn c
             ```

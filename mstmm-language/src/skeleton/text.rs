@@ -13,7 +13,7 @@ impl Display for Skeleton<'_> {
         write!(f, "# Size\n\n```text\nnodes {nodes}, members {members}")?;
         match (self.width().ok().flatten(), self.overall()) {
             (Some(width), Some(overall)) => {
-                writeln!(f, ", variables of the widest front {width}")?;
+                writeln!(f, ", unknowns at once {width}")?;
                 match overall.cuts.as_slice() {
                     [] => writeln!(f, "closed loops 0")?,
                     cuts => writeln!(f, "closed loops {}, cut at {}", cuts.len(), cuts.join(", "))?,

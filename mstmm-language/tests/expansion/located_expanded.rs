@@ -13,7 +13,7 @@ pub struct Mast {
 /// # Size
 ///
 /// ```text
-/// nodes 3, members 2, variables of the widest front 11
+/// nodes 3, members 2, unknowns at once 7
 /// closed loops 0
 /// unknowns of the overall transfer equation 8, root fixed at planar_beam 1
 /// ```
@@ -369,7 +369,7 @@ const _: () = {
         fn in_factor<S: mstmm::__private::StructureScalar, R>(
             work: impl ::core::ops::FnOnce(mstmm::__private::Factor<'_, S>) -> R,
         ) -> R {
-            mstmm::__private::in_factor::<11usize, 3usize, S, R>(work)
+            mstmm::__private::in_factor::<7usize, 3usize, S, R>(work)
         }
         fn sizes(&self) -> [::core::primitive::usize; 2] {
             [3usize, 2usize]
@@ -465,14 +465,14 @@ const _: () = {
         S: mstmm::__private::Frequency<T>,
         mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::Charted<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::Charted<S>,
-        S: mstmm::__private::FrontScalar,
+        S: mstmm::__private::StructureScalar,
     {
         fn pass<C: mstmm::__private::RootCounter<S>>(
             &self,
             x: S,
             counter: &mut C,
         ) -> mstmm::__private::Scaled<S> {
-            mstmm::__private::network_pass::<11usize, Self, S, C>(self, x, counter)
+            mstmm::__private::network_pass::<7usize, Self, S, C>(self, x, counter)
         }
     }
     #[automatically_derived]

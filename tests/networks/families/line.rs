@@ -1,4 +1,4 @@
-//! Structures of bending beams in a line: what a chain of planes would be, with loops by springs, by fronts.
+//! Structures of bending beams in a line: what a chain of planes would be, with loops by springs, by stiffnesses.
 
 use crate::families::Named;
 use crate::structure::{End, Freedoms, Node, Section, Structure};

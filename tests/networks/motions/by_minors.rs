@@ -1,4 +1,4 @@
-//! Shapes, responses and sensitivities by fronts beside those by minors: a beam in a line with and without places.
+//! Shapes, responses and sensitivities by stiffnesses beside those by minors: a beam in a line with and without places.
 #![expect(clippy::unwrap_used, reason = "the models are right")]
 
 use mstmm::prelude::*;
@@ -16,7 +16,7 @@ system! {
 }
 
 system! {
-    /// By fronts.
+    /// By stiffnesses.
     #[derive(Clone, Copy, Debug)]
     struct Line { a: f64, b: f64, c: f64, ei: f64, m: f64, k: f64, turn: f64, mass: f64, inertia: f64 }
     fixed at 0.0 -> beam 1 { bending_stiffness: ei, mass_per_length: m } -> conn 2 at a
@@ -34,11 +34,11 @@ fn both() -> (TreeSystem, LineSystem) {
 }
 
 fn close(one: f64, other: f64, size: f64, what: &str) {
-    assert!((one - other).abs() <= 1e-11 * size, "{what}: {one} by minors, {other} by fronts");
+    assert!((one - other).abs() <= 1e-11 * size, "{what}: {one} by minors, {other} by stiffnesses");
 }
 
 #[test]
-fn shapes_by_fronts_are_those_by_minors() {
+fn shapes_by_charts_are_those_by_minors() {
     let (tree, line) = both();
     let roots = [tree.first_frequencies::<40>().unwrap(), line.first_frequencies::<40>().unwrap()];
     for (root, other) in roots[0].iter().zip(roots[1].iter()) {
@@ -66,7 +66,7 @@ fn shapes_by_fronts_are_those_by_minors() {
 }
 
 #[test]
-fn responses_by_fronts_are_those_by_minors() {
+fn responses_by_charts_are_those_by_minors() {
     let (tree, line) = both();
     for omega in [0.0, 1.7, 23.0, 411.0, 9_000.0] {
         let of_tree = |load, entry| tree.frequency_response(load, entry).unwrap().at(omega).unwrap();
@@ -92,7 +92,7 @@ fn responses_by_fronts_are_those_by_minors() {
 }
 
 #[test]
-fn sensitivities_by_fronts_are_those_by_minors() {
+fn sensitivities_by_charts_are_those_by_minors() {
     let (tree, line) = both();
     let roots = [tree.first_frequencies::<6>().unwrap(), line.first_frequencies::<6>().unwrap()];
     for (root, other) in roots[0].iter().zip(roots[1].iter()) {

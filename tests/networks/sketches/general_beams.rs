@@ -107,7 +107,7 @@ fn a_line_of_general_beams_is_their_tree() {
         assert_near(&found, &expected, 1e-14);
         let beyond = 30.0 * expected[9];
         assert_eq!(sketch.count_below(beyond), tree.count_below(beyond));
-        // Δ by fronts is that by minors up to one constant, whatever the charts divide by
+        // Δ by stiffnesses is that by minors up to one constant, whatever the charts divide by
         let ratio = |omega: f64| {
             let (front, minors) = (Characteristic::<f64>::characteristic(&sketch, omega), tree.characteristic(omega));
             let power = i32::try_from(front.exponent() - minors.exponent()).unwrap();

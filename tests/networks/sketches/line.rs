@@ -86,7 +86,7 @@ mod waves {
     }
 }
 
-/// By minors and by fronts, below the cut-on of the string and above.
+/// By minors and by stiffnesses, below the cut-on of the string and above.
 #[test]
 fn paths_with_waves_have_the_frequencies_and_shapes_of_their_tree() {
     for k in [0.0, 4.0, 3e4] {
@@ -101,7 +101,10 @@ fn paths_with_waves_have_the_frequencies_and_shapes_of_their_tree() {
             let theirs = other.value(waves::Line::conn_tip.displacement_y()).unwrap();
             let sign = (tip.y * theirs).signum();
             let near = |one: f64, other: f64, scale: f64| {
-                assert!((one - sign * other).abs() <= 1e-10 * scale, "{one} by minors, {other} by fronts at {root}");
+                assert!(
+                    (one - sign * other).abs() <= 1e-10 * scale,
+                    "{one} by minors, {other} by stiffnesses at {root}"
+                );
             };
             near(tip.y, theirs, 3.0);
             for part in [0.2, 0.7] {

@@ -1,4 +1,4 @@
-//! The overall determinants of sketches against Δ of fronts: one constant for all frequencies.
+//! The overall determinants of sketches against Δ of the dynamic stiffness: one constant for all frequencies.
 
 use super::first;
 use super::frames::{
@@ -113,7 +113,7 @@ macro_rules! undamped {
 }
 
 #[test]
-fn overall_determinants_of_sketches_are_those_of_fronts() {
+fn overall_determinants_of_sketches_are_proportional_to_delta() {
     let mut report = Report::default();
     undamped!(report, NafemsCross { length: 5.0, ea: 3.125e9, ei: 4069010.4166666665, m: 125.0 });
     undamped!(report, NafemsSquare { side: 10.0, ea: 1.25e10, ei: 65104166.666666664, m: 500.0 });
@@ -133,7 +133,7 @@ fn overall_determinants_of_sketches_are_those_of_fronts() {
 }
 
 #[test]
-fn the_overall_determinant_of_a_damped_sketch_is_that_of_fronts() {
+fn the_overall_determinant_of_a_damped_sketch_is_proportional_to_delta() {
     let mut report = Report::default();
     let system = Damped { c: 0.8 }.build_as::<DoubleDouble>().unwrap();
     let constants = LOW.map(|part| {

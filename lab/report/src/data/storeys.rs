@@ -9,8 +9,8 @@ use std::hint::black_box;
 
 /// The most storeys that there is room for.
 const MOST: usize = 20;
-/// Variables of the front of a building of one bay.
-const FRONT: usize = 21;
+/// Unknowns at once of a building of one bay.
+const UNKNOWNS: usize = 21;
 
 type Frame = Member<UndampedMember<f64>>;
 
@@ -33,7 +33,7 @@ pub(crate) fn over_storeys(storeys: &[usize]) -> Result<OverElements, ReportErro
     for &size in storeys.iter().filter(|&&size| size <= MOST) {
         let (nodes, members) = building(size);
         let mut room = Box::new(Room::<_, { 2 * MOST + 2 }, { 3 * MOST }>::new());
-        let network = Network::<_, FRONT, _, _>::new(&nodes, &members, &mut room)?;
+        let network = Network::<_, UNKNOWNS, _, _>::new(&nodes, &members, &mut room)?;
         let first = network.first_frequencies::<10>()?;
         // between two frequencies
         let omega = f64::midpoint(first[0].omega, first[1].omega);
@@ -54,7 +54,7 @@ mod tests {
     fn one_storey_is_the_portal() {
         let (nodes, members) = building(1);
         let mut room = Room::<_, 4, 3>::new();
-        let network = Network::<_, FRONT, _, _>::new(&nodes, &members, &mut room).unwrap();
+        let network = Network::<_, UNKNOWNS, _, _>::new(&nodes, &members, &mut room).unwrap();
         let found = network.first_frequencies::<10>().unwrap();
         for (root, exact) in found.iter().zip(frames_beside::EXACT) {
             assert!((root.hertz() / exact - 1.0).abs() < 4e-15, "{} is not {exact}", root.hertz());

@@ -5,7 +5,7 @@ use crate::elements::beam::{Beam, BuiltBeam};
 use crate::elements::shared::bending_chart::{BendingWaves, beam_units};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::number::{Frequency, FrequencyPowers, Parameter};
-use crate::subspace::{Chart, Measure};
+use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 
 impl<T: Parameter, S: Frequency<T> + ChartScalar> Charted<S> for Beam<T> {
@@ -19,8 +19,8 @@ impl<T: Parameter, S: Frequency<T> + ChartScalar> Charted<S> for Beam<T> {
             BendingWaves { z_fourth, z, stiffness, length }
         };
         let measures = [own, bending_stiffness, mass_per_length];
-        let (units, wave) = beam_units(&waves, measures, f64::INFINITY, at.lambda_squared);
-        let mut chart = Chart::empty(Freedoms::Y.union(Freedoms::RZ), units, Measure::Member(wave));
+        let units = beam_units(&waves, measures, f64::INFINITY, at.lambda_squared);
+        let mut chart = Chart::empty(Freedoms::Y.union(Freedoms::RZ), units);
         S::enter_bending(&waves, &mut chart, [0, 1, 2, 3]);
         chart
     }

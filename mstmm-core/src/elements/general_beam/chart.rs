@@ -8,7 +8,7 @@ use crate::elements::shared::bending_chart::Impedances;
 use crate::elements::shared::chart_form::{Factors, Form};
 use crate::elements::shared::compound::Units;
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size};
-use crate::subspace::Chart;
+use crate::structure::Chart;
 
 /// Places of the entries of a state: displacements Y and Θ, and their forces Q and M.
 const DISPLACEMENTS: [usize; 2] = [0, 1];

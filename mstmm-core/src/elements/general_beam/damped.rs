@@ -11,7 +11,7 @@ use crate::elements::shared::compound::Units;
 use crate::elements::shared::dissipation::Dissipation;
 use crate::model::{EndMotion, Ends, FrequencyEstimates, State};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single};
-use crate::subspace::{Chart, Measure};
+use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 use nalgebra::Matrix4;
 
@@ -75,8 +75,8 @@ impl<T: Parameter> BuiltDampedBeam<T> {
         axial: f64,
         places: [usize; 4],
     ) -> Chart<S> {
-        let (units, wave) = units_of_waves(&self.beam.impedances(at.lambda_squared, axial), at.lambda_squared);
-        let mut chart = Chart::empty(freedoms, units, Measure::Member(wave));
+        let units = units_of_waves(&self.beam.impedances(at.lambda_squared, axial), at.lambda_squared);
+        let mut chart = Chart::empty(freedoms, units);
         let (relation, factors) = GeneralBeam { length, ..self.at(at.x) }.relation(at.lambda_squared);
         relation.enter(&mut chart, places, &factors);
         chart

@@ -12,7 +12,8 @@ use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::dissipation::Dissipation;
 use crate::model::{Bending, EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, State};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
-use crate::subspace::{Chart, Covector, RootCounter, Subspace};
+use crate::structure::Chart;
+use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::{Freedoms, Support};
 
 /// Declares beams with damping by the beams that they are without it, and the parameters beside length, stiffness and mass.

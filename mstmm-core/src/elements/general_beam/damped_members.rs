@@ -12,7 +12,7 @@ use crate::elements::shared::planar_matrix::planar_matrix;
 use crate::elements::shared::rod_motion::Stretch;
 use crate::model::{EndMotion, Extent, FrequencyEstimates, InvalidParameter, Planar};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
-use crate::subspace::Chart;
+use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 
 /// A beam with damping that stretches; the medium around it resists both displacements alike.

@@ -15,7 +15,7 @@ use crate::elements::shared::section_gradient::SectionGradient;
 use crate::elements::shared::uniform_line::{LineSection, UniformLine};
 use crate::model::{EndMotion, Extent, FrequencyEstimates, InvalidParameter, Planar};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
-use crate::subspace::{Chart, Measure};
+use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 
 /// A general beam that stretches, with its quantities that do not depend on the frequency.
@@ -34,8 +34,8 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
         (freedoms, places): (Freedoms, [usize; 4]),
         axial: f64,
     ) -> Chart<S> {
-        let (units, wave) = units_of_waves(&self.impedances(at.lambda_squared, axial), at.lambda_squared);
-        let mut chart = Chart::empty(freedoms, units, Measure::Member(wave));
+        let units = units_of_waves(&self.impedances(at.lambda_squared, axial), at.lambda_squared);
+        let mut chart = Chart::empty(freedoms, units);
         let (relation, factors) = self.relation(at, length);
         relation.enter(&mut chart, places, &factors);
         chart

@@ -4,7 +4,7 @@ use super::chart::Relation;
 use super::*;
 use crate::element::Charted;
 use crate::number::{DoubleDouble, Scalar};
-use crate::subspace::Chart;
+use crate::structure::Chart;
 use num_traits::{One, Zero};
 use std::vec::Vec;
 

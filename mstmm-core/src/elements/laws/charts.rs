@@ -4,8 +4,8 @@ use super::*;
 use crate::element::Charted;
 use crate::elements::joint::Joint;
 use crate::number::{DoubleDouble, FrequencyPowers, Parameter, Scalar, Single, Size};
-use crate::subspace::Chart;
-use crate::subspace::front::chart::MOST_FREEDOMS;
+use crate::structure::Chart;
+use crate::structure::chart::MOST_FREEDOMS;
 use mstmm_plan::Freedoms;
 
 /// Where the displacements and the forces of the freedoms stand in a state, and the sign of each force on the input end.

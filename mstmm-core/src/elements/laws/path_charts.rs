@@ -4,7 +4,7 @@ use super::charts::{assert_in_relation, columns, frequencies};
 use super::*;
 use crate::element::Charted;
 use crate::number::{FrequencyPowers, Size};
-use crate::subspace::Chart;
+use crate::structure::Chart;
 use std::vec;
 
 /// The number of natural frequencies with both ends held, by a chart of either form.

@@ -6,7 +6,7 @@ use crate::elements::shared::bending_chart::{BendingWaves, beam_units};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
 use crate::number::{Frequency, FrequencyPowers, Parameter};
-use crate::subspace::{Chart, Measure};
+use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 
 /// Places of the variables of bending and of longitudinal vibration among those of the member.
@@ -41,8 +41,8 @@ impl<T: Parameter, S: Frequency<T> + ChartScalar> Charted<S> for PlanarBeam<T> {
         let (bending, longitudinal) = built.waves(at, length);
         let PlanarBeam { length, bending_stiffness, mass_per_length, .. } = built.parameters;
         let measures = [length, bending_stiffness, mass_per_length];
-        let (units, wave) = beam_units(&bending, measures, longitudinal.unit(), at.lambda_squared);
-        let mut chart = Chart::empty(Freedoms::ALL, units, Measure::Member(wave));
+        let units = beam_units(&bending, measures, longitudinal.unit(), at.lambda_squared);
+        let mut chart = Chart::empty(Freedoms::ALL, units);
         S::enter_bending(&bending, &mut chart, BENDING);
         S::enter_longitudinal(&longitudinal, &mut chart, LONGITUDINAL);
         chart

@@ -4,7 +4,7 @@ use crate::elements::shared::chart_form::{Factors, Form};
 use crate::number::{
     Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size, Truth, binary_exponent, series, twice,
 };
-use crate::subspace::{Chart, Units, unit_of};
+use crate::structure::{Chart, Units, unit_of};
 use core::f64::consts::FRAC_1_PI;
 
 /// What the bending of a beam is made of: the wave number times the length, the stiffness, and the length.
@@ -107,8 +107,7 @@ impl<S: Scalar> BendingWaves<S> {
     }
 }
 
-/// The units of displacements and rotations of a beam, and its wave number: logarithms to base 2. The axial impedance is beyond all others
-/// where there is none.
+/// The units of displacements and rotations of a beam: logarithms to base 2. The axial impedance is beyond all others where there is none.
 ///
 /// The unit of a motion lies between the softest elastic impedance and that of the inertia, which measures a mechanism. A soft
 /// rotation makes far ends soft in translation by the lever of a wave, and the other way round.
@@ -117,7 +116,7 @@ pub(crate) fn beam_units<T: Parameter, S: Scalar>(
     [length, bending_stiffness, mass_per_length]: [T; 3],
     axial: f64,
     lambda_squared: S,
-) -> (Units, i32) {
+) -> Units {
     let [l, ei, m] = [length, bending_stiffness, mass_per_length].map(T::to_f64);
     let z = waves.z.size().first();
     let wave = if z > 1.0 { z } else { 1.0 } / l;
@@ -144,8 +143,8 @@ pub(crate) struct Impedances {
     pub(crate) inertia: f64,
 }
 
-/// The units of displacements and rotations, and the wave number: logarithms to base 2.
-pub(crate) fn units_of_waves<S: Scalar>(impedances: &Impedances, lambda_squared: S) -> (Units, i32) {
+/// The units of displacements and rotations: logarithms to base 2.
+pub(crate) fn units_of_waves<S: Scalar>(impedances: &Impedances, lambda_squared: S) -> Units {
     let Impedances { wave, translation, rotation, mass, inertia } = *impedances;
     let square = lambda_squared.size().first();
     let between = |impedance: f64, inertia: f64| {
@@ -157,5 +156,5 @@ pub(crate) fn units_of_waves<S: Scalar>(impedances: &Impedances, lambda_squared:
     let lever = binary_exponent(wave);
     let translation = translation.min(rotation + 2 * lever);
     let rotation = rotation.min(translation - 2 * lever);
-    (Units { displacement: unit_of(translation), rotation: unit_of(rotation) }, lever)
+    Units { displacement: unit_of(translation), rotation: unit_of(rotation) }
 }

@@ -1,7 +1,7 @@
 //! The form of a member over some of its variables, and how it enters the chart.
 
 use crate::number::{Scalar, Scaled, power_of_two};
-use crate::subspace::Chart;
+use crate::structure::Chart;
 
 /// A matrix over `N` variables, by its lower triangle of `ENTRIES`, in units in which the member has neither stiffness nor length.
 pub(crate) struct Form<S: Scalar, const N: usize, const ENTRIES: usize> {

@@ -3,10 +3,10 @@
 use crate::elements::shared::bending_chart::BendingWaves;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
 use crate::number::for_compiled_numbers;
-use crate::subspace::{Chart, FrontScalar};
+use crate::structure::{Chart, StructureScalar};
 
-/// A number whose charts of beams are compiled with this library, once, as its fronts are.
-pub trait ChartScalar: FrontScalar {
+/// A number whose charts of beams are compiled with this library, once, as its elimination is.
+pub trait ChartScalar: StructureScalar {
     /// Enters the bending of a beam into its chart, at the places of deflections and rotations of both ends.
     #[doc(hidden)]
     fn enter_bending(waves: &BendingWaves<Self>, chart: &mut Chart<Self>, places: [usize; 4]);
@@ -33,7 +33,7 @@ macro_rules! compiled {
 
 for_compiled_numbers!(compiled);
 
-/// Fronts have no lanes, and so have charts.
+/// The elimination has no lanes, and so have charts.
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 impl<V: crate::number::lanes::Waving> ChartScalar for mstmm_lanes::Lanes<V> {
     fn enter_bending(_waves: &BendingWaves<Self>, _chart: &mut Chart<Self>, _places: [usize; 4]) {}

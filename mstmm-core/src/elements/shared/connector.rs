@@ -1,7 +1,7 @@
 //! The charts of what joins freedoms one by one: springs, dampers, hinges, rigid joints.
 
 use crate::number::{Scalar, Scaled, Size, binary_exponent};
-use crate::subspace::{Chart, Measure, Units, unit_of};
+use crate::structure::{Chart, Units, unit_of};
 use mstmm_plan::Freedoms;
 
 /// What joins the two ends in one freedom.
@@ -46,10 +46,9 @@ pub(crate) fn chart_of_ties<S: Scalar>(ties: impl Iterator<Item = (Freedoms, Tie
     };
     let [displacement, rotation] = [false, true].map(softest);
     let one = displacement.or(rotation);
-    let measure = if one.is_some() { Measure::Connector } else { Measure::Nothing };
     let one = one.unwrap_or(0);
     let units = Units { displacement: displacement.unwrap_or(one), rotation: rotation.unwrap_or(one) };
-    let mut chart = Chart::empty(freedoms, units, measure);
+    let mut chart = Chart::empty(freedoms, units);
     let units = chart.units;
     for (input, (freedom, tie)) in ties.enumerate() {
         let output = freedoms.count() + input;

@@ -2,7 +2,7 @@
 
 use crate::elements::shared::chart_form::{Factors, Form};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size, Truth};
-use crate::subspace::Chart;
+use crate::structure::Chart;
 use core::f64::consts::FRAC_1_PI;
 
 /// What longitudinal vibration is made of: the square of the wave number times the length, and the stiffness.

@@ -6,7 +6,7 @@ use crate::elements::shared::line_forms::half;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
 use crate::model::{FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Single, Size, Truth, binary_exponent};
-use crate::subspace::{Chart, Measure, Units, unit_of};
+use crate::structure::{Chart, Units, unit_of};
 use mstmm_plan::Freedoms;
 use nalgebra::Matrix2;
 
@@ -185,7 +185,7 @@ impl<T: Parameter> UniformLine<T> {
 /// The chart of waves along a line, of the displacement in one freedom.
 pub(crate) fn line_chart<S: ChartScalar>(waves: &LongitudinalWaves<S>, freedom: Freedoms) -> Chart<S> {
     let unit = unit_of(binary_exponent(waves.unit()));
-    let mut chart = Chart::empty(freedom, Units { displacement: unit, rotation: unit }, Measure::Connector);
+    let mut chart = Chart::empty(freedom, Units { displacement: unit, rotation: unit });
     S::enter_longitudinal(waves, &mut chart, [0, 1]);
     chart
 }

@@ -3,8 +3,8 @@
 use crate::element::{MemberEnds, MemberMotion, VisitMember};
 use crate::model::EndMotion;
 use crate::number::{Oscillation, Scalar};
-use crate::pass::network::evaluate::PlacedMotions;
-use crate::subspace::{Chart, MOST_VARIABLES};
+use crate::pass::network::placed::PlacedMotions;
+use crate::structure::{Chart, MOST_VARIABLES};
 
 /// What Π of a member grows by with each variable of its chart, under a load along it: the work of the load on the motion in which that
 /// variable is 1 and the others are none, negative. The chart may have numbers of another precision, to which `nearest` and `precise` lead

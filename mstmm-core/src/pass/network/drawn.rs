@@ -3,9 +3,9 @@
 use crate::element::MemberElement;
 use crate::model::{MemberEnd, MemberLabel, PlanePoint, Spot, plain};
 use crate::number::{Parameter, Real};
-use crate::pass::network::evaluate::Placed;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::Node;
+use crate::pass::network::placed::Placed;
 use crate::pass::network::sketch::{NetworkSketch, Seat, SketchedEnd};
 use crate::pass::network::structure::{InNetwork, Network};
 use mstmm_plan::Freedoms;

@@ -64,7 +64,7 @@ pub enum NetworkError {
         /// Members of the network.
         members: usize,
     },
-    /// The widest front has more variables than `WIDTH`.
+    /// More unknowns are there at once than `WIDTH`.
     Width {
         /// Number of its variables.
         needed: usize,
@@ -104,7 +104,7 @@ impl fmt::Display for NetworkError {
                 write!(f, "`Room::<_, {nodes}, {members}>` has room for them")
             }
             NetworkError::Width { needed } => {
-                write!(f, "the widest front has {needed} variables: `Network::<_, {needed}, _, _>` has room for them")
+                write!(f, "up to {needed} unknowns are there at once: `Network::<_, {needed}, _, _>` has room for them")
             }
             NetworkError::Unknowns { needed } => {
                 write!(f, "the overall transfer equation has {needed} unknowns: ask for `overall::<{needed}>()`")

@@ -2,7 +2,7 @@
 
 use crate::number::{Dual, Frequency, FrequencyPowers, Oscillation, Real, Scalar, Single};
 use crate::pass::characteristic::System;
-use crate::pass::network::evaluate::{PlacedCharts, PlacedMotions};
+use crate::pass::network::placed::{PlacedCharts, PlacedMotions};
 use crate::structure::StructureScalar;
 use num_complex::Complex;
 

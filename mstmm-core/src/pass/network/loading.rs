@@ -2,10 +2,10 @@
 
 use crate::model::SpreadLoad;
 use crate::number::{Frequency, FrequencyPowers, Real, Scalar};
-use crate::pass::network::evaluate::Placed;
 use crate::pass::network::member::Placement;
+use crate::pass::network::placed::Placed;
+use crate::structure::{Chart, MOST_VARIABLES};
 use crate::structure::{LoadEverywhere, MemberLoad};
-use crate::subspace::{Chart, MOST_VARIABLES};
 
 /// A harmonic load on one node: forces x and y and a moment on it, or displacements by which its support moves it.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +48,7 @@ pub(crate) type ChartLoad<'a, S> = &'a dyn Fn(usize, &Chart<S>) -> [S; MOST_VARI
 pub(crate) enum Loading<'a, S: Scalar> {
     Acting(ActingLoad<S>, ChartLoad<'a, S>),
     Everywhere(LoadEverywhere),
+    Nothing,
 }
 
 impl<S: Scalar> Loading<'_, S> {
@@ -62,7 +63,7 @@ impl<S: Scalar> Loading<'_, S> {
         S: Frequency<Y::Parameter>,
     {
         let acting = match self {
-            Loading::Everywhere(_) => None,
+            Loading::Everywhere(_) | Loading::Nothing => None,
             Loading::Acting(load, _) => load.on_node(network, node),
         };
         let Some(mut forces) = acting else { return [S::zero(); 3] };

@@ -4,7 +4,7 @@ use crate::element::MemberElement;
 use crate::number::{Frequency, Parameter, Real, Scalar};
 use crate::pass::network::frame::{moved, norm, turned, unit};
 use crate::pass::network::node::{Motions, Node};
-use crate::subspace::JoinedEnd;
+use crate::structure::JoinedEnd;
 use mstmm_plan::Freedoms;
 
 /// The end of a member.

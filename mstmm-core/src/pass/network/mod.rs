@@ -1,4 +1,4 @@
-//! Networks: plane structures of members between nodes, with closed loops, evaluated by fronts.
+//! Networks: plane structures of members between nodes, with closed loops, evaluated by their dynamic stiffness.
 
 mod chart_load;
 mod drawn;
@@ -13,6 +13,7 @@ mod node;
 mod numbers;
 mod overall;
 mod overall_network;
+mod placed;
 mod products;
 mod skeleton;
 mod sketch;
@@ -25,7 +26,7 @@ mod visit;
 pub(crate) use chart_load::{load_on_chart, load_work};
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
-pub use evaluate::{Placed, PlacedCharts, PlacedMotions, in_factor, network_pass};
+pub use evaluate::{in_factor, network_pass};
 pub(crate) use frame::{moved, turned};
 pub use frequency::{MovingNetwork, PlaneFrequency};
 pub(crate) use loading::{ActingLoad, LoadAt, Loading};
@@ -34,6 +35,7 @@ pub(crate) use motion::{NetworkMotion, longest, motion_under, motions_under, siz
 pub use node::{Motions, Node};
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;
+pub use placed::{Placed, PlacedCharts, PlacedMotions};
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member};
 pub use sketch::{

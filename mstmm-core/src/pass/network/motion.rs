@@ -2,8 +2,9 @@
 
 use crate::model::EndMotion;
 use crate::number::{Frequency, FrequencyPowers, Scalar, Size};
-use crate::pass::network::evaluate::{Placed, PlacedCharts, for_each_cut};
+use crate::pass::network::evaluate::eliminate;
 use crate::pass::network::loading::Loading;
+use crate::pass::network::placed::{Placed, PlacedCharts};
 use crate::structure::{Factor, LOADS, MemberStiffness, NodeUnknowns, StructureScalar};
 
 /// The motion of a network.
@@ -61,45 +62,11 @@ where
             factor.everywhere = Some(*load);
         }
         let at = FrequencyPowers::new(x, true);
-        let (unknowns, stiffnesses) = eliminated(network, &at, loading, &mut factor);
+        let (mut unknowns, mut stiffnesses) = (Y::per_node(NodeUnknowns::NONE), Y::per_member(MemberStiffness::none()));
+        eliminate(network, &at, loading, &mut factor, (unknowns.as_mut(), stiffnesses.as_mut()));
         S::solve(&mut factor);
         make(&|load| found(network, loading, (&factor, load), (&unknowns, &stiffnesses)))
     })
-}
-
-/// Lets all nodes and members join the factor, and all nodes leave in their order. Returns the unknowns of nodes and the stiffnesses of members.
-fn eliminated<Y, S>(
-    network: &Y,
-    at: &FrequencyPowers<S>,
-    loading: &Loading<'_, S>,
-    factor: &mut Factor<'_, S>,
-) -> (Y::PerNode<NodeUnknowns>, Y::PerMember<MemberStiffness<S>>)
-where
-    Y: PlacedCharts<S>,
-    S: Frequency<Y::Parameter> + StructureScalar,
-{
-    let order = network.order();
-    let (mut unknowns, mut stiffnesses) = (Y::per_node(NodeUnknowns::NONE), Y::per_member(MemberStiffness::none()));
-    for &node in order.nodes {
-        factor.node = node as u32;
-        let mut entered = |factor: &mut Factor<'_, S>, node: usize| {
-            let unknowns = &mut unknowns.as_mut()[node];
-            if !unknowns.has_entered {
-                *unknowns = S::enter(factor, network.node(node).1.count);
-            }
-            *unknowns
-        };
-        for_each_cut(network, (&order, node), at, |member, chart, ends| {
-            let nodes = ends.each_ref().map(|end| entered(factor, end.node));
-            let load = loading.on_member(member, network.placement(member), chart);
-            S::join(factor, &mut stiffnesses.as_mut()[member], chart, (ends, nodes.each_ref()), &load);
-        });
-        let own = entered(factor, node);
-        let (body, motions) = network.node(node);
-        let body = motions.body(body, at.lambda_squared);
-        S::take_up(factor, &own, &body, &loading.on_node(network, node, at));
-    }
-    (unknowns, stiffnesses)
 }
 
 /// The motion of all nodes and members under a load, once the values of unknowns are known.

@@ -79,8 +79,6 @@ impl<T: Parameter> Node<T> {
 pub struct Motions<T> {
     directions: [[T; 3]; 3],
     pub(crate) count: usize,
-    /// Whether the last one is the rotation.
-    pub(crate) has_rotation: bool,
     /// Whether it is the motion of a path, which has no place.
     pub(crate) is_of_path: bool,
 }
@@ -88,14 +86,13 @@ pub struct Motions<T> {
 impl<T: Parameter> Motions<T> {
     /// No motions.
     pub(crate) fn none() -> Self {
-        Motions { directions: [[T::zero(); 3]; 3], count: 0, has_rotation: false, is_of_path: false }
+        Motions { directions: [[T::zero(); 3]; 3], count: 0, is_of_path: false }
     }
 
     /// The motions of a node.
     pub(crate) fn of(node: &Node<T>) -> Self {
         let (zero, one) = (T::zero(), T::one());
-        let has_rotation = !node.held.contains(Freedoms::RZ);
-        let mut motions = Motions { has_rotation, ..Motions::none() };
+        let mut motions = Motions::none();
         let mut push = |direction| {
             motions.directions[motions.count] = direction;
             motions.count += 1;
@@ -111,7 +108,7 @@ impl<T: Parameter> Motions<T> {
                 }
             }
         }
-        if has_rotation {
+        if !node.held.contains(Freedoms::RZ) {
             push([zero, zero, one]);
         }
         motions

@@ -2,8 +2,8 @@
 
 use crate::element::{MemberTransfer, PathState};
 use crate::number::{Frequency, Scaled, Single};
-use crate::pass::network::evaluate::Placed;
 use crate::pass::network::frame::Frame;
+use crate::pass::network::placed::Placed;
 use crate::pass::overall::determinant::determinant;
 use core::mem::replace;
 use mstmm_plan::{Freedoms, PathNode};

@@ -3,8 +3,8 @@
 use crate::element::MemberElement;
 use crate::number::{Frequency, Scaled, Single};
 use crate::pass::network::error::NetworkError;
-use crate::pass::network::evaluate::Placed;
 use crate::pass::network::overall::{PlacedTransfers, overall_determinant, overall_matrix};
+use crate::pass::network::placed::Placed;
 use crate::pass::network::structure::Network;
 use crate::pass::overall::evaluate::Evaluate;
 use mstmm_plan::{Freedoms, PathMember, PathNode, lead_paths, unknowns};

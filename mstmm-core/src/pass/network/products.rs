@@ -4,10 +4,10 @@ use crate::element::MemberWork;
 use crate::model::EndMotion;
 use crate::number::{Real, power_of_two};
 use crate::pass::characteristic::System;
-use crate::pass::network::evaluate::PlacedCharts;
 use crate::pass::network::frequency::{MovingNetwork, PlaneFrequency};
 use crate::pass::network::motion::NetworkMotion;
-use crate::subspace::{Chart, MOST_VARIABLES};
+use crate::pass::network::placed::PlacedCharts;
+use crate::structure::{Chart, MOST_VARIABLES};
 use mstmm_plan::Freedoms;
 
 /// `φ₁ᵀ M φ₂`, with dampers `φ₁ᵀ M φ₂ + φ₁ᵀ C φ₂/(2λ)`: the derivative of the dynamic work with respect to λ² at the frequency of both.

@@ -135,7 +135,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         pairs
     }
 
-    /// The largest number of variables of a front, given the order of its nodes.
+    /// The largest number of unknowns at once, given the order of its nodes.
     pub const fn width(&self, order: &OrderRoom<NODES, MEMBERS>) -> usize {
         let (mut motions, mut freedoms) = ([0; NODES], [0; MEMBERS]);
         let mut node = 0;

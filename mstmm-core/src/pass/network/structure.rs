@@ -7,16 +7,18 @@ use crate::model::{FrequencyEstimates, Spot, is_size_of_direction};
 use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
-use crate::pass::network::evaluate::{Placed, PlacedCharts, PlacedMotions, in_factor, network_pass};
+use crate::pass::network::evaluate::{in_factor, network_pass};
 use crate::pass::network::member::{End, Member, Placement, is_finite};
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::overall::PlacedTransfers;
+use crate::pass::network::placed::{Placed, PlacedCharts, PlacedMotions};
 use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
 use crate::pass::network::visit::visit_network;
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::proof::visit::Visitor;
+use crate::structure::Chart;
 use crate::structure::{Factor, StructureScalar};
-use crate::subspace::{Chart, FrontScalar, RootCounter};
+use crate::subspace::RootCounter;
 use core::array;
 use core::fmt::Debug;
 use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
@@ -53,11 +55,10 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
 
 /// A plane structure of beams, springs and dampers between nodes, at any angle, with any number of closed loops.
 ///
-/// Nodes are eliminated one after the other; the members that are cut by then are a front, of which `WIDTH` is the largest number of
-/// variables. An evaluation takes a stack of `WIDTH² + 7 WIDTH` numbers and some 100 bytes per variable: 8 bytes a number of `f64`, 16 with
+/// Nodes are eliminated one after the other; `WIDTH` is the largest number of unknowns at once, the motions of nodes and what members have
+/// of their own. An evaluation takes a stack of `2 WIDTH²` numbers and some 100 bytes per unknown: 8 bytes a number of `f64`, 16 with
 /// its slope, and each twice as much in extended precision, where the search of a doubtful result has 32. Searches for natural frequencies take
-/// up to 60 kB more. A motion takes some 56 `WIDTH²`
-/// bytes and for each of `NODES` nodes 8 `WIDTH²` + 56 `WIDTH`, twice as much in extended precision.
+/// up to 60 kB more. A motion takes `WIDTH²` numbers more for each of `NODES` nodes.
 ///
 /// ```
 /// use mstmm_core::search::NaturalFrequencies;
@@ -336,7 +337,7 @@ impl<E, S, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Charact
     for Network<'_, E, WIDTH, NODES, MEMBERS>
 where
     E: MemberChart<S>,
-    S: Frequency<E::Parameter> + FrontScalar,
+    S: Frequency<E::Parameter> + StructureScalar,
 {
     fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
         network_pass::<WIDTH, _, _, _>(self, x, counter)

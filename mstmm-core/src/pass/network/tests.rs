@@ -13,7 +13,7 @@ type Any = Member<UndampedMember<f64>>;
 
 const SECTION: Section<f64> = Section { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 };
 
-/// What a network of up to four nodes and three members says against being built or searched in fronts of so many variables.
+/// What a network of up to four nodes and three members says against being built or searched with room for so many unknowns at once.
 fn refused_in<const WIDTH: usize>(nodes: &[Node<f64>], members: &[Any]) -> String {
     let mut room = NetworkRoom::<_, 4, 3>::new();
     match Network::<_, WIDTH, _, _>::new(nodes, members, &mut room) {
@@ -36,8 +36,8 @@ fn assert_refused(more_nodes: &[Node<f64>], more_members: &[Any], message: &str)
 fn capacities_are_refused_with_those_that_suffice() {
     let nodes = [Node::at([0.0, 0.0]).held(Support::Fixed.holds()), Node::at([1.0, 0.0])];
     let cantilever = [Any::new(0, 1, SECTION)];
-    let narrow = refused_in::<8>(&nodes, &cantilever);
-    assert_eq!(narrow, "the widest front has 9 variables: `Network::<_, 9, _, _>` has room for them");
+    let narrow = refused_in::<5>(&nodes, &cantilever);
+    assert_eq!(narrow, "up to 6 unknowns are there at once: `Network::<_, 6, _, _>` has room for them");
     let many = [nodes[1]; 5];
     let crowded = refused_in::<30>(&many, &cantilever);
     assert_eq!(crowded, "the room is too small for 5 nodes and 1 members: `Room::<_, 5, 1>` has room for them");

@@ -2,7 +2,7 @@
 
 use crate::element::MemberNumbers;
 use crate::number::Parameter;
-use crate::pass::network::evaluate::Placed;
+use crate::pass::network::placed::Placed;
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visitor};
 use mstmm_plan::Freedoms;
 

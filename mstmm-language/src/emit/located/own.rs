@@ -1,4 +1,4 @@
-//! Emits what only types know of elements of the user's own between points with places: the width of fronts, and checks at their tokens.
+//! Emits what only types know of elements of the user's own between points with places: the number of unknowns at once, and checks at their tokens.
 
 use super::super::Names;
 use crate::network::{Network, Suspicion};
@@ -6,7 +6,7 @@ use crate::skeleton::Skeleton;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote_spanned};
 
-/// The largest number of variables of a front: a number where the macro knows it, else the constant of [`own`].
+/// The largest number of unknowns at once: a number where the macro knows it, else the constant of [`own`].
 pub(super) fn width(width: Option<usize>, names: &Names) -> TokenStream {
     width.map_or_else(|| quote_spanned!(names.here=> WIDTH), |width| quote_spanned!(names.here=> #width))
 }

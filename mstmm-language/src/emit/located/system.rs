@@ -228,7 +228,7 @@ pub(super) fn charts(skeleton: &Skeleton<'_>, width: &TokenStream, names: &Names
             #private::network_pass::<#width, Self, #frequency, #counter>(self, x, counter)
         }
     };
-    let compiled = quote_spanned!(names.here=> #frequency: #private::FrontScalar);
+    let compiled = quote_spanned!(names.here=> #frequency: #private::StructureScalar);
     let bounds = bounds.into_iter().chain([compiled]).collect();
     let characteristic = implement("Characteristic", "Real", bounds, &body, names);
     quote_spanned!(names.here=> #charts #characteristic)

@@ -13,7 +13,7 @@ use mstmm::number::{Oscillation, Parameter};
 /// Part of the root for a relative change of the field, or of the derivative where that is larger, by which derivatives may differ.
 const PART: f64 = 1e-10;
 
-/// Part by which roots of Δ of fronts and of the determinant may differ.
+/// Part by which roots of Δ and of the determinant may differ.
 const ROOT: f64 = 1e-12;
 
 /// What was compared.

@@ -1,7 +1,7 @@
 //! Networks by dynamic stiffnesses: an evaluation that chooses no pivots, at several frequencies at once.
 //!
 //! It is fast, and as good as the members are far from frequencies at which they vibrate between held ends. Searches propose roots by it.
-//! Motions and damped searches go by fronts.
+//! Motions and damped searches go by `structure`.
 
 mod arrangement;
 mod assembly;

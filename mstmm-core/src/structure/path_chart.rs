@@ -1,9 +1,8 @@
 //! Charts of elements of one motion, made of their transfer matrices.
 
 use crate::number::{Scalar, Scaled, Size, Truth, binary_exponent, power_of_two};
-use crate::subspace::front::chart::Chart;
-use crate::subspace::front::units::{Units, unit_of};
-use crate::subspace::front::variable::Measure;
+use crate::structure::chart::Chart;
+use crate::structure::units::{Units, unit_of};
 use mstmm_plan::Freedoms;
 
 impl<S: Scalar> Chart<S> {
@@ -37,9 +36,8 @@ impl<S: Scalar> Chart<S> {
     ) -> Self {
         let flexibility = -b;
         // what has no force has no size, as a pendulum at its own frequency
-        let (size, measure) =
-            if unit > 0.0 { (unit_of(binary_exponent(unit)), Measure::Connector) } else { (0, Measure::Nothing) };
-        let mut chart = Chart::empty(freedom, Units { displacement: size, rotation: size }, measure);
+        let size = if unit > 0.0 { unit_of(binary_exponent(unit)) } else { 0 };
+        let mut chart = Chart::empty(freedom, Units { displacement: size, rotation: size });
         let exponent = chart.units.of(freedom.is(Freedoms::RZ));
         let is_flexible = (d + d).size().is_below((flexibility * S::from_f64(unit)).size()).any();
         let (divisor, entries, signs) = if is_flexible {

@@ -2,9 +2,8 @@
 
 use crate::model::EndMotion;
 use crate::number::{Scalar, Scaled, Size, power_of_two};
-use crate::subspace::front::triangle;
-use crate::subspace::front::units::Units;
-use crate::subspace::front::variable::Measure;
+use crate::structure::triangle;
+use crate::structure::units::Units;
 use mstmm_plan::Freedoms;
 
 /// Most freedoms of an end.
@@ -30,8 +29,6 @@ pub struct Chart<S: Scalar> {
     pub forces: u32,
     /// Logarithms to base 2 of the units of displacements and of rotations.
     pub(crate) units: Units,
-    /// What the units come from.
-    pub(crate) measure: Measure,
     /// The minor of the subspace for these variables, without units: an entire function.
     pub product: Scaled<S>,
     /// Natural frequencies of the member with its displacement variables held and its force variables free, less the number of forces.
@@ -40,13 +37,12 @@ pub struct Chart<S: Scalar> {
 
 impl<S: Scalar> Chart<S> {
     /// A chart of displacements without entries.
-    pub(crate) fn empty(freedoms: Freedoms, units: Units, measure: Measure) -> Self {
+    pub(crate) fn empty(freedoms: Freedoms, units: Units) -> Self {
         Chart {
             freedoms,
             entries: [S::zero(); MOST_ENTRIES],
             forces: 0,
             units: units.in_range(),
-            measure,
             product: Scaled::new(S::one(), 0),
             below: S::Size::of(0.0),
         }
@@ -118,12 +114,4 @@ pub struct JoinedEnd<S> {
     pub(crate) rests: bool,
     /// What its displacements along and across the member and its rotation are of the motions of the node.
     pub(crate) rows: [[S; MOST_FREEDOMS]; MOST_FREEDOMS],
-}
-
-impl<S> JoinedEnd<S> {
-    /// Whether a variable of a freedom stays: a displacement at rest does not, unless it is released.
-    #[inline]
-    pub(super) fn keeps(&self, is_force: bool, freedom: Freedoms) -> bool {
-        is_force || !self.rests || self.released.contains(freedom)
-    }
 }

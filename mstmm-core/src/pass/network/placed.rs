@@ -1,0 +1,89 @@
+//! A network as its evaluation reads it: nodes, members, and the order in which nodes leave.
+
+use crate::element::VisitMember;
+use crate::model::Spot;
+use crate::number::{Frequency, FrequencyPowers};
+use crate::pass::characteristic::System;
+use crate::pass::network::member::Placement;
+use crate::pass::network::node::{Motions, Node};
+use crate::structure::{Chart, Factor, JoinedEnd, StructureScalar};
+use core::fmt::Debug;
+use mstmm_plan::NetworkOrder;
+
+/// A network as its evaluation reads it.
+pub trait Placed: System {
+    /// The model whose points it has.
+    type Model;
+
+    /// A node and its motions.
+    fn node(&self, node: usize) -> (&Node<Self::Parameter>, &Motions<Self::Parameter>);
+
+    /// Where a member stands.
+    fn placement(&self, member: usize) -> &Placement<Self::Parameter>;
+
+    /// A place that rigid bodies tie.
+    fn place(&self, place: usize) -> [Self::Parameter; 2];
+
+    /// What errors call a node.
+    fn spot(&self, node: usize) -> Spot {
+        Spot::Node(node)
+    }
+
+    /// The order of its nodes.
+    fn order(&self) -> NetworkOrder<'_>;
+
+    /// The number of nodes and of members.
+    fn sizes(&self) -> [usize; 2];
+
+    /// A value per node.
+    type PerNode<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
+
+    /// A value per member.
+    type PerMember<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
+
+    /// One value for all nodes.
+    fn per_node<V: Copy + Debug>(value: V) -> Self::PerNode<V>;
+
+    /// One value for all members.
+    fn per_member<V: Copy + Debug>(value: V) -> Self::PerMember<V>;
+
+    /// What a function does in memory for the elimination of its unknowns.
+    fn in_factor<S: StructureScalar, R>(work: impl FnOnce(Factor<'_, S>) -> R) -> R;
+}
+
+/// A network whose members are known at a frequency.
+pub trait PlacedCharts<S: Frequency<Self::Parameter>>: Placed {
+    /// The chart of a member of a length.
+    fn chart(&self, member: usize, at: &FrequencyPowers<S>, length: S) -> Option<Chart<S>>;
+}
+
+/// A network whose members say how they move.
+pub trait PlacedMotions<S: Frequency<Self::Parameter>>: Placed {
+    /// What a visitor makes of a member.
+    fn visit_member<V: VisitMember<S>>(&self, member: usize, visitor: V) -> Option<V::Output>;
+}
+
+/// Hands on each member that is cut by the elimination of a node, with its chart and where its ends are joined.
+#[inline(always)]
+pub(super) fn for_each_cut<Y, S>(
+    network: &Y,
+    (order, node): (&NetworkOrder<'_>, usize),
+    at: &FrequencyPowers<S>,
+    mut take: impl FnMut(usize, &Chart<S>, &[JoinedEnd<S>; 2]),
+) where
+    Y: PlacedCharts<S>,
+    S: Frequency<Y::Parameter>,
+{
+    for &end in order.incidence.ends(node) {
+        let member = end / 2;
+        if !order.is_first_at(end, node) {
+            continue;
+        }
+        let placement = network.placement(member);
+        if let Some(chart) = network.chart(member, at, placement.length()) {
+            let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
+            let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
+            take(member, &chart, &ends);
+        }
+    }
+}
