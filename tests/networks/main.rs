@@ -1,6 +1,7 @@
 //! Plane frames: beams at any angle, loops, rigid bodies with many ports, releases, skew supports, springs along directions.
 
 mod at_rest;
+mod buildings;
 mod by_minors;
 mod checks;
 mod choices;

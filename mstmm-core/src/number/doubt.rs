@@ -24,7 +24,7 @@ pub(crate) const NOISE: f64 = 0.2;
 pub(crate) const UNPROVEN_WIDTH: f64 = 8.0;
 
 /// Whether doubtful results are refused, since there is no extended precision.
-pub(crate) fn refuses_doubt<T: Real>() -> bool {
+fn refuses_doubt<T: Real>() -> bool {
     !T::HAS_EXTENDED && T::EPSILON == f64::EPSILON
 }
 

@@ -33,7 +33,7 @@ pub(crate) use compiled::for_compiled_numbers;
 pub(crate) use double_double::DoubleDouble;
 pub(crate) use doubt::{
     CONDITION, MISFIT, NOISE, REFUSED_MISFIT, ROUNDINGS, UNPROVEN_WIDTH, USUAL_ERROR, is_extended, is_last,
-    largest_loss, may_be_lost, refuses_doubt,
+    largest_loss, may_be_lost,
 };
 pub(crate) use dual::Dual;
 pub(crate) use exponent::{binary_exponent, power_of_two};

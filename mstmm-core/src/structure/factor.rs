@@ -100,6 +100,37 @@ pub struct Factor<'r, S: Scalar> {
     pub(crate) keeps_rows: bool,
 }
 
+impl<'r, S: Scalar> Factor<'r, S> {
+    /// The factor of a structure that nothing has joined, in memory for the matrix and its unknowns, for rows, for their numbers, and for values.
+    pub(super) fn new(
+        (entries, unknowns): (&'r mut [S], &'r mut [Unknown<S>]),
+        rows: &'r mut [Row<S>],
+        (numbers, beside): (&'r mut [S], &'r mut [u32]),
+        values: &'r mut [[S; LOADS]],
+        keeps_rows: bool,
+    ) -> Self {
+        Factor {
+            entries,
+            unknowns,
+            width: 0,
+            rows,
+            numbers,
+            beside,
+            row_count: 0,
+            number_count: 0,
+            values,
+            entered: 0,
+            everywhere: None,
+            node: 0,
+            vanished_at: None,
+            is_full: false,
+            works: [S::zero(); LOADS],
+            total: Total::new(),
+            keeps_rows,
+        }
+    }
+}
+
 impl<S: Scalar> Factor<'_, S> {
     /// Takes a slot for an unknown. Where there is none, one that waits leaves.
     pub(super) fn enter(&mut self, is_force: bool) -> (u32, u32) {

@@ -6,12 +6,14 @@ use crate::number::compiled::for_compiled_numbers;
 use crate::structure::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
 use crate::structure::factor::{Factor, LOADS, NodeUnknowns, Row, Unknown};
 use crate::structure::member::{MemberLoad, MemberStiffness};
-use crate::structure::total::Total;
 
-/// Memory for a structure of so many nodes, of whose unknowns up to `W` are there at once. At each node no more than these leave, and each has no
-/// more beside it.
+/// Size of memory \[bytes\] beyond which it is taken from the heap, with `std`: threads may have stacks of little more than a megabyte.
+const LARGE: usize = 1 << 16;
+
+/// Memory for a structure of up to so many nodes, of whose unknowns up to `W` are there at once. At each node no more than these leave, and each
+/// has no more beside it.
 #[derive(Debug)]
-pub(crate) struct FactorRoom<S, const W: usize, const NODES: usize> {
+struct FactorRoom<S, const W: usize, const NODES: usize> {
     entries: [[S; W]; W],
     unknowns: [Unknown<S>; W],
     rows: [[Row<S>; W]; NODES],
@@ -20,42 +22,78 @@ pub(crate) struct FactorRoom<S, const W: usize, const NODES: usize> {
     values: [[[S; LOADS]; W]; NODES],
 }
 
-impl<S: Scalar, const W: usize, const NODES: usize> FactorRoom<S, W, NODES> {
-    /// Memory without a structure.
-    pub(crate) fn new() -> Self {
-        let zero = S::zero();
-        FactorRoom {
-            entries: [[zero; W]; W],
-            unknowns: [Unknown::none(); W],
-            rows: [[Row::none(); W]; NODES],
-            numbers: [[[zero; W]; W]; NODES],
-            beside: [[[0; W]; W]; NODES],
-            values: [[[zero; LOADS]; W]; NODES],
-        }
+/// What a function does with the factor of a structure that nothing has joined, given how many unknowns leave at most. The factor keeps rows, or has room
+/// for those of one node.
+pub(crate) fn in_memory<const W: usize, const NODES: usize, S: Scalar, R>(
+    keeps_rows: bool,
+    rows: impl FnOnce() -> usize,
+    work: impl FnOnce(Factor<'_, S>) -> R,
+) -> R {
+    #[cfg(feature = "std")]
+    if const { size_of::<FactorRoom<S, W, NODES>>() > LARGE } {
+        return on_heap::<W, S, R>(keeps_rows, if keeps_rows { rows() } else { W }, work);
     }
+    on_stack::<W, NODES, S, R>(keeps_rows, work)
+}
 
-    /// The factor of a structure that nothing has joined.
-    pub(crate) fn factor(&mut self, keeps_rows: bool) -> Factor<'_, S> {
-        Factor {
-            entries: self.entries.as_flattened_mut(),
-            unknowns: &mut self.unknowns,
-            width: 0,
-            rows: self.rows.as_flattened_mut(),
-            numbers: self.numbers.as_flattened_mut().as_flattened_mut(),
-            beside: self.beside.as_flattened_mut().as_flattened_mut(),
-            row_count: 0,
-            number_count: 0,
-            values: self.values.as_flattened_mut(),
-            entered: 0,
-            everywhere: None,
-            node: 0,
-            vanished_at: None,
-            is_full: false,
-            works: [S::zero(); LOADS],
-            total: Total::new(),
-            keeps_rows,
-        }
+/// What a function does with a factor in memory on the stack.
+#[inline(never)]
+fn on_stack<const W: usize, const NODES: usize, S: Scalar, R>(
+    keeps_rows: bool,
+    work: impl FnOnce(Factor<'_, S>) -> R,
+) -> R {
+    let zero = S::zero();
+    let mut room = FactorRoom::<S, W, NODES> {
+        entries: [[zero; W]; W],
+        unknowns: [Unknown::none(); W],
+        rows: [[Row::none(); W]; NODES],
+        numbers: [[[zero; W]; W]; NODES],
+        beside: [[[0; W]; W]; NODES],
+        values: [[[zero; LOADS]; W]; NODES],
+    };
+    work(Factor::new(
+        (room.entries.as_flattened_mut(), &mut room.unknowns),
+        room.rows.as_flattened_mut(),
+        (room.numbers.as_flattened_mut().as_flattened_mut(), room.beside.as_flattened_mut().as_flattened_mut()),
+        room.values.as_flattened_mut(),
+        keeps_rows,
+    ))
+}
+
+/// What a function does with a factor in memory on the heap.
+#[cfg(feature = "std")]
+#[inline(never)]
+fn on_heap<const W: usize, S: Scalar, R>(keeps_rows: bool, rows: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
+    use std::vec;
+    let zero = S::zero();
+    work(Factor::new(
+        (&mut vec![zero; W * W], &mut vec![Unknown::none(); W]),
+        &mut vec![Row::none(); rows],
+        (&mut vec![zero; rows * W], &mut vec![0; rows * W]),
+        &mut vec![[zero; LOADS]; rows],
+        keeps_rows,
+    ))
+}
+
+/// What a function does with so many values: of an array on the stack, or if that is large of a vector, with `std`.
+pub(crate) fn with_many<V: Copy, A: AsMut<[V]>, R>(
+    value: V,
+    count: usize,
+    array: impl FnOnce(V) -> A,
+    work: impl FnOnce(&mut [V]) -> R,
+) -> R {
+    #[cfg(feature = "std")]
+    if const { size_of::<A>() > LARGE } {
+        return work(&mut std::vec![value; count]);
     }
+    let _ = count;
+    in_array(value, array, work)
+}
+
+/// What a function does with the values of an array.
+#[inline(never)]
+fn in_array<V, A: AsMut<[V]>, R>(value: V, array: impl FnOnce(V) -> A, work: impl FnOnce(&mut [V]) -> R) -> R {
+    work(array(value).as_mut())
 }
 
 /// A number in which structures are eliminated, compiled with this library, once, and not with each model.
@@ -175,7 +213,7 @@ impl<V: crate::number::lanes::Waving> StructureScalar for mstmm_lanes::Lanes<V> 
     }
 
     fn leave_all(factor: &mut Factor<'_, Self>) {
-        factor.total = Total::unknown();
+        factor.total = crate::structure::Total::unknown();
     }
 
     fn solve(_factor: &mut Factor<'_, Self>) {}

@@ -26,6 +26,6 @@ mod units;
 pub(crate) use chart::{Chart, JoinedEnd, MOST_VARIABLES};
 pub(crate) use factor::{Factor, LOADS, LoadEverywhere, NodeUnknowns};
 pub(crate) use member::{MemberLoad, MemberStiffness};
-pub(crate) use memory::{FactorRoom, StructureScalar};
+pub(crate) use memory::{StructureScalar, in_memory, with_many};
 pub(crate) use total::Total;
 pub(crate) use units::{Units, unit_of};

@@ -2,7 +2,7 @@
 
 extern crate std;
 
-use crate::structure::FactorRoom;
+use crate::structure::{Factor, in_memory};
 use std::vec::Vec;
 
 /// A number of `[-1, 1)` that follows from two others.
@@ -23,8 +23,14 @@ fn matrix(diagonal: impl Fn(usize) -> f64) -> [[f64; 6]; 6] {
 
 /// The largest residual of the values that a factor finds for three nodes of two motions each.
 fn residual(matrix: &[[f64; 6]; 6]) -> f64 {
-    let mut room = FactorRoom::<f64, 6, 3>::new();
-    let mut factor = room.factor(true);
+    let few = in_memory::<6, 3, f64, _>(true, || 6, |factor| residual_of(matrix, factor));
+    // with room for a hundred unknowns, on the heap
+    let many = in_memory::<100, 3, f64, _>(true, || 6, |factor| residual_of(matrix, factor));
+    assert_eq!(few, many);
+    few
+}
+
+fn residual_of(matrix: &[[f64; 6]; 6], mut factor: Factor<'_, f64>) -> f64 {
     let nodes: Vec<_> = (0..3).map(|_| factor.enter_node(2)).collect();
     let slots: Vec<u32> = nodes.iter().flat_map(|node| node.slots[..2].to_vec()).collect();
     for (row, entries) in matrix.iter().enumerate() {
@@ -57,10 +63,14 @@ fn values_solve_the_equations() {
 
 #[test]
 fn a_factor_without_room_knows_nothing() {
-    let mut room = FactorRoom::<f64, 3, 2>::new();
-    let mut factor = room.factor(true);
-    let nodes = [factor.enter_node(2), factor.enter_node(2)];
-    nodes.iter().for_each(|node| factor.take_up(node, &None, &[1.0; 3]));
-    factor.solve();
-    assert!(factor.values_of(&nodes[0], 0)[0].is_nan());
+    in_memory::<3, 2, f64, _>(
+        true,
+        || 4,
+        |mut factor| {
+            let nodes = [factor.enter_node(2), factor.enter_node(2)];
+            nodes.iter().for_each(|node| factor.take_up(node, &None, &[1.0; 3]));
+            factor.solve();
+            assert!(factor.values_of(&nodes[0], 0)[0].is_nan());
+        },
+    );
 }

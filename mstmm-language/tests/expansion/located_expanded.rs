@@ -367,9 +367,10 @@ const _: () = {
             [value; 2usize]
         }
         fn in_factor<S: mstmm::__private::StructureScalar, R>(
+            &self,
             work: impl ::core::ops::FnOnce(mstmm::__private::Factor<'_, S>) -> R,
         ) -> R {
-            mstmm::__private::in_factor::<7usize, 3usize, S, R>(work)
+            mstmm::__private::in_factor::<7usize, 3usize, S, R>(self, work)
         }
         fn sizes(&self) -> [::core::primitive::usize; 2] {
             [3usize, 2usize]

@@ -2,13 +2,22 @@
 
 use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
 use crate::pass::network::loading::Loading;
-use crate::pass::network::placed::{PlacedCharts, for_each_cut};
-use crate::structure::{Factor, FactorRoom, MemberStiffness, NodeUnknowns, StructureScalar, Total};
+use crate::pass::network::placed::{Placed, PlacedCharts, for_each_cut};
+use crate::structure::{Factor, MemberStiffness, NodeUnknowns, StructureScalar, Total, in_memory, with_many};
 use crate::subspace::RootCounter;
 
-/// What a function does in memory for the elimination of so many nodes, with up to `WIDTH` unknowns at once.
-pub fn in_factor<const WIDTH: usize, const NODES: usize, S: Scalar, R>(work: impl FnOnce(Factor<'_, S>) -> R) -> R {
-    work(FactorRoom::<S, WIDTH, NODES>::new().factor(true))
+/// What a function does in memory for the elimination of a network of up to so many nodes, with up to `WIDTH` unknowns at once.
+pub fn in_factor<const WIDTH: usize, const NODES: usize, S: Scalar, R>(
+    network: &impl Placed,
+    work: impl FnOnce(Factor<'_, S>) -> R,
+) -> R {
+    let [nodes, members] = network.sizes();
+    // a member has no more unknowns of its own than freedoms
+    let unknowns = || {
+        let of_nodes = (0..nodes).map(|node| network.node(node).1.count);
+        of_nodes.chain((0..members).map(|member| network.placement(member).freedoms.count())).sum()
+    };
+    in_memory::<WIDTH, NODES, S, R>(true, unknowns, work)
 }
 
 /// Δ of a network, with a counter. `WIDTH` is the largest number of unknowns at once.
@@ -36,13 +45,25 @@ where
     S: Frequency<Y::Parameter> + StructureScalar,
 {
     // the rows of one node at a time
-    let mut room = FactorRoom::<S, WIDTH, 1>::new();
-    let mut factor = room.factor(false);
-    let (mut unknowns, mut stiffness) = (Y::per_node(NodeUnknowns::NONE), MemberStiffness::none());
-    let at = FrequencyPowers::new(x, true);
-    eliminate(network, &at, &Loading::Nothing, &mut factor, (unknowns.as_mut(), core::slice::from_mut(&mut stiffness)));
-    S::leave_all(&mut factor);
-    (factor.total, factor.vanished_at)
+    in_memory::<WIDTH, 1, S, _>(
+        false,
+        || WIDTH,
+        |mut factor| {
+            let mut stiffness = MemberStiffness::none();
+            let at = FrequencyPowers::new(x, true);
+            with_many(NodeUnknowns::NONE, network.sizes()[0], Y::per_node, |unknowns| {
+                eliminate(
+                    network,
+                    &at,
+                    &Loading::Nothing,
+                    &mut factor,
+                    (unknowns, core::slice::from_mut(&mut stiffness)),
+                );
+            });
+            S::leave_all(&mut factor);
+            (factor.total, factor.vanished_at)
+        },
+    )
 }
 
 /// Lets all nodes and members join the factor, and all nodes leave in their order. Fills the unknowns of nodes and the stiffnesses of members,

@@ -5,7 +5,7 @@ use crate::number::{Frequency, FrequencyPowers, Scalar, Size};
 use crate::pass::network::evaluate::eliminate;
 use crate::pass::network::loading::Loading;
 use crate::pass::network::placed::{Placed, PlacedCharts};
-use crate::structure::{Factor, LOADS, MemberStiffness, NodeUnknowns, StructureScalar};
+use crate::structure::{Factor, LOADS, MemberStiffness, NodeUnknowns, StructureScalar, with_many};
 
 /// The motion of a network.
 #[derive(Debug)]
@@ -57,15 +57,19 @@ where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + StructureScalar,
 {
-    Y::in_factor(|mut factor| {
-        if let Loading::Everywhere(load) = loading {
-            factor.everywhere = Some(*load);
-        }
-        let at = FrequencyPowers::new(x, true);
-        let (mut unknowns, mut stiffnesses) = (Y::per_node(NodeUnknowns::NONE), Y::per_member(MemberStiffness::none()));
-        eliminate(network, &at, loading, &mut factor, (unknowns.as_mut(), stiffnesses.as_mut()));
-        S::solve(&mut factor);
-        make(&|load| found(network, loading, (&factor, load), (&unknowns, &stiffnesses)))
+    let ([nodes, members], none) = (network.sizes(), MemberStiffness::none());
+    network.in_factor(|mut factor| {
+        with_many(NodeUnknowns::NONE, nodes, Y::per_node, |unknowns| {
+            with_many(none, members, Y::per_member, |stiffnesses| {
+                if let Loading::Everywhere(load) = loading {
+                    factor.everywhere = Some(*load);
+                }
+                let at = FrequencyPowers::new(x, true);
+                eliminate(network, &at, loading, &mut factor, (unknowns, stiffnesses));
+                S::solve(&mut factor);
+                make(&|load| found(network, loading, (&factor, load), (unknowns, stiffnesses)))
+            })
+        })
     })
 }
 
@@ -74,7 +78,7 @@ fn found<Y, S>(
     network: &Y,
     loading: &Loading<'_, S>,
     (factor, load): (&Factor<'_, S>, usize),
-    (unknowns, stiffnesses): (&Y::PerNode<NodeUnknowns>, &Y::PerMember<MemberStiffness<S>>),
+    (unknowns, stiffnesses): (&[NodeUnknowns], &[MemberStiffness<S>]),
 ) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
@@ -83,17 +87,15 @@ where
     let (order, [node_count, member_count]) = (network.order(), network.sizes());
     let (mut nodes, mut members) = (Y::per_node([S::zero(); 3]), Y::per_member([EndMotion::at_rest(); 2]));
     for (node, displacements) in nodes.as_mut().iter_mut().enumerate().take(node_count) {
-        let of_node = &unknowns.as_ref()[node];
+        let of_node = &unknowns[node];
         *displacements = network.node(node).1.displacements(factor.values_of(of_node, load));
         for (sum, moved) in displacements.iter_mut().zip(loading.moved(node).into_iter().flatten()) {
             *sum += moved;
         }
     }
-    for (member, (motion, stiffness)) in
-        members.as_mut().iter_mut().zip(stiffnesses.as_ref()).enumerate().take(member_count)
-    {
+    for (member, (motion, stiffness)) in members.as_mut().iter_mut().zip(stiffnesses).enumerate().take(member_count) {
         let joins = [0, 1].map(|end| order.incidence.node(2 * member + end));
-        *motion = S::motion(factor, stiffness, joins.map(|node| &unknowns.as_ref()[node]), load);
+        *motion = S::motion(factor, stiffness, joins.map(|node| &unknowns[node]), load);
     }
     NetworkMotion { nodes, members, work: factor.works[load], vanished_at: factor.vanished_at }
 }

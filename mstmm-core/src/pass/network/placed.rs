@@ -48,7 +48,7 @@ pub trait Placed: System {
     fn per_member<V: Copy + Debug>(value: V) -> Self::PerMember<V>;
 
     /// What a function does in memory for the elimination of its unknowns.
-    fn in_factor<S: StructureScalar, R>(work: impl FnOnce(Factor<'_, S>) -> R) -> R;
+    fn in_factor<S: StructureScalar, R>(&self, work: impl FnOnce(Factor<'_, S>) -> R) -> R;
 }
 
 /// A network whose members are known at a frequency.

@@ -295,8 +295,8 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
         [value; MEMBERS]
     }
 
-    fn in_factor<S: StructureScalar, R>(work: impl FnOnce(Factor<'_, S>) -> R) -> R {
-        in_factor::<WIDTH, NODES, S, R>(work)
+    fn in_factor<S: StructureScalar, R>(&self, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
+        in_factor::<WIDTH, NODES, S, R>(self, work)
     }
 }
 

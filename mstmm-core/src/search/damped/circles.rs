@@ -15,12 +15,10 @@ where
     K: Store<Eigenvalue<T>>,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
-    /// Whether the result is doubtful: sums cancelled, circles are wide, or roots are so close to others that rounding moves them
-    /// farther than their circles reach.
-    pub(super) fn is_doubtful(&self) -> bool {
-        let is_blurred = |root: &Eigenvalue<T>| root.multiplicity > 1 || self.is_wide(root);
-        let roots = self.known.roots();
-        self.evaluation.is_doubtful || roots.iter().any(|root| is_blurred(root) || self.is_close_to_others(root))
+    /// Whether an eigenvalue is doubtful: its circle is wide or holds several, or it is so close to others that rounding moves it farther than
+    /// its circle reaches.
+    pub(super) fn is_blurred(&self, root: &Eigenvalue<T>) -> bool {
+        root.multiplicity > 1 || self.is_wide(root) || self.is_close_to_others(root)
     }
 
     /// Whether rounding has widened the circle of a root.
@@ -33,6 +31,12 @@ where
     /// the next, and s to zero.
     fn is_close_to_others(&self, root: &Eigenvalue<T>) -> bool {
         let scale = self.scale(root.lambda);
+        let [nearest, next] = self.distances_to_others(root, scale);
+        next * next > nearest * scale * T::from_f64(CONDITION)
+    }
+
+    /// The distances to the two nearest other eigenvalues, no larger than that to zero.
+    pub(super) fn distances_to_others(&self, root: &Eigenvalue<T>, scale: T) -> [T; 2] {
         let (mut nearest, mut next) = (scale, scale);
         for other in self.known.with_images() {
             let distance = modulus(other.lambda - root.lambda);
@@ -45,7 +49,7 @@ where
                 next = distance;
             }
         }
-        next * next > nearest * scale * T::from_f64(CONDITION)
+        [nearest, next]
     }
 
     /// Refuses circles whose roots no further precision can tell apart: those that meet, those that meet their mirror image, and in
@@ -68,9 +72,14 @@ where
         Ok(())
     }
 
+    /// Whether the search has an extended precision to turn to.
+    pub(super) fn may_ask_extended(&self) -> bool {
+        Y::Parameter::HAS_EXTENDED && !is_extended::<T, Y::Parameter>()
+    }
+
     /// Whether the search has to be repeated in extended precision.
     pub(super) fn asks_extended(&self) -> bool {
-        Y::Parameter::HAS_EXTENDED && !is_extended::<T, Y::Parameter>() && self.is_doubtful()
+        self.may_ask_extended() && self.evaluation.is_doubtful
     }
 }
 

@@ -47,6 +47,11 @@ impl<T: Real, K: Store<Eigenvalue<T>>> KnownRoots<T, K> {
         self.roots.is_full()
     }
 
+    /// Puts another eigenvalue in the place of one.
+    pub(super) fn replace(&mut self, place: usize, root: Eigenvalue<T>) {
+        self.roots.values()[place] = root;
+    }
+
     /// Adds an eigenvalue, or says for how many there is room.
     pub(super) fn push(&mut self, root: Eigenvalue<T>) -> Result<(), SearchError> {
         add(&mut self.roots, root)

@@ -1,9 +1,7 @@
 //! Evaluation of Δ on the complex plane: its number is limited, and sums that cancel are noticed.
 
 use crate::model::{FrequencyEstimates, SearchError};
-use crate::number::{
-    Dual, Frequency, Parameter, Real, Scalar, Scaled, UNPROVEN_WIDTH, is_extended, is_last, modulus, refuses_doubt,
-};
+use crate::number::{Dual, Real, Scalar, Scaled, is_extended, is_last, modulus};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::search::damped::point::Point;
 use crate::search::identity::check_identity;
@@ -19,7 +17,7 @@ const EVALUATIONS_PER_ROOT: usize = 2_000;
 
 /// Evaluates a system on the complex plane in arithmetic of type `T`, and counts the evaluations.
 pub(super) struct Evaluation<'a, Y: System + ?Sized> {
-    system: &'a Y,
+    pub(super) system: &'a Y,
     /// Logarithm to base 2 of a low estimate of the frequencies.
     lowest_exponent: i32,
     /// Whether Δ is real on the real axis: not with a loss factor.
@@ -60,25 +58,6 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         Ok(Point { lambda, value: Scaled::new(value, dual.exponent()), rate, is_root })
     }
 
-    /// The radius of a circle that seems to hold a root. The search is doubtful if extended precision finds the root outside; where
-    /// there is none, the circle is widened.
-    #[cold]
-    pub(super) fn proven_radius<T>(&mut self, lambda: Complex<T>, radius: T) -> T
-    where
-        T: Real,
-        Y: Characteristic<Dual<Complex<T::Extended>>>,
-    {
-        if refuses_doubt::<T>() {
-            return radius * T::from_f64(UNPROVEN_WIDTH);
-        }
-        if T::HAS_EXTENDED {
-            self.evaluations += 2;
-            let is_inside = extended_step(self.system, lambda) <= radius.to_f64();
-            self.is_doubtful |= !is_inside;
-        }
-        radius
-    }
-
     /// Refuses a system whose Δ vanishes at one point and at others far from it.
     #[cold]
     fn look_for_zeros<T>(&mut self, lambda: Complex<T>) -> Result<(), SearchError>
@@ -105,18 +84,4 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         }
         Err(SearchError::Effort { evaluations: self.evaluations, found })
     }
-}
-
-/// The length of Newton's step in extended precision; not inlined, since it is seldom needed.
-#[cold]
-#[inline(never)]
-fn extended_step<T, Y>(system: &Y, lambda: Complex<T>) -> f64
-where
-    T: Real,
-    Y: Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
-{
-    let exactly = |part: T| <T::Extended as Frequency<T>>::from_parameter(part);
-    let lambda = Complex::new(exactly(lambda.re), exactly(lambda.im));
-    let Dual { value, derivative } = counted_pass(system, Dual::variable(lambda), Watch::default()).1.mantissa();
-    modulus(value / derivative).to_f64()
 }

@@ -13,3 +13,4 @@ pub(crate) mod reach;
 pub(crate) mod rectangle;
 pub(crate) mod search;
 pub(crate) mod session;
+mod settled;

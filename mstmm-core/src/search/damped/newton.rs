@@ -1,7 +1,7 @@
 //! Newton's method for one eigenvalue, with known ones divided out, and the circle that certifies it.
 
 use crate::model::SearchError;
-use crate::number::{Dual, NOISE, Real, Scalar, Store, larger, modulus};
+use crate::number::{Dual, NOISE, Real, Scalar, Store, UNPROVEN_WIDTH, larger, modulus};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::search::damped::contour::{Polygon, Traversal};
 use crate::search::damped::found::Eigenvalue;
@@ -129,9 +129,19 @@ fn hermite<T: Real>(previous: &Point<T>, here: &Point<T>) -> Option<Complex<T>> 
     Some(t * t * (three - t - t) * chord + t * rest * (rest * start - t * end))
 }
 
+/// Half a diagonal of the rim of a circle.
+pub(super) fn rim<T: Real>(radius: T) -> Complex<T> {
+    Complex::new(T::from_f64(RIM.0), T::from_f64(RIM.1)) * radius
+}
+
+/// Whether the roots that Δ and its slope predict from two opposite points of a rim are one near the centre, given their distances from that.
+pub(super) fn is_in_the_middle<T: Real>(offsets: [Complex<T>; 2], radius: T) -> bool {
+    offsets.iter().all(|&offset| modulus(offset) <= radius * T::from_f64(OFF_CENTRE))
+}
+
 /// Makes parts within a radius of zero exactly zero. A root next to the real axis is real where complex ones come in pairs; else one next to
 /// zero is.
-fn settled<T: Real>(estimate: Complex<T>, radius: T, have_images: bool) -> Complex<T> {
+pub(super) fn settled<T: Real>(estimate: Complex<T>, radius: T, have_images: bool) -> Complex<T> {
     let re = if estimate.re.abs() <= radius { T::zero() } else { estimate.re };
     let is_real = estimate.im.abs() <= radius && (have_images || re.is_zero());
     Complex::new(re, if is_real { T::zero() } else { estimate.im })
@@ -238,7 +248,7 @@ where
         for _ in 0..2 {
             let radius = self.scale(centre) * T::from_f64(RADIUS * self.precision);
             let lambda = settled(centre, radius, self.known.have_images);
-            let rim = Complex::new(T::from_f64(RIM.0), T::from_f64(RIM.1)) * radius;
+            let rim = rim(radius);
             let (left, right) = (self.evaluation.at(lambda - rim)?, self.evaluation.at(lambda + rim)?);
             let bound = T::from_f64(OFF_CENTRE);
             let is_straight = |point: &Point<T>| {
@@ -250,11 +260,11 @@ where
             }
             let offset = |point: &Point<T>| point.lambda - lambda - Complex::from(T::one()) / point.rate;
             let offsets = [offset(&left), offset(&right)];
-            if offsets.iter().all(|&offset| modulus(offset) <= radius * bound) {
+            if is_in_the_middle(offsets, radius) {
                 // both predict one root, but for rounding
                 let is_noisy = modulus(offsets[0] - offsets[1]) > radius * T::from_f64(NOISE);
-                let error =
-                    if is_noisy { self.evaluation.proven_radius(lambda, radius + radius) } else { radius + radius };
+                let width = if is_noisy { UNPROVEN_WIDTH } else { 1.0 };
+                let error = (radius + radius) * T::from_f64(width);
                 return Ok(Some(Eigenvalue { lambda, error, multiplicity: 1 }));
             }
             if modulus(offsets[0] - offsets[1]) > radius * (bound + bound) {

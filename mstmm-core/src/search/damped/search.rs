@@ -79,9 +79,11 @@ where
         let rectangle = self.enclosing(region)?;
         let exact = rectangle.low == *region.im.start() && rectangle.high == *region.im.end();
         if exact && let Some(roots) = self.counted_in_pieces(&rectangle)? {
+            self.settle();
             return Ok(roots);
         }
         self.find_in(rectangle)?;
+        self.settle();
         self.check_circles(Some(region))?;
         let found = self.known.with_images();
         Ok(found.filter(|root| belongs(root, region)).map(|root| root.multiplicity).sum())
@@ -106,6 +108,7 @@ where
     {
         let rectangle = self.enclosing(region)?;
         self.find_in(rectangle)?;
+        self.settle();
         self.check_circles(Some(region))?;
         let mut eigenvalues = L::empty();
         for root in self.known.with_images() {
@@ -162,6 +165,7 @@ where
     fn within<const N: usize>(&mut self, radius: T) -> Result<List<Eigenvalue<T>, N>, SearchError> {
         let square = self.square(radius);
         self.find_in(square)?;
+        self.settle();
         self.check_circles(None)?;
         let mut found = K::empty();
         for &root in self.known.roots() {

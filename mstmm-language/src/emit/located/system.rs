@@ -165,9 +165,10 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
             }
 
             fn in_factor<S: #private::StructureScalar, R>(
+                &self,
                 work: impl ::core::ops::FnOnce(#private::Factor<'_, S>) -> R,
             ) -> R {
-                #private::in_factor::<#width, #nodes, S, R>(work)
+                #private::in_factor::<#width, #nodes, S, R>(self, work)
             }
 
             fn sizes(&self) -> [::core::primitive::usize; 2] {

@@ -1,0 +1,97 @@
+//! Simple eigenvalues that rounding has blurred, found again in extended precision from where a search has left them.
+
+use crate::number::{Dual, Frequency, Parameter, Real, Scalar, Store, modulus};
+use crate::pass::characteristic::{Characteristic, System, counted_pass};
+use crate::search::damped::deflation::meets_any;
+use crate::search::damped::found::Eigenvalue;
+use crate::search::damped::newton::{is_in_the_middle, rim, settled};
+use crate::search::damped::session::EigenvalueSearch;
+use crate::subspace::Watch;
+use num_complex::Complex;
+
+/// Steps of Newton's method from a good estimate: each doubles the digits.
+const STEPS: usize = 8;
+
+/// Part of the distance to the nearest other eigenvalue within which all known ones are told apart.
+const NEAREST: f64 = 0.25;
+
+/// Radius of the circle, relative to the modulus, in units of eps of the model's numbers.
+const RADIUS: f64 = 0.5;
+
+/// A number in extended precision, of the model's numbers.
+type Extended<T> = Complex<<T as Real>::Extended>;
+
+impl<'a, T, Y, K> EigenvalueSearch<'a, Y, T, K>
+where
+    T: Real,
+    K: Store<Eigenvalue<T>>,
+    Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
+{
+    /// Finds the known eigenvalues that are doubtful in extended precision. The search is doubtful where that fails.
+    pub(super) fn settle(&mut self) {
+        if !self.may_ask_extended() {
+            return;
+        }
+        for place in 0..self.known.roots().len() {
+            let root = self.known.roots()[place];
+            if !self.is_blurred(&root) {
+                continue;
+            }
+            match self.found_again(&root) {
+                Some(root) => self.known.replace(place, root),
+                None => self.evaluation.is_doubtful = true,
+            }
+        }
+        let mut roots = self.known.roots();
+        while let [root, others @ ..] = roots {
+            self.evaluation.is_doubtful |= meets_any(root, others);
+            roots = others;
+        }
+    }
+
+    /// A simple eigenvalue in extended precision, next to where it was found, with its circle.
+    fn found_again(&mut self, root: &Eigenvalue<T>) -> Option<Eigenvalue<T>> {
+        let scale = self.scale(root.lambda);
+        let reach = self.distances_to_others(root, scale)[0] * T::from_f64(NEAREST);
+        let exactly = |part: T| <T::Extended as Frequency<T>>::from_parameter(part);
+        let start = Complex::new(exactly(root.lambda.re), exactly(root.lambda.im));
+        let radius = exactly(scale) * exactly(T::from_f64(RADIUS * self.precision));
+        let mut lambda = start;
+        if root.multiplicity > 1 {
+            return None;
+        }
+        for number in 0..STEPS {
+            // at the eigenvalue itself Δ is rounding alone
+            let at_root = (number > 0).then_some(<Extended<T> as Scalar>::from_f64(0.0));
+            let step = self.extended_step(lambda).or(at_root)?;
+            lambda -= step;
+            if modulus(lambda - start) > exactly(reach) {
+                return None;
+            }
+            if modulus(step) <= radius * exactly(T::from_f64(RADIUS)) {
+                let centre = settled(lambda, radius, self.known.have_images);
+                let rim = rim(radius);
+                let [left, right] = [centre - rim, centre + rim].map(|point| {
+                    let step = self.extended_step(point)?;
+                    Some(point - centre - step)
+                });
+                let is_certified = is_in_the_middle([left?, right?], radius);
+                let plainly = |part: T::Extended| T::from_f64(part.to_f64());
+                let lambda = Complex::new(plainly(centre.re), plainly(centre.im));
+                // with room for what the model's numbers round
+                let error = plainly(radius + radius) + scale * T::from_f64(self.precision);
+                return is_certified.then_some(Eigenvalue { lambda, error, multiplicity: 1 });
+            }
+        }
+        None
+    }
+
+    /// Newton's step in extended precision, negative; none where sums cancel.
+    fn extended_step(&mut self, lambda: Extended<T>) -> Option<Extended<T>> {
+        self.evaluation.evaluations += 2;
+        let (watch, dual) = counted_pass(self.evaluation.system, Dual::variable(lambda), Watch::default());
+        let Dual { value, derivative } = dual.mantissa();
+        let step = value / derivative;
+        (!watch.cancelled.any() && step.size().is_finite()).then_some(step)
+    }
+}
