@@ -100,8 +100,8 @@ pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
 pub use pass::network::{
     Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member, Motions,
-    MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch, Node, OverallNetwork, Placed, PlacedCharts,
-    PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton, SketchedBody, SketchedEnd,
+    MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch, Node, OverallNetwork, OwnMembers, Placed,
+    PlacedCharts, PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton, SketchedBody, SketchedEnd,
     SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel, build_member, in_factor,
     network_pass, overall_determinant, overall_matrix, visit_network,
 };

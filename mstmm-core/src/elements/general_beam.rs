@@ -158,6 +158,12 @@ impl<T: Parameter> GeneralBeam<T> {
         self.axial_force + self.foundation_shear_stiffness
     }
 
+    /// Whether it has neither shear nor rotary inertia nor an axial force.
+    fn bends_only(&self) -> bool {
+        let others = [self.shear_flexibility, self.rotary_inertia, self.axial_force, self.foundation_shear_stiffness];
+        others.iter().all(|parameter| parameter.vanishes().all())
+    }
+
     /// Checks each parameter against its range.
     fn check(&self) -> Result<(), InvalidParameter> {
         Requirement::Positive.check("length", self.length)?;

@@ -64,6 +64,17 @@ impl<T: Real> Scalar for Complex<T> {
         false
     }
 
+    #[inline]
+    fn product(self, other: Self) -> Self {
+        let re = T::sum_of_products([self.re, other.re], [-self.im, other.im]);
+        Complex::new(re, T::sum_of_products([self.re, other.im], [self.im, other.re]))
+    }
+
+    #[inline]
+    fn times_real(self, real: Self) -> Self {
+        Complex::new(self.re * real.re, self.im * real.re)
+    }
+
     #[inline(always)]
     fn vanishes(self) -> bool {
         self.re.vanishes() & self.im.vanishes()

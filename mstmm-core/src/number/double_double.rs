@@ -108,6 +108,17 @@ impl DoubleDouble {
         DoubleDouble::from_ordered_sum(product.hi, product.lo + cross)
     }
 
+    /// `ab + cd`, rounded once: the error is `10 u² (|ab| + |cd|)`. Products of upper parts are exact, and so is their sum. What is left
+    /// out are products of lower parts, `u²` of each term; five roundings of numbers up to `4u` of the terms are the rest.
+    #[inline(never)]
+    const fn sum_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        let (one, other) = (DoubleDouble::from_product(a.hi, b.hi), DoubleDouble::from_product(c.hi, d.hi));
+        let sum = DoubleDouble::from_sum(one.hi, other.hi);
+        let cross = (a.hi * b.lo + a.lo * b.hi) + (c.hi * d.lo + c.lo * d.hi);
+        // the upper parts may cancel, so that nothing is known of the order
+        DoubleDouble::from_sum(sum.hi, sum.lo + ((one.lo + other.lo) + cross))
+    }
+
     /// `self - k Σ parts`, for parts that fall by 2^53 each: as every product is exact, the error is relative to what is
     /// left after the first subtraction, and not to `self`.
     #[inline]

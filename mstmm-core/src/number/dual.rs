@@ -212,6 +212,12 @@ impl<S: Scalar> Scalar for Dual<S> {
     }
 
     #[inline]
+    fn times_real(self, real: Self) -> Self {
+        let derivative = if self.is_known_constant() { S::zero() } else { self.derivative.times_real(real.value) };
+        Dual { value: self.value.times_real(real.value), derivative }
+    }
+
+    #[inline]
     fn scaled(self, power: f64) -> Self {
         self.map(|part| part.scaled(power))
     }

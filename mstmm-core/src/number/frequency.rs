@@ -62,6 +62,12 @@ pub trait Real: Parameter + Single + PartialOrd + NumAssign {
         self - self * Self::from_f64(Self::EPSILON)
     }
 
+    /// `ab + cd`.
+    #[inline(always)]
+    fn sum_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a * b + c * d
+    }
+
     /// The wave functions of this number as a part of a complex one.
     #[inline(always)]
     fn waves_of_part(self) -> WaveFunctions<Self> {

@@ -97,6 +97,20 @@ pub trait Scalar:
         self.is_zero()
     }
 
+    /// The product, of complex numbers with few roundings.
+    #[inline(always)]
+    #[must_use]
+    fn product(self, other: Self) -> Self {
+        self * other
+    }
+
+    /// The product with a number of geometry, which has neither an imaginary part nor a derivative.
+    #[inline(always)]
+    #[must_use]
+    fn times_real(self, real: Self) -> Self {
+        self * real
+    }
+
     /// Whether the number is zero, a dual one its value.
     fn vanishes(self) -> Self::Truth;
 

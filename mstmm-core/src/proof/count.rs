@@ -1,6 +1,6 @@
 //! Bounds of the number of natural frequencies below a frequency: one run through the model.
 
-use crate::element::{Exact, MemberNumbers};
+use crate::element::{Exact, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
 use crate::proof::frame::Nodes;
 use crate::proof::front::{Front, Total, Variable};
@@ -11,7 +11,7 @@ use crate::proof::tree::{Path, Paths};
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visited, Visitor};
 use crate::proof::word::{MOST_LANES, Word, load};
 use core::array::from_fn;
-use mstmm_plan::{Space, Support};
+use mstmm_plan::{Freedoms, Space, Support};
 
 /// Which bound of a count is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +57,16 @@ struct Run<'m, N: Level> {
     nodes: Nodes,
 }
 
+impl<N: Level> Run<'_, N> {
+    /// An element that is not known in numbers, which is known at one frequency.
+    fn own_part(&self, place: usize, numbers: &MemberNumbers) -> Option<OwnPart> {
+        match numbers {
+            MemberNumbers::Other if N::Word::LANES == 1 => self.model.own_part(place, self.omega),
+            _ => None,
+        }
+    }
+}
+
 impl<N: Level> Visitor for Run<'_, N> {
     fn tip(&mut self, step: usize, support: Support) {
         self.paths.tip(step, support, &mut self.joining);
@@ -65,11 +75,7 @@ impl<N: Level> Visitor for Run<'_, N> {
     fn element(&mut self, step: usize, input: usize, space: Space, numbers: &MemberNumbers) {
         self.joining.front.total.place = step;
         if self.joining.failure.is_none() {
-            // an element that is not known in numbers is known at one frequency
-            let own = match numbers {
-                MemberNumbers::Other if N::Word::LANES == 1 => self.model.own_part(step, self.omega),
-                _ => None,
-            };
+            let own = self.own_part(step, numbers);
             self.paths.element([step, input], space, (numbers, own), &mut self.joining);
         }
     }
@@ -88,9 +94,10 @@ impl<N: Level> Visitor for Run<'_, N> {
         }
     }
 
-    fn member(&mut self, numbers: &MemberNumbers, ends: &[MemberEnd; 2], next: usize) {
+    fn member(&mut self, member: (usize, Freedoms), numbers: &MemberNumbers, ends: &[MemberEnd; 2], next: usize) {
         if self.joining.failure.is_none() {
-            self.nodes.member(numbers, ends, next, &mut self.joining);
+            let own = self.own_part(member.0, numbers);
+            self.nodes.member((numbers, own, member.1), ends, next, &mut self.joining);
         }
     }
 

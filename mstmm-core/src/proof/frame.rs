@@ -1,8 +1,8 @@
 //! A frame member by member: a node has up to three variables, from the first member that knows it until it leaves.
 
-use crate::element::{Exact, MemberNumbers};
+use crate::element::{Exact, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
-use crate::proof::joining::{Failure, Joining, add_force, add_line};
+use crate::proof::joining::{Failure, Joining, add_counted, add_force, add_line};
 use crate::proof::level::Level;
 use crate::proof::row::{Row, TERMS, difference, direction};
 use crate::proof::visit::{MemberEnd, NodeNumbers};
@@ -137,13 +137,13 @@ impl Nodes {
     #[inline(never)]
     pub(crate) fn member<N: Level>(
         &mut self,
-        numbers: &MemberNumbers,
+        (numbers, own_part, freedoms): (&MemberNumbers, Option<OwnPart>, Freedoms),
         ends: &[MemberEnd; 2],
         next: usize,
         joining: &mut Joining<'_, N>,
     ) {
         let mut own = Released { list: [0; 2 * LOCAL], count: 0 };
-        let wanted = freedoms_of(numbers);
+        let wanted = if own_part.is_some() { freedoms } else { freedoms_of(numbers) };
         let has_axis = !wanted.is(Freedoms::RZ) && ends.iter().any(|end| end.along.is_none());
         let (axis, length) = if has_axis {
             let [from, to] = [ends[0].place, ends[1].place];
@@ -154,6 +154,10 @@ impl Nodes {
         let first = self.local(&ends[0], axis, wanted, &mut own, joining);
         let second = self.local(&ends[1], axis, wanted, &mut own, joining);
         match numbers {
+            MemberNumbers::Other if own_part.is_some() => {
+                let freedom = if freedoms.is(Freedoms::RZ) { 2 } else { 0 };
+                self.own(own_part, [&first[freedom], &second[freedom]], last_of(ends, next), joining);
+            }
             MemberNumbers::Other | MemberNumbers::Body(_) | MemberNumbers::Tapered(_) => {
                 joining.failure = Some(Failure::NotInNumbers)
             }
@@ -177,7 +181,8 @@ impl Nodes {
                         joining.add_spring(*stiffness, [&first[index], &second[index]]);
                     }
                     if rigid.contains(freedom) {
-                        self.tie([&first[index], &second[index]], last_of(ends, next), joining);
+                        let gap = gap::<N>([&first[index], &second[index]], Ball::of(1.0));
+                        self.tie(gap, last_of(ends, next), joining);
                     }
                 }
             }
@@ -185,12 +190,30 @@ impl Nodes {
         own.list[..own.count].iter().for_each(|variable| joining.leave(*variable));
     }
 
-    /// A rigid joint: its force λ is a variable, `λ (row₂ - row₁)`, and one of the negative pivots. A stiffness of any size against what is zero
+    /// An element that is known by its stiffness at this frequency alone, over the displacements of its ends.
+    fn own<N: Level>(
+        &mut self,
+        part: Option<OwnPart>,
+        rows: [&EndRow<N>; 2],
+        last: usize,
+        joining: &mut Joining<'_, N>,
+    ) {
+        match part {
+            Some(OwnPart::Stiffness { stiffness, held }) => {
+                add_counted(joining, stiffness, held, rows.map(|row| row.terms()));
+            }
+            Some(OwnPart::Tie { ratio, stiffness }) => {
+                self.tie(gap::<N>(rows, Ball::of_pair(ratio)), last, joining);
+                joining.add_term(Ball::of_pair(stiffness), rows[0].terms());
+            }
+            None => {}
+        }
+    }
+
+    /// A rigid joint: its force λ is a variable, `λ` times the gap, and one of the negative pivots. A stiffness of any size against what is zero
     /// changes nothing and keeps pivots from vanishing.
     #[inline(never)]
-    fn tie<N: Level>(&mut self, rows: [&EndRow<N>; 2], last: usize, joining: &mut Joining<'_, N>) {
-        let mut gap = rows[1].widened::<{ TERMS }>();
-        gap.add(rows[0], Ball::of(-1.0));
+    fn tie<N: Level>(&mut self, gap: Row<N::Alone, TERMS>, last: usize, joining: &mut Joining<'_, N>) {
         let size = gap.terms().iter().map(|term| joining.front.size(term.variable)).fold(0.0, f64::max);
         let stiffness = if size > 0.0 && size < f64::INFINITY { size * OF_NEIGHBOURS } else { 1.0 };
         joining.add_term(Ball::of(stiffness), gap.terms());
@@ -242,6 +265,13 @@ impl Nodes {
         }
         self.tie_count = kept;
     }
+}
+
+/// What a displacement is more than another one times a ratio.
+fn gap<N: Level>(rows: [&EndRow<N>; 2], ratio: Ball<N::Alone>) -> Row<N::Alone, TERMS> {
+    let mut gap = rows[1].widened::<{ TERMS }>();
+    gap.add(rows[0], -ratio);
+    gap
 }
 
 /// Variables of a member's own.

@@ -15,8 +15,8 @@ pub trait Visitor {
     /// The path that has come to the step `input` ends in the root.
     fn root(&mut self, input: usize, support: Support);
 
-    /// A member between two nodes, of which one leaves next.
-    fn member(&mut self, numbers: &MemberNumbers, ends: &[MemberEnd; 2], next: usize);
+    /// A member of an index, which acts in these freedoms, between two nodes, of which one leaves next.
+    fn member(&mut self, member: (usize, Freedoms), numbers: &MemberNumbers, ends: &[MemberEnd; 2], next: usize);
     /// A rigid body that moves with a node: its mass, its moment of inertia about its mass centre, and where that is.
     fn body(&mut self, node: &NodeNumbers, mass: Exact, inertia: Exact, centre: [Exact; 2]);
     /// All parts that know a node have been named.
@@ -29,7 +29,7 @@ pub(crate) trait Visited {
     fn visit(&self, visitor: &mut dyn Visitor);
     /// What a node or a step is called.
     fn spot(&self, place: usize) -> Spot;
-    /// The element of a step that is not known in numbers, at ω, which is the sum of two words.
+    /// The element of a step, or of a member, that is not known in numbers, at ω, which is the sum of two words.
     fn own_part(&self, step: usize, omega: [f64; 2]) -> Option<OwnPart>;
 }
 
@@ -57,25 +57,30 @@ struct Known<'a> {
     knowledge: Knowledge,
 }
 
+impl Known<'_> {
+    /// Looks how much is known of an element.
+    fn look_at(&mut self, place: usize, numbers: &MemberNumbers) {
+        if !matches!(numbers, MemberNumbers::Other) || self.knowledge == Knowledge::Nothing {
+            return;
+        }
+        let is_known = self.model.own_part(place, [1.0, 0.0]).is_some();
+        self.knowledge = if is_known { Knowledge::Stiffnesses } else { Knowledge::Nothing };
+    }
+}
+
 impl Visitor for Known<'_> {
     fn tip(&mut self, _: usize, _: Support) {}
 
     fn element(&mut self, step: usize, _: usize, _: Space, numbers: &MemberNumbers) {
-        if !matches!(numbers, MemberNumbers::Other) || self.knowledge == Knowledge::Nothing {
-            return;
-        }
-        let is_known = self.model.own_part(step, [1.0, 0.0]).is_some();
-        self.knowledge = if is_known { Knowledge::Stiffnesses } else { Knowledge::Nothing };
+        self.look_at(step, numbers);
     }
 
     fn connection(&mut self, _: usize, _: &[usize], _: Option<Space>) {}
 
     fn root(&mut self, _: usize, _: Support) {}
 
-    fn member(&mut self, numbers: &MemberNumbers, _: &[MemberEnd; 2], _: usize) {
-        if matches!(numbers, MemberNumbers::Other) {
-            self.knowledge = Knowledge::Nothing;
-        }
+    fn member(&mut self, (member, _): (usize, Freedoms), numbers: &MemberNumbers, _: &[MemberEnd; 2], _: usize) {
+        self.look_at(member, numbers);
     }
 
     fn body(&mut self, _: &NodeNumbers, _: Exact, _: Exact, _: [Exact; 2]) {}

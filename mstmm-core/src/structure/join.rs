@@ -54,6 +54,80 @@ impl<S: Scalar> Factor<'_, S> {
     pub(super) fn join(&mut self, member: &mut MemberStiffness<S>, nodes: [&NodeUnknowns; 2]) {
         self.works[0] += member.work;
         self.total.include(member.product(), member.below());
+        let kinds = &member.kinds[..member.count()];
+        if kinds.iter().all(|kind| matches!(kind, Kind::Tied | Kind::Held)) {
+            self.join_tied(member, nodes);
+        } else {
+            self.join_others(member, nodes);
+        }
+    }
+
+    /// Adds a member all of whose displacements are those of its nodes: block by block of both ends `TᵀKT`, with the rows T.
+    fn join_tied(&mut self, member: &MemberStiffness<S>, nodes: [&NodeUnknowns; 2]) {
+        let freedoms = member.chart.freedoms.count();
+        let mut rows = [[[S::zero(); MOST_FREEDOMS]; MOST_FREEDOMS]; 2];
+        let is_tied = [0, freedoms].map(|first| member.kinds[first] == Kind::Tied);
+        for end in (0..2).filter(|end| is_tied[*end]) {
+            for (place, row) in rows[end].iter_mut().enumerate().take(freedoms) {
+                let freedom = member.places[place].1;
+                let power = power_of_two(-member.unit(freedom));
+                for (motion, entry) in row.iter_mut().enumerate().take(nodes[end].count as usize) {
+                    *entry = member.rows[end][freedom][motion].scaled(power);
+                    // the unit of a chart is a usual size of its stiffness
+                    let size = entry.size().first();
+                    self.note(nodes[end].slots[motion], size * size);
+                }
+            }
+        }
+        for [one, other] in [[0, 0], [1, 0], [1, 1]].into_iter().filter(|pair| pair.iter().all(|end| is_tied[*end])) {
+            let motions = [one, other].map(|end| nodes[end].count as usize);
+            let mut block = [[S::zero(); MOST_FREEDOMS]; MOST_FREEDOMS];
+            for place in 0..freedoms {
+                for column in 0..motions[1] {
+                    let mut sum = S::zero();
+                    for (beside, row) in rows[other].iter().enumerate().take(freedoms) {
+                        let entry = member.entry(one * freedoms + place, other * freedoms + beside);
+                        if !(row[column].is_constant_zero() || entry.is_constant_zero()) {
+                            sum += entry.times_real(row[column]);
+                        }
+                    }
+                    let first = if one == other { column } else { 0 };
+                    for (motion, line) in block.iter_mut().enumerate().take(motions[0]).skip(first) {
+                        let of_row = rows[one][place][motion];
+                        if !of_row.is_constant_zero() {
+                            line[column] += sum.times_real(of_row);
+                        }
+                    }
+                }
+            }
+            self.add_block(&block, [nodes[one], nodes[other]], one == other);
+        }
+        if let Some(loads) = member.loads() {
+            for (load, (end, freedom)) in loads.into_iter().zip(member.places).take(member.count()) {
+                if is_tied[end] {
+                    self.push(load, &Sum::of_end(member, end, freedom, nodes[end]));
+                }
+            }
+        }
+    }
+
+    /// Adds a block between the motions of two nodes, or its lower triangle on the diagonal.
+    fn add_block(&mut self, block: &[[S; MOST_FREEDOMS]; MOST_FREEDOMS], nodes: [&NodeUnknowns; 2], is_diagonal: bool) {
+        for (motion, line) in block.iter().enumerate().take(nodes[0].count as usize) {
+            for (column, entry) in line.iter().enumerate().take(nodes[1].count as usize) {
+                let slots = [nodes[0].slots[motion], nodes[1].slots[column]];
+                if is_diagonal && column > motion {
+                    continue;
+                }
+                // both ends of the member may be joined to one node
+                let is_double = !is_diagonal && slots[0] == slots[1];
+                self.add(slots[0], slots[1], if is_double { *entry + *entry } else { *entry });
+            }
+        }
+    }
+
+    /// Adds a member with unknowns of its own.
+    fn join_others(&mut self, member: &mut MemberStiffness<S>, nodes: [&NodeUnknowns; 2]) {
         let count = member.count();
         // of each variable its displacement, and of one that is an unknown itself that one
         let (mut displacements, mut own) = ([Sum::none(); MOST_VARIABLES], [Sum::none(); MOST_VARIABLES]);
@@ -72,15 +146,14 @@ impl<S: Scalar> Factor<'_, S> {
                 Kind::Held | Kind::HeldBorder | Kind::Released => Sum::none(),
             };
         }
-        // the unit of a chart is a usual size of its stiffness
         for (slot, coefficient) in displacements.iter().flat_map(Sum::terms) {
             let size = coefficient.size().first();
             self.note(slot, size * size);
         }
         let loads = member.loads();
-        self.add_displacements(member, &displacements, &loads);
+        self.add_displacements(member, &displacements, loads.as_ref());
         if member.kinds[..count].iter().any(|kind| kind.is_border()) {
-            self.add_borders(member, &displacements, &own, &loads);
+            self.add_borders(member, &displacements, &own, loads.as_ref());
         }
         own.iter().flat_map(Sum::terms).for_each(|(slot, _)| self.wait(slot));
     }
@@ -90,13 +163,15 @@ impl<S: Scalar> Factor<'_, S> {
         &mut self,
         member: &MemberStiffness<S>,
         displacements: &[Sum<S>; MOST_VARIABLES],
-        loads: &[S; MOST_VARIABLES],
+        loads: Option<&[S; MOST_VARIABLES]>,
     ) {
         for row in (0..member.count()).filter(|row| member.kinds[*row].moves()) {
             for column in (0..=row).filter(|column| member.kinds[*column].moves()) {
                 self.add_product(member.entry(row, column), &displacements[row], &displacements[column], row == column);
             }
-            self.push(loads[row], &displacements[row]);
+            if let Some(loads) = loads {
+                self.push(loads[row], &displacements[row]);
+            }
         }
     }
 
@@ -107,7 +182,7 @@ impl<S: Scalar> Factor<'_, S> {
         member: &MemberStiffness<S>,
         displacements: &[Sum<S>; MOST_VARIABLES],
         own: &[Sum<S>; MOST_VARIABLES],
-        loads: &[S; MOST_VARIABLES],
+        loads: Option<&[S; MOST_VARIABLES]>,
     ) {
         let count = member.count();
         let is_border = |variable: &usize| member.kinds[*variable].is_border();
@@ -127,12 +202,16 @@ impl<S: Scalar> Factor<'_, S> {
                     self.add_product(entry, &displacements[row], displacement, false);
                 }
                 self.add_product(mixed(row, 1.0), &own[border], &displacements[row], false);
-                self.push(member.coupling(border, row) * loads[border], &displacements[row]);
+                if let Some(loads) = loads {
+                    self.push(member.coupling(border, row) * loads[border], &displacements[row]);
+                }
             }
             for other in (0..=border).filter(is_border) {
                 self.add_product(member.entry(border, other), &own[border], &own[other], border == other);
             }
-            self.push(loads[border], &own[border]);
+            if let Some(loads) = loads {
+                self.push(loads[border], &own[border]);
+            }
         }
     }
 
@@ -142,12 +221,12 @@ impl<S: Scalar> Factor<'_, S> {
             return;
         }
         for (one, of_one) in row.terms() {
-            let scaled = entry * of_one;
+            let scaled = entry.times_real(of_one);
             for (other, of_other) in column.terms() {
                 if is_diagonal && other > one {
                     continue;
                 }
-                let term = scaled * of_other;
+                let term = scaled.times_real(of_other);
                 let is_double = !is_diagonal && one == other;
                 self.add(one, other, if is_double { term + term } else { term });
             }
@@ -160,7 +239,7 @@ impl<S: Scalar> Factor<'_, S> {
             return;
         }
         for (slot, coefficient) in sum.terms() {
-            self.add_load(slot, -(load * coefficient));
+            self.add_load(slot, -load.times_real(coefficient));
         }
     }
 
@@ -202,7 +281,8 @@ impl<S: Scalar> Factor<'_, S> {
                 Kind::Tied | Kind::Border => {
                     let terms = member.rows[end][freedom].iter().zip(of_nodes[end]);
                     let terms = terms.take(nodes[end].count as usize).filter(|(coefficient, _)| !coefficient.is_zero());
-                    let displacement = terms.fold(S::zero(), |sum, (coefficient, value)| sum + *coefficient * value);
+                    let displacement =
+                        terms.fold(S::zero(), |sum, (coefficient, value)| sum + value.times_real(*coefficient));
                     displacement.scaled(power_of_two(-member.unit(freedom)))
                 }
                 Kind::Loose => own[variable],

@@ -58,8 +58,8 @@ pub struct MemberLoad<S> {
 /// The dynamic stiffness of a member over the displacements of its ends, with its borders.
 #[derive(Clone, Copy, Debug)]
 pub struct MemberStiffness<S: Scalar> {
-    chart: Chart<S>,
-    load: MemberLoad<S>,
+    pub(super) chart: Chart<S>,
+    load: Option<MemberLoad<S>>,
     pub(crate) kinds: [Kind; MOST_VARIABLES],
     /// The end and the freedom of each variable.
     pub(crate) places: [(usize, usize); MOST_VARIABLES],
@@ -74,10 +74,9 @@ pub struct MemberStiffness<S: Scalar> {
 impl<S: Scalar> MemberStiffness<S> {
     /// No member.
     pub(crate) fn none() -> Self {
-        let zero = [S::zero(); MOST_VARIABLES];
         MemberStiffness {
             chart: Chart::empty(Freedoms::NONE, Units { displacement: 0, rotation: 0 }),
-            load: MemberLoad { along: zero, moved: zero },
+            load: None,
             kinds: [Kind::Held; MOST_VARIABLES],
             places: [(0, 0); MOST_VARIABLES],
             rows: [[[S::zero(); MOST_FREEDOMS]; MOST_FREEDOMS]; 2],
@@ -87,56 +86,79 @@ impl<S: Scalar> MemberStiffness<S> {
     }
 
     /// Sets all of it from the chart of a member.
-    pub(crate) fn set(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], load: &MemberLoad<S>) {
-        let member = self;
-        (member.chart, member.load, member.rows) = (*chart, *load, [ends[0].rows, ends[1].rows]);
-        let count = member.count();
-        let mut is_released = [false; MOST_VARIABLES];
-        let mut rests = [false; MOST_VARIABLES];
-        let own = |end| {
-            (0..3).filter(|freedom| chart.freedoms.contains(Freedoms::SINGLE[*freedom])).map(move |own| (end, own))
-        };
-        for (variable, place) in own(0).chain(own(1)).enumerate() {
-            member.places[variable] = place;
-            let (end, freedom) = place;
-            is_released[variable] = ends[end].released.contains(Freedoms::SINGLE[freedom]);
-            rests[variable] = ends[end].rests;
-        }
-        loop {
-            let wrong = (0..count).filter(|variable| member.chart.is_force(*variable) != is_released[*variable]);
-            let size = |variable: usize| member.chart.entry(variable, variable).size().first();
-            let number = wrong.clone().count();
-            let Some(largest) = wrong.max_by(|one, other| size(*one).total_cmp(&size(*other))) else { break };
-            // no more motions than freedoms are left to a member that is held: as many variables at most must stay as they are
-            let least = if number > chart.freedoms.count() { f64::MIN_POSITIVE } else { SMALL };
-            if size(largest) < least || size(largest).is_nan() {
-                break;
+    pub(crate) fn set(&mut self, chart: &Chart<S>, ends: &[JoinedEnd<S>; 2], load: Option<MemberLoad<S>>) {
+        (self.chart, self.load, self.work) = (*chart, load, S::zero());
+        let mut variable = 0;
+        for (end, joined) in ends.iter().enumerate() {
+            self.rows[end] = joined.rows;
+            for (freedom, kind) in
+                Freedoms::SINGLE.into_iter().enumerate().filter(|(_, kind)| chart.freedoms.contains(*kind))
+            {
+                self.places[variable] = (end, freedom);
+                self.kinds[variable] = match (joined.released.contains(kind), joined.rests) {
+                    (true, _) => Kind::Released,
+                    (false, false) => Kind::Tied,
+                    (false, true) => Kind::Held,
+                };
+                variable += 1;
             }
-            member.flip(largest);
         }
-        for variable in 0..count {
-            member.kinds[variable] = match (is_released[variable], member.chart.is_force(variable), rests[variable]) {
-                (true, true, _) => Kind::Released,
-                (true, false, _) => Kind::Loose,
-                (false, false, false) => Kind::Tied,
-                (false, false, true) => Kind::Held,
-                (false, true, false) => Kind::Border,
-                (false, true, true) => Kind::HeldBorder,
+        self.flip_all();
+        for variable in 0..variable {
+            let is_force = self.chart.is_force(variable);
+            let kind = match (self.kinds[variable], is_force) {
+                (Kind::Released, false) => Kind::Loose,
+                (Kind::Tied, true) => Kind::Border,
+                (Kind::Held, true) => Kind::HeldBorder,
+                (kind, _) => kind,
             };
-            match member.kinds[variable] {
-                kind if kind.is_own() => member.multiply(variable, S::one()),
-                Kind::Released => member.chart.below = member.chart.below + S::Size::of(1.0),
-                _ => {}
+            self.kinds[variable] = kind;
+            if kind == Kind::Released {
+                self.chart.below = self.chart.below + S::Size::of(1.0);
+            }
+            if kind.is_own() {
+                let sign = if is_force { -S::one() } else { S::one() };
+                self.chart.product = self.chart.product.product(Scaled::new(sign, self.pivot_unit(variable)));
             }
         }
     }
 
-    /// Multiplies the product by the pivot of a variable, in the unit of that.
-    fn multiply(&mut self, variable: usize, pivot: S) {
+    /// Flips all variables that are to be of the other kind and whose entries are not small, the largest one first.
+    fn flip_all(&mut self) {
+        let (count, freedoms) = (self.count(), self.chart.freedoms.count());
+        let mut wrong = [false; MOST_VARIABLES];
+        let mut number = 0;
+        for (variable, wrong) in wrong.iter_mut().enumerate().take(count) {
+            *wrong = self.chart.is_force(variable) != (self.kinds[variable] == Kind::Released);
+            number += usize::from(*wrong);
+        }
+        let (mut product, mut exponent) = (S::one(), 0);
+        while number > 0 {
+            let (mut largest, mut size) = (0, -1.0);
+            for variable in (0..count).filter(|variable| wrong[*variable]) {
+                let own = self.chart.entry(variable, variable).size().first();
+                if own > size {
+                    (largest, size) = (variable, own);
+                }
+            }
+            // no more motions than freedoms are left to a member that is held: as many variables at most must stay as they are
+            let least = if number > freedoms { f64::MIN_POSITIVE } else { SMALL };
+            if size < least {
+                break;
+            }
+            exponent += self.pivot_unit(largest);
+            let is_force = self.chart.is_force(largest);
+            let pivot = self.flip(largest);
+            product *= if is_force { -pivot } else { pivot };
+            (wrong[largest], number) = (false, number - 1);
+        }
+        self.chart.product = self.chart.product.product(Scaled::new(product, exponent));
+    }
+
+    /// Logarithm to base 2 of what the unit of a variable has changed a pivot on it by.
+    fn pivot_unit(&self, variable: usize) -> i64 {
         let unit = i64::from(self.unit(self.places[variable].1));
-        let pivot =
-            if self.chart.is_force(variable) { Scaled::new(-pivot, 2 * unit) } else { Scaled::new(pivot, -2 * unit) };
-        self.chart.product = self.chart.product.product(pivot);
+        if self.chart.is_force(variable) { 2 * unit } else { -2 * unit }
     }
 
     /// The number of its variables.
@@ -168,44 +190,46 @@ impl<S: Scalar> MemberStiffness<S> {
     ///
     /// The potential is `Π = xᵀMx/2 + lᵀx`. The gradient at a displacement is its force, at a force its displacement, negative. Solved for the
     /// variable, and put into the other gradients, `M_ij - M_ik M_kj/d` with `d = M_kk`, `M_kj/d`, negative where it was a force, and `-1/d`.
-    fn flip(&mut self, variable: usize) {
+    ///
+    /// Returns d.
+    fn flip(&mut self, variable: usize) -> S {
         let count = self.count();
         let mut row = [S::zero(); MOST_VARIABLES];
         for (other, entry) in row.iter_mut().enumerate().take(count) {
             *entry = self.chart.entry(variable, other);
         }
-        let pivot = row[variable];
+        let (pivot, is_force) = (row[variable], self.chart.is_force(variable));
         let inverse = S::one() / pivot;
-        let load = self.load.along[variable];
-        let signed = if self.chart.is_force(variable) { -inverse } else { inverse };
         for one in (0..count).filter(|one| *one != variable && !row[*one].is_constant_zero()) {
             let factor = row[one] * inverse;
             for other in (0..=one).filter(|other| *other != variable && !row[*other].is_constant_zero()) {
                 let entry = self.chart.entry(one, other) - factor * row[other];
                 self.chart.set(one, other, entry);
             }
-            self.chart.set(one, variable, row[one] * signed);
-            if !load.is_zero() {
-                self.load.along[one] -= factor * load;
+            self.chart.set(one, variable, if is_force { -factor } else { factor });
+            if let Some(load) = &mut self.load {
+                let own = load.along[variable];
+                load.along[one] -= factor * own;
             }
         }
-        self.chart.set(variable, variable, -inverse);
-        self.multiply(variable, pivot);
-        let becomes_force = !self.chart.is_force(variable);
-        self.chart.below =
-            self.chart.below + S::Size::one_if(pivot.is_negative()) + S::Size::of(-f64::from(becomes_force));
-        self.chart.forces ^= 1 << variable;
-        if !load.is_zero() {
-            self.work += load * load * inverse;
-            self.load.along[variable] = load * signed;
+        if let Some(load) = &mut self.load {
+            let own = load.along[variable];
+            self.work += own * own * inverse;
+            load.along[variable] = if is_force { -(own * inverse) } else { own * inverse };
         }
+        self.chart.set(variable, variable, -inverse);
+        let freed = if is_force { 0.0 } else { -1.0 };
+        self.chart.below = self.chart.below + S::Size::one_if(pivot.is_negative()) + S::Size::of(freed);
+        self.chart.forces ^= 1 << variable;
+        pivot
     }
 
-    /// What the potential grows by with each variable, under the load and where supports move ends.
-    pub(crate) fn loads(&self) -> [S; MOST_VARIABLES] {
+    /// What the potential grows by with each variable, under the load and where supports move ends; none without a load.
+    pub(crate) fn loads(&self) -> Option<[S; MOST_VARIABLES]> {
+        let MemberLoad { along, moved } = self.load?;
         let count = self.count();
-        let mut loads = self.load.along;
-        for (variable, moved) in self.load.moved.iter().enumerate().take(count).filter(|(_, moved)| !moved.is_zero()) {
+        let mut loads = along;
+        for (variable, moved) in moved.iter().enumerate().take(count).filter(|(_, moved)| !moved.is_zero()) {
             match self.kinds[variable] {
                 Kind::Tied | Kind::Held => {
                     for (row, load) in loads.iter_mut().enumerate().take(count) {
@@ -217,7 +241,7 @@ impl<S: Scalar> MemberStiffness<S> {
                 Kind::Released | Kind::Loose => {}
             }
         }
-        loads
+        Some(loads)
     }
 
     /// What a border is coupled to, the displacement of a variable; of a border itself that of its end.
@@ -232,11 +256,13 @@ impl<S: Scalar> MemberStiffness<S> {
     /// The motion of both ends, given the displacements that unknowns give the variables, and the values of the unknowns of its own.
     pub(crate) fn motion(&self, displacements: &[S; MOST_VARIABLES], own: &[S; MOST_VARIABLES]) -> [EndMotion<S>; 2] {
         let count = self.count();
-        let mut values = [S::zero(); MOST_VARIABLES];
+        let zero = [S::zero(); MOST_VARIABLES];
+        let MemberLoad { along, moved } = self.load.unwrap_or(MemberLoad { along: zero, moved: zero });
+        let mut values = zero;
         for variable in 0..count {
             values[variable] = match self.kinds[variable] {
-                Kind::Tied => displacements[variable] + self.load.moved[variable],
-                Kind::Held => self.load.moved[variable],
+                Kind::Tied => displacements[variable] + moved[variable],
+                Kind::Held => moved[variable],
                 Kind::Released => S::zero(),
                 Kind::Loose => own[variable],
                 Kind::Border | Kind::HeldBorder => {
@@ -251,11 +277,11 @@ impl<S: Scalar> MemberStiffness<S> {
                 }
             };
         }
-        let mut ends = self.chart.motion(&values, &self.load.along);
+        let mut ends = self.chart.motion(&values, &along);
         // an end moves as its node does: what the force of a border makes of it is that but for rounding, and for a dislocation
         for variable in (0..count).filter(|variable| self.kinds[*variable].is_border()) {
             let (end, freedom) = self.places[variable];
-            let displacement = displacements[variable] + self.load.moved[variable];
+            let displacement = displacements[variable] + moved[variable];
             ends[end].displacements[freedom] = displacement.scaled(power_of_two(self.unit(freedom)));
         }
         ends

@@ -113,7 +113,7 @@ pub trait StructureScalar: Scalar {
         member: &mut MemberStiffness<Self>,
         chart: &Chart<Self>,
         ends: (&[JoinedEnd<Self>; 2], [&NodeUnknowns; 2]),
-        load: &MemberLoad<Self>,
+        load: Option<MemberLoad<Self>>,
     );
 
     /// Takes up a node with its body and the forces on its motions, and lets these leave.
@@ -156,7 +156,7 @@ macro_rules! compiled {
                 member: &mut MemberStiffness<Self>,
                 chart: &Chart<Self>,
                 (ends, nodes): (&[JoinedEnd<Self>; 2], [&NodeUnknowns; 2]),
-                load: &MemberLoad<Self>,
+                load: Option<MemberLoad<Self>>,
             ) {
                 member.set(chart, ends, load);
                 factor.join(member, nodes);
@@ -200,7 +200,7 @@ impl<V: crate::number::lanes::Waving> StructureScalar for mstmm_lanes::Lanes<V> 
         _member: &mut MemberStiffness<Self>,
         _chart: &Chart<Self>,
         _ends: (&[JoinedEnd<Self>; 2], [&NodeUnknowns; 2]),
-        _load: &MemberLoad<Self>,
+        _load: Option<MemberLoad<Self>>,
     ) {
     }
 

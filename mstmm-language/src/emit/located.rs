@@ -51,7 +51,8 @@ pub(crate) fn located(
     let motions = system::motions(skeleton, &names);
     let overall = overall::overall(skeleton, &names);
     let system = system::system(skeleton, &names);
-    let searched = searched::searched(None, &names);
+    let own_member = if own::has_own(network) { searched::own_member(&names) } else { Default::default() };
+    let searched = searched::searched(own_member, &names);
     let unused = fields::unused(model, &names);
     Ok(quote_spanned! {names.here=>
         #parameters

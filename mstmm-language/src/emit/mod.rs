@@ -40,7 +40,11 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
     let drawn = tree::drawn(plan, &names);
     let unused = fields::unused(model, &names);
     // one message for a planar path that is searched, rather than one for each number that searches use
-    let searched = if plan.is_planar() { TokenStream::new() } else { searched::searched(Some(plan), &names) };
+    let searched = if plan.is_planar() {
+        TokenStream::new()
+    } else {
+        searched::searched(searched::own_part(plan, &names), &names)
+    };
     quote_spanned! {names.here=>
         #parameters
         #system

@@ -5,12 +5,10 @@ use crate::plan::Plan;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
-/// `impl Undamped` and `impl Spectrum`. What elements lack for them, such as a real frequency where something is damped, rustc says. A tree has
-/// a plan.
-pub(super) fn searched(plan: Option<&Plan<'_>>, names: &Names) -> TokenStream {
+/// `impl Undamped` and `impl Spectrum`. What elements lack for them, such as a real frequency where something is damped, rustc says. They need
+/// bounds and a function for elements of the user's own.
+pub(super) fn searched((bounds, own_part): (TokenStream, TokenStream), names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
-    let plan = plan.filter(|plan| plan.has_own_types());
-    let (bounds, own_part) = plan.map(|plan| own_part(plan, names)).unwrap_or_default();
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter> #private::search::Undamped for #system<#parameter>
@@ -31,8 +29,27 @@ pub(super) fn searched(plan: Option<&Plan<'_>>, names: &Names) -> TokenStream {
     }
 }
 
-/// What elements of the user's own are asked for, and the visit of one of them: for counts without a proof where they tell no numbers.
-fn own_part(plan: &Plan<'_>, names: &Names) -> (TokenStream, TokenStream) {
+/// What elements of the user's own between places are asked for, and the visit of one of them.
+pub(super) fn own_member(names: &Names) -> (TokenStream, TokenStream) {
+    let Names { private, .. } = names;
+    let bounds = quote_spanned!(names.here=> Self: #private::OwnMembers,);
+    let body = quote_spanned! {names.here=>
+        fn own_part(
+            &self,
+            member: ::core::primitive::usize,
+            omega: [::core::primitive::f64; 2],
+        ) -> ::core::option::Option<#private::OwnPart> {
+            #private::OwnMembers::own_member(self, member, omega)
+        }
+    };
+    (bounds, body)
+}
+
+/// What elements of the user's own in a tree are asked for, and the visit of one of them: for counts without a proof where they tell no numbers.
+pub(super) fn own_part(plan: &Plan<'_>, names: &Names) -> (TokenStream, TokenStream) {
+    if !plan.has_own_types() {
+        return Default::default();
+    }
     let Names { private, parameter, .. } = names;
     let own = plan.elements.iter().enumerate().filter(|(_, element)| element.kind.known().is_none());
     let own: Vec<_> = own.collect();

@@ -6,7 +6,8 @@ use crate::elements::general_beam::constants::{Constants, SectionAt};
 use crate::elements::general_beam::inside::BeamMotion;
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
-use crate::elements::shared::bending_chart::units_of_waves;
+use crate::elements::shared::bending_chart::{BendingWaves, units_of_waves};
+use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::dissipation::Dissipation;
 use crate::model::{EndMotion, Ends, FrequencyEstimates, State};
@@ -67,7 +68,7 @@ impl<T: Parameter> BuiltDampedBeam<T> {
     }
 
     /// The chart of a beam of a length with its bending at four places, given all freedoms of its ends and the axial impedance.
-    pub(super) fn chart<S: ComplexFrequency<T>>(
+    pub(super) fn chart<S: ComplexFrequency<T> + ChartScalar>(
         &self,
         at: &FrequencyPowers<S>,
         length: S,
@@ -77,13 +78,27 @@ impl<T: Parameter> BuiltDampedBeam<T> {
     ) -> Chart<S> {
         let units = units_of_waves(&self.beam.impedances(at.lambda_squared, axial), at.lambda_squared);
         let mut chart = Chart::empty(freedoms, units);
-        let (relation, factors) = GeneralBeam { length, ..self.at(at.x) }.relation(at.lambda_squared);
+        let beam = GeneralBeam { length, ..self.at(at.x) };
+        if self.beam.parameters.bends_only() {
+            S::enter_bending(&beam.bending_waves(at.lambda_squared), &mut chart, places);
+            return chart;
+        }
+        let (relation, factors) = beam.relation(at.lambda_squared);
         relation.enter(&mut chart, places, &factors);
         chart
     }
 }
 
 impl<S: Scalar> GeneralBeam<S> {
+    /// Its waves at λ², without shear, rotary inertia or axial force: `z⁴ = -(mλ² + k) l⁴/EI`, of which any root will do.
+    fn bending_waves(&self, lambda_squared: S) -> BendingWaves<S> {
+        let square = self.length * self.length;
+        let inertia = lambda_squared * self.mass_per_length + self.foundation_stiffness;
+        let z_fourth = -(inertia * square * square / self.bending_stiffness);
+        let stiffness = self.bending_stiffness / (square * self.length);
+        BendingWaves { z_fourth, z: z_fourth.sqrt().sqrt(), stiffness, length: self.length }
+    }
+
     /// The constants of the equations at λ², from the parameters alone.
     fn section(&self, lambda_squared: S) -> SectionAt<S> {
         Constants::of(*self).at(lambda_squared)

@@ -9,6 +9,7 @@ use crate::elements::general_beam::damped::BuiltDampedBeam;
 use crate::elements::general_beam::kinds::TimoshenkoBeam;
 use crate::elements::general_beam::transfer::BackThrough;
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
+use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::dissipation::Dissipation;
 use crate::model::{Bending, EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, State};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
@@ -177,7 +178,7 @@ macro_rules! damped_beams {
             }
         }
 
-        impl<T: Parameter, S: ComplexFrequency<T>> Charted<S> for $damped<T> {
+        impl<T: Parameter, S: ComplexFrequency<T> + ChartScalar> Charted<S> for $damped<T> {
             fn chart(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
                 let freedoms = Freedoms::Y.union(Freedoms::RZ);
                 built.chart(at, length, freedoms, f64::INFINITY, [0, 1, 2, 3])

@@ -191,6 +191,11 @@ impl Parameter for DoubleDouble {
 }
 
 impl Real for DoubleDouble {
+    #[inline]
+    fn sum_of_products(one: [Self; 2], other: [Self; 2]) -> Self {
+        DoubleDouble::sum_of_products(one, other)
+    }
+
     type Extended = Self;
 
     fn exp(self) -> Self {

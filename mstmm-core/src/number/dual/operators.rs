@@ -32,15 +32,23 @@ impl<S: Scalar> Sub for Dual<S> {
     }
 }
 
+impl<S: Scalar> Dual<S> {
+    /// `f'g + fg'`.
+    #[inline]
+    fn derivative_of_product(self, other: Self) -> S {
+        self.derivative.product(other.value) + self.value.product(other.derivative)
+    }
+}
+
 impl<S: Scalar> Mul for Dual<S> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let value = self.value * other.value;
+        let value = self.value.product(other.value);
         match [self, other].map(|part| part.is_known_constant()) {
-            [false, false] => Dual { value, derivative: self.derivative * other.value + self.value * other.derivative },
-            [true, false] => Dual { value, derivative: self.value * other.derivative },
-            [false, true] => Dual { value, derivative: self.derivative * other.value },
+            [false, false] => Dual { value, derivative: self.derivative_of_product(other) },
+            [true, false] => Dual { value, derivative: self.value.product(other.derivative) },
+            [false, true] => Dual { value, derivative: self.derivative.product(other.value) },
             [true, true] => Dual::constant(value),
         }
     }

@@ -29,8 +29,10 @@ where
 {
     let (total, vanished_at) = total::<WIDTH, _, _>(network, x);
     if let (true, Some(node)) = (C::WATCHES, vanished_at) {
-        counter.cancelled(true);
         counter.vanished(network.spot(node as usize));
+        if S::IS_EXTENDED {
+            counter.cancelled(true);
+        }
     }
     counter.eliminated(total.below);
     // in extended precision what is rounding alone is zero: there is nothing further that could tell
@@ -92,7 +94,7 @@ pub(super) fn eliminate<Y, S>(
             let nodes = ends.each_ref().map(|end| entered(factor, end.node));
             let load = loading.on_member(member, network.placement(member), chart);
             let stiffness = &mut stiffnesses[if factor.keeps_rows { member } else { 0 }];
-            S::join(factor, stiffness, chart, (ends, nodes.each_ref()), &load);
+            S::join(factor, stiffness, chart, (ends, nodes.each_ref()), load);
         });
         let own = entered(factor, node);
         let (body, motions) = network.node(node);

@@ -96,15 +96,25 @@ impl<S: Scalar> Loading<'_, S> {
         })
     }
 
-    /// What acts on a member.
-    pub(super) fn on_member<T: Real>(&self, member: usize, placement: &Placement<T>, chart: &Chart<S>) -> MemberLoad<S>
+    /// What acts on a member, if anything does.
+    pub(super) fn on_member<T: Real>(
+        &self,
+        member: usize,
+        placement: &Placement<T>,
+        chart: &Chart<S>,
+    ) -> Option<MemberLoad<S>>
     where
         S: Frequency<T>,
     {
-        let along = match self {
-            Loading::Acting(ActingLoad::Spread(_), load) => load(member, chart),
-            _ => [S::zero(); MOST_VARIABLES],
-        };
-        MemberLoad { along, moved: chart.moved(&self.of_ends(placement)) }
+        let zero = [S::zero(); MOST_VARIABLES];
+        match self {
+            Loading::Acting(ActingLoad::Spread(_), load) => {
+                Some(MemberLoad { along: load(member, chart), moved: zero })
+            }
+            Loading::Acting(ActingLoad::At(LoadAt { moved: Some(_), .. }), _) => {
+                Some(MemberLoad { along: zero, moved: chart.moved(&self.of_ends(placement)) })
+            }
+            Loading::Acting(..) | Loading::Everywhere(_) | Loading::Nothing => None,
+        }
     }
 }

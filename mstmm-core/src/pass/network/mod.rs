@@ -13,6 +13,7 @@ mod node;
 mod numbers;
 mod overall;
 mod overall_network;
+mod own;
 mod placed;
 mod products;
 mod skeleton;
@@ -35,6 +36,7 @@ pub(crate) use motion::{NetworkMotion, longest, motion_under, motions_under, siz
 pub use node::{Motions, Node};
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;
+pub use own::OwnMembers;
 pub use placed::{Placed, PlacedCharts, PlacedMotions};
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member};

@@ -19,7 +19,8 @@ pub fn visit_network<Y: Placed>(network: &Y, numbers: &dyn Fn(usize) -> MemberNu
                 let member = end / 2;
                 let numbers = numbers(member);
                 if matches!(numbers, MemberNumbers::Joint(..)) == are_joints {
-                    visitor.member(&numbers, &[end_of(network, member, 0), end_of(network, member, 1)], node);
+                    let ends = [end_of(network, member, 0), end_of(network, member, 1)];
+                    visitor.member((member, network.placement(member).freedoms), &numbers, &ends, node);
                 } else {
                     has_joints = !are_joints;
                 }

@@ -95,11 +95,16 @@ impl Sprung {
             let spring_axes = [(0, Some(self.along)), (0, Some(across)), (2, None)];
             for ((freedom, along), spring) in spring_axes.into_iter().zip(&self.springs[end]) {
                 let numbers = MemberNumbers::Spring(freedom, spring.words());
-                visitor.member(&numbers, &[end_at(ground, along), end_at(ends[end], along)], ends[end].index);
+                visitor.member(
+                    (0, Freedoms::ALL),
+                    &numbers,
+                    &[end_at(ground, along), end_at(ends[end], along)],
+                    ends[end].index,
+                );
             }
         };
         springs(0, visitor);
-        visitor.member(&self.numbers, &ends.map(|node| end_at(node, own_axes)), 1);
+        visitor.member((0, Freedoms::ALL), &self.numbers, &ends.map(|node| end_at(node, own_axes)), 1);
         visitor.leave(1);
         springs(1, visitor);
         visitor.leave(2);

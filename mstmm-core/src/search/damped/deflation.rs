@@ -37,7 +37,7 @@ impl<T: Real, K: Store<Eigenvalue<T>>> KnownRoots<T, K> {
     /// A root and its mirror image; a real one has none. Not inlined, since each place would take some hundred bytes of firmware.
     #[inline(never)]
     pub(super) fn with_image(&self, root: &Eigenvalue<T>) -> impl Iterator<Item = Eigenvalue<T>> + use<T, K> {
-        let image = Eigenvalue { lambda: root.lambda.conj(), ..*root };
+        let image = root.image();
         let has_image = self.have_images && !root.lambda.im.is_zero();
         [*root, image].into_iter().take(if has_image { 2 } else { 1 })
     }

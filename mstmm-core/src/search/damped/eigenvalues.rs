@@ -11,8 +11,8 @@ use num_complex::Complex;
 
 /// The certified searches of damped systems; undamped ones have them, too.
 ///
-/// A search whose result is doubtful (sums cancel, roots coincide or nearly do, rounding has widened circles) is made again in
-/// extended precision: double-double for `f64`. Without the feature `judge` wide circles stay.
+/// Eigenvalues that rounding has blurred (circles are wide, others are close) are found again in extended precision: double-double for
+/// `f64`. A search in which sums cancel or eigenvalues coincide is made again in it. Without the feature `judge` wide circles stay.
 ///
 /// Where something has a loss factor, regions lie above the real axis, below which no motion has it, and no eigenvalue has a mirror image. Where
 /// a member has a time c of Kelvin and Voigt, regions keep away from `λ = -1/c`, and so do the first eigenvalues.
@@ -177,6 +177,7 @@ where
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     let mut search = EigenvalueSearch::new(system);
+    search.evaluation.look_elsewhere::<T>();
     let found = run(&mut search);
     (found, search.asks_extended())
 }

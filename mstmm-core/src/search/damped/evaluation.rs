@@ -12,6 +12,9 @@ use num_complex::Complex;
 const EVALUATIONS: usize = 100_000;
 const EXTENDED_EVALUATIONS: usize = 30_000;
 
+/// A point in units of the lowest frequency, at a simple fraction of nothing.
+const ELSEWHERE: [f64; 2] = [-0.3719, 0.7127];
+
 /// Further evaluations for each root found: narrow regions between close roots take some hundred.
 const EVALUATIONS_PER_ROOT: usize = 2_000;
 
@@ -56,6 +59,22 @@ impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
         }
         let value = if self.is_real && lambda.im.is_zero() { Complex::new(value.re, T::zero()) } else { value };
         Ok(Point { lambda, value: Scaled::new(value, dual.exponent()), rate, is_root })
+    }
+
+    /// Looks at a point where no eigenvalue is to be expected: where pivots of a frame vanish there rounding rules, or it is held twice.
+    pub(super) fn look_elsewhere<T>(&mut self)
+    where
+        T: Real,
+        Y: Characteristic<Dual<Complex<T>>>,
+    {
+        if const { !Y::IS_NETWORK } || is_extended::<T, Y::Parameter>() {
+            return;
+        }
+        self.evaluations += 2;
+        let scale = T::one().times_power_of_two(self.lowest_exponent);
+        let [re, im] = ELSEWHERE.map(|part| scale * T::from_f64(part));
+        let (watch, _) = counted_pass(self.system, Dual::variable(Complex::new(re, im)), Watch::default());
+        self.is_doubtful |= watch.vanished.is_some();
     }
 
     /// Refuses a system whose Δ vanishes at one point and at others far from it.

@@ -35,6 +35,11 @@ pub struct Eigenvalue<T = f64> {
 }
 
 impl<T: Real> Eigenvalue<T> {
+    /// Its mirror image on the other side of the real axis.
+    pub(super) fn image(&self) -> Self {
+        Eigenvalue { lambda: self.lambda.conj(), ..*self }
+    }
+
     /// Angular frequency of the undamped motion, `|λ|` [rad/s]; that of the damped motion is `lambda.im`.
     pub fn frequency(&self) -> T {
         modulus(self.lambda)

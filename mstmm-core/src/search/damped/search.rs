@@ -79,11 +79,11 @@ where
         let rectangle = self.enclosing(region)?;
         let exact = rectangle.low == *region.im.start() && rectangle.high == *region.im.end();
         if exact && let Some(roots) = self.counted_in_pieces(&rectangle)? {
-            self.settle();
+            self.settle(|_| true);
             return Ok(roots);
         }
         self.find_in(rectangle)?;
-        self.settle();
+        self.settle(|root| belongs(root, region) || belongs(&root.image(), region));
         self.check_circles(Some(region))?;
         let found = self.known.with_images();
         Ok(found.filter(|root| belongs(root, region)).map(|root| root.multiplicity).sum())
@@ -108,7 +108,7 @@ where
     {
         let rectangle = self.enclosing(region)?;
         self.find_in(rectangle)?;
-        self.settle();
+        self.settle(|root| belongs(root, region) || belongs(&root.image(), region));
         self.check_circles(Some(region))?;
         let mut eigenvalues = L::empty();
         for root in self.known.with_images() {
@@ -165,7 +165,7 @@ where
     fn within<const N: usize>(&mut self, radius: T) -> Result<List<Eigenvalue<T>, N>, SearchError> {
         let square = self.square(radius);
         self.find_in(square)?;
-        self.settle();
+        self.settle(|root| root.lambda.im >= T::zero());
         self.check_circles(None)?;
         let mut found = K::empty();
         for &root in self.known.roots() {

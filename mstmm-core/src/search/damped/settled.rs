@@ -27,14 +27,14 @@ where
     K: Store<Eigenvalue<T>>,
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
-    /// Finds the known eigenvalues that are doubtful in extended precision. The search is doubtful where that fails.
-    pub(super) fn settle(&mut self) {
+    /// Finds those of the known eigenvalues that are wanted and doubtful in extended precision. The search is doubtful where that fails.
+    pub(super) fn settle(&mut self, is_wanted: impl Fn(&Eigenvalue<T>) -> bool) {
         if !self.may_ask_extended() {
             return;
         }
         for place in 0..self.known.roots().len() {
             let root = self.known.roots()[place];
-            if !self.is_blurred(&root) {
+            if !is_wanted(&root) || !self.is_blurred(&root) {
                 continue;
             }
             match self.found_again(&root) {

@@ -11,6 +11,11 @@ pub(super) fn width(width: Option<usize>, names: &Names) -> TokenStream {
     width.map_or_else(|| quote_spanned!(names.here=> WIDTH), |width| quote_spanned!(names.here=> #width))
 }
 
+/// Whether some element is of the user's own.
+pub(super) fn has_own(network: &Network<'_>) -> bool {
+    network.paths.iter().flat_map(|path| &path.elements).any(|element| element.element.kind.known().is_none())
+}
+
 /// `WIDTH`, and one constant per check; nothing for a model of elements of the language alone.
 pub(super) fn own(network: &Network<'_>, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let elements = network.paths.iter().flat_map(|path| &path.elements).map(|element| element.element);

@@ -38,9 +38,11 @@ portals! {
     BuiltIn { string }
 }
 
-/// Two intervals that certify one root.
+/// Two intervals of one root; the string of one's own rounds its constants.
 fn agree(one: &NaturalFrequency, other: &NaturalFrequency) -> bool {
-    one.lower <= other.upper && other.lower <= one.upper && one.multiplicity == other.multiplicity
+    let room = 4.0 * f64::EPSILON * one.omega;
+    let meet = one.lower - room <= other.upper && other.lower - room <= one.upper;
+    meet && (one.multiplicity, one.index) == (other.multiplicity, other.index)
 }
 
 #[test]
