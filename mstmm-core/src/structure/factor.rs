@@ -1,6 +1,6 @@
 //! The matrix of the unknowns that have not left, and their elimination. No pivot is searched: an unknown waits while its pivot is small.
 
-use crate::number::{Scalar, Size, binary_exponent, power_of_two};
+use crate::number::{Scalar, Size};
 use crate::structure::total::Total;
 use crate::structure::triangle::place;
 
@@ -24,34 +24,44 @@ pub(crate) struct LoadEverywhere {
 /// An unknown that has not left.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unknown<S> {
-    number: u32,
-    is_taken: bool,
+    pub(super) number: u32,
+    pub(super) is_taken: bool,
     /// Whether it leaves as soon as its pivot is large.
-    waits: bool,
+    pub(super) waits: bool,
     /// Whether it is a force.
-    is_force: bool,
+    pub(super) is_force: bool,
+    /// Whether what acts everywhere is in its load.
+    pub(super) is_loaded: bool,
     /// The largest term of its diagonal entry, or a usual size of these.
-    size: f64,
-    loads: [S; LOADS],
+    pub(super) size: f64,
+    pub(super) loads: [S; LOADS],
 }
 
 impl<S: Scalar> Unknown<S> {
     pub(crate) fn none() -> Self {
-        Unknown { number: 0, is_taken: false, waits: false, is_force: false, size: 0.0, loads: [S::zero(); LOADS] }
+        let loads = [S::zero(); LOADS];
+        Unknown { number: 0, is_taken: false, waits: false, is_force: false, is_loaded: false, size: 0.0, loads }
     }
 }
 
 /// The row of an unknown that has left: its value under each load is that of `values`, less each number times the value of the unknown beside it.
+/// A shear adds that to the value that it has.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row<S> {
     number: u32,
     first: u32,
+    is_shear: bool,
     values: [S; LOADS],
 }
 
 impl<S: Scalar> Row<S> {
+    /// The shear that adds to the value of an unknown.
+    pub(super) fn shear_of(number: u32) -> Self {
+        Row { number, is_shear: true, ..Row::none() }
+    }
+
     pub(crate) fn none() -> Self {
-        Row { number: 0, first: 0, values: [S::zero(); LOADS] }
+        Row { number: 0, first: 0, is_shear: false, values: [S::zero(); LOADS] }
     }
 }
 
@@ -158,6 +168,7 @@ impl<S: Scalar> Factor<'_, S> {
         let waiting = (0..self.width).filter(|slot| self.unknowns[*slot].waits);
         match waiting.max_by(|one, other| self.share(*one).total_cmp(&self.share(*other))) {
             Some(best) => {
+                let best = if self.share(best) < SMALL_PIVOT { self.sheared(best) } else { best };
                 self.leave(best);
                 best
             }
@@ -165,6 +176,23 @@ impl<S: Scalar> Factor<'_, S> {
                 self.is_full = true;
                 0
             }
+        }
+    }
+
+    /// Keeps a row, if there is room and rows are kept.
+    pub(super) fn keep(&mut self, row: Row<S>, beside: &[(u32, S)]) {
+        if !self.keeps_rows {
+            return;
+        }
+        if self.row_count == self.rows.len() {
+            self.is_full = true;
+            return;
+        }
+        self.rows[self.row_count] = Row { first: self.number_count as u32, ..row };
+        self.row_count += 1;
+        for (number, factor) in beside {
+            (self.beside[self.number_count], self.numbers[self.number_count]) = (*number, *factor);
+            self.number_count += 1;
         }
     }
 
@@ -205,7 +233,7 @@ impl<S: Scalar> Factor<'_, S> {
     }
 
     /// The size of a pivot beside the largest term of its entry.
-    fn share(&self, slot: usize) -> f64 {
+    pub(super) fn share(&self, slot: usize) -> f64 {
         let size = self.entries[place(slot, slot)].size().first();
         if size > 0.0 { size / self.unknowns[slot].size } else { 0.0 }
     }
@@ -256,7 +284,10 @@ impl<S: Scalar> Factor<'_, S> {
         let inverse = S::one() / pivot;
         let is_loaded = loads.map(|load| !load.is_constant_zero());
         let first = self.number_count;
-        let row = &mut self.rows[self.row_count];
+        let Some(row) = self.rows.get_mut(self.row_count) else {
+            self.is_full = true;
+            return;
+        };
         *row = Row { number, first: first as u32, ..Row::none() };
         for load in (0..LOADS).filter(|load| is_loaded[*load]) {
             row.values[load] = loads[load] * inverse;
@@ -295,20 +326,6 @@ impl<S: Scalar> Factor<'_, S> {
         }
     }
 
-    /// Adds what acts everywhere to the load of an unknown.
-    fn load_everywhere(&mut self, slot: usize) {
-        let Some(LoadEverywhere { number, dislocates }) = self.everywhere else { return };
-        let unknown = &mut self.unknowns[slot];
-        if unknown.is_force && !dislocates {
-            return;
-        }
-        // loads of the size of the root of a stiffness, or of a flexibility, do equal works
-        let unit = if unknown.size > 0.0 { power_of_two(binary_exponent(unknown.size) / 2) } else { 1.0 };
-        for (next, load) in (number..).zip(&mut unknown.loads) {
-            *load += S::from_f64(scattered([self.node, unknown.number, next]) * unit);
-        }
-    }
-
     /// Finds the values of all unknowns, the last one first.
     pub(super) fn solve(&mut self) {
         self.leave_all();
@@ -319,7 +336,7 @@ impl<S: Scalar> Factor<'_, S> {
         let mut end = self.number_count;
         for row in self.rows[..self.row_count].iter().rev() {
             let first = row.first as usize;
-            let mut values = row.values;
+            let mut values = if row.is_shear { self.values[row.number as usize] } else { row.values };
             for (factor, beside) in self.numbers[first..end].iter().zip(&self.beside[first..end]) {
                 for (value, other) in values.iter_mut().zip(self.values[*beside as usize]) {
                     if !other.is_constant_zero() {
@@ -346,19 +363,4 @@ impl<S: Scalar> Factor<'_, S> {
         }
         values
     }
-}
-
-/// A number of the size of 1 that follows from three others without any order, so that loads of several numbers are independent on whatever
-/// unknowns, and no motion is at rest under all of them.
-fn scattered(from: [u32; 3]) -> f64 {
-    let mut bits = 0_u64;
-    for part in from {
-        // the mixing steps of SplitMix64
-        bits = bits.wrapping_add(u64::from(part)).wrapping_add(0x9E37_79B9_7F4A_7C15);
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        bits ^= bits >> 31;
-    }
-    let part = (bits >> 33) as f64 / f64::from(1_u32 << 31);
-    if part < 0.5 { part + 0.5 } else { -part }
 }

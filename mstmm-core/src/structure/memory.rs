@@ -26,12 +26,13 @@ struct FactorRoom<S, const W: usize, const NODES: usize> {
 /// for those of one node.
 pub(crate) fn in_memory<const W: usize, const NODES: usize, S: Scalar, R>(
     keeps_rows: bool,
-    rows: impl FnOnce() -> usize,
+    unknowns: impl FnOnce() -> usize,
     work: impl FnOnce(Factor<'_, S>) -> R,
 ) -> R {
     #[cfg(feature = "std")]
     if const { size_of::<FactorRoom<S, W, NODES>>() > LARGE } {
-        return on_heap::<W, S, R>(keeps_rows, if keeps_rows { rows() } else { W }, work);
+        // each may have a shear as well
+        return on_heap::<W, S, R>(keeps_rows, if keeps_rows { 2 * unknowns() } else { W }, work);
     }
     on_stack::<W, NODES, S, R>(keeps_rows, work)
 }

@@ -6,17 +6,23 @@
 //!
 //! | file | what it has |
 //! |---|---|
+//! | [`chart`], [`path_chart`] | a member as its element gives it; of one motion, from a transfer matrix |
+//! | [`units`], [`triangle`] | units of charts; places of entries in a triangle |
 //! | [`member`] | the chart of a member in displacements, with its borders; its motion, once unknowns are known |
 //! | [`join`] | a member joins the factor by the rows of its ends |
-//! | [`factor`] | the matrix of the unknowns that have not left; an unknown leaves |
-//! | [`memory`] | memory of the caller's, and the numbers that the factor is compiled for |
+//! | [`factor`], [`shear`] | the matrix of the unknowns that have not left; an unknown leaves; two whose pivots are small |
+//! | [`total`] | Δ and the count |
+//! | [`everywhere`] | loads on all unknowns |
+//! | [`memory`] | memory on the stack or on the heap, and the numbers that the factor is compiled for |
 
 pub(crate) mod chart;
+mod everywhere;
 pub(crate) mod factor;
 pub(crate) mod join;
 pub(crate) mod member;
 pub(crate) mod memory;
 mod path_chart;
+mod shear;
 #[cfg(test)]
 mod tests;
 mod total;

@@ -2,7 +2,9 @@
 
 extern crate std;
 
-use crate::structure::{Factor, in_memory};
+use crate::structure::{Factor, NodeUnknowns, in_memory};
+use nalgebra::SMatrix;
+use proptest::prelude::*;
 use std::vec::Vec;
 
 /// A number of `[-1, 1)` that follows from two others.
@@ -30,7 +32,13 @@ fn residual(matrix: &[[f64; 6]; 6]) -> f64 {
     few
 }
 
-fn residual_of(matrix: &[[f64; 6]; 6], mut factor: Factor<'_, f64>) -> f64 {
+/// The forces on the unknowns.
+fn force(row: usize) -> f64 {
+    scattered(row, 7)
+}
+
+/// Lets the unknowns of a matrix enter as those of three nodes, and leave.
+fn eliminate(matrix: &[[f64; 6]; 6], factor: &mut Factor<'_, f64>) -> Vec<NodeUnknowns> {
     let nodes: Vec<_> = (0..3).map(|_| factor.enter_node(2)).collect();
     let slots: Vec<u32> = nodes.iter().flat_map(|node| node.slots[..2].to_vec()).collect();
     for (row, entries) in matrix.iter().enumerate() {
@@ -39,17 +47,21 @@ fn residual_of(matrix: &[[f64; 6]; 6], mut factor: Factor<'_, f64>) -> f64 {
         }
         factor.note(slots[row], 1.0);
     }
-    let forces: Vec<f64> = (0..6).map(|row| scattered(row, 7)).collect();
     for (node, unknowns) in nodes.iter().enumerate() {
-        factor.take_up(unknowns, &None, &[forces[2 * node], forces[2 * node + 1], 0.0]);
+        factor.take_up(unknowns, &None, &[force(2 * node), force(2 * node + 1), 0.0]);
     }
+    nodes
+}
+
+fn residual_of(matrix: &[[f64; 6]; 6], mut factor: Factor<'_, f64>) -> f64 {
+    let nodes = eliminate(matrix, &mut factor);
     factor.solve();
     let values: Vec<f64> = nodes.iter().flat_map(|node| factor.values_of(node, 0)[..2].to_vec()).collect();
     let of_row = |row: usize| {
         let terms = matrix[row].iter().zip(&values).map(|(entry, value)| entry * value);
-        (terms.sum::<f64>() - forces[row]).abs()
+        (terms.sum::<f64>() - force(row)).abs()
     };
-    let work: f64 = forces.iter().zip(&values).map(|(force, value)| force * value).sum();
+    let work: f64 = values.iter().enumerate().map(|(row, value)| force(row) * value).sum();
     (0..6).map(of_row).fold((factor.works[0] - work).abs() / (1.0 + work.abs()), f64::max)
 }
 
@@ -73,4 +85,36 @@ fn a_factor_without_room_knows_nothing() {
             assert!(factor.values_of(&nodes[0], 0)[0].is_nan());
         },
     );
+}
+
+/// Numbers of all sizes, or none.
+fn entries() -> impl Strategy<Value = Vec<f64>> {
+    let entry =
+        prop_oneof![1 => Just(0.0), 2 => (-1.0..1.0, -2..3).prop_map(|(number, ten)| number * 10_f64.powi(ten))];
+    proptest::collection::vec(entry, 36)
+}
+
+proptest! {
+    /// Beside dense algebra: whatever waits, the product of pivots is the determinant, and the number of negative ones that of negative eigenvalues.
+    #[test]
+    fn pivots_are_those_of_the_whole_matrix(entries in entries()) {
+        let matrix: [[f64; 6]; 6] =
+            core::array::from_fn(|row| core::array::from_fn(|column| entries[6 * row.max(column) + row.min(column)]));
+        let dense = SMatrix::<f64, 6, 6>::from_fn(|row, column| matrix[row][column]);
+        let eigenvalues = dense.symmetric_eigen().eigenvalues;
+        // rounding decides the sign of what is nearly zero
+        let least = eigenvalues.iter().fold(f64::INFINITY, |least, value| value.abs().min(least));
+        prop_assume!(least > 1e-9 * eigenvalues.amax());
+        let (total, vanished_at) = in_memory::<6, 3, f64, _>(false, || 6, |mut factor| {
+            eliminate(&matrix, &mut factor);
+            factor.leave_all();
+            (factor.total, factor.vanished_at)
+        });
+        prop_assert_eq!(vanished_at, None);
+        let negative = eigenvalues.iter().filter(|value| **value < 0.0).count();
+        prop_assert_eq!(total.below, negative as f64);
+        prop_assert!((total.delta().value() / dense.determinant() - 1.0).abs() < 1e-5);
+        // a relative perturbation of the matrix by 1e-9 explains what is left
+        prop_assert!(residual(&matrix) < 1e-9 * eigenvalues.amax() / least, "{:e}", residual(&matrix));
+    }
 }

@@ -129,6 +129,12 @@ fn rows_of<T: Parameter, S: Frequency<T>>(ends: &[PlacedEnd<T>; 2], end: usize, 
     [[c, s, s * x - c * y], [-s, c, s * y + c * x], [zero, zero, one]].map(|row| motions.parts_of(row))
 }
 
+/// A real number of two words in numbers of as many: geometry is real, whatever the frequency is.
+fn exact<T: Real, S: Scalar>(number: T) -> S {
+    let [hi, lo] = number.words();
+    S::from_f64(hi) + S::from_f64(lo)
+}
+
 /// Where a member stands, and how it is joined to its nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct Placement<T> {
@@ -190,7 +196,11 @@ impl<T: Real> Placement<T> {
     /// Its length.
     #[inline]
     pub(crate) fn length<S: Frequency<T>>(&self) -> S {
-        if S::IS_EXTENDED { norm(between(&self.ends)) } else { S::from_parameter(self.span.length) }
+        if S::IS_EXTENDED {
+            exact(norm(between::<T, T::Extended>(&self.ends)))
+        } else {
+            S::from_parameter(self.span.length)
+        }
     }
 
     /// Where its ends are joined, given the nodes at which they leave and the motions of these; an end at rest leaves at the node of the
@@ -202,7 +212,7 @@ impl<T: Real> Placement<T> {
             released: self.ends[end].released,
             rests: self.ends[end].rests,
             rows: if S::IS_EXTENDED && !self.ends[end].rests {
-                rows_of(&self.ends, end, motions[end])
+                rows_of::<T, T::Extended>(&self.ends, end, motions[end]).map(|row| row.map(exact))
             } else {
                 self.span.rows[end].map(|row| row.map(S::from_parameter))
             },
