@@ -146,7 +146,7 @@ pub trait StructureScalar: Scalar {
 
 /// Compiles the elimination of numbers.
 macro_rules! compiled {
-    ($($number:ty, $zero:expr;)*) => {$(
+    ($($number:ty;)*) => {$(
         impl StructureScalar for $number {
             fn enter(factor: &mut Factor<'_, Self>, motions: usize) -> NodeUnknowns {
                 factor.enter_node(motions)

@@ -18,7 +18,7 @@ pub trait ChartScalar: StructureScalar {
 
 /// Compiles charts of numbers.
 macro_rules! compiled {
-    ($($number:ty, $zero:expr;)*) => {$(
+    ($($number:ty;)*) => {$(
         impl ChartScalar for $number {
             fn enter_bending(waves: &BendingWaves<Self>, chart: &mut Chart<Self>, places: [usize; 4]) {
                 waves.enter(chart, places);

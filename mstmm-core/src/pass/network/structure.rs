@@ -58,7 +58,7 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
 /// Nodes are eliminated one after the other; `WIDTH` is the largest number of unknowns at once, the motions of nodes and what members have
 /// of their own. An evaluation takes a stack of `2 WIDTH²` numbers and some 100 bytes per unknown: 8 bytes a number of `f64`, 16 with
 /// its slope, and each twice as much in extended precision, where the search of a doubtful result has 32. Searches for natural frequencies take
-/// up to 60 kB more. A motion takes `WIDTH²` numbers more for each of `NODES` nodes.
+/// up to 60 kB more. A motion takes `WIDTH²` numbers more for each of `NODES` nodes. With `std` memory of more than 64 kB is taken from the heap.
 ///
 /// ```
 /// use mstmm_core::search::NaturalFrequencies;
