@@ -49,6 +49,7 @@ pub(crate) struct Term<T> {
 
 impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// Superposes the shapes of all roots.
+    #[inline(never)]
     pub(crate) fn new<'r, R>(
         source: &impl Superposed<T, R>,
         roots: impl IntoIterator<Item = &'r R>,

@@ -29,6 +29,7 @@ pub trait FrameAnalysis: Placed + Sized {
     /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](FrameAnalysis::mode_shapes);
     /// [`MotionError::NotARoot`] for a frequency that is no root of this system; [`MotionError::Unresolved`] where other roots are so
     /// close that shapes cannot be told apart; [`MotionError::LossFactor`] for `Im λ < 0` where something has a loss factor.
+    #[inline(never)]
     fn mode_shape<S>(
         &self,
         root: &impl Root<Self::Parameter, Frequency = S>,
@@ -44,6 +45,7 @@ pub trait FrameAnalysis: Placed + Sized {
     ///
     /// # Errors
     /// As [`mode_shape`](FrameAnalysis::mode_shape); [`MotionError::Capacity`] for more than `CAP` shapes.
+    #[inline(never)]
     fn mode_shapes<const CAP: usize, S>(
         &self,
         root: &impl Root<Self::Parameter, Frequency = S>,
@@ -98,6 +100,7 @@ pub trait FrameAnalysis: Placed + Sized {
     /// close to zero hide the residual compliance; [`MotionError::NotModal`] for a reaction to the motion of a support;
     /// [`MotionError::LossFactor`] where something has a loss factor; else as
     /// [`mode_shape`](FrameAnalysis::mode_shape) and [`frequency_response`](FrameAnalysis::frequency_response).
+    #[inline(never)]
     fn modal_response<'r, const N: usize, R>(
         &self,
         roots: impl IntoIterator<Item = &'r R>,

@@ -111,11 +111,13 @@ impl<'a, Y: Placed, S: PlaneFrequency<Y::Parameter>, const CAP: usize> PlaneShap
 }
 
 /// A motion of the size 1.
+#[inline(never)]
 fn of_size_one<Y: Placed, S: Scalar>(motion: NetworkMotion<Y, S>) -> NetworkMotion<Y, S> {
     motion.times(S::from_f64(1.0 / motion.size()))
 }
 
 /// A motion less its part in another one of unit modal mass.
+#[inline(never)]
 fn without<Y, S>(system: &Y, x: S, motion: &NetworkMotion<Y, S>, other: &NetworkMotion<Y, S>) -> NetworkMotion<Y, S>
 where
     Y: MovingNetwork<S>,
@@ -137,12 +139,14 @@ where
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
     /// The motions under the load of a number and the next one at a frequency in extended precision, of the size 1.
+    #[inline(never)]
     fn precise_motions(&self, x: S::Precise, number: u32) -> [NetworkMotion<Y, S::Precise>; 2] {
         motions_under(self.system, x, &self.load(number)).map(of_size_one)
     }
 
     /// The motions under the load of a number and the next one beside a root, less those on its other side: shapes of the root grow with opposite
     /// signs, and what others and the load leave is the same. At rest nothing is taken off: what vanishes there is rounding alone.
+    #[inline(never)]
     fn motions_beside(&self, number: u32) -> [NetworkMotion<Y, S::Precise>; 2] {
         let x = self.x.precise();
         if self.x.is_zero() {
@@ -173,6 +177,7 @@ where
     ///
     /// # Errors
     /// It is not finite, or the frequency is no root.
+    #[inline(never)]
     fn normalised(&self, motion: NetworkMotion<Y, S>) -> Result<NetworkMotion<Y, S>, MotionError> {
         // of a motion at a root the square is out of range in a short format
         let motion = motion.times(S::one() / S::from_f64(motion.size()));
@@ -200,6 +205,7 @@ where
 
     /// Checks that the frequency is a root, given a motion there and its modal mass: the work of the load over the mass is λ² less that of
     /// the root.
+    #[inline(never)]
     fn check(&self, motion: &NetworkMotion<Y, S>, mass: S) -> Result<(), MotionError> {
         // rest has no size to compare with
         let (at, limit) = if self.x.is_zero() {
@@ -216,6 +222,7 @@ where
 
     /// The motions under two loads at the root, found by steps with Rayleigh's quotient: the work of a load on its motion over the modal mass is λ²
     /// less that of the root.
+    #[inline(never)]
     fn motions_at_root(&self) -> [NetworkMotion<Y, S>; 2] {
         let x = self.x.precise();
         let rounded = ROUNDED[usize::from(!self.x.lambda().is_zero())] * S::EPSILON;
