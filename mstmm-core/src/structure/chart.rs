@@ -96,6 +96,38 @@ impl<S: Scalar> Chart<S> {
         motions
     }
 
+    /// Makes a variable one of the other kind, and counts it. Returns the entry on the diagonal that divides.
+    ///
+    /// The potential is `Π = xᵀMx/2`. The gradient at a displacement is its force, at a force its displacement, negative. Solved for the
+    /// variable, and put into the other gradients, `M_ij - M_ik M_kj/d` with `d = M_kk`, `M_kj/d`, negative where it was a force, and `-1/d`.
+    pub(crate) fn flip(&mut self, variable: usize) -> S {
+        let count = 2 * self.freedoms.count();
+        let row = self.row(variable);
+        let (pivot, is_force) = (row[variable], self.is_force(variable));
+        let inverse = S::one() / pivot;
+        for one in (0..count).filter(|one| *one != variable && !row[*one].is_constant_zero()) {
+            let factor = row[one] * inverse;
+            for other in (0..=one).filter(|other| *other != variable && !row[*other].is_constant_zero()) {
+                self.set(one, other, self.entry(one, other) - factor * row[other]);
+            }
+            self.set(one, variable, if is_force { -factor } else { factor });
+        }
+        self.set(variable, variable, -inverse);
+        let freed = if is_force { 0.0 } else { -1.0 };
+        self.below = self.below + S::Size::one_if(pivot.is_negative()) + S::Size::of(freed);
+        self.forces ^= 1 << variable;
+        pivot
+    }
+
+    /// The row of a variable.
+    pub(crate) fn row(&self, variable: usize) -> [S; MOST_VARIABLES] {
+        let mut row = [S::zero(); MOST_VARIABLES];
+        for (other, entry) in row.iter_mut().enumerate().take(2 * self.freedoms.count()) {
+            *entry = self.entry(variable, other);
+        }
+        row
+    }
+
     /// Whether a variable is a force.
     #[inline]
     pub(crate) fn is_force(&self, place: usize) -> bool {

@@ -179,21 +179,22 @@ impl<S: Scalar> Factor<'_, S> {
         }
     }
 
-    /// Keeps a row, if there is room and rows are kept.
-    pub(super) fn keep(&mut self, row: Row<S>, beside: &[(u32, S)]) {
-        if !self.keeps_rows {
-            return;
-        }
-        if self.row_count == self.rows.len() {
+    /// Begins a row. Returns whether there is room for it.
+    pub(super) fn begin_row(&mut self, row: Row<S>) -> bool {
+        let Some(place) = self.rows.get_mut(self.row_count) else {
             self.is_full = true;
-            return;
-        }
-        self.rows[self.row_count] = Row { first: self.number_count as u32, ..row };
+            return false;
+        };
+        *place = Row { first: self.number_count as u32, ..row };
         self.row_count += 1;
-        for (number, factor) in beside {
-            (self.beside[self.number_count], self.numbers[self.number_count]) = (*number, *factor);
-            self.number_count += 1;
-        }
+        true
+    }
+
+    /// Adds a number to the row that has begun.
+    #[inline]
+    pub(super) fn push_number(&mut self, factor: S, beside: u32) {
+        (self.numbers[self.number_count], self.beside[self.number_count]) = (factor, beside);
+        self.number_count += 1;
     }
 
     /// Lets the motions of a node enter.
@@ -284,25 +285,21 @@ impl<S: Scalar> Factor<'_, S> {
         let inverse = S::one() / pivot;
         let is_loaded = loads.map(|load| !load.is_constant_zero());
         let first = self.number_count;
-        let Some(row) = self.rows.get_mut(self.row_count) else {
-            self.is_full = true;
-            return;
-        };
-        *row = Row { number, first: first as u32, ..Row::none() };
+        let mut row = Row { number, ..Row::none() };
         for load in (0..LOADS).filter(|load| is_loaded[*load]) {
             row.values[load] = loads[load] * inverse;
             self.works[load] += loads[load] * row.values[load];
         }
-        self.row_count += 1;
+        if !self.begin_row(row) {
+            return;
+        }
         for row in 0..self.width {
             let entry = self.entries[place(row, slot)];
             if !self.unknowns[row].is_taken || entry.is_constant_zero() {
                 continue;
             }
             let factor = entry * inverse;
-            self.numbers[self.number_count] = factor;
-            self.beside[self.number_count] = row as u32;
-            self.number_count += 1;
+            self.push_number(factor, row as u32);
             for k in first..self.number_count {
                 let column = self.beside[k] as usize;
                 let term = factor * self.entries[place(column, slot)];

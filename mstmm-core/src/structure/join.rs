@@ -53,7 +53,7 @@ impl<S: Scalar> Factor<'_, S> {
     /// Adds a member, whose nodes have entered.
     pub(super) fn join(&mut self, member: &mut MemberStiffness<S>, nodes: [&NodeUnknowns; 2]) {
         self.works[0] += member.work;
-        self.total.include(member.product(), member.below());
+        self.total.include(member.chart.product, member.chart.below);
         let kinds = &member.kinds[..member.count()];
         if kinds.iter().all(|kind| matches!(kind, Kind::Tied | Kind::Held)) {
             self.join_tied(member, nodes);

@@ -58,6 +58,7 @@ pub struct MemberLoad<S> {
 /// The dynamic stiffness of a member over the displacements of its ends, with its borders.
 #[derive(Clone, Copy, Debug)]
 pub struct MemberStiffness<S: Scalar> {
+    /// Its chart: product and count are its part of Δ and of the count, but for the pivots of the unknowns of its own.
     pub(super) chart: Chart<S>,
     load: Option<MemberLoad<S>>,
     pub(crate) kinds: [Kind; MOST_VARIABLES],
@@ -166,16 +167,6 @@ impl<S: Scalar> MemberStiffness<S> {
         2 * self.chart.freedoms.count()
     }
 
-    /// Its part of Δ, but for the pivots of the unknowns of its own.
-    pub(crate) fn product(&self) -> Scaled<S> {
-        self.chart.product
-    }
-
-    /// Its part of the count, likewise.
-    pub(crate) fn below(&self) -> S::Size {
-        self.chart.below
-    }
-
     /// An entry of its matrix.
     pub(crate) fn entry(&self, row: usize, column: usize) -> S {
         self.chart.entry(row, column)
@@ -186,42 +177,20 @@ impl<S: Scalar> MemberStiffness<S> {
         self.chart.units.of(Freedoms::SINGLE[freedom].is(Freedoms::RZ))
     }
 
-    /// Makes a variable one of the other kind.
-    ///
-    /// The potential is `Π = xᵀMx/2 + lᵀx`. The gradient at a displacement is its force, at a force its displacement, negative. Solved for the
-    /// variable, and put into the other gradients, `M_ij - M_ik M_kj/d` with `d = M_kk`, `M_kj/d`, negative where it was a force, and `-1/d`.
-    ///
-    /// Returns d.
+    /// Makes a variable one of the other kind, with the load, whose potential is `lᵀx` more: `l_i - M_ik l_k/d` and `l_k/d`, negative where it was
+    /// a force. Returns the entry that divides.
     fn flip(&mut self, variable: usize) -> S {
-        let count = self.count();
-        let mut row = [S::zero(); MOST_VARIABLES];
-        for (other, entry) in row.iter_mut().enumerate().take(count) {
-            *entry = self.chart.entry(variable, other);
-        }
-        let (pivot, is_force) = (row[variable], self.chart.is_force(variable));
-        let inverse = S::one() / pivot;
-        for one in (0..count).filter(|one| *one != variable && !row[*one].is_constant_zero()) {
-            let factor = row[one] * inverse;
-            for other in (0..=one).filter(|other| *other != variable && !row[*other].is_constant_zero()) {
-                let entry = self.chart.entry(one, other) - factor * row[other];
-                self.chart.set(one, other, entry);
-            }
-            self.chart.set(one, variable, if is_force { -factor } else { factor });
-            if let Some(load) = &mut self.load {
-                let own = load.along[variable];
-                load.along[one] -= factor * own;
-            }
-        }
         if let Some(load) = &mut self.load {
+            let row = self.chart.row(variable);
             let own = load.along[variable];
-            self.work += own * own * inverse;
-            load.along[variable] = if is_force { -(own * inverse) } else { own * inverse };
+            let share = own / row[variable];
+            for (along, entry) in load.along.iter_mut().zip(row) {
+                *along -= entry * share;
+            }
+            self.work += own * share;
+            load.along[variable] = if self.chart.is_force(variable) { -share } else { share };
         }
-        self.chart.set(variable, variable, -inverse);
-        let freed = if is_force { 0.0 } else { -1.0 };
-        self.chart.below = self.chart.below + S::Size::one_if(pivot.is_negative()) + S::Size::of(freed);
-        self.chart.forces ^= 1 << variable;
-        pivot
+        self.chart.flip(variable)
     }
 
     /// What the potential grows by with each variable, under the load and where supports move ends; none without a load.

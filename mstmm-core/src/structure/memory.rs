@@ -130,7 +130,7 @@ pub trait StructureScalar: Scalar {
     #[doc(hidden)]
     fn leave_all(factor: &mut Factor<'_, Self>);
 
-    /// Finds the values of all unknowns, which have left.
+    /// Lets all unknowns leave that are left, and finds the values of all.
     #[doc(hidden)]
     fn solve(factor: &mut Factor<'_, Self>);
 

@@ -26,7 +26,7 @@ mod shear;
 #[cfg(test)]
 mod tests;
 mod total;
-mod triangle;
+pub(crate) mod triangle;
 mod units;
 
 pub(crate) use chart::{Chart, JoinedEnd, MOST_VARIABLES};

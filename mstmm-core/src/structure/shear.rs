@@ -38,7 +38,9 @@ impl<S: Scalar> Factor<'_, S> {
             let term = factor * self.unknowns[other].loads[load];
             self.unknowns[one].loads[load] += term;
         }
-        self.keep(Row::shear_of(self.unknowns[other].number), &[(self.unknowns[one].number, -factor)]);
+        if self.begin_row(Row::shear_of(self.unknowns[other].number)) {
+            self.push_number(-factor, self.unknowns[one].number);
+        }
         one
     }
 }

@@ -113,8 +113,11 @@ proptest! {
         prop_assert_eq!(vanished_at, None);
         let negative = eigenvalues.iter().filter(|value| **value < 0.0).count();
         prop_assert_eq!(total.below, negative as f64);
-        prop_assert!((total.delta().value() / dense.determinant() - 1.0).abs() < 1e-5);
+        // a pivot loses three digits of the largest eigenvalue, and a second one three more of these
+        let condition = eigenvalues.amax() / least;
+        let misfit = (total.delta().value() / dense.determinant() - 1.0).abs();
+        prop_assert!(misfit < 1e6 * f64::EPSILON * condition, "{misfit:e} at condition {condition:e}");
         // a relative perturbation of the matrix by 1e-9 explains what is left
-        prop_assert!(residual(&matrix) < 1e-9 * eigenvalues.amax() / least, "{:e}", residual(&matrix));
+        prop_assert!(residual(&matrix) < 1e-9 * condition, "{:e}", residual(&matrix));
     }
 }

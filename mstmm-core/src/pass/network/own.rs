@@ -22,31 +22,26 @@ where
         let number = <<Y as System>::Parameter as Real>::Extended::from_f64;
         let at = FrequencyPowers::new(number(hi) + number(lo), true);
         let chart = self.chart(member, &at, self.placement(member).length())?;
-        (chart.freedoms.count() == 1).then(|| stiffness(&chart))
+        (chart.freedoms.count() == 1).then(|| stiffness(chart))
     }
 }
 
-/// The stiffness over the displacements of both ends, or how the displacements are tied: `Π = (a u² + 2b u f + c f²)/2` has the displacement
-/// `-∂Π/∂f` where f is a force.
-fn stiffness<S: Real>(chart: &Chart<S>) -> OwnPart {
+/// The stiffness over the displacements of both ends, or how the displacements are tied: where f is a force without flexibility the displacement is
+/// `-b u`, with the entry b between both variables.
+fn stiffness<S: Real>(mut chart: Chart<S>) -> OwnPart {
     let unit = power_of_two(-2 * chart.units.of(chart.freedoms.is(Freedoms::RZ)));
-    let [mut input, mut between, mut output] = [(0, 0), (1, 0), (1, 1)].map(|(row, column)| chart.entry(row, column));
-    let mut held = chart.below;
-    // of the input end first, and then of the output end
     for end in 0..2 {
-        if chart.is_force(end) {
-            if input.vanishes() {
-                // this end moves -b times as far as the other one
-                let ratio = if end == 0 { S::one() / -between } else { -between };
-                let square = if end == 0 { ratio * ratio } else { S::one() };
-                return OwnPart::Tie { ratio: ratio.words(), stiffness: (output * square).scaled(unit).words() };
-            }
-            let inverse = S::one() / input;
-            held += S::Size::one_if(input.is_negative());
-            (input, between, output) = (-inverse, -(between * inverse), output - between * between * inverse);
+        if !chart.is_force(end) {
+            continue;
         }
-        (input, output) = (output, input);
+        if chart.entry(end, end).vanishes() {
+            let (between, other) = (-chart.entry(1, 0), chart.entry(1 - end, 1 - end));
+            let ratio = if end == 0 { S::one() / between } else { between };
+            let square = if end == 0 { ratio * ratio } else { S::one() };
+            return OwnPart::Tie { ratio: ratio.words(), stiffness: (other * square).scaled(unit).words() };
+        }
+        chart.flip(end);
     }
-    let stiffness = [input, between, output].map(|entry| entry.scaled(unit).words());
-    OwnPart::Stiffness { stiffness, held: held.first() }
+    let stiffness = [(0, 0), (1, 0), (1, 1)].map(|(row, column)| chart.entry(row, column).scaled(unit).words());
+    OwnPart::Stiffness { stiffness, held: chart.below.first() }
 }

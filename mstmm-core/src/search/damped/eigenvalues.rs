@@ -1,10 +1,10 @@
 //! Eigenvalues in regions of the complex plane: the trait that users call.
 
 use crate::model::SearchError;
-use crate::number::{Dual, Frequency, List, Parameter, Real, Scalar, Store};
+use crate::number::{Dual, List, Parameter, Real, Scalar, Store};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::searched::Spectrum;
-use crate::search::damped::found::{Eigenvalue, EigenvalueList, Found, Region};
+use crate::search::damped::found::{Eigenvalue, EigenvalueList, Found, Region, exactly};
 use crate::search::damped::session::EigenvalueSearch;
 use crate::search::room::add;
 use num_complex::Complex;
@@ -125,11 +125,6 @@ type Searched<L> = Result<Found<L>, SearchError>;
 
 /// A list of the same kind in extended precision.
 type Extended<L, Y> = <L as Store<Eigenvalue<<Y as System>::Parameter>>>::Of<Eigenvalue<ExtendedOf<Y>>>;
-
-/// A number in extended precision.
-fn exactly<T: Real>(number: T) -> T::Extended {
-    <T::Extended as Frequency<T>>::from_parameter(number)
-}
 
 /// Every eigenvalue in a region; the search keeps those that it knows in a list of type `K`.
 fn in_region<Y, K, L>(system: &Y, region: Region<Y::Parameter>) -> Searched<L>

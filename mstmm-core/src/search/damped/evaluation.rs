@@ -12,7 +12,7 @@ use num_complex::Complex;
 const EVALUATIONS: usize = 100_000;
 const EXTENDED_EVALUATIONS: usize = 30_000;
 
-/// A point in units of the lowest frequency, at a simple fraction of nothing.
+/// A point in units of the lowest frequency, off both axes, where no model of the tests has an eigenvalue.
 const ELSEWHERE: [f64; 2] = [-0.3719, 0.7127];
 
 /// Further evaluations for each root found: narrow regions between close roots take some hundred.

@@ -1,7 +1,7 @@
 //! Regions of the complex plane, and eigenvalues that were found in them.
 
 use crate::model::turns;
-use crate::number::{List, Real, modulus};
+use crate::number::{Frequency, List, Real, modulus};
 use core::ops::{Deref, RangeInclusive};
 use num_complex::Complex;
 
@@ -20,6 +20,11 @@ impl<T: Real> Region<T> {
         let range = |range: RangeInclusive<T>| number(*range.start())..=number(*range.end());
         Region { re: range(self.re), im: range(self.im) }
     }
+}
+
+/// A number in extended precision.
+pub(super) fn exactly<T: Real>(number: T) -> T::Extended {
+    <T::Extended as Frequency<T>>::from_parameter(number)
 }
 
 /// An eigenvalue λ of a system, certified by the argument principle.

@@ -1,21 +1,21 @@
 //! Simple eigenvalues that rounding has blurred, found again in extended precision from where a search has left them.
 
-use crate::number::{Dual, Frequency, Parameter, Real, Scalar, Store, modulus};
+use crate::number::{Dual, Parameter, Real, Scalar, Store, modulus};
 use crate::pass::characteristic::{Characteristic, System, counted_pass};
 use crate::search::damped::deflation::meets_any;
-use crate::search::damped::found::Eigenvalue;
+use crate::search::damped::found::{Eigenvalue, exactly};
 use crate::search::damped::newton::{is_in_the_middle, rim, settled};
 use crate::search::damped::session::EigenvalueSearch;
 use crate::subspace::Watch;
 use num_complex::Complex;
 
-/// Steps of Newton's method from a good estimate: each doubles the digits.
+/// Steps of Newton's method. Each doubles the digits: five lead from one digit to 32, and three are left for an estimate without one.
 const STEPS: usize = 8;
 
-/// Part of the distance to the nearest other eigenvalue within which all known ones are told apart.
+/// Part of the distance to the nearest other eigenvalue that steps may lead away: circles of less than half of it about both do not meet.
 const NEAREST: f64 = 0.25;
 
-/// Radius of the circle, relative to the modulus, in units of eps of the model's numbers.
+/// Radius of the circle, relative to the modulus, in units of eps of the model's numbers: what these round of the eigenvalue.
 const RADIUS: f64 = 0.5;
 
 /// A number in extended precision, of the model's numbers.
@@ -53,39 +53,39 @@ where
 
     /// A simple eigenvalue in extended precision, next to where it was found, with its circle.
     fn found_again(&mut self, root: &Eigenvalue<T>) -> Option<Eigenvalue<T>> {
-        let scale = self.scale(root.lambda);
-        let reach = self.distances_to_others(root, scale)[0] * T::from_f64(NEAREST);
-        let exactly = |part: T| <T::Extended as Frequency<T>>::from_parameter(part);
-        let start = Complex::new(exactly(root.lambda.re), exactly(root.lambda.im));
-        let radius = exactly(scale) * exactly(T::from_f64(RADIUS * self.precision));
-        let mut lambda = start;
         if root.multiplicity > 1 {
             return None;
         }
+        let scale = self.scale(root.lambda);
+        let reach = exactly(self.distances_to_others(root, scale)[0] * T::from_f64(NEAREST));
+        let start = Complex::new(exactly(root.lambda.re), exactly(root.lambda.im));
+        let radius = exactly(scale) * exactly(T::from_f64(RADIUS * self.precision));
+        let mut lambda = start;
         for number in 0..STEPS {
             // at the eigenvalue itself Δ is rounding alone
             let at_root = (number > 0).then_some(<Extended<T> as Scalar>::from_f64(0.0));
             let step = self.extended_step(lambda).or(at_root)?;
             lambda -= step;
-            if modulus(lambda - start) > exactly(reach) {
+            if modulus(lambda - start) > reach {
                 return None;
             }
-            if modulus(step) <= radius * exactly(T::from_f64(RADIUS)) {
-                let centre = settled(lambda, radius, self.known.have_images);
-                let rim = rim(radius);
-                let [left, right] = [centre - rim, centre + rim].map(|point| {
-                    let step = self.extended_step(point)?;
-                    Some(point - centre - step)
-                });
-                let is_certified = is_in_the_middle([left?, right?], radius);
-                let plainly = |part: T::Extended| T::from_f64(part.to_f64());
-                let lambda = Complex::new(plainly(centre.re), plainly(centre.im));
-                // with room for what the model's numbers round
-                let error = plainly(radius + radius) + scale * T::from_f64(self.precision);
-                return is_certified.then_some(Eigenvalue { lambda, error, multiplicity: 1 });
+            if modulus(step) <= radius.times_power_of_two(-1) {
+                return self.certified(settled(lambda, radius, self.known.have_images), radius, scale);
             }
         }
         None
+    }
+
+    /// An eigenvalue in the middle of a circle, if two opposite points of the rim show it there.
+    fn certified(&mut self, centre: Extended<T>, radius: T::Extended, scale: T) -> Option<Eigenvalue<T>> {
+        let rim = rim(radius);
+        let offsets = [centre - rim, centre + rim].map(|point| Some(point - centre - self.extended_step(point)?));
+        let is_certified = is_in_the_middle([offsets[0]?, offsets[1]?], radius);
+        let plainly = |part: T::Extended| T::from_f64(part.to_f64());
+        let lambda = Complex::new(plainly(centre.re), plainly(centre.im));
+        // with room for what the model's numbers round
+        let error = plainly(radius + radius) + scale * T::from_f64(self.precision);
+        is_certified.then_some(Eigenvalue { lambda, error, multiplicity: 1 })
     }
 
     /// Newton's step in extended precision, negative; none where sums cancel.

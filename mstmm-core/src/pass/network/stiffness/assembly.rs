@@ -1,9 +1,10 @@
 //! How members and bodies are added to a front.
 
 use crate::number::Scalar;
-use crate::pass::network::stiffness::front::{StiffnessFront, place, row};
+use crate::pass::network::stiffness::front::StiffnessFront;
 use crate::pass::network::stiffness::group::Group;
 use crate::pass::network::stiffness::member::StiffnessMember;
+use crate::structure::triangle::{place, row};
 
 impl<S: Scalar> StiffnessFront<'_, S> {
     /// Adds a number times a body's mass matrix over motions, given its lower triangle.

@@ -3,6 +3,7 @@
 use crate::number::{Scalar, Size};
 use crate::pass::network::stiffness::group::{Group, Set};
 use crate::pass::network::stiffness::total::StiffnessTotal;
+use crate::structure::triangle::{place, row};
 
 /// Most variables that leave together.
 const GROUP: usize = 3;
@@ -33,18 +34,6 @@ impl<S: Scalar, const W: usize, const ENTRIES: usize> StiffnessMemory<S, W, ENTR
             total: StiffnessTotal::new(),
         }
     }
-}
-
-/// Where a row of a lower triangle begins.
-#[inline(always)]
-pub(super) const fn row(row: usize) -> usize {
-    row * (row + 1) / 2
-}
-
-/// Where an entry of a lower triangle stands, or its mirror image.
-#[inline(always)]
-pub(super) const fn place(one: usize, other: usize) -> usize {
-    if other <= one { row(one) + other } else { row(other) + one }
 }
 
 /// The dynamic stiffness over the variables that members have brought and that have not left, each in its place.
