@@ -162,9 +162,11 @@ pub mod list {
 /// [own]: crate::element
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
+    #[cfg(feature = "std")]
+    pub use mstmm_core::Vectors;
     pub use mstmm_core::{
-        AnyMember, Chart, Charted, End, Freedoms, InNetwork, Joint, Member, MemberChart, MemberElement, MemberMatrix,
-        MemberTransfer, Network, NetworkError, NetworkRoom as Room, Node, OverallNetwork, Section, Support,
+        AnyMember, Arrays, Chart, Charted, End, Freedoms, InNetwork, Joint, Member, MemberChart, MemberElement,
+        MemberMatrix, MemberTransfer, Memory, Network, NetworkError, Node, OverallNetwork, Section, Support,
         UndampedMember,
     };
 }

@@ -98,12 +98,14 @@ pub use pass::characteristic::{Characteristic, System};
 pub use pass::drawn_tree::{DrawnPart, DrawnStep, DrawnTree};
 pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
+#[cfg(feature = "std")]
+pub use pass::network::Vectors;
 pub use pass::network::{
-    Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member, Motions,
-    MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch, Node, OverallNetwork, OwnMembers, Placed,
-    PlacedCharts, PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton, SketchedBody, SketchedEnd,
-    SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel, build_member, in_factor,
-    network_pass, overall_determinant, overall_matrix, visit_network,
+    Arrays, Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member,
+    Memory, Motions, MovingNetwork, Network, NetworkError, NetworkSketch, Node, OverallNetwork, OwnMembers, PerMember,
+    PerNode, Placed, PlacedCharts, PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton,
+    SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel,
+    build_member, network_pass, overall_determinant, overall_matrix, visit_network,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

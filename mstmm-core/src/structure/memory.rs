@@ -31,8 +31,7 @@ pub(crate) fn in_memory<const W: usize, const NODES: usize, S: Scalar, R>(
 ) -> R {
     #[cfg(feature = "std")]
     if const { size_of::<FactorRoom<S, W, NODES>>() > LARGE } {
-        // each may have a shear as well
-        return on_heap::<W, S, R>(keeps_rows, if keeps_rows { 2 * unknowns() } else { W }, work);
+        return on_heap(W, keeps_rows.then(unknowns), work);
     }
     on_stack::<W, NODES, S, R>(keeps_rows, work)
 }
@@ -61,18 +60,20 @@ fn on_stack<const W: usize, const NODES: usize, S: Scalar, R>(
     ))
 }
 
-/// What a function does with a factor in memory on the heap.
+/// What a function does with a factor in memory on the heap, of up to so many unknowns at once, given how many leave if their rows are kept.
 #[cfg(feature = "std")]
 #[inline(never)]
-fn on_heap<const W: usize, S: Scalar, R>(keeps_rows: bool, rows: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
+pub(crate) fn on_heap<S: Scalar, R>(width: usize, unknowns: Option<usize>, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
+    use crate::structure::triangle::row;
     use std::vec;
-    let zero = S::zero();
+    // each unknown may have a shear as well
+    let (zero, rows) = (S::zero(), 2 * unknowns.unwrap_or(1));
     work(Factor::new(
-        (&mut vec![zero; W * W], &mut vec![Unknown::none(); W]),
+        (&mut vec![zero; row(width)], &mut vec![Unknown::none(); width]),
         &mut vec![Row::none(); rows],
-        (&mut vec![zero; rows * W], &mut vec![0; rows * W]),
+        (&mut vec![zero; rows * width], &mut vec![0; rows * width]),
         &mut vec![[zero; LOADS]; rows],
-        keeps_rows,
+        unknowns.is_some(),
     ))
 }
 

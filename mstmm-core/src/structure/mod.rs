@@ -32,6 +32,8 @@ mod units;
 pub(crate) use chart::{Chart, JoinedEnd, MOST_VARIABLES};
 pub(crate) use factor::{Factor, LOADS, LoadEverywhere, NodeUnknowns};
 pub(crate) use member::{MemberLoad, MemberStiffness};
+#[cfg(feature = "std")]
+pub(crate) use memory::on_heap;
 pub(crate) use memory::{StructureScalar, in_memory, with_many};
 pub(crate) use total::Total;
 pub(crate) use units::{Units, unit_of};

@@ -47,7 +47,7 @@ pub(crate) fn located(
     let owned = own::own(network, skeleton, &names);
     let placed = system::placed(model, skeleton, &width, &names);
     let drawn = drawn::drawn(model, &names);
-    let charts = system::charts(skeleton, &width, &names);
+    let charts = system::charts(skeleton, &names);
     let motions = system::motions(skeleton, &names);
     let overall = overall::overall(skeleton, &names);
     let system = system::system(skeleton, &names);

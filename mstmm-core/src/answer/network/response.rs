@@ -10,7 +10,8 @@ use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Si
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, load_on_chart, motion_under,
+    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, PerMember, Placed, PlaneFrequency, load_on_chart,
+    motion_under,
 };
 use crate::search::ClosedRange;
 
@@ -107,14 +108,14 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     }
 
     /// The load along each member.
-    fn along_members<S>(&self, load: ActingLoad<S>) -> Result<Y::PerMember<[S; 2]>, MotionError>
+    fn along_members<S>(&self, load: ActingLoad<S>) -> Result<PerMember<Y, [S; 2]>, MotionError>
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
         match load {
             ActingLoad::Spread(spread) => loads::<Y, S>(self.system, spread),
-            ActingLoad::At(_) => Ok(Y::per_member([S::zero(); 2])),
+            ActingLoad::At(_) => Ok(self.system.per_member([S::zero(); 2])),
         }
     }
 

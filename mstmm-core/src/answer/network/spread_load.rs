@@ -4,7 +4,7 @@ use crate::answer::network::states::PlaneStates;
 use crate::element::{MemberEnds, MemberMotion, VisitMember};
 use crate::model::{EndMotion, MotionError, SpreadLoad};
 use crate::number::{Oscillation, Scalar};
-use crate::pass::network::{PlacedMotions, load_work, turned};
+use crate::pass::network::{PerMember, PlacedMotions, load_work, turned};
 use mstmm_plan::Freedoms;
 use num_traits::Zero;
 
@@ -16,13 +16,13 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// # Errors
 /// [`MotionError::NoUniformLoad`] where a member takes none, or a path of one motion has a mass, whose weight has no direction there;
 /// [`MotionError::NoSuchFreedom`] for a direction in which a member does not move.
-pub(super) fn loads<Y, S>(system: &Y, load: SpreadLoad) -> Result<Y::PerMember<[S; 2]>, MotionError>
+pub(super) fn loads<Y, S>(system: &Y, load: SpreadLoad) -> Result<PerMember<Y, [S; 2]>, MotionError>
 where
     Y: PlacedMotions<S>,
     S: Oscillation<Y::Parameter>,
 {
     let [nodes, members] = system.sizes();
-    let mut loads = Y::per_member([S::zero(); 2]);
+    let mut loads = system.per_member([S::zero(); 2]);
     if load.member.is_none() {
         let has_weight = |node: usize| {
             let (body, motions) = system.node(node);

@@ -2,7 +2,7 @@
 
 use crate::model::{EndMotion, Hold, MotionError, PlaneEntry, PlanePoint, Quantity, Site, SpreadLoad, Tied};
 use crate::number::Frequency;
-use crate::pass::network::{ActingLoad, NetworkMotion, Placed, longest, moved, size_of_forces, turned};
+use crate::pass::network::{ActingLoad, NetworkMotion, PerNode, Placed, longest, moved, size_of_forces, turned};
 use mstmm_plan::Freedoms;
 
 /// The displacements and forces of a plane structure in one motion.
@@ -17,7 +17,7 @@ pub struct PlaneStates<'a, Y: Placed, S: Frequency<Y::Parameter>> {
 
 impl<Y: Placed, S: Frequency<Y::Parameter>> Clone for PlaneStates<'_, Y, S> {
     fn clone(&self) -> Self {
-        PlaneStates { ..*self }
+        PlaneStates { motion: self.motion.clone(), ..*self }
     }
 }
 
@@ -143,9 +143,9 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     }
 
     /// What supports do to their nodes: the inertia of bodies less the forces of members and the load.
-    pub(super) fn reactions(&self) -> Y::PerNode<[S; 3]> {
+    pub(super) fn reactions(&self) -> PerNode<Y, [S; 3]> {
         let [nodes, members] = self.system.sizes();
-        let mut reactions = Y::per_node([S::zero(); 3]);
+        let mut reactions = self.system.per_node([S::zero(); 3]);
         let sums = reactions.as_mut();
         for (node, (sum, displacements)) in sums.iter_mut().zip(self.motion.nodes.as_ref()).enumerate().take(nodes) {
             for (entry, row) in sum.iter_mut().zip(self.inertia(node)) {

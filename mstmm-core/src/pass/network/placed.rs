@@ -5,8 +5,10 @@ use crate::model::Spot;
 use crate::number::{Frequency, FrequencyPowers};
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
+use crate::pass::network::memory::Memory;
 use crate::pass::network::node::{Motions, Node};
-use crate::structure::{Chart, Factor, JoinedEnd, StructureScalar};
+
+use crate::structure::{Chart, JoinedEnd};
 use core::fmt::Debug;
 use mstmm_plan::NetworkOrder;
 
@@ -35,21 +37,30 @@ pub trait Placed: System {
     /// The number of nodes and of members.
     fn sizes(&self) -> [usize; 2];
 
-    /// A value per node.
-    type PerNode<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
+    /// The largest number of unknowns at once.
+    fn width(&self) -> usize {
+        Self::Memory::WIDTH
+    }
 
-    /// A value per member.
-    type PerMember<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
+    /// Its memory.
+    type Memory: Memory;
 
     /// One value for all nodes.
-    fn per_node<V: Copy + Debug>(value: V) -> Self::PerNode<V>;
+    fn per_node<V: Copy + Debug>(&self, value: V) -> PerNode<Self, V> {
+        Self::Memory::per_node(self.sizes()[0], value)
+    }
 
     /// One value for all members.
-    fn per_member<V: Copy + Debug>(value: V) -> Self::PerMember<V>;
-
-    /// What a function does in memory for the elimination of its unknowns.
-    fn in_factor<S: StructureScalar, R>(&self, work: impl FnOnce(Factor<'_, S>) -> R) -> R;
+    fn per_member<V: Copy + Debug>(&self, value: V) -> PerMember<Self, V> {
+        Self::Memory::per_member(self.sizes()[1], value)
+    }
 }
+
+/// A value for each node of a network.
+pub type PerNode<Y, V> = <<Y as Placed>::Memory as Memory>::PerNode<V>;
+
+/// A value for each member of a network.
+pub type PerMember<Y, V> = <<Y as Placed>::Memory as Memory>::PerMember<V>;
 
 /// A network whose members are known at a frequency.
 pub trait PlacedCharts<S: Frequency<Self::Parameter>>: Placed {

@@ -148,7 +148,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             freedoms[member] = self.members[member].freedoms.count();
             member += 1;
         }
-        order.order(NODES, MEMBERS).width(&motions, &freedoms)
+        order.order().width(&motions, &freedoms)
     }
 
     /// Number of unknowns of its overall transfer equation, given its paths.

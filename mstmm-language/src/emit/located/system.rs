@@ -51,7 +51,6 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         quote_spanned!(span=> system.skeleton.describe::<#kind>(#index, &system.#field, &mut system.estimates);)
     });
     let kept = values_of_fields(model, keeps_fields, names);
-    let (nodes, member_count) = (skeleton.nodes.len(), skeleton.members.len());
     let body = quote_spanned! {names.here=>
         let numbers = #private::Located::numbers(self);
         let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
@@ -65,7 +64,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         };
         system.skeleton.estimate(&mut system.estimates);
         #(#descriptions)*
-        system.skeleton.arrange(&ORDER.order(#nodes, #member_count));
+        system.skeleton.arrange(&ORDER.order());
     };
     let doc = [
         "Validates all places and parameters and builds the system.",
@@ -153,23 +152,7 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::Placed for #system<#parameter> {
             type Model = #model;
-            type PerNode<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; #nodes];
-            type PerMember<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; #members];
-
-            fn per_node<V: ::core::marker::Copy + ::core::fmt::Debug>(value: V) -> [V; #nodes] {
-                [value; #nodes]
-            }
-
-            fn per_member<V: ::core::marker::Copy + ::core::fmt::Debug>(value: V) -> [V; #members] {
-                [value; #members]
-            }
-
-            fn in_factor<S: #private::StructureScalar, R>(
-                &self,
-                work: impl ::core::ops::FnOnce(#private::Factor<'_, S>) -> R,
-            ) -> R {
-                #private::in_factor::<#width, #nodes, S, R>(self, work)
-            }
+            type Memory = #private::Arrays<#width, #nodes, #members>;
 
             fn sizes(&self) -> [::core::primitive::usize; 2] {
                 [#nodes, #members]
@@ -195,14 +178,14 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
             }
 
             fn order(&self) -> #private::NetworkOrder<'_> {
-                ORDER.order(#nodes, #members)
+                ORDER.order()
             }
         }
     }
 }
 
 /// `impl PlacedCharts<S>` and `impl Characteristic<S>`.
-pub(super) fn charts(skeleton: &Skeleton<'_>, width: &TokenStream, names: &Names) -> TokenStream {
+pub(super) fn charts(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let Names { private, frequency, counter, .. } = names;
     let bounds = bounds("Charted", skeleton, names);
     let charts = answers_of_members(skeleton, names, |kind, span| {
@@ -226,7 +209,7 @@ pub(super) fn charts(skeleton: &Skeleton<'_>, width: &TokenStream, names: &Names
             x: #frequency,
             counter: &mut #counter,
         ) -> #private::Scaled<#frequency> {
-            #private::network_pass::<#width, Self, #frequency, #counter>(self, x, counter)
+            #private::network_pass::<Self, #frequency, #counter>(self, x, counter)
         }
     };
     let compiled = quote_spanned!(names.here=> #frequency: #private::StructureScalar);
