@@ -171,6 +171,12 @@ pub mod network {
     };
 }
 
+/// Structures whose size and topology the program decides: points and members, added one after the other.
+#[cfg(feature = "std")]
+pub mod frame {
+    pub use mstmm_core::frame::*;
+}
+
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {
     pub use crate::motion::{FrameAnalysis, ModalAnalysis};

@@ -15,6 +15,8 @@ compile_error!("mstmm needs one of its features `std` (default) or `libm` for si
 mod answer;
 mod element;
 pub mod elements;
+#[cfg(feature = "std")]
+pub mod frame;
 mod model;
 mod number;
 mod pass;
@@ -71,7 +73,7 @@ pub use model::extent::Extent;
 pub use model::label::{Entry, Label, Load, Point};
 pub use model::load_error::LoadError;
 pub use model::motion_error::MotionError;
-pub use model::plane_label::{Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
+pub use model::plane_label::{Handle, Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
 pub use model::search_error::{SearchError, Spot};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use mstmm_plan::{

@@ -41,6 +41,7 @@ const ORDER: &[(&str, &[&str])] = &[
         ],
     ),
     ("answer", &["number", "model", "subspace/count", "element", "pass", "search"]),
+    ("frame", &["number", "model", "structure", "subspace", "element", "elements", "proof/visit", "pass"]),
 ];
 
 /// The sources of all crates that are published.

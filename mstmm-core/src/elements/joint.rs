@@ -46,6 +46,18 @@ impl<T> Joint<T> {
     }
 }
 
+impl<T> Joint<T> {
+    /// A joint that ties some freedoms rigidly and others by springs.
+    pub(crate) fn of(rigid: Freedoms, elastic: [Option<T>; 3]) -> Self {
+        Joint { rigid, elastic }
+    }
+
+    /// Whether it has no spring.
+    pub(crate) fn is_rigid(&self) -> bool {
+        self.elastic.iter().all(Option::is_none)
+    }
+}
+
 impl<T> From<ElasticHinge<T>> for Joint<T> {
     fn from(hinge: ElasticHinge<T>) -> Self {
         let ElasticHinge { stiffness_y, stiffness_theta } = hinge;

@@ -26,7 +26,7 @@ fn assert_equal(found: &[f64], nodes: &[Node<f64>], members: &[Frame]) {
 
 system! {
     /// A cantilever with a chain of springs and masses along a slope to its tip, a spring to the ground, and a turning inertia.
-    struct Chain { k: f64, mass: f64, x: f64 }
+    pub(super) struct Chain { pub(super) k: f64, pub(super) mass: f64, pub(super) x: f64 }
 
     fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (x, 0.5);
     conn a <- along (x, 1.0) <- spring 2 { stiffness: k } <- mass 3 { mass } <- spring 4 { stiffness: 2.0 * k }
@@ -101,7 +101,7 @@ fn masses_at_contacts_and_shared_motions_are_tied_rigidly() {
 
 system! {
     /// A body on two supports between beams, with masses at it, joints in series, and a skew support.
-    struct Bodies { mass: f64, k: f64 }
+    pub(super) struct Bodies { pub(super) mass: f64, pub(super) k: f64 }
 
     fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
         -> rigid_body hub { mass, inertia: 0.2, centre: (1.5, 0.25) } -> conn b at (2.0, 0.5)
@@ -155,7 +155,7 @@ fn bodies_joints_and_skew_supports_are_those_of_lists() {
 
 system! {
     /// A frame on a damper in its plane.
-    struct DampedFrame { c: f64 }
+    pub(super) struct DampedFrame { pub(super) c: f64 }
 
     fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
         -> planar_beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn b at (2.0, 1.0);

@@ -23,14 +23,17 @@ where
 {
     let [nodes, members] = system.sizes();
     let mut loads = system.per_member([S::zero(); 2]);
-    if load.member.is_none() {
-        let has_weight = |node: usize| {
-            let (body, motions) = system.node(node);
-            motions.is_of_path && body.has_body() && !body.mass.is_zero()
-        };
-        if (0..nodes).any(has_weight) {
-            return Err(MotionError::NoUniformLoad);
-        }
+    if let Some(member) = load.member {
+        let member = system.member_of(member)?;
+        loads.as_mut()[member] = on_member(system, load, member)?;
+        return Ok(loads);
+    }
+    let has_weight = |node: usize| {
+        let (body, motions) = system.node(node);
+        motions.is_of_path && body.has_body() && !body.mass.is_zero()
+    };
+    if (0..nodes).any(has_weight) {
+        return Err(MotionError::NoUniformLoad);
     }
     for (member, own) in loads.as_mut().iter_mut().enumerate().take(members) {
         *own = on_member(system, load, member)?;
@@ -45,7 +48,7 @@ where
     S: Oscillation<Y::Parameter>,
 {
     let density = match load.member {
-        Some(loaded) => S::from_f64(if loaded == member { 1.0 } else { 0.0 }),
+        Some(loaded) => S::from_f64(if system.member_of(loaded)? == member { 1.0 } else { 0.0 }),
         None => system.visit_member(member, MassPerLength).unwrap_or_default(),
     };
     if density.is_zero() {

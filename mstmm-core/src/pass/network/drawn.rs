@@ -108,8 +108,7 @@ plain!(DrawnEnd<M, T: Parameter>, point, position, along, released, node, rests,
 
 impl<M, T: Real> DrawnEnd<M, T> {
     /// The end of a member, given the index of its point, if it has one.
-    fn of(placement: &Placement<T>, member: usize, end: usize, point: Option<usize>) -> Self {
-        let label = MemberLabel::<M, ()>::member(member);
+    pub(crate) fn of(placement: &Placement<T>, label: MemberLabel<M, ()>, end: usize, point: Option<usize>) -> Self {
         let has_direction = point.is_some() && !placement.freedoms.is(Freedoms::RZ);
         DrawnEnd {
             point,
@@ -144,8 +143,8 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         };
         self.members.iter().enumerate().filter_map(move |(index, member)| {
             let placement = system.placement(index);
-            let ends = [0, 1].map(|end| DrawnEnd::of(placement, index, end, point(&member.ends[end])));
             let label = MemberLabel::member(index);
+            let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, point(&member.ends[end])));
             Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, ends, label })
         })
     }
@@ -186,9 +185,9 @@ impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
 
     fn members(&self) -> impl Iterator<Item = DrawnMember<InNetwork, E::Parameter>> {
         self.kinds().iter().enumerate().map(|(index, kind)| {
-            let placement = self.placement(index);
-            let ends = [0, 1].map(|end| DrawnEnd::of(placement, index, end, Some(placement.node_of(end))));
-            DrawnMember { name: Spot::Member(index), kind, ends, label: MemberLabel::member(index) }
+            let (placement, label) = (self.placement(index), MemberLabel::member(index));
+            let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, Some(placement.node_of(end))));
+            DrawnMember { name: Spot::Member(index), kind, ends, label }
         })
     }
 

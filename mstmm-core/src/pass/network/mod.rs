@@ -50,5 +50,6 @@ pub use sketch::{
     SketchedSupport,
 };
 pub use stiffness::StiffnessModel;
+pub(crate) use structure::check_node;
 pub use structure::{InNetwork, Network};
 pub use visit::visit_network;

@@ -1,7 +1,7 @@
 //! A network as its evaluation reads it: nodes, members, and the order in which nodes leave.
 
 use crate::element::VisitMember;
-use crate::model::Spot;
+use crate::model::{Handle, MotionError, Spot, Tied};
 use crate::number::{Frequency, FrequencyPowers};
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
@@ -25,6 +25,22 @@ pub trait Placed: System {
 
     /// A place that rigid bodies tie.
     fn place(&self, place: usize) -> [Self::Parameter; 2];
+
+    /// The node of a point of a list or of a frame, with its place and its support.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] and [`MotionError::OtherFrame`] for a point that it has not got.
+    fn point(&self, point: Handle) -> Result<Tied, MotionError> {
+        Ok(Tied::node(of_list(point, self.sizes()[0])?))
+    }
+
+    /// The index of a member.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] and [`MotionError::OtherFrame`] for a member that it has not got.
+    fn member_of(&self, member: Handle) -> Result<usize, MotionError> {
+        of_list(member, self.sizes()[1])
+    }
 
     /// What errors call a node.
     fn spot(&self, node: usize) -> Spot {
@@ -54,6 +70,14 @@ pub trait Placed: System {
     fn per_member<V: Copy + Debug>(&self, value: V) -> PerMember<Self, V> {
         Self::Memory::per_member(self.sizes()[1], value)
     }
+}
+
+/// The index in a list of so many.
+pub(super) fn of_list(Handle { index, frame }: Handle, count: usize) -> Result<usize, MotionError> {
+    if frame != 0 {
+        return Err(MotionError::OtherFrame { index });
+    }
+    if index < count { Ok(index) } else { Err(MotionError::NoSuchPoint { index }) }
 }
 
 /// A value for each node of a network.

@@ -99,6 +99,15 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
 impl<E: MemberElement, M: Memory> Network<E, M> {
     /// Builds a network in memory that has room for it.
     fn build(nodes: &[Node<E::Parameter>], members: &[Member<E>]) -> Result<Self, NetworkError> {
+        Self::with_paths(nodes, members, |_| false)
+    }
+
+    /// Builds a network some of whose nodes are motions of paths.
+    pub(crate) fn with_paths(
+        nodes: &[Node<E::Parameter>],
+        members: &[Member<E>],
+        is_of_path: impl Fn(usize) -> bool,
+    ) -> Result<Self, NetworkError> {
         if members.is_empty() {
             return Err(NetworkError::Empty);
         }
@@ -108,6 +117,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
         for (index, (node, motions)) in nodes.iter().zip(motions.as_mut()).enumerate() {
             check_node(index, node)?;
             *motions = Motions::of(node);
+            motions.is_of_path = is_of_path(index);
             stiffness.set_node(index, node, motions);
         }
         let mut built = M::per_member(member_count, None);
@@ -145,7 +155,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
     }
 
     /// What each member is.
-    pub(super) fn kinds(&self) -> &[&'static str] {
+    pub(crate) fn kinds(&self) -> &[&'static str] {
         &self.kinds.as_ref()[..self.sizes[1]]
     }
 
@@ -156,7 +166,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
 }
 
 /// Checks the numbers of a node.
-fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkError> {
+pub(crate) fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkError> {
     let fail = |problem| Err(NetworkError::InvalidNode { node: index, problem });
     let is_valid = |inertia: T| inertia.to_f64() >= 0.0 && inertia.to_f64().is_finite();
     if !is_finite(node.position) {
