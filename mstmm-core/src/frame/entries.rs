@@ -70,7 +70,7 @@ pub(crate) struct MassEntry<D: Dimension> {
 /// let column = frame.member(foot, corner, steel);
 /// frame.member(corner, far.releasing(Freedoms::RZ), steel.shear_stiffness(2e8));
 /// frame.member(corner.along([1.0, 0.0]), Ground, Spring { stiffness: 2e6 });
-/// frame.body([far], RigidBody { mass: 50.0, inertia: 8.0, centre: [4.0, 3.2] });
+/// frame.body([corner], RigidBody { mass: 50.0, inertia: 8.0, centre: [0.0, 3.2] });
 /// frame.hold(far, Freedoms::Y);
 ///
 /// let portal = frame.build()?;
