@@ -174,6 +174,7 @@ pub mod network {
 /// Structures whose size and topology the program decides: points and members, added one after the other.
 #[cfg(feature = "std")]
 pub mod frame {
+    pub use mstmm_core::FrameSensitivities;
     pub use mstmm_core::frame::*;
 }
 

@@ -27,6 +27,8 @@ mod subspace;
 
 pub use answer::energy_shares::EnergyShares;
 pub use answer::force_history::ForceHistory;
+#[cfg(feature = "std")]
+pub use answer::frame_sensitivity::FrameSensitivities;
 pub use answer::frequency_response::FrequencyResponse;
 pub use answer::mac::{MacError, mac};
 pub use answer::many_frequencies::ManyFrequencies;

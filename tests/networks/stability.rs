@@ -22,6 +22,7 @@ enum Piece {
 
 /// A built piece.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::large_enum_variant, reason = "a test has few of them")]
 enum BuiltPiece {
     Stable(<UndampedMember<f64> as MemberElement>::Built),
     Link(Spring<f64>),

@@ -1,8 +1,8 @@
 //! Members of any type, for networks whose size the program decides.
 
 use crate::element::{
-    Charted, Element, MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberTransfer, MemberVisit,
-    VisitMember, along_member, member_transfer, space_of,
+    ByName, Charted, Element, MemberChart, MemberElement, MemberGradient, MemberMatrix, MemberNumbers, MemberSlopes,
+    MemberTransfer, MemberVisit, MemberWork, VisitMember, along_member, member_transfer, space_of,
 };
 use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
@@ -185,6 +185,19 @@ macro_rules! any_member {
                     $built::Joint(joint) => visitor.member::<Joint<T>>(joint),
                     $($built::$beam(built) => visitor.member::<$beam<T>>(built),)*
                     $($built::$connector(built) => visitor.member::<$connector<T>>(built),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberSlopes<S> for $name<T> {
+            fn slope(built: &$built<T>, work: &MemberWork<S>, name: &str) -> Option<S> {
+                match built {
+                    $built::Beam(beam) => <PlanarBeam<T> as MemberGradient<S>>::member_gradient(beam, work).by_name(name),
+                    $built::Joint(joint) => <Joint<T> as MemberGradient<S>>::member_gradient(joint, work).by_name(name),
+                    $($built::$beam(beam) => <$beam<T> as MemberGradient<S>>::member_gradient(beam, work).by_name(name),)*
+                    $($built::$connector(built) => {
+                        <$connector<T> as MemberGradient<S>>::member_gradient(built, work).by_name(name)
+                    })*
                 }
             }
         }

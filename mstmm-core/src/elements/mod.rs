@@ -1,6 +1,6 @@
 //! The elements: one file holds everything about one element.
 
-use crate::element::space_of;
+use crate::element::{ByName, space_of};
 use mstmm_plan::Space;
 
 mod any;
@@ -76,6 +76,11 @@ macro_rules! elements {
             $(row!($planar_damped { $($planar_damped_field),* }),)*
         ];
 
+        $(by_name!($element { $($field),* });)*
+        $(by_name!($damped { $($damped_field),* });)*
+        $(by_name!($planar { $($planar_field),* });)*
+        $(by_name!($planar_damped { $($planar_damped_field),* });)*
+
         /// Hands the elements of the plane method to a macro: those without damping, then those with.
         macro_rules! stepping_elements {
             ($use_of_them:ident) => {
@@ -104,6 +109,20 @@ macro_rules! elements {
         }
         #[cfg(test)]
         use {for_each_element, for_each_undamped_element};
+    };
+}
+
+/// The parameters of an element by their names.
+macro_rules! by_name {
+    ($element:ident { $($field:ident),* }) => {
+        impl<S: Copy> ByName<S> for $element<S> {
+            fn by_name(&self, name: &str) -> Option<S> {
+                match name {
+                    $(stringify!($field) => Some(self.$field),)*
+                    _ => None,
+                }
+            }
+        }
     };
 }
 

@@ -34,6 +34,8 @@ pub(crate) struct Assembly<'f, D: Dimension> {
     pub(crate) called: Vec<String>,
     /// The points of the frame, by their nodes.
     pub(crate) points: Vec<Tied>,
+    /// The node and the mass centre of each body.
+    pub(crate) bodies: Vec<(usize, [f64; 2])>,
     /// The freedoms that members and bodies bring to each point.
     brought: Vec<Freedoms>,
     paths: Vec<usize>,
@@ -58,6 +60,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             members: Vec::new(),
             called: Vec::new(),
             points: Vec::new(),
+            bodies: Vec::new(),
             brought: vec![Freedoms::NONE; frame.points.len()],
             paths: Vec::new(),
             ground: None,
@@ -132,6 +135,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             let Some(point) = body.points.first().and_then(|handle| self.frame.own(*handle, count)) else { continue };
             let centre = body.rigid.centre.map_or(self.place(point), D::in_plane);
             let node = self.points[point].node;
+            self.bodies.push((node, centre));
             if [body.rigid.mass, body.rigid.inertia] != [0.0; 2] {
                 self.nodes[node] = self.nodes[node].and_body(body.rigid.mass, body.rigid.inertia, centre);
             }

@@ -98,7 +98,7 @@ pub struct Frame<D: Dimension> {
 /// The handle of a body of a frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Body {
-    handle: Handle,
+    pub(crate) handle: Handle,
 }
 
 impl<D: Dimension> Default for Frame<D> {

@@ -1,14 +1,16 @@
 //! Built frames: structures that are searched and asked.
 
-use crate::element::{MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
+use crate::element::{
+    MemberChart, MemberElement, MemberMatrix, MemberSlopes, MemberTransfer, MemberVisit, MemberWork, VisitMember,
+};
 use crate::elements::any_member::{AnyMember, UndampedMember};
 use crate::frame::assembly::{Assembly, NetworkMember};
 use crate::frame::dimension::Dimension;
-use crate::frame::entries::Frame;
+use crate::frame::entries::{Body, Frame};
 use crate::frame::error::{BuildError, BuildErrors, Mistake};
 use crate::frame::point::InFrame;
 use crate::model::{FrequencyEstimates, Handle, InvalidParameter, MemberLabel, MotionError, PlanePoint, Spot, Tied};
-use crate::number::{Frequency, FrequencyPowers, Scaled, Single};
+use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::{
     self, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, Motions, Network, NetworkError, Node,
@@ -32,6 +34,10 @@ pub struct Framework<D, E: MemberElement> {
     places: Vec<[f64; 2]>,
     /// The supports: a point, what is held, and the direction along which it moves.
     supports: Vec<(usize, Freedoms, Option<[f64; 2]>)>,
+    /// The node and the mass centre of each body.
+    bodies: Vec<(usize, [f64; 2])>,
+    /// The shear flexibility of each member \[1/N\]; zero of what has none.
+    flexibilities: Vec<f64>,
     /// Members of the frame; behind them there are those of supports and of masses in a direction.
     member_count: usize,
     of: PhantomData<fn() -> D>,
@@ -78,7 +84,8 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
                 assembly.fail(assembly.names[node].clone(), Mistake::of(error));
             }
         }
-        let Assembly { nodes, names, is_of_path, called, points, errors, .. } = assembly;
+        let flexibilities = assembly.members.iter().map(|member| shear_flexibility(&member.element)).collect();
+        let Assembly { nodes, names, is_of_path, called, points, bodies, errors, .. } = assembly;
         if !errors.is_empty() {
             return Err(BuildErrors(errors));
         }
@@ -102,7 +109,28 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
             .flat_map(|(point, entry)| entry.holds.iter().map(move |hold| (point, hold)));
         let supports = holds.map(|(point, hold)| (point, hold.freedoms, hold.along)).collect();
         let (number, member_count) = (frame.number, frame.members.len());
-        Ok(Framework { network, number, points, places, supports, member_count, of: PhantomData })
+        Ok(Framework {
+            network,
+            number,
+            points,
+            places,
+            supports,
+            bodies,
+            flexibilities,
+            member_count,
+            of: PhantomData,
+        })
+    }
+}
+
+/// The shear flexibility of a beam.
+fn shear_flexibility(element: &AnyMember<f64>) -> f64 {
+    match element {
+        AnyMember::PlanarGeneralBeam(beam) => beam.shear_flexibility,
+        AnyMember::GeneralBeam(beam) => beam.shear_flexibility,
+        AnyMember::PlanarDampedBeam(beam) => beam.shear_flexibility,
+        AnyMember::DampedBeam(beam) => beam.shear_flexibility,
+        _ => 0.0,
     }
 }
 
@@ -198,6 +226,37 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Placed for Framework<D, E>
 
     fn width(&self) -> usize {
         self.network.width()
+    }
+}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
+    /// The node and the mass centre of a body.
+    ///
+    /// # Errors
+    /// [`MotionError::OtherFrame`] for a body of another frame, [`MotionError::NoSuchPoint`] for one that was added later.
+    pub(crate) fn body(&self, body: Body) -> Result<(usize, [f64; 2]), MotionError> {
+        let index = self.own(body.handle)?;
+        self.bodies.get(index).copied().ok_or(MotionError::NoSuchPoint { index })
+    }
+
+    /// `∂L/∂p` for a parameter of a member by its name in a frame.
+    pub(crate) fn slope<S: Scalar>(&self, member: usize, work: &MemberWork<S>, name: &str) -> Option<S>
+    where
+        E: MemberSlopes<S>,
+    {
+        let of = |name: &str| self.network.slope(member, work, name);
+        match name {
+            // the length of a beam is that between its points
+            "length" if self.placement(member).freedoms.count() > 1 => None,
+            "stiffness_rz" => of("stiffness_theta"),
+            "stiffness_theta" | "shear_flexibility" => None,
+            "shear_stiffness" => {
+                // of the inverse
+                let flexibility = self.flexibilities[member];
+                Some(of("shear_flexibility")? * S::from_f64(-flexibility * flexibility))
+            }
+            _ => of(name),
+        }
     }
 }
 

@@ -5,8 +5,8 @@ use super::{assert_near, eigenvalues, frequencies};
 use crate::portal;
 use mstmm::elements::{Damper, Spring, TorsionSpring};
 use mstmm::frame::{
-    Frame, Ground, Hinge, Line, Member, OfBeam, Pin, Plane, Point, PointMass, RigidBody, RigidLink, Roller, Section,
-    Slider,
+    Body, Frame, Ground, Hinge, Line, Member, OfBeam, OfJoint, OfSpring, Pin, Plane, Point, PointMass, RigidBody,
+    RigidLink, Roller, Section, Slider,
 };
 use mstmm::motion::MotionError;
 use mstmm::network::{Freedoms, Support};
@@ -276,4 +276,64 @@ fn a_member_is_replaced() {
     frame.replace(beam, Section::new().bending_stiffness(8.0).mass_per_length(1.5));
     let second = frame.build().unwrap().frequencies(1).unwrap()[0].omega;
     assert!((second / first - 2.0).abs() < 1e-15);
+}
+
+/// A portal, with the handles of its parts.
+struct Parts {
+    frame: Frame<Plane>,
+    column: Member<OfBeam>,
+    girder: Member<OfBeam>,
+    brace: Member<OfSpring>,
+    hinge: Member<OfJoint>,
+    machine: Body,
+}
+
+/// A portal whose parameters are numbers in a list.
+fn with_parameters([ei, ea, shear, axial, k, kz, mass, inertia]: [f64; 8]) -> Parts {
+    let mut frame = Frame::new();
+    let [foot, corner, knee, far] = points(&mut frame, [[0.0, 0.0], [0.0, 3.0], [0.0, 3.0], [4.0, 3.5]]);
+    let section = Section::new().axial_stiffness(ea).bending_stiffness(ei).mass_per_length(20.0);
+    frame.hold(foot, Support::Fixed);
+    frame.hold(far, Roller::along([1.0, 0.25]));
+    let column = frame.member(foot, corner, section.axial_force(axial));
+    let girder = frame.member(knee, far, section.shear_stiffness(shear));
+    let hinge = frame.member(corner, knee, Hinge::new().stiffness_rz(kz));
+    let brace = frame.member(corner.along([1.0, 0.5]), Ground, Spring { stiffness: k });
+    let machine = frame.body([knee], RigidBody { mass, inertia, centre: [0.4, 3.3] });
+    Parts { frame, column, girder, brace, hinge, machine }
+}
+
+/// Beside differences of frequencies: what each parameter does.
+#[test]
+fn sensitivities_are_differences_of_roots() {
+    let at = [1e6, 4e8, 2e7, -3e4, 2e6, 5e5, 150.0, 12.0];
+    let Parts { frame, column, girder, brace, hinge, machine } = with_parameters(at);
+    let structure = frame.build().unwrap();
+    let roots = structure.frequencies(4).unwrap();
+    for (mode, root) in roots.iter().enumerate() {
+        let slopes = structure.sensitivity(root).unwrap();
+        let of = |member: Member<OfBeam>, name: &str| slopes.of(member, name).unwrap();
+        let found = [
+            of(column, "bending_stiffness") + of(girder, "bending_stiffness"),
+            of(column, "axial_stiffness") + of(girder, "axial_stiffness"),
+            of(girder, "shear_stiffness"),
+            of(column, "axial_force"),
+            slopes.of(brace, "stiffness").unwrap(),
+            slopes.of(hinge, "stiffness_rz").unwrap(),
+            slopes.of(machine, "mass").unwrap(),
+            slopes.of(machine, "inertia").unwrap(),
+        ];
+        for (parameter, slope) in found.into_iter().enumerate() {
+            let omega = |part: f64| {
+                let mut moved = at;
+                moved[parameter] *= 1.0 + part;
+                with_parameters(moved).frame.build().unwrap().frequencies(4).unwrap()[mode].omega
+            };
+            let difference = (omega(1e-4) - omega(-1e-4)) / (2e-4 * at[parameter]);
+            let size = root.omega / at[parameter].abs();
+            assert!((slope - difference).abs() < 1e-7 * size, "{parameter} of mode {mode}: {slope:e}, {difference:e}");
+        }
+        assert_eq!(slopes.of(girder, "length"), Err(MotionError::NoSuchParameter));
+        assert_eq!(slopes.of(machine, "centre"), Err(MotionError::NoSuchParameter));
+    }
 }

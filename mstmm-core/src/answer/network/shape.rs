@@ -332,7 +332,7 @@ where
 
 /// The shape of a simple root: the difference of motions on both sides of it, under a load everywhere. Where that under another load differs, the
 /// root has another one beside it, and the motion at the root itself is told from that of the other one.
-pub(super) fn simple<Y, S>(system: &Y, x: S) -> Result<PlaneShape<'_, Y, S>, MotionError>
+pub(crate) fn simple<Y, S>(system: &Y, x: S) -> Result<PlaneShape<'_, Y, S>, MotionError>
 where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,

@@ -1,6 +1,8 @@
 //! A network with its order of elimination.
 
-use crate::element::{MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
+use crate::element::{
+    MemberChart, MemberElement, MemberMatrix, MemberSlopes, MemberTransfer, MemberVisit, MemberWork, VisitMember,
+};
 use crate::model::{FrequencyEstimates, Spot, is_size_of_direction};
 use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
@@ -157,6 +159,14 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
     /// What each member is.
     pub(crate) fn kinds(&self) -> &[&'static str] {
         &self.kinds.as_ref()[..self.sizes[1]]
+    }
+
+    /// `∂L/∂p` for a parameter of a member by its name.
+    pub(crate) fn slope<S: Scalar>(&self, member: usize, work: &MemberWork<S>, name: &str) -> Option<S>
+    where
+        E: MemberSlopes<S>,
+    {
+        E::slope(self.member(member)?, work, name)
     }
 
     /// A built member.
