@@ -23,6 +23,7 @@ pub(crate) mod member;
 pub(crate) mod memory;
 mod path_chart;
 mod shear;
+mod tape;
 #[cfg(test)]
 mod tests;
 mod total;

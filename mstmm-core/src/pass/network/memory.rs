@@ -21,12 +21,8 @@ pub trait Memory: Copy + Debug {
     /// One value for so many members, if there is room for them.
     fn per_member<V: Copy + Debug>(members: usize, value: V) -> Self::PerMember<V>;
 
-    /// What a function does with a factor of up to so many unknowns at once. It keeps the rows of as many unknowns as the second function says.
-    fn in_factor<S: Scalar, R>(
-        width: usize,
-        unknowns: impl FnOnce() -> usize,
-        work: impl FnOnce(Factor<'_, S>) -> R,
-    ) -> R;
+    /// What a function does with a factor of up to so many unknowns at once. It keeps the rows of all that leave.
+    fn in_factor<S: Scalar, R>(width: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R;
 
     /// What a function does with a factor of up to so many unknowns at once. It keeps no rows.
     fn in_front<S: Scalar, R>(width: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R;
@@ -49,17 +45,13 @@ impl<const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Memory for Ar
         [value; MEMBERS]
     }
 
-    fn in_factor<S: Scalar, R>(
-        _width: usize,
-        unknowns: impl FnOnce() -> usize,
-        work: impl FnOnce(Factor<'_, S>) -> R,
-    ) -> R {
-        in_memory::<WIDTH, NODES, S, R>(true, unknowns, work)
+    fn in_factor<S: Scalar, R>(_width: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
+        in_memory::<WIDTH, NODES, S, R>(true, work)
     }
 
     fn in_front<S: Scalar, R>(_width: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
         // room for the rows of one node
-        in_memory::<WIDTH, 1, S, R>(false, || WIDTH, work)
+        in_memory::<WIDTH, 1, S, R>(false, work)
     }
 }
 
@@ -82,15 +74,11 @@ impl Memory for Vectors {
         std::vec![value; members]
     }
 
-    fn in_factor<S: Scalar, R>(
-        width: usize,
-        unknowns: impl FnOnce() -> usize,
-        work: impl FnOnce(Factor<'_, S>) -> R,
-    ) -> R {
-        crate::structure::on_heap(width, Some(unknowns()), work)
+    fn in_factor<S: Scalar, R>(width: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
+        crate::structure::on_heap(width, true, work)
     }
 
     fn in_front<S: Scalar, R>(width: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
-        crate::structure::on_heap(width, None, work)
+        crate::structure::on_heap(width, false, work)
     }
 }

@@ -64,12 +64,7 @@ where
     S: Frequency<Y::Parameter> + StructureScalar,
 {
     let ([nodes, members], none) = (network.sizes(), MemberStiffness::none());
-    // a member has no more unknowns of its own than freedoms
-    let unknowns = || {
-        let of_nodes = (0..nodes).map(|node| network.node(node).1.count);
-        of_nodes.chain((0..members).map(|member| network.placement(member).freedoms.count())).sum()
-    };
-    Y::Memory::in_factor(network.width(), unknowns, |mut factor: Factor<'_, S>| {
+    Y::Memory::in_factor(network.width(), |mut factor: Factor<'_, S>| {
         with_many(
             NodeUnknowns::NONE,
             nodes,
