@@ -76,7 +76,7 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     element("torsion_spring_damper", "TorsionSpringDamper", Space::Rotation, &["stiffness", "damping"]),
     element("mass", "Mass", Space::Translation, &["mass"]),
     element("inertia", "Inertia", Space::Rotation, &["inertia"]),
-    element("point_mass", "PointMass", Space::Bending, &["mass", "inertia"]),
+    Keyword { optional: &["inertia"], ..element("point_mass", "PointMass", Space::Bending, &["mass", "inertia"]) },
     element("elastic_hinge", "ElasticHinge", Space::Bending, &["stiffness_y", "stiffness_theta"]),
     with_axial_force("BodyColumn", element("body", "Body", Space::Bending, &["mass", "inertia", "output_x", "centre_x"])),
     damped("DampedBeam", ABSENT_OF_BEAM, element("beam", "Beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length"])),

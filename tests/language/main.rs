@@ -3,6 +3,7 @@
 mod bad_numbers;
 pub mod expansion;
 mod formulas;
+mod named_points;
 mod readme;
 mod scenes;
 #[path = "../support/mod.rs"]

@@ -126,16 +126,16 @@ fn words_labels_parameters_and_graph_are_shown_together() {
         "
         struct M { k: f64, name: String }
                                  ^^^^^^ a field of a model is an `f64`: compute anything else in a `let` line
-        fixed -> sprng 1 { stiffness: k } -> conn 2 <- mass 2 { mas: 1.0 } <- free;
+        fixed -> sprng 1 { stiffness: k } -> conn 2 <- mass 3 { mas: 1.0 } <- free;
                  ^^^^^ `sprng` is not an element: did you mean `spring`?
                                                                 ^^^ `mass` has no parameter `mas`: did you
                                                                 | mean `mass`?
-                                                            ^ label `2` is taken by `conn 2`: elements and
-                                                            | connections share one set of labels, and an
-                                                            | element is written once
-                                             ^^^^^^ label `2` is first used here
+                                                       ^^^^^^ label `3` is first used here
+                                             ^^^^^^ `conn 2` has no output: lead it on to the root
         fixed -> beam 3 { length: k } -> conn 4;
                  ^^^^^^ `beam 3` lacks `bending_stiffness` and `mass_per_length`
+                      ^ label `3` is taken by `mass 3`: elements share one set of labels, and an element is
+                      | written once
                                          ^^^^^^ `conn 4` has no output: lead it on to the root
         ",
     );

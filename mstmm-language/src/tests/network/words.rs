@@ -63,16 +63,12 @@ fn labels_are_checked() {
         struct M { l: f64 }
         fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                                ^^^^^^^^^^^^^ label `1` is first used here
-                               ^^^^^^^^^^^^^ label `1` is first used here
             -> conn 1 at (l, 0.0) -> planar_beam 02 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                                                  ^^ `02` is not a label: a label is a name or a decimal number
                                                  | without leading zero or suffix, such as `arm` or `12`
-                    ^ label `1` is taken by `planar_beam 1`: elements and connections share one set of labels,
-                    | and an element is written once
             -> conn b at (l, l) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-                                               ^ label `1` is taken by `planar_beam 1`: elements and
-                                               | connections share one set of labels, and an element is
-                                               | written once
+                                               ^ label `1` is taken by `planar_beam 1`: elements share one set
+                                               | of labels, and an element is written once
             -> fixed at (0.0, l);
         ",
     );
