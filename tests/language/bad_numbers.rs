@@ -16,15 +16,17 @@ impl Range {
     fn outside(self) -> Vec<f64> {
         let finite: &[f64] = match self {
             Range::Positive => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
-            Range::Moderate | Range::Tame => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
-            Range::Invertible => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
+            Range::Moderate | Range::Tame | Range::TameOrRigid => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
+            Range::Invertible | Range::InvertibleOrRigid => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
             Range::NonNegative | Range::ModerateOrZero | Range::TameOrZero => &[-TINY, -1.0, f64::MIN],
             Range::Position => &[],
             // -1/f - G
             Range::Tension => &[-2.0, -3.0, f64::MIN],
             Range::Taper => &[0.999_999_1, 1.0, 2.0, f64::MAX, -1.000_001e6, f64::MIN],
         };
-        [&NOT_FINITE, finite].concat()
+        let is_rigid =
+            |value: f64| value == f64::INFINITY && matches!(self, Range::InvertibleOrRigid | Range::TameOrRigid);
+        [&NOT_FINITE, finite].concat().into_iter().filter(|&value| !is_rigid(value)).collect()
     }
 
     /// Values inside, the limits among them.
@@ -34,7 +36,9 @@ impl Range {
             Range::Moderate => &[1e-60, 1.0, 1e60],
             Range::ModerateOrZero => &[0.0, -0.0, TINY, 1e-60, 1.0, 1e60],
             Range::Invertible => &[f64::MIN_POSITIVE, 1.0, f64::MAX],
+            Range::InvertibleOrRigid => &[f64::MIN_POSITIVE, 1.0, f64::MAX, f64::INFINITY],
             Range::NonNegative => &[0.0, -0.0, TINY, f64::MIN_POSITIVE, 1.0, f64::MAX],
+            Range::TameOrRigid => &[1e-20, 1.0, 1e20, f64::INFINITY],
             Range::Tame => &[1e-20, 1.0, 1e20],
             Range::TameOrZero => &[0.0, -0.0, TINY, 1e-20, 1.0, 1e20],
             Range::Taper => &[-1e6, -1.0, -TINY, 0.0, 0.5, 0.999_999],

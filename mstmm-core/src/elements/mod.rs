@@ -32,9 +32,9 @@ pub use damped_spring::{DampedSpring, DampedTorsionSpring};
 pub use damped_wave_line::{DampedRod, DampedShaft, DampedString};
 pub use elastic_hinge::ElasticHinge;
 pub use general_beam::{
-    BeamColumn, DampedBeam, DampedTimoshenkoBeam, FoundationBeam, GeneralBeam, PlanarBeamColumn, PlanarDampedBeam,
-    PlanarDampedTimoshenkoBeam, PlanarFoundationBeam, PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam,
-    RayleighBeam, TimoshenkoBeam,
+    BeamColumn, DampedBeam, DampedTimoshenkoBeam, DampedUniformBeam, FoundationBeam, GeneralBeam, PlanarBeamColumn,
+    PlanarDampedBeam, PlanarDampedTimoshenkoBeam, PlanarDampedUniformBeam, PlanarFoundationBeam, PlanarGeneralBeam,
+    PlanarRayleighBeam, PlanarTimoshenkoBeam, PlanarUniformBeam, RayleighBeam, TimoshenkoBeam, UniformBeam,
 };
 pub use hinge::{RotationalHinge, ShearHinge};
 pub use lever::{Lever, LeverColumn};
@@ -135,6 +135,10 @@ elements! {
             length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force, foundation_stiffness,
             foundation_shear_stiffness
         }
+        UniformBeam {
+            length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force, foundation_stiffness,
+            foundation_shear_stiffness
+        }
         RotationalHinge { stiffness }
         ShearHinge { stiffness }
         Lever { output_x }
@@ -152,8 +156,8 @@ elements! {
         TorsionDamper { damping }
         SpringDamper { stiffness, damping }
         TorsionSpringDamper { stiffness, damping }
-        DampedSpring { stiffness, loss_factor, kelvin_voigt_time }
-        DampedTorsionSpring { stiffness, loss_factor, kelvin_voigt_time }
+        DampedSpring { stiffness, loss_factor, kelvin_voigt_time, damping }
+        DampedTorsionSpring { stiffness, loss_factor, kelvin_voigt_time, damping }
         DampedBeam {
             length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force, foundation_stiffness,
             foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
@@ -161,6 +165,10 @@ elements! {
         DampedTimoshenkoBeam {
             length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, loss_factor, kelvin_voigt_time,
             external_damping
+        }
+        DampedUniformBeam {
+            length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force, foundation_stiffness,
+            foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
         }
         DampedString { length, tension, mass_per_length, foundation_stiffness, external_damping }
         DampedRod {
@@ -186,10 +194,18 @@ elements! {
             length, axial_stiffness, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force,
             foundation_stiffness, foundation_shear_stiffness
         }
+        PlanarUniformBeam {
+            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force,
+            foundation_stiffness, foundation_shear_stiffness
+        }
     }
     planar damped {
         PlanarDampedBeam {
             length, axial_stiffness, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force,
+            foundation_stiffness, foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
+        }
+        PlanarDampedUniformBeam {
+            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force,
             foundation_stiffness, foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
         }
         PlanarDampedTimoshenkoBeam {

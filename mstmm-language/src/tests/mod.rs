@@ -9,6 +9,8 @@ mod grammar;
 mod graph;
 mod meant;
 mod network;
+mod sections;
+mod types;
 mod words;
 
 use crate::expand::expand_checked;

@@ -166,8 +166,12 @@ fn an_element_has_its_parameters_and_no_others() {
                           ^^^^^^ `beam` has no parameter `lenght`: did you mean `length`?
                                                                  ^^^^ `beam` has no parameter `quux`: it has
                                                                  | `length`, `bending_stiffness`,
-                                                                 | `mass_per_length`, `loss_factor`,
-                                                                 | `kelvin_voigt_time` and `external_damping`
+                                                                 | `mass_per_length`, `shear_stiffness`,
+                                                                 | `rotary_inertia`, `axial_force`,
+                                                                 | `foundation_stiffness`,
+                                                                 | `foundation_shear_stiffness`,
+                                                                 | `loss_factor`, `kelvin_voigt_time` and
+                                                                 | `external_damping`
                  ^^^^^^ `beam 1` lacks `mass_per_length`
         conn 2 <- spring_damper 3 { stiffness: 1.0, stiffness: 2.0 } <- fixed;
                                                     ^^^^^^^^^ `spring_damper 3` gives `stiffness` a second

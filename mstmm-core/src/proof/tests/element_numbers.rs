@@ -153,6 +153,11 @@ fn beams(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
             shear_flexibility: beam!(p: small), rotary_inertia: beam!(p: small), axial_force: p.any(),
             foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
         }
+        UniformBeam of length => {
+            length: beam!(p: length), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
+            shear_stiffness: DoubleDouble::from_f64(10.0) + p.size(0.5), rotary_inertia: beam!(p: small), axial_force: p.any(),
+            foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
+        }
         TaperedBeam of length => {
             length: p.size(0.2), bending_stiffness: p.size(0.3), mass_per_length: p.size(0.3), width_taper: p.part(-0.5, 0.5),
             height_taper: p.part(-0.5, 0.5), rotary_inertia: beam!(p: small), axial_force: p.any(), rotation_speed: p.maybe(),
@@ -185,6 +190,11 @@ fn planar_beams(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
         PlanarGeneralBeam of length => {
             length: beam!(p: length), axial_stiffness: p.size(1.0), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
             shear_flexibility: beam!(p: small), rotary_inertia: beam!(p: small), axial_force: p.any(),
+            foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
+        }
+        PlanarUniformBeam of length => {
+            length: beam!(p: length), axial_stiffness: p.size(1.0), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
+            shear_stiffness: DoubleDouble::from_f64(10.0) + p.size(0.5), rotary_inertia: beam!(p: small), axial_force: p.any(),
             foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
         }
     )

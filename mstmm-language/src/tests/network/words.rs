@@ -8,13 +8,13 @@ fn each_dimension_has_its_keywords() {
         "
         struct M { l: f64 }
         fixed at (0.0, 0.0) -> beam 1 { bending_stiffness: l, mass_per_length: l } -> conn a at (l, 0.0)
-                               ^^^^ `beam` does not say what happens along it, which counts in the plane: take
-                               | `planar_beam`
+                               ^^^^^^ `beam 1` lacks `axial_stiffness`: in the plane a beam stretches, too; a
+                               | large number is one that hardly does
             -> body 2 { mass: l, inertia: l, output_x: l, centre_x: l } -> conn b at (l, l)
                ^^^^ `body` has its points by offsets, which places replace: take `rigid_body`
             -> elastic_hinge 3 { stiffness_y: l, stiffness_theta: l } -> fixed;
                ^^^^^^^^^^^^^ `elastic_hinge` does not say what happens along x, which counts in the plane:
-               | take `planar_hinge`
+               | take `hinge`
         conn b -> planar_body 4 { } -> fixed;
                   ^^^^^^^^^^^ `planar_body` has its points by offsets, which places replace: take `rigid_body`
         conn a -> spatial_beam 5 { } -> plnar_beam 7 { } -> pin8 -> conn b;
@@ -32,7 +32,7 @@ fn each_dimension_has_its_keywords() {
                         | take `beam`
             -> planar_hinge 2 { stiffness_x: l, stiffness_y: l, stiffness_theta: l } -> fixed;
                ^^^^^^^^^^^^ `planar_hinge` moves in the plane, but points have one coordinate here: take
-               | `elastic_hinge`
+               | `hinge`
         ",
     );
 }
@@ -144,11 +144,11 @@ fn joints_of_paths_have_others_instead() {
         struct M { l: f64 }
         fixed at (0.0, 0.0) -> rotational_hinge 1 { stiffness: l } -> conn a at (l, 0.0)
                                ^^^^^^^^^^^^^^^^ `rotational_hinge` stands in models without places: take
-                               | `planar_hinge`
+                               | `hinge`
             -> shear_hinge 2 { stiffness: l } -> lever 3 { output_x: l } -> fixed;
-               ^^^^^^^^^^^ `shear_hinge` stands in models without places: take `planar_hinge`
+               ^^^^^^^^^^^ `shear_hinge` stands in models without places: take `hinge`
                                                  ^^^^^ `lever` has its points by offsets, which places
-                                                 | replace: take `rigid_body`
+                                                 | replace: take `rigid_link`
         ",
     );
 }
