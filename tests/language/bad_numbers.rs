@@ -97,8 +97,8 @@ fn a_value_at_the_limit_of_its_range_is_accepted() {
 /// Oracle: J about the input end is at least `m c²` with c = 0.5; a step of 1e-12 is far beyond the rounding of the limit.
 #[test]
 fn a_body_needs_the_inertia_of_its_eccentric_mass() {
-    for (element, centres) in [("body 7", &[0.5][..]), ("planar_body 7", &[0.3, -0.4])] {
-        let scene = SCENES.iter().find(|scene| scene.element == element).unwrap();
+    for (type_name, centres) in [("Body", &[0.5][..]), ("PlanarBody", &[0.3, -0.4])] {
+        let scene = SCENES.iter().find(|scene| scene.type_name == type_name).unwrap();
         let mut values = scene.ordinary();
         let first = values.len() - centres.len();
         values[first..].copy_from_slice(centres);
@@ -106,10 +106,10 @@ fn a_body_needs_the_inertia_of_its_eccentric_mass() {
         for (inertia, valid) in [(least, true), (least * (1.0 - 1e-12), false), (0.0, false), (f64::MAX, true)] {
             values[1] = inertia;
             let refused = (scene.build)(&values).err().map(|error| (error.element, error.parameter, error.value));
-            assert_eq!(refused, (!valid).then_some((element, "inertia", inertia)));
+            assert_eq!(refused, (!valid).then_some(("body 7", "inertia_about_input", inertia)));
         }
         values[first] = f64::MAX; // the bound itself overflows
-        assert_eq!((scene.build)(&values).unwrap_err().parameter, "inertia");
+        assert_eq!((scene.build)(&values).unwrap_err().parameter, "inertia_about_input");
     }
 }
 

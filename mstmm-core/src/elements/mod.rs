@@ -27,7 +27,7 @@ mod wave_line;
 
 pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
-pub use body::{Body, BodyColumn};
+pub use body::{Body, BodyColumn, CentralBody, CentralBodyColumn};
 pub use damped_spring::{DampedSpring, DampedTorsionSpring};
 pub use damped_wave_line::{DampedRod, DampedShaft, DampedString};
 pub use elastic_hinge::ElasticHinge;
@@ -40,7 +40,7 @@ pub use hinge::{RotationalHinge, ShearHinge};
 pub use lever::{Lever, LeverColumn};
 pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 pub use planar_beam::PlanarBeam;
-pub use planar_body::PlanarBody;
+pub use planar_body::{PlanarBody, PlanarCentralBody};
 pub use planar_hinge::PlanarHinge;
 pub use point_mass::PointMass;
 pub use tapered_beam::TaperedBeam;
@@ -126,6 +126,8 @@ elements! {
         ElasticHinge { stiffness_y, stiffness_theta }
         Body { mass, inertia, output_x, centre_x }
         BodyColumn { mass, inertia, output_x, centre_x, axial_force }
+        CentralBody { mass, inertia, output_x, centre_x }
+        CentralBodyColumn { mass, inertia, output_x, centre_x, axial_force }
         Beam { length, bending_stiffness, mass_per_length }
         RayleighBeam { length, bending_stiffness, mass_per_length, rotary_inertia }
         TimoshenkoBeam { length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia }
@@ -180,6 +182,7 @@ elements! {
     }
     planar {
         PlanarBody { mass, inertia, output_x, output_y, centre_x, centre_y }
+        PlanarCentralBody { mass, inertia, output_x, output_y, centre_x, centre_y }
         PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length }
         PlanarHinge { stiffness_x, stiffness_y, stiffness_theta }
         PlanarRayleighBeam { length, axial_stiffness, bending_stiffness, mass_per_length, rotary_inertia }

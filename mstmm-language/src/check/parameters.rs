@@ -1,7 +1,7 @@
 //! The parameters of an element: each must be given once, and no others.
 
 use super::listed;
-use crate::ast::Element;
+use crate::ast::{Element, Parameter};
 use crate::diagnostics::Errors;
 use crate::keywords::{DAMPING, nearest};
 use std::collections::BTreeSet;
@@ -50,6 +50,26 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
         let in_plane = missing.contains(&"axial_stiffness") && element.known().is_some_and(|row| row.name == "beam");
         let reason = if in_plane { IN_PLANE } else { "" };
         errors.push(element.place(), format!("`{element}` lacks {}{reason}", listed(missing)));
+    }
+}
+
+/// Of parameters that say the same in different ways one is named.
+pub(super) fn one_of_them(element: &Element, errors: &mut Errors) {
+    let Some(row) = element.known().filter(|row| !row.one_of.is_empty()) else { return };
+    let is_one = |parameter: &&Parameter| row.one_of.iter().any(|name| parameter.name.unraw() == name);
+    let mut named = element.parameters().filter(is_one);
+    let Some(first) = named.next() else {
+        if element.spread.is_empty() {
+            errors.push(
+                element.place(),
+                format!("`{element}` lacks `inertia`, about its mass centre, or `inertia_about_input`"),
+            );
+        }
+        return;
+    };
+    for second in named.filter(|second| second.name.unraw() != first.name.unraw()) {
+        let message = format!("`{element}` gives its inertia twice: remove `{}` or `{}`", first.name, second.name);
+        errors.push(second.name.span(), message);
     }
 }
 

@@ -106,8 +106,9 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
     } else if element.parameters.is_none() {
         errors.push(element.place(), without_parameters(element, model));
     } else {
-        let known = element.known().map(|known| [known.required, known.optional].map(<[_]>::to_vec));
+        let known = element.known().map(|row| [row.required.to_vec(), [row.optional, row.one_of].concat()]);
         parameters::parameters(element, known.as_ref(), errors);
+        parameters::one_of_them(element, errors);
         if parameters::names_nothing(element) {
             let advice = "write `stiffness_rz: 0.0`, which lets the rotation go, or another stiffness";
             errors.push(

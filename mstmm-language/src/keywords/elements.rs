@@ -15,6 +15,8 @@ pub(crate) struct Keyword {
     pub(crate) required: &'static [&'static str],
     /// The parameters that may be left out.
     pub(crate) optional: &'static [&'static str],
+    /// Parameters that say the same in different ways: one of them is named.
+    pub(crate) one_of: &'static [&'static str],
     /// What it may be, cheapest first: it is the first type that has all named parameters.
     pub(crate) types: &'static [TypeRow],
 }
@@ -41,7 +43,7 @@ pub(crate) fn neutral(parameter: &str) -> f64 {
 impl Keyword {
     /// The type that has all named parameters. A name that the keyword has not is an error elsewhere.
     pub(crate) fn type_with(&self, is_named: impl Fn(&str) -> bool) -> &'static TypeRow {
-        let named = || self.optional.iter().filter(|name| is_named(name));
+        let named = || self.optional.iter().chain(self.one_of).filter(|name| is_named(name));
         let has_all = |row: &&TypeRow| named().all(|name| row.parameters.contains(name));
         self.types.iter().find(has_all).unwrap_or(&self.types[self.types.len() - 1])
     }
@@ -114,7 +116,15 @@ const fn keyword(
     optional: &'static [&'static str],
     types: &'static [TypeRow],
 ) -> Keyword {
-    Keyword { name, space, required, optional, types }
+    Keyword { name, space, required, optional, one_of: &[], types }
+}
+
+/// The inertia of a body: about its mass centre, or about its input end.
+const INERTIAS: &[&str] = &["inertia", "inertia_about_input"];
+
+/// A type of bodies by their inertia about the input end.
+const fn about_input(name: &'static str, parameters: &'static [&'static str]) -> TypeRow {
+    TypeRow { name, parameters, renamed: &[("inertia_about_input", "inertia")] }
 }
 
 /// A word for beams of one kind, whose damping makes a general beam of it.
@@ -175,10 +185,16 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     keyword("mass", Space::Translation, &["mass"], &[], &[row("Mass", &[])]),
     keyword("inertia", Space::Rotation, &["inertia"], &[], &[row("Inertia", &[])]),
     keyword("point_mass", Space::Bending, &["mass"], &["inertia"], &[row("PointMass", &["inertia"])]),
-    keyword("body", Space::Bending, &["mass", "inertia", "output_x", "centre_x"], &["axial_force"], &[
-        row("Body", &[]),
-        row("BodyColumn", &["axial_force"]),
-    ]),
+    Keyword { one_of: INERTIAS, ..keyword("body", Space::Bending, &["mass", "output_x", "centre_x"], &["axial_force"], &[
+        row("CentralBody", &["inertia"]),
+        about_input("Body", &["inertia_about_input"]),
+        row("CentralBodyColumn", &["inertia", "axial_force"]),
+        about_input("BodyColumn", &["inertia_about_input", "axial_force"]),
+    ]) },
+    Keyword { one_of: INERTIAS, ..keyword("body", Space::Planar, &["mass", "output_x", "output_y", "centre_x", "centre_y"], &[], &[
+        row("PlanarCentralBody", &["inertia"]),
+        about_input("PlanarBody", &["inertia_about_input"]),
+    ]) },
     keyword("rigid_link", Space::Bending, &["output_x"], &["axial_force"], &[
         row("Lever", &[]),
         row("LeverColumn", &["axial_force"]),

@@ -34,10 +34,14 @@ fn each_element_of_the_core_has_a_keyword() {
 #[test]
 fn each_set_of_optional_parameters_selects_the_cheapest_type_that_has_them() {
     for keyword in ELEMENTS {
-        for set in 0..1_usize << keyword.optional.len() {
+        let one_of =
+            if keyword.one_of.is_empty() { vec![None] } else { keyword.one_of.iter().copied().map(Some).collect() };
+        for (set, one) in
+            (0..1_usize << keyword.optional.len()).flat_map(|set| one_of.iter().map(move |one| (set, *one)))
+        {
             let optional = keyword.optional.iter().enumerate();
-            let named: BTreeSet<&str> =
-                optional.filter(|(index, _)| set >> index & 1 == 1).map(|(_, name)| *name).collect();
+            let chosen = optional.filter(|(index, _)| set >> index & 1 == 1).map(|(_, name)| *name);
+            let named: BTreeSet<&str> = chosen.chain(one).collect();
             let has_all = |row: &&TypeRow| named.iter().all(|name| row.parameters.contains(name));
             let taken = keyword.type_with(|name| named.contains(name));
             assert!(has_all(&taken), "{} with {named:?} is {}", keyword.name, taken.name);
@@ -114,7 +118,7 @@ fn the_grammar_has_a_row_for_each_element() {
         let row =
             row.unwrap_or_else(|| panic!("no row for {name}, {space}, in the table of elements in docs/grammar.md"));
         let of_damping = |name: &&&str| !DAMPING.contains(name);
-        for parameter in keyword.required.iter().chain(keyword.optional).filter(of_damping) {
+        for parameter in keyword.required.iter().chain(keyword.optional).chain(keyword.one_of).filter(of_damping) {
             assert!(row.contains(&format!("`{parameter}`")), "no `{parameter}` in docs/grammar.md: {row}");
         }
     }

@@ -124,6 +124,35 @@ fn a_beam_in_the_plane_says_how_it_stretches() {
     expanded(rod);
 }
 
+/// A body says its inertia in one of two ways.
+#[test]
+fn a_body_has_one_inertia() {
+    assert_refused(
+        "
+        struct M { k: f64 }
+        fixed -> body 1 { mass: k, output_x: k, centre_x: k }
+                 ^^^^^^ `body 1` lacks `inertia`, about its mass centre, or `inertia_about_input`
+            -> body 2 { mass: k, inertia: k, output_x: k, centre_x: k, inertia_about_input: k } -> free;
+                                                                       ^^^^^^^^^^^^^^^^^^^ `body 2` gives its
+                                                                       | inertia twice: remove `inertia` or
+                                                                       | `inertia_about_input`
+        ",
+    );
+    for (parameters, name) in [
+        ("inertia: k", "CentralBody"),
+        ("inertia_about_input: k", "Body"),
+        ("inertia: k, axial_force: k", "CentralBodyColumn"),
+        ("inertia_about_input: k, axial_force: k", "BodyColumn"),
+        ("inertia: k, output_y: k, centre_y: k", "PlanarCentralBody"),
+        ("inertia_about_input: k, output_y: k, centre_y: k", "PlanarBody"),
+    ] {
+        assert_eq!(
+            types(&format!("fixed -> body 1 {{ mass: k, output_x: k, centre_x: k, {parameters} }} -> free")),
+            [name]
+        );
+    }
+}
+
 /// A rigid link ties points as a rigid body does, and may be named again.
 #[test]
 fn a_rigid_link_between_places_may_be_named_again() {

@@ -133,10 +133,20 @@ fn evaluate<S: mstmm::number::Scalar, const N: usize>(
 scenes! {
     Beam = fixed -> beam { length: Moderate, bending_stiffness: Moderate, mass_per_length: Moderate } -> free undamped;
     Body = free -> body {
-        mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position,
+        mass: NonNegative, inertia_about_input: NonNegative, output_x: Position, centre_x: Position,
     } -> free undamped;
     BodyColumn = free -> body {
+        mass: NonNegative, inertia_about_input: NonNegative, output_x: Position, centre_x: Position, axial_force: Position,
+    } -> free undamped;
+    CentralBody = free -> body {
+        mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position,
+    } -> free undamped;
+    CentralBodyColumn = free -> body {
         mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position, axial_force: Position,
+    } -> free undamped;
+    PlanarCentralBody = free -> body {
+        mass: NonNegative, inertia: NonNegative,
+        output_x: Position, output_y: Position, centre_x: Position, centre_y: Position,
     } -> free undamped;
     ElasticHinge = fixed -> hinge { stiffness_y: Invertible, stiffness_rz: Invertible } -> free undamped;
     Spring = fixed -> spring { stiffness: Invertible } -> free undamped;
@@ -197,8 +207,8 @@ scenes! {
         shear_flexibility: TameOrZero, rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
-    PlanarBody = free -> planar_body {
-        mass: NonNegative, inertia: NonNegative,
+    PlanarBody = free -> body {
+        mass: NonNegative, inertia_about_input: NonNegative,
         output_x: Position, output_y: Position, centre_x: Position, centre_y: Position,
     } -> free undamped;
     PlanarHinge = fixed -> hinge {
