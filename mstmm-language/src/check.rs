@@ -4,6 +4,7 @@ mod derivatives;
 mod fields;
 mod neighbours;
 mod network;
+mod new_words;
 mod parameters;
 mod planar;
 mod selves;

@@ -3,6 +3,7 @@
 mod dimension;
 mod elements;
 mod located;
+mod old_words;
 
 pub(crate) use dimension::Dimension;
 pub(crate) use elements::{DAMPING, ELEMENTS, Keyword, TypeRow, element_of, neutral};
@@ -10,6 +11,9 @@ pub(crate) use located::{
     ALONG, AT, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, freedom_of, located_of,
 };
 use mstmm_plan::Support;
+#[cfg(test)]
+pub(crate) use old_words::OLD_WORDS;
+pub(crate) use old_words::{OldWord, old_word};
 
 /// The supports and their keywords.
 pub(crate) const SUPPORTS: &[(&str, Support)] = &[

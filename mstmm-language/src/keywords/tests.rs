@@ -169,3 +169,24 @@ fn a_slip_of_the_pen_finds_its_keyword() {
     assert_eq!(nearest(elements(), "springdamper"), Some("spring_damper"));
     assert_eq!(nearest(elements(), "quux"), None);
 }
+
+/// What stands for an old word has all of its parameters, under their new names, where it stands.
+#[test]
+fn the_new_form_of_an_old_word_is_one_of_its_new_word() {
+    for word in OLD_WORDS {
+        let old = ELEMENTS.iter().find(|row| row.name == word.name).unwrap();
+        let new = ELEMENTS.iter().find(|row| row.name == word.new && row.space == old.space);
+        let new = new.unwrap_or_else(|| panic!("no {} for {}", word.new, word.name));
+        for name in old.required.iter().chain(old.optional) {
+            let written = word.parameter(name, "x").unwrap();
+            let (name, _) = written.split_once(':').unwrap();
+            assert!([new.required, new.optional, new.one_of].concat().contains(&name), "{} {written}", word.name);
+        }
+    }
+    assert_eq!(
+        old_word("general_beam").unwrap().parameter("shear_flexibility", "f"),
+        Some("shear_stiffness: 1.0 / (f)".to_owned())
+    );
+    assert_eq!(old_word("general_beam").unwrap().parameter("axial_force", "0.0"), None);
+    assert_eq!(old_word("shear_hinge").unwrap().parameter("stiffness", "0.0"), Some("stiffness_y: 0.0".to_owned()));
+}

@@ -9,6 +9,7 @@ mod grammar;
 mod graph;
 mod meant;
 mod network;
+mod new_words;
 mod sections;
 mod types;
 mod words;

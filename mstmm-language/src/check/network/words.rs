@@ -1,12 +1,14 @@
 //! Rules of models with locations that need no graph: keywords, parameters, and what a support holds.
 
+use super::super::new_words::in_new_words;
 use super::super::words::{check_support, support_names, unknown_keyword, without_parameters};
 use super::super::{listed, parameters};
 use super::dimension;
 use crate::ast::{Coordinates, Element, Kind, Model, Node, Parameter, Support, place_of, tuple_parts};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, freedom_of,
+    ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, freedom_of, located_of,
+    old_word,
 };
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
@@ -104,7 +106,12 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
         return errors.push(element.kind.place(), message);
     };
     if let Some(instead) = row.instead(dimension) {
-        return errors.push(element.kind.place(), format!("`{text}` {}: take `{instead}`", reason(row, dimension)));
+        let known = located_of(instead).map_or([const { Vec::new() }; 2], |row| row.parameters(dimension));
+        let advice = match old_word(&text).filter(|word| word.new == instead) {
+            Some(word) => format!("write `{}`", in_new_words(element, word, &known)),
+            None => format!("take `{instead}`"),
+        };
+        return errors.push(element.kind.place(), format!("`{text}` {}: {advice}", reason(row, dimension)));
     }
     let [required, optional] = row.parameters(dimension);
     if element.parameters.is_some() {

@@ -14,7 +14,7 @@ fn each_dimension_has_its_keywords() {
                ^^^^ `body` has its points by offsets, which places replace: take `rigid_body`
             -> elastic_hinge 3 { stiffness_y: l, stiffness_theta: l } -> fixed;
                ^^^^^^^^^^^^^ `elastic_hinge` does not say what happens along x, which counts in the plane:
-               | take `hinge`
+               | write `hinge 3 { stiffness_y: l, stiffness_rz: l }`
         conn b -> planar_body 4 { } -> fixed;
                   ^^^^^^^^^^^ `planar_body` has its points by offsets, which places replace: take `rigid_body`
         conn a -> spatial_beam 5 { } -> plnar_beam 7 { } -> pin8 -> conn b;
@@ -29,10 +29,10 @@ fn each_dimension_has_its_keywords() {
         struct M { l: f64 }
         fixed at 0.0 -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at l
                         ^^^^^^^^^^^ `planar_beam` moves in the plane, but points have one coordinate here:
-                        | take `beam`
+                        | write `beam 1 { bending_stiffness: l, mass_per_length: l }`
             -> planar_hinge 2 { stiffness_x: l, stiffness_y: l, stiffness_theta: l } -> fixed;
-               ^^^^^^^^^^^^ `planar_hinge` moves in the plane, but points have one coordinate here: take
-               | `hinge`
+               ^^^^^^^^^^^^ `planar_hinge` moves in the plane, but points have one coordinate here: write
+               | `hinge 2 { stiffness_y: l, stiffness_rz: l }`
         ",
     );
 }
@@ -143,12 +143,12 @@ fn joints_of_paths_have_others_instead() {
         "
         struct M { l: f64 }
         fixed at (0.0, 0.0) -> rotational_hinge 1 { stiffness: l } -> conn a at (l, 0.0)
-                               ^^^^^^^^^^^^^^^^ `rotational_hinge` stands in models without places: take
-                               | `hinge`
+                               ^^^^^^^^^^^^^^^^ `rotational_hinge` stands in models without places: write
+                               | `hinge 1 { stiffness_rz: l }`
             -> shear_hinge 2 { stiffness: l } -> lever 3 { output_x: l } -> fixed;
-               ^^^^^^^^^^^ `shear_hinge` stands in models without places: take `hinge`
+               ^^^^^^^^^^^ `shear_hinge` stands in models without places: write `hinge 2 { stiffness_y: l }`
                                                  ^^^^^ `lever` has its points by offsets, which places
-                                                 | replace: take `rigid_link`
+                                                 | replace: write `rigid_link 3 {}`
         ",
     );
 }
