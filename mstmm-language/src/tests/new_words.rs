@@ -10,7 +10,10 @@ use std::path::{Path, PathBuf};
 
 /// A text with all elements of old words in new ones, and the labels of these: `Model::lever_2`, `"lever 2"`.
 fn rewritten(text: &str) -> String {
-    OLD_WORDS.iter().fold(text.to_owned(), |text, word| in_labels(&in_elements(&text, word), word))
+    let mut words: Vec<&OldWord> = OLD_WORDS.iter().collect();
+    // `planar_beam_column_1` before `planar_beam_column`, a beam of that label
+    words.sort_by_key(|word| core::cmp::Reverse(word.name.len()));
+    words.into_iter().fold(text.to_owned(), |text, word| in_labels(&in_elements(&text, word), word))
 }
 
 /// Where a word stands alone in a text.
@@ -109,6 +112,10 @@ fn elements_and_their_labels_are_written_in_new_words() {
         (
             "shape.state(Model::rotational_hinge_2.input()), \"lever 4\"",
             "shape.state(Model::hinge_2.input()), \"rigid_link 4\"",
+        ),
+        (
+            "Model::planar_beam_column_1, Model::planar_beam_column, Model::beam_column_2",
+            "Model::beam_1, Model::beam_column, Model::beam_2",
         ),
         ("mod general_beam; // a planar_beam { of no label }", "mod general_beam; // a planar_beam { of no label }"),
     ] {
