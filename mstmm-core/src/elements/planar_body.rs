@@ -147,6 +147,15 @@ impl super::laws::Sample for PlanarBody<f64> {
 }
 
 #[cfg(test)]
+impl super::laws::Sample for PlanarCentralBody<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        let [mass, inertia] = [next(), next()];
+        let [output_x, output_y, centre_x, centre_y] = [(); 4].map(|()| next() - 1.0);
+        PlanarCentralBody { mass, inertia, output_x, output_y, centre_x, centre_y }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
@@ -155,14 +164,5 @@ mod tests {
         let massless =
             PlanarBody { mass: 0.0, inertia: 0.0, output_x: 1.0, output_y: 0.0, centre_x: 1e200, centre_y: -1e200 };
         assert!(massless.build().is_ok());
-    }
-}
-
-#[cfg(test)]
-impl super::laws::Sample for PlanarCentralBody<f64> {
-    fn sample(mut next: impl FnMut() -> f64) -> Self {
-        let [mass, inertia] = [next(), next()];
-        let [output_x, output_y, centre_x, centre_y] = [(); 4].map(|()| next() - 1.0);
-        PlanarCentralBody { mass, inertia, output_x, output_y, centre_x, centre_y }
     }
 }
