@@ -26,11 +26,12 @@ mod transfer;
 mod under_load;
 mod wave_pair;
 
-pub use damped_kinds::{DampedBeam, DampedTimoshenkoBeam};
-pub use damped_members::{PlanarDampedBeam, PlanarDampedTimoshenkoBeam};
-pub use kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam};
+pub use damped_kinds::{DampedBeam, DampedTimoshenkoBeam, DampedUniformBeam};
+pub use damped_members::{PlanarDampedBeam, PlanarDampedTimoshenkoBeam, PlanarDampedUniformBeam};
+pub use kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam, UniformBeam};
 pub use members::{
     PlanarBeamColumn, PlanarFoundationBeam, PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam,
+    PlanarUniformBeam,
 };
 
 /// Uniform beam with shear, rotary inertia, axial force and an elastic foundation, exact at every frequency.

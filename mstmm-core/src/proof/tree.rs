@@ -235,6 +235,8 @@ fn add_body<N: Level>(body: &BodyNumbers, rows: [Terms<'_, N>; 2], joining: &mut
     let [mass, inertia, centre, output] =
         [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::<N::Alone>::of_pair);
     let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };
+    // Steiner's theorem
+    let inertia = if body.is_central && !is_zero(&moment) { inertia + moment * centre } else { inertia };
     add_inertia(joining, [mass, moment, inertia], rows);
     if body.axial_force != [0.0; 2] {
         let length = if output.mid.leading() < 0.0 { -output } else { output };

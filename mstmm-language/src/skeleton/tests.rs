@@ -2,15 +2,16 @@
 
 use super::Skeleton;
 use crate::diagnostics::Errors;
-use crate::expand::{network, read};
+use crate::expand::{located, network, read};
 use expect_test::{Expect, expect};
 
 #[track_caller]
 fn check(model: &str, text: Expect) {
     let tokens = |text: &str| text.parse::<proc_macro2::TokenStream>().unwrap();
     let mut errors = Errors::default();
-    let model = read(tokens("(mstmm)").into_iter().chain(tokens(model)).collect(), &mut errors).unwrap();
-    text.assert_eq(&Skeleton::of(&network(&model, errors).unwrap()).to_string());
+    let mut model = read(tokens("(mstmm)").into_iter().chain(tokens(model)).collect(), &mut errors).unwrap();
+    let (dimension, errors) = located(&mut model, errors).unwrap();
+    text.assert_eq(&Skeleton::of(&network(&model, dimension, errors).unwrap()).to_string());
 }
 
 /// Two storeys: the girders close loops between the columns, and the brace closes one more.

@@ -111,21 +111,30 @@ impl mstmm::__private::Located for Mast {
     }
 }
 const _: () = {
-    #[allow(dead_code, non_snake_case)]
-    struct Labels {
-        /// `conn top`
-        top: (),
-        /// `spring guy`
-        guy: (),
-        /// `conn anchor`
-        anchor: (),
-    }
-    const _: fn(&Labels) = |labels| {
-        let _ = labels.top;
-        let _ = labels.top;
-        let _ = labels.guy;
-        let _ = labels.anchor;
-        let _ = labels.top;
+    const _: () = {
+        #[allow(dead_code, non_snake_case)]
+        struct Labels {
+            /// `conn top`
+            top: (),
+            /// `conn anchor`
+            anchor: (),
+        }
+        const _: fn(&Labels) = |labels| {
+            let _ = labels.top;
+            let _ = labels.top;
+            let _ = labels.anchor;
+            let _ = labels.top;
+        };
+    };
+    const _: () = {
+        #[allow(dead_code, non_snake_case)]
+        struct Labels {
+            /// `spring guy`
+            guy: (),
+        }
+        const _: fn(&Labels) = |labels| {
+            let _ = labels.guy;
+        };
     };
     /// The labels of the sketch: points and members, as results about motions take them.
     #[allow(dead_code, non_upper_case_globals)]

@@ -8,6 +8,7 @@ use crate::ast::{Element, Model};
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
+use syn::ext::IdentExt;
 
 /// The struct of the skeleton and of built members.
 pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
@@ -83,24 +84,53 @@ fn built(index: usize, member: &Member<'_>, place: &mut usize, names: &Names) ->
             quote_spanned!(span=> <#kind>::rigid(#freedoms))
         }
         What::Hinge(element) => {
-            let literal = literal(index, element, place, names);
-            quote_spanned!(span=> <#kind as ::core::convert::From<_>>::from(#literal))
+            let elastic = FREEDOMS_OF_JOINT.map(|(_, words)| elastic(element, words, *place, names));
+            *place += element.parameters().count();
+            let freedoms = super::sketch::freedom_set(&member.freedoms, names);
+            quote_spanned!(span=> <#kind>::hinge(#freedoms, [#(#elastic),*]))
         }
         What::Element(element) => literal(index, element, place, names),
     };
-    quote_spanned!(span=> #field: #build::<#kind>(#value, #name)?)
+    let called = match member.what {
+        What::Element(element) => names.called(element.renamed()),
+        What::Hinge(element) => called_in_joint(element, names),
+        What::Rigid => TokenStream::new(),
+    };
+    quote_spanned!(span=> #field: #build::<#kind>(#value, #name)#called?)
+}
+
+/// The fields of the derivatives of a joint, and the parameters that each may be: about z and the displacements.
+pub(super) const FREEDOMS_OF_JOINT: [(&str, &[&str]); 3] = [
+    ("stiffness_x", &["stiffness_x"]),
+    ("stiffness_y", &["stiffness_y"]),
+    ("stiffness_theta", &["stiffness_rz", "stiffness_theta"]),
+];
+
+/// The stiffness of a hinge in a freedom, if it is named: `Some(number(3))`.
+fn elastic(element: &Element, words: &[&str], first: usize, names: &Names) -> TokenStream {
+    let named = element.parameters().position(|parameter| words.iter().any(|word| parameter.name.unraw() == word));
+    let Some(index) = named else { return quote_spanned!(names.here=> ::core::option::Option::None) };
+    let place = first + index;
+    quote_spanned!(names.here=> ::core::option::Option::Some(number(#place)))
+}
+
+/// What gives errors about a joint the names of the parameters of its hinge.
+fn called_in_joint(element: &Element, names: &Names) -> TokenStream {
+    let is_other = |field: &str, word: &str| field != word && element.gives(word);
+    let other = FREEDOMS_OF_JOINT.iter().flat_map(|(field, words)| words.iter().map(move |word| (*field, *word)));
+    names.called(other.filter(|(field, word)| is_other(field, word)))
 }
 
 /// The struct of an element's parameters, with its length where its type has one.
 fn literal(index: usize, element: &Element, place: &mut usize, names: &Names) -> TokenStream {
     let span = names.at_element(element);
     let parameters = element.parameters().map(|parameter| {
-        let (name, of_place) = (&parameter.name, *place);
+        let (name, of_place) = (element.field(&parameter.name), *place);
         *place += 1;
         quote_spanned!(names.at(name.span())=> #name: number(#of_place))
     });
     let parameters: Vec<TokenStream> = parameters.collect();
-    let length = element.kind.has_length_of_places().then(|| {
+    let length = element.has_length_of_places().then(|| {
         let length = Ident::new("length", span);
         quote_spanned!(span=> #length: skeleton.length(#index),)
     });
