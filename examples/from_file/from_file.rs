@@ -40,8 +40,11 @@ struct MemberInFile {
     stiffness: Option<f64>,
 }
 
-/// The frame of a text, and its points by their names.
-pub fn read(text: &str) -> Result<(Frame<Plane>, HashMap<String, Point<Plane>>), Box<dyn Error>> {
+/// The points of a frame by their names.
+type Points = HashMap<String, Point<Plane>>;
+
+/// The frame of a text, and its points.
+pub fn read(text: &str) -> Result<(Frame<Plane>, Points), Box<dyn Error>> {
     let File { sections, points: listed, members } = serde_json::from_str(text)?;
     let (mut frame, mut points) = (Frame::new(), HashMap::new());
     for PointInFile { name, at, support, mass } in listed {

@@ -1,5 +1,4 @@
 //! Two files in one program, and what is said of files that are wrong.
-#![expect(clippy::unwrap_used, reason = "a file that cannot be read fails the test")]
 
 #[expect(dead_code, reason = "the example's main")]
 #[path = "../from_file.rs"]
