@@ -32,7 +32,7 @@ fn loops_and_the_members_that_close_them() {
             # Size
 
             ```text
-            nodes 6, members 7, unknowns at once 16
+            nodes 6, members 7, unknowns at once 21
             closed loops 2, cut at planar_beam 6, spring brace
             unknowns of the overall transfer equation 14, root pinned at planar_beam 5
             ```
@@ -70,7 +70,7 @@ fn nodes_that_are_no_points() {
             # Size
 
             ```text
-            nodes 8, members 8, unknowns at once 9
+            nodes 8, members 8, unknowns at once 11
             closed loops 1, cut at spring 6
             unknowns of the overall transfer equation 18, root roller at conn c
             ```
