@@ -133,6 +133,9 @@ fn errors_name_the_words_of_the_model() {
     assert_eq!((error.element, error.parameter, error.value), ("hinge 2", "stiffness_rz", -1.0));
     let error = AlongALine { l, ei, m, turn: -1.0, mass }.build().unwrap_err();
     assert_eq!((error.element, error.parameter, error.value), ("hinge 2", "stiffness_rz", -1.0));
+    let error = Stocky { force: -20.0, ..STOCKY }.build().unwrap_err().to_string();
+    let range = "finite and greater than -shear_stiffness - foundation_shear_stiffness = -9";
+    assert_eq!(error, format!("beam 1: axial_force is -20, but must be {range}"));
     let error = Stocky { shear: 0.0, ..STOCKY }.build().unwrap_err();
     assert_eq!((error.element, error.parameter, error.value), ("beam 1", "shear_stiffness", 0.0));
 }

@@ -178,7 +178,7 @@ impl<T: Parameter> GeneralBeam<T> {
             return Requirement::Finite.check("axial_force", self.axial_force);
         }
         let bound = T::zero() - T::one() / self.shear_flexibility - self.foundation_shear_stiffness;
-        let formula = "-1/shear_flexibility - foundation_shear_stiffness";
+        let formula = "-shear_stiffness - foundation_shear_stiffness";
         Requirement::above(bound, formula).check("axial_force", self.axial_force)
     }
 }
