@@ -53,7 +53,7 @@ pub use element::carries_load::CarriesLoad;
 pub use element::charted::{Charted, MemberChart, MemberElement, MemberVisit, brought, has_chart, one_motion};
 pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
-pub use element::member_gradient::{MemberGradient, MemberWork};
+pub use element::member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};
 pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub use element::member_numbers::{MemberNumbers, OwnPart};
 pub use element::member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};

@@ -47,7 +47,7 @@ pub trait MemberGradient<S: Scalar>: Element {
 }
 
 /// Parameters by their names: those of an element, or the derivatives with respect to them.
-pub(crate) trait ByName<S> {
+pub trait ByName<S> {
     /// The one of a name.
     fn by_name(&self, name: &str) -> Option<S>;
 }

@@ -53,6 +53,7 @@ impl<T> Joint<T> {
     }
 }
 
+#[cfg(feature = "std")]
 impl<T> Joint<T> {
     /// A joint that ties some freedoms rigidly and others by springs.
     pub(crate) fn of(rigid: Freedoms, elastic: [Option<T>; 3]) -> Self {

@@ -25,6 +25,7 @@ impl Handle {
     }
 
     /// What has an index in a frame.
+    #[cfg(feature = "std")]
     pub(crate) const fn in_frame(index: usize, frame: u32) -> Self {
         Handle { index, frame }
     }
@@ -139,6 +140,7 @@ impl<M> PlanePoint<M> {
     }
 
     /// The point of a frame.
+    #[cfg(feature = "std")]
     pub(crate) const fn handle(point: Handle) -> Self {
         PlanePoint::of(Site::Point(point))
     }

@@ -11,6 +11,7 @@ use crate::structure::tape::Tape;
 use crate::structure::triangle::row;
 
 /// Size of memory \[bytes\] beyond which it is taken from the heap, with `std`: threads may have stacks of little more than a megabyte.
+#[cfg(feature = "std")]
 const LARGE: usize = 1 << 16;
 
 /// Memory for a structure of up to so many nodes, of whose unknowns up to `W` are there at once. At each node no more than these leave, and each

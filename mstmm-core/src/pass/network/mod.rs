@@ -50,6 +50,7 @@ pub use sketch::{
     SketchedSupport,
 };
 pub use stiffness::StiffnessModel;
+#[cfg(feature = "std")]
 pub(crate) use structure::check_node;
 pub use structure::{InNetwork, Network};
 pub use visit::visit_network;

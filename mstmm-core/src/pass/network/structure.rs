@@ -1,8 +1,8 @@
 //! A network with its order of elimination.
 
-use crate::element::{
-    MemberChart, MemberElement, MemberMatrix, MemberSlopes, MemberTransfer, MemberVisit, MemberWork, VisitMember,
-};
+use crate::element::{MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
+#[cfg(feature = "std")]
+use crate::element::{MemberSlopes, MemberWork};
 use crate::model::{FrequencyEstimates, Spot, is_size_of_direction};
 use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
@@ -162,6 +162,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
     }
 
     /// `∂L/∂p` for a parameter of a member by its name.
+    #[cfg(feature = "std")]
     pub(crate) fn slope<S: Scalar>(&self, member: usize, work: &MemberWork<S>, name: &str) -> Option<S>
     where
         E: MemberSlopes<S>,
