@@ -8,9 +8,9 @@ system! {
     pub struct Portal { ea: f64, ei: f64, m: f64 }
 
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> fixed at (6.0, 0.0);
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> fixed at (6.0, 0.0);
 }
 
 /// The portal of a steel tube with A = 6e-3 m², I = 2.5e-5 m⁴.
