@@ -8,7 +8,7 @@ system! {
     pub struct TipBody { length: f64, ei: f64, m: f64, mass: f64, inertia: f64, centre: f64, depth: f64 }
 
     fixed -> beam 1 { length, bending_stiffness: ei, mass_per_length: m }
-          -> body 2 { mass, inertia: inertia + mass * centre * centre, output_x: depth, centre_x: centre }
+          -> body 2 { mass, inertia, output_x: depth, centre_x: centre }
           -> free;
 }
 

@@ -25,7 +25,7 @@ system! {
     }
 
     fixed -> beam 1 { length, bending_stiffness: ei, mass_per_length: m }
-          -> body 2 { mass, inertia: inertia + mass * centre * centre, output_x: depth, centre_x: centre }
+          -> body 2 { mass, inertia, output_x: depth, centre_x: centre }
           -> free;
 }
 

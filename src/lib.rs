@@ -162,11 +162,20 @@ pub mod list {
 /// [own]: crate::element
 #[doc = include_str!("../docs/networks.md")]
 pub mod network {
+    #[cfg(feature = "std")]
+    pub use mstmm_core::Vectors;
     pub use mstmm_core::{
-        AnyMember, Chart, Charted, End, Freedoms, InNetwork, Joint, Member, MemberChart, MemberElement, MemberMatrix,
-        MemberTransfer, Network, NetworkError, NetworkRoom as Room, Node, OverallNetwork, Section, Support,
+        AnyMember, Arrays, Chart, Charted, End, Freedoms, InNetwork, Joint, Member, MemberChart, MemberElement,
+        MemberMatrix, MemberTransfer, Memory, Network, NetworkError, Node, OverallNetwork, Section, Support,
         UndampedMember,
     };
+}
+
+/// Structures whose size and topology the program decides: points and members, added one after the other.
+#[cfg(feature = "std")]
+pub mod frame {
+    pub use mstmm_core::FrameSensitivities;
+    pub use mstmm_core::frame::*;
 }
 
 /// All that a model needs: `use mstmm::prelude::*;`.

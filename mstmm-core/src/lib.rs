@@ -15,6 +15,8 @@ compile_error!("mstmm needs one of its features `std` (default) or `libm` for si
 mod answer;
 mod element;
 pub mod elements;
+#[cfg(feature = "std")]
+pub mod frame;
 mod model;
 mod number;
 mod pass;
@@ -25,6 +27,8 @@ mod subspace;
 
 pub use answer::energy_shares::EnergyShares;
 pub use answer::force_history::ForceHistory;
+#[cfg(feature = "std")]
+pub use answer::frame_sensitivity::FrameSensitivities;
 pub use answer::frequency_response::FrequencyResponse;
 pub use answer::mac::{MacError, mac};
 pub use answer::many_frequencies::ManyFrequencies;
@@ -49,7 +53,7 @@ pub use element::carries_load::CarriesLoad;
 pub use element::charted::{Charted, MemberChart, MemberElement, MemberVisit, brought, has_chart, one_motion};
 pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
-pub use element::member_gradient::{MemberGradient, MemberWork};
+pub use element::member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};
 pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub use element::member_numbers::{MemberNumbers, OwnPart};
 pub use element::member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
@@ -71,7 +75,7 @@ pub use model::extent::Extent;
 pub use model::label::{Entry, Label, Load, Point};
 pub use model::load_error::LoadError;
 pub use model::motion_error::MotionError;
-pub use model::plane_label::{Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
+pub use model::plane_label::{Handle, Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
 pub use model::search_error::{SearchError, Spot};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use mstmm_plan::{
@@ -98,12 +102,14 @@ pub use pass::characteristic::{Characteristic, System};
 pub use pass::drawn_tree::{DrawnPart, DrawnStep, DrawnTree};
 pub use pass::inlining::{coefficients, join, root, step};
 pub use pass::model::Model;
+#[cfg(feature = "std")]
+pub use pass::network::Vectors;
 pub use pass::network::{
-    Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member, Motions,
-    MovingNetwork, Network, NetworkError, NetworkRoom, NetworkSketch, Node, OverallNetwork, OwnMembers, Placed,
-    PlacedCharts, PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton, SketchedBody, SketchedEnd,
-    SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel, build_member, in_factor,
-    network_pass, overall_determinant, overall_matrix, visit_network,
+    Arrays, Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member,
+    Memory, Motions, MovingNetwork, Network, NetworkError, NetworkSketch, Node, OverallNetwork, OwnMembers, PerMember,
+    PerNode, Placed, PlacedCharts, PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton,
+    SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel,
+    build_member, network_pass, overall_determinant, overall_matrix, visit_network,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

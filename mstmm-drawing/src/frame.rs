@@ -162,6 +162,17 @@ impl<M> Builder<M> {
                 self.add_mass_of_path(&body, name);
                 continue;
             };
+            if name.starts_with("rigid_link") {
+                let links = tied.iter().filter(|&&point| point != first).map(|&point| Part {
+                    name: name.clone(),
+                    word: "rigid_link",
+                    kind: Kind::Lever,
+                    ends: vec![first, point],
+                    inside: None,
+                });
+                self.figure.parts.extend(links);
+                continue;
+            }
             let (at, from) = (self.scale.place(centre), self.figure.anchors[first].at);
             let arm = [(at[0] - from[0]) / self.scale.size, (from[1] - at[1]) / self.scale.size];
             let own = self.figure.anchors.len();

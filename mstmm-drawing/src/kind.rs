@@ -48,7 +48,7 @@ impl Kind {
             "mass" => Kind::Mass,
             "inertia" => Kind::Inertia,
             "pointmass" => Kind::PointMass,
-            "lever" | "levercolumn" => Kind::Lever,
+            "lever" | "levercolumn" | "rigidlink" => Kind::Lever,
             _ if has("beam") => Kind::Beam { on_foundation: has("foundation") },
             _ if has("body") => Kind::Body,
             _ if has("hinge") => Kind::ElasticHinge,

@@ -5,7 +5,7 @@ mod coordinates;
 pub(crate) use coordinates::{Coordinates, place_of, tuple_parts};
 
 use crate::diagnostics::Place;
-use crate::keywords::{Keyword, LocatedKeyword, Variant, element_of, located_of};
+use crate::keywords::{Dimension, Keyword, LocatedKeyword, TypeRow, element_of, located_of, neutral};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
@@ -21,6 +21,8 @@ pub(crate) struct Model {
     pub(crate) parameters: ItemStruct,
     /// Derived quantities, as statements.
     pub(crate) lets: Vec<Local>,
+    /// Parameters that elements share.
+    pub(crate) sections: Vec<Section>,
     /// The sketch.
     pub(crate) paths: Vec<TransferPath>,
     /// Whether every line could be read.
@@ -72,6 +74,18 @@ impl Model {
         })
     }
 
+    /// All elements, to be changed.
+    pub(crate) fn elements_mut(&mut self) -> impl Iterator<Item = &mut Element> {
+        let nodes = self
+            .paths
+            .iter_mut()
+            .flat_map(|path| std::iter::once(&mut path.first).chain(path.rest.iter_mut().map(|(_, node)| node)));
+        nodes.filter_map(|node| match node {
+            Node::Element(element) => Some(&mut **element),
+            Node::Support(_) | Node::Connection(_) => None,
+        })
+    }
+
     /// All arrows in the order of the source.
     pub(crate) fn arrows(&self) -> impl Iterator<Item = &Arrow> {
         self.paths.iter().flat_map(|path| path.rest.iter().map(|(arrow, _)| arrow))
@@ -91,6 +105,12 @@ impl Model {
         let of_paths = self.arrows().filter_map(|arrow| arrow.along.as_ref());
         self.nodes().filter_map(Node::location).chain(of_supports).chain(of_paths)
     }
+}
+
+/// `section steel { axial_stiffness: ea, .. }`
+pub(crate) struct Section {
+    pub(crate) name: Ident,
+    pub(crate) parameters: Vec<Parameter>,
 }
 
 /// `node (arrow node)* ;`
@@ -136,6 +156,10 @@ pub(crate) struct Element {
     pub(crate) label: Label,
     /// `None` where there are no braces: a mistake that `check` explains.
     pub(crate) parameters: Option<Vec<Parameter>>,
+    /// The sections that stand among the parameters, `..steel`: of those that there are, the parameters take the place.
+    pub(crate) spread: Vec<Ident>,
+    /// The dimension of the model, as soon as it is known: what a keyword is depends on it.
+    pub(crate) dimension: Dimension,
     /// A mistake that `check` explains: points have locations, elements have none.
     pub(crate) location: Option<Coordinates>,
 }
@@ -147,9 +171,14 @@ pub(crate) enum Kind {
 }
 
 /// `name: value`, or the shorthand `name`.
+#[derive(Clone)]
 pub(crate) struct Parameter {
     pub(crate) name: Ident,
     pub(crate) value: Option<Expr>,
+    /// The section that gives it.
+    pub(crate) section: Option<Ident>,
+    /// Whether what is wrong with its name was told of another element.
+    pub(crate) is_told: bool,
 }
 
 /// The name of an element or a connection.
@@ -186,26 +215,49 @@ impl Element {
         self.parameters.iter().flatten()
     }
 
-    fn gives(&self, name: &str) -> bool {
+    /// Whether a parameter of that name is given.
+    pub(crate) fn gives(&self, name: &str) -> bool {
         self.parameters().any(|parameter| parameter.name.unraw() == name)
     }
 
-    /// What it is with parameters that select another type, if it names one.
-    fn variant(&self) -> Option<Variant> {
-        self.kind.known()?.variant.filter(|variant| variant.parameters.iter().any(|name| self.gives(name)))
+    /// The row of the element's keyword; `None` for a type of the user and for a misspelt keyword.
+    pub(crate) fn known(&self) -> Option<&'static Keyword> {
+        match &self.kind {
+            Kind::Keyword(keyword) => element_of(&keyword.to_string(), self.dimension),
+            Kind::Type(_) => None,
+        }
     }
 
-    /// The type in `mstmm_core::elements`; `None` for a type of the user and for a misspelt keyword.
-    pub(crate) fn type_name(&self) -> Option<&'static str> {
-        self.variant().map(|variant| variant.type_name).or(self.kind.known().map(|known| known.type_name))
+    /// Its type in `mstmm_core::elements`, which its parameters select; `None` for a type of the user and for a misspelt keyword.
+    pub(crate) fn type_row(&self) -> Option<&'static TypeRow> {
+        Some(self.known()?.type_with(|name| self.gives(name)))
     }
 
-    /// The parameters of its type that were left out, which are zero.
-    pub(crate) fn omitted(&self) -> impl Iterator<Item = &'static str> {
-        let optional = self.kind.known().map_or(&[][..], |known| known.optional);
-        let [of_variant, absent] = self.variant().map_or([&[][..]; 2], |variant| [variant.parameters, variant.absent]);
-        let all = optional.iter().chain(of_variant).chain(absent);
-        all.copied().filter(|name| !self.gives(name))
+    /// The field of its type that a parameter is, at the user's token.
+    pub(crate) fn field(&self, parameter: &Ident) -> Ident {
+        let name = parameter.unraw().to_string();
+        match self.type_row().map_or(name.as_str(), |row| row.field(&name)) {
+            field if field == name => parameter.clone(),
+            field => Ident::new(field, parameter.span()),
+        }
+    }
+
+    /// The fields of other names than their parameters, which it gives.
+    pub(crate) fn renamed(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let all = self.type_row().map_or(&[][..], |row| row.renamed).iter();
+        all.filter(|(name, _)| self.gives(name)).map(|(name, field)| (*field, *name))
+    }
+
+    /// The fields of its type that were left out, each with the value that it has as if it were not there.
+    pub(crate) fn omitted(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let row = self.type_row();
+        let all = row.map_or(&[][..], |row| row.parameters).iter().copied().filter(|name| !self.gives(name));
+        all.map(move |name| (row.map_or(name, |row| row.field(name)), neutral(name)))
+    }
+
+    /// Whether places give the element its length: its keyword asks for one where models have no locations.
+    pub(crate) fn has_length_of_places(&self) -> bool {
+        self.kind.located().is_some_and(LocatedKeyword::spans_places)
     }
 }
 
@@ -217,21 +269,6 @@ impl Kind {
             // a parsed path has a segment
             Kind::Type(path) => &path.segments[path.segments.len() - 1].ident,
         }
-    }
-
-    /// The row of the element's keyword; `None` for a type of the user and for a misspelt keyword.
-    pub(crate) fn known(&self) -> Option<&'static Keyword> {
-        match self {
-            Kind::Keyword(keyword) => element_of(&keyword.to_string()),
-            Kind::Type(_) => None,
-        }
-    }
-
-    /// Whether places give the element its length: its type has one, and its row in models with locations has none.
-    pub(crate) fn has_length_of_places(&self) -> bool {
-        let is_there = |parameters: &[&str]| parameters.contains(&"length");
-        let is_given = self.located().is_some_and(|row| is_there(row.parameters));
-        self.known().is_some_and(|row| is_there(row.parameters)) && !is_given
     }
 
     /// The row of the element's keyword in models with locations.

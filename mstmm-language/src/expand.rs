@@ -3,8 +3,9 @@
 use crate::ast::Model;
 use crate::diagnostics::Errors;
 use crate::groups::{in_braces, made_visible};
+use crate::keywords::Dimension;
 use crate::network::{self, Network, Paths, Points};
-use crate::{check, depth, emit, parse, plan::Plan, skeleton::Skeleton, topology::Graph};
+use crate::{check, depth, emit, parse, plan::Plan, sections, skeleton::Skeleton, topology::Graph};
 use proc_macro2::TokenStream;
 
 /// Expands `(path to mstmm) model` into its code, or into its errors.
@@ -18,18 +19,24 @@ pub fn expand(input: TokenStream) -> TokenStream {
 /// Expands a model into its code, or returns all errors of syntax, words and graph at once.
 pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
     let mut errors = Errors::default();
-    let model = read(input, &mut errors)?;
+    let mut model = read(input, &mut errors)?;
+    let unused = sections::spread(&mut model, &mut errors);
+    if !model.is_located() {
+        let dimension = check::dimension_of_paths(&model);
+        model.elements_mut().for_each(|element| element.dimension = dimension);
+    }
     check::words(&model, &mut errors);
     let derivatives = check::derivatives(&model, &mut errors);
     if model.is_located() {
-        let network = network(&model, errors)?;
-        return emit::located(&model, &network, &Skeleton::of(&network), &derivatives);
+        let (dimension, errors) = located(&mut model, errors)?;
+        let network = network(&model, dimension, errors)?;
+        return emit::located(&model, &unused, &network, &Skeleton::of(&network), &derivatives);
     }
     let graph = Graph::of(&model, &mut errors);
     let tree = check::topology(&model, &graph, errors)?;
     let plan = Plan::of(&tree);
     check::states(&plan)?;
-    Ok(emit::model(&model, &plan, &derivatives))
+    Ok(emit::model(&model, &unused, &plan, &derivatives))
 }
 
 /// Reads the tokens of a model.
@@ -38,12 +45,19 @@ pub(crate) fn read(input: TokenStream, errors: &mut Errors) -> syn::Result<Model
     parse::model(in_braces(made_visible(input)), errors)
 }
 
+/// The dimension of a model with locations, which its elements then know.
+pub(crate) fn located(model: &mut Model, mut errors: Errors) -> syn::Result<(Dimension, Errors)> {
+    match check::dimension(model, &mut errors) {
+        Ok(dimension) => {
+            model.elements_mut().for_each(|element| element.dimension = dimension);
+            Ok((dimension, errors))
+        }
+        Err(space) => Err(errors.and(space)),
+    }
+}
+
 /// The network of a model with locations, or all errors in it.
-pub(crate) fn network(model: &Model, mut errors: Errors) -> syn::Result<Network<'_>> {
-    let dimension = match check::dimension(model, &mut errors) {
-        Ok(dimension) => dimension,
-        Err(space) => return Err(errors.and(space)),
-    };
+pub(crate) fn network(model: &Model, dimension: Dimension, mut errors: Errors) -> syn::Result<Network<'_>> {
     check::located_words(model, dimension, &mut errors);
     let graph = network::Graph::of(model, &mut errors);
     let points = Points::of(&graph);

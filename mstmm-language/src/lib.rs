@@ -15,6 +15,7 @@ mod keywords;
 mod network;
 mod parse;
 mod plan;
+mod sections;
 mod skeleton;
 mod spans;
 #[cfg(test)]
@@ -24,7 +25,9 @@ mod topology;
 pub use expand::expand;
 pub use mstmm_plan::Space;
 
-/// The elements of the language, for tests and fuzzers: keyword, space of the states, names of the parameters.
-pub fn elements() -> impl Iterator<Item = (&'static str, Space, &'static [&'static str])> {
-    keywords::ELEMENTS.iter().map(|element| (element.name, element.space, element.parameters))
+/// The elements of the language, for tests and fuzzers: keyword, space of the states, names of the parameters that it must have, and of those
+/// that it may have, and those of which it has one.
+pub fn elements() -> impl Iterator<Item = (&'static str, Space, [&'static [&'static str]; 3])> {
+    let parameters = |row: &keywords::Keyword| [row.required, row.optional, row.one_of];
+    keywords::ELEMENTS.iter().map(move |row| (row.name, row.space, parameters(row)))
 }

@@ -3,9 +3,9 @@
 mod node;
 mod suffix;
 
-use crate::ast::{Arrow, Model, TransferPath};
+use crate::ast::{Arrow, Model, Section, TransferPath};
 use crate::diagnostics::{Errors, Place};
-use crate::keywords::ALONG;
+use crate::keywords::{ALONG, SECTION};
 use crate::spans::collect_names;
 use proc_macro2::{Group, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::collections::BTreeSet;
@@ -13,7 +13,8 @@ use std::fmt::Display;
 use suffix::{ALONG_STANDS, is_arrow, is_word, parse_coordinates};
 use syn::parse::{Parse, ParseStream, Parser, Result};
 use syn::{
-    Attribute, Error, ItemStruct, Local, LocalInit, LocalModifiers, Pat, PatType, Token, Visibility, braced, token,
+    Attribute, Error, Ident, ItemStruct, LitInt, Local, LocalInit, LocalModifiers, Pat, PatType, Token, Visibility,
+    braced, token,
 };
 
 /// Parses `{ (path to mstmm) model }`, where the braces stand for the end of the input. Lines that cannot be read are left
@@ -44,11 +45,17 @@ fn read(input: ParseStream<'_>, errors: &mut Errors) -> Result<Model> {
     while content.peek(Token![let]) {
         lets.extend(recover(&content, parse_let, errors));
     }
+    let mut sections = Vec::new();
+    while is_section(&content) {
+        // a section that cannot be read ends with its braces
+        sections.extend(content.parse::<Section>().map_err(|error| errors.add(error)));
+        content.parse::<Option<Token![;]>>()?;
+    }
     let mut paths = Vec::new();
     while !content.is_empty() {
         paths.extend(recover(&content, TransferPath::parse, errors));
     }
-    Ok(Model { facade: facade.stream(), parameters, lets, paths, is_whole: errors.is_empty(), names })
+    Ok(Model { facade: facade.stream(), parameters, lets, sections, paths, is_whole: errors.is_empty(), names })
 }
 
 /// Parses a line and its `;`. A wrong line is skipped up to the next `;`, so that the other lines are read.
@@ -98,10 +105,39 @@ fn parse_let(input: ParseStream<'_>) -> Result<Local> {
     Ok(Local { attrs: Vec::new(), let_token, modifiers: LocalModifiers::default(), pat, init, semi_token })
 }
 
+/// Whether a section begins here.
+fn is_section(input: ParseStream<'_>) -> bool {
+    is_word(input, SECTION) && !input.peek2(LitInt) && !input.peek2(Token![->]) && !input.peek2(Token![<-])
+}
+
+impl Parse for Section {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let keyword: Ident = input.parse()?;
+        let advice = "a section has a name and parameters, `section steel { bending_stiffness: ei, .. }`";
+        let name = input.parse::<Ident>();
+        if !input.peek(token::Brace) {
+            return Err(Error::new(name.map_or(keyword.span(), |name| name.span()), advice));
+        }
+        let Ok(name) = name else {
+            input.parse::<TokenTree>()?;
+            return Err(Error::new(keyword.span(), advice));
+        };
+        let (parameters, spread) = node::parse_parameters(input)?;
+        if let Some(section) = spread.first() {
+            let message = format!("a section takes no other one: write `..{section}` in the elements that have both");
+            return Err(Error::new(section.span(), message));
+        }
+        Ok(Section { name, parameters })
+    }
+}
+
 impl Parse for TransferPath {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         if input.peek(Token![let]) {
             return Err(error_at(input, "`let` lines stand between the struct and the first path: move this one up"));
+        }
+        if is_section(input) {
+            return Err(error_at(input, "sections stand between the `let` lines and the first path: move this one up"));
         }
         if input.peek(Token![#]) {
             return Err(error_at(

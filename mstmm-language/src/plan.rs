@@ -43,7 +43,7 @@ impl Step<'_> {
         match self {
             Step::Tip(keyword) => mstmm_plan::Step::Tip(support(keyword)),
             Step::Element { element, input, .. } => {
-                mstmm_plan::Step::Element(*input, element.kind.known().map_or(Space::NONE, |known| known.space))
+                mstmm_plan::Step::Element(*input, element.known().map_or(Space::NONE, |known| known.space))
             }
             Step::Connection { inputs, .. } => mstmm_plan::Step::Connection(inputs),
             Step::Root { support: keyword, input } => mstmm_plan::Step::Root(*input, support(keyword)),
@@ -67,12 +67,12 @@ impl<'a> Plan<'a> {
 
     /// Whether planar elements of the language stand in it, which take no part in searches.
     pub(crate) fn is_planar(&self) -> bool {
-        self.elements.iter().any(|element| element.kind.known().is_some_and(|known| known.space == Space::Planar))
+        self.elements.iter().any(|element| element.known().is_some_and(|known| known.space == Space::Planar))
     }
 
     /// Whether elements of the user's own stand in it, whose states rustc alone knows.
     pub(crate) fn has_own_types(&self) -> bool {
-        self.elements.iter().any(|element| element.kind.known().is_none())
+        self.elements.iter().any(|element| element.known().is_none())
     }
 
     /// The steps at which states do not fit, each with what is wrong.

@@ -44,6 +44,9 @@ pub(crate) struct Edge {
     pub(crate) place: Place,
 }
 
+/// The vertices that have a label, by whether they are connections: these and elements have sets of their own.
+pub(crate) type Labels = BTreeMap<(bool, String), usize>;
+
 /// Vertices and edges in source order.
 pub(crate) struct Graph<'a> {
     pub(crate) vertices: Vec<Vertex<'a>>,
@@ -53,10 +56,10 @@ pub(crate) struct Graph<'a> {
 }
 
 impl<'a> Graph<'a> {
-    /// The graph of a model. A label that two elements, or an element and a connection, share is an error.
+    /// The graph of a model. A label that two elements share is an error.
     pub(crate) fn of(model: &'a Model, errors: &mut Errors) -> Self {
         let mut graph = Graph { vertices: Vec::new(), edges: Vec::new(), ambiguous: BTreeSet::new() };
-        let mut labels = BTreeMap::new();
+        let mut labels = Labels::new();
         for path in &model.paths {
             let mut previous = graph.vertex(&path.first, &mut labels, errors);
             for (arrow, node) in &path.rest {
@@ -70,7 +73,7 @@ impl<'a> Graph<'a> {
     }
 
     /// The vertex of a node: a new one, unless it is a connection that was mentioned before.
-    fn vertex(&mut self, node: &'a Node, labels: &mut BTreeMap<String, usize>, errors: &mut Errors) -> usize {
+    fn vertex(&mut self, node: &'a Node, labels: &mut Labels, errors: &mut Errors) -> usize {
         let new = self.vertices.len();
         let (label, vertex) = match node {
             Node::Support(Support { keyword, .. }) => {
@@ -80,15 +83,16 @@ impl<'a> Graph<'a> {
             Node::Connection(connection) => (&connection.label, Vertex::Connection(connection)),
             Node::Element(element) => (&element.label, Vertex::Element(element)),
         };
-        let Some(&known) = labels.get(&label.to_string()) else {
-            labels.insert(label.to_string(), new);
+        let is_connection = matches!(vertex, Vertex::Connection(_));
+        let Some(&known) = labels.get(&(is_connection, label.to_string())) else {
+            labels.insert((is_connection, label.to_string()), new);
             self.vertices.push(vertex);
             return new;
         };
-        let first = &self.vertices[known];
-        if matches!((first, &vertex), (Vertex::Connection(_), Vertex::Connection(_))) {
+        if is_connection {
             return known;
         }
+        let first = &self.vertices[known];
         // an element named again without its parameters has a message of its own
         if !(first.is_mention() || vertex.is_mention()) {
             refuse_label(label, &first.name(), first.place(), errors);
@@ -129,11 +133,10 @@ impl<'a> Graph<'a> {
     }
 }
 
-/// Reports a label that another vertex has.
+/// Reports a label that another element has.
 pub(crate) fn refuse_label(label: &Label, taken_by: &str, first: Place, errors: &mut Errors) {
     let message = format!(
-        "label `{label}` is taken by `{taken_by}`: elements and connections share one set of labels, and an element is \
-         written once"
+        "label `{label}` is taken by `{taken_by}`: elements share one set of labels, and an element is written once"
     );
     errors.push(label.span(), message);
     errors.push(first, format!("label `{label}` is first used here"));

@@ -1,6 +1,6 @@
 //! The order in which an evaluation goes through a network: computed once, in memory of a fixed size.
 
-use crate::elimination::{Elimination, Incidence, apart, eliminated_in_order, in_motion};
+use crate::elimination::{Elimination, Incidence, eliminated_in_order};
 
 /// A network as an evaluation goes through it.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +13,19 @@ pub struct NetworkOrder<'a> {
     ranks: &'a [usize],
 }
 
+impl<'a> NetworkOrder<'a> {
+    /// The order that [`OrderMemory::set_in_order`] has left in its memory: the two nodes of each member, where the ends of each node begin and
+    /// these ends, the nodes in their order, and the place of each.
+    pub const fn found(
+        members: &'a [[usize; 2]],
+        (first_end, ends): (&'a [usize], &'a [usize]),
+        nodes: &'a [usize],
+        ranks: &'a [usize],
+    ) -> Self {
+        NetworkOrder { incidence: Incidence::sorted(members, first_end, ends), nodes, ranks }
+    }
+}
+
 impl NetworkOrder<'_> {
     /// Whether a member is cut by the elimination of the node of one of its ends, and this end stands for it.
     pub const fn is_first_at(&self, end: usize, node: usize) -> bool {
@@ -21,32 +34,38 @@ impl NetworkOrder<'_> {
     }
 
     /// The largest number of unknowns at once, given the number of motions of each node and that of the freedoms of the ends of each member:
-    /// the motions of nodes, and what members have of their own.
+    /// the motions of nodes, what members have of their own, and what waits for a pivot.
+    ///
+    /// Unknowns without a pivot wait, such as the forces of two rigid joints that lead on from one node. If the matrix of all unknowns is regular, no more
+    /// of those that nothing joins any more are without one than there are others to which they are coupled: the motions of the nodes that are met
+    /// and have not left.
     pub const fn width(&self, motions: &[usize], freedoms: &[usize]) -> usize {
-        let (mut unknowns, mut widest, mut rank) = (0, 0, 0);
+        let (mut met, mut waiting, mut widest, mut rank) = (0, 0, 0, 0);
         while rank < self.nodes.len() {
             let node = self.nodes[rank];
             let ends = self.incidence.ends(node);
             if !self.is_met_before(node, rank, 0, node) {
-                unknowns += motions[node];
+                met += motions[node];
             }
-            // a member has no more unknowns of its own than freedoms: with one more condition at an end its motion vanishes
-            let (mut entering, mut place) = (0, 0);
+            let mut place = 0;
             while place < ends.len() {
                 let end = ends[place];
                 if self.is_first_at(end, node) {
-                    entering += freedoms[end / 2];
                     let other = self.incidence.beyond(end);
                     if other != node && !self.is_met_before(other, rank, place, node) {
-                        unknowns += motions[other];
+                        met += motions[other];
                     }
+                    waiting = smaller(waiting, met);
+                    // a member has no more unknowns of its own than freedoms: with one more condition at an end its motion vanishes
+                    if met + waiting + freedoms[end / 2] > widest {
+                        widest = met + waiting + freedoms[end / 2];
+                    }
+                    waiting += freedoms[end / 2];
                 }
                 place += 1;
             }
-            if unknowns + entering > widest {
-                widest = unknowns + entering;
-            }
-            unknowns -= motions[node];
+            met -= motions[node];
+            waiting = smaller(waiting + motions[node], met);
             rank += 1;
         }
         widest
@@ -71,6 +90,11 @@ impl NetworkOrder<'_> {
         }
         false
     }
+}
+
+/// The smaller one of two numbers.
+const fn smaller(one: usize, other: usize) -> usize {
+    if one < other { one } else { other }
 }
 
 /// Memory of the caller's for the order of a network: a pair per member, and of the others an entry per node.
@@ -104,7 +128,7 @@ impl<'a> OrderMemory<'a> {
     }
 }
 
-/// Memory for the order of a network of up to so many nodes and members.
+/// The order of a network of so many nodes and members.
 #[derive(Clone, Copy, Debug)]
 pub struct OrderRoom<const NODES: usize, const MEMBERS: usize> {
     members: [[usize; 2]; MEMBERS],
@@ -117,66 +141,26 @@ pub struct OrderRoom<const NODES: usize, const MEMBERS: usize> {
 }
 
 impl<const NODES: usize, const MEMBERS: usize> OrderRoom<NODES, MEMBERS> {
-    /// Memory without a network.
-    pub const EMPTY: Self = OrderRoom {
-        members: [[0; 2]; MEMBERS],
-        first_end: [0; NODES],
-        ends: [[0; 2]; MEMBERS],
-        nodes: [0; NODES],
-        ranks: [0; NODES],
-        in_order: 0,
-    };
-
-    /// The order of a network that fills the memory, from the two nodes of each member.
+    /// The order, from the two nodes of each member.
     pub const fn of(members: [[usize; 2]; MEMBERS]) -> Self {
-        let mut room = OrderRoom { members, ..Self::EMPTY };
-        room.set_in_order(NODES, MEMBERS);
-        room
-    }
-
-    /// Puts a network in order, given whether each node rests, their number, and the two nodes of each member. Returns a node that nothing
-    /// joins to the others, if there is one.
-    pub fn fill(
-        &mut self,
-        nodes: usize,
-        rests: impl Fn(usize) -> bool,
-        members: impl ExactSizeIterator<Item = [usize; 2]>,
-    ) -> Option<usize> {
-        let count = members.len();
-        for (place, pair) in self.members.iter_mut().zip(members) {
-            *place = pair;
-        }
-        let alone = apart(&self.members[..count], &mut self.ranks[..nodes]);
-        for pair in &mut self.members[..count] {
-            *pair = in_motion(*pair, pair.map(&rests));
-        }
-        self.set_in_order(nodes, count);
-        alone
-    }
-
-    const fn set_in_order(&mut self, nodes: usize, members: usize) {
-        let mut elimination = [Elimination::UNKNOWN; NODES];
-        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, in_order } = self;
+        let (mut first_end, mut ends) = ([0; NODES], [[0; 2]; MEMBERS]);
+        let (mut nodes, mut ranks) = ([0; NODES], [0; NODES]);
         let memory = OrderMemory {
-            ends: ends.as_mut_slice().split_at_mut(members).0,
-            first_end: first_end.as_mut_slice().split_at_mut(nodes).0,
-            nodes: order.as_mut_slice().split_at_mut(nodes).0,
-            ranks: ranks.as_mut_slice().split_at_mut(nodes).0,
-            elimination: elimination.split_at_mut(nodes).0,
+            ends: &mut ends,
+            first_end: &mut first_end,
+            nodes: &mut nodes,
+            ranks: &mut ranks,
+            elimination: &mut [Elimination::UNKNOWN; NODES],
         };
-        *in_order = memory.set_in_order(pairs.as_slice().split_at(members).0).nodes.len();
+        let in_order = memory.set_in_order(&members).nodes.len();
+        OrderRoom { members, first_end, ends, nodes, ranks, in_order }
     }
 
-    /// The order of so many nodes and members.
-    pub const fn order(&self, nodes: usize, members: usize) -> NetworkOrder<'_> {
-        let OrderRoom { members: pairs, first_end, ends, nodes: order, ranks, in_order } = self;
-        let ends = ends.as_slice().split_at(members).0.as_flattened();
-        let pairs = pairs.as_slice().split_at(members).0;
-        NetworkOrder {
-            incidence: Incidence::sorted(pairs, first_end.as_slice().split_at(nodes).0, ends),
-            nodes: order.as_slice().split_at(*in_order).0,
-            ranks: ranks.as_slice().split_at(nodes).0,
-        }
+    /// The order.
+    pub const fn order(&self) -> NetworkOrder<'_> {
+        let OrderRoom { members, first_end, ends, nodes, ranks, in_order } = self;
+        let ends = (first_end.as_slice(), ends.as_slice().as_flattened());
+        NetworkOrder::found(members, ends, nodes.as_slice().split_at(*in_order).0, ranks)
     }
 }
 
@@ -203,39 +187,37 @@ mod tests {
     /// Most unknowns at once with three freedoms everywhere.
     fn width(members: &[[usize; 2]]) -> usize {
         let nodes = 1 + members.iter().flatten().max().unwrap();
-        let mut room = OrderRoom::<500, 900>::EMPTY;
-        assert_eq!(room.fill(nodes, |_| false, members.iter().copied()), None);
-        room.order(nodes, members.len()).width(&[3; 500], &[3; 900])
+        let (mut ends, mut elimination) = (std::vec![[0; 2]; members.len()], std::vec![Elimination::UNKNOWN; nodes]);
+        let [mut first_end, mut in_order, mut ranks] = [(); 3].map(|()| std::vec![0; nodes]);
+        let memory = OrderMemory {
+            ends: &mut ends,
+            first_end: &mut first_end,
+            nodes: &mut in_order,
+            ranks: &mut ranks,
+            elimination: &mut elimination,
+        };
+        memory.set_in_order(members).width(&std::vec![3; nodes], &std::vec![3; members.len()])
     }
 
     #[test]
     fn widths_do_not_grow_with_length() {
-        for (bays, expected) in [(1, 15), (2, 18), (3, 21)] {
+        for (bays, expected) in [(1, 21), (2, 27), (3, 33)] {
             assert_eq!([10, 40].map(|levels| width(&storeys(bays, levels))), [expected; 2]);
         }
         let chain = (0..400).map(|k| [k, k + 1]).collect::<Vec<_>>();
         let ring = (0..48).map(|k| [k, (k + 1) % 48]).collect::<Vec<_>>();
         // arms of five members
         let star = (0..40).map(|k| [if k % 5 == 0 { 0 } else { k }, k + 1]).collect::<Vec<_>>();
-        assert_eq!([&chain, &ring, &star].map(|members| width(members)), [9, 15, 12]);
+        assert_eq!([&chain, &ring, &star].map(|members| width(members)), [12, 18, 18]);
     }
 
     const CHAIN: OrderRoom<4, 3> = OrderRoom::of([[2, 0], [0, 3], [3, 1]]);
 
     #[test]
-    fn a_constant_and_a_larger_room_have_one_order() {
-        let mut room = OrderRoom::<7, 9>::EMPTY;
-        assert_eq!(room.fill(4, |_| false, [[2, 0], [0, 3], [3, 1]].into_iter()), None);
-        let (one, other) = (CHAIN.order(4, 3), room.order(4, 3));
-        assert_eq!(one.nodes, other.nodes);
-        assert_eq!(one.nodes, [1, 3, 0, 2]);
-        // two nodes of three motions, and a member of as many freedoms
-        assert_eq!(other.width(&[3; 4], &[3; 3]), 9);
-    }
-
-    #[test]
-    fn a_node_that_nothing_joins_is_named() {
-        let mut room = OrderRoom::<4, 2>::EMPTY;
-        assert_eq!(room.fill(4, |_| false, [[0, 1], [2, 3]].into_iter()), Some(2));
+    fn a_constant_has_an_order() {
+        let order = CHAIN.order();
+        assert_eq!(order.nodes, [1, 3, 0, 2]);
+        // two nodes of three motions, a member of as many freedoms, and three forces that may wait
+        assert_eq!(order.width(&[3; 4], &[3; 3]), 12);
     }
 }

@@ -72,19 +72,13 @@ impl Scheme<'_> {
     /// The states around a connection must be able to meet there, and its widest input must fill its output.
     const fn misfit_of_connection(&self, step: usize) -> Option<&'static str> {
         let space = self.space(step);
-        let [widest, others @ ..] = self.inputs(step) else { return None };
+        let [widest, ..] = self.inputs(step) else { return None };
         if space.is_empty() {
             return Some("planar paths meet planar paths only: join all planar elements here, or none");
         }
         if !self.space(*widest).is(space) {
             return Some(
                 "the output of this connection has more states than any input: give it a free tip, `free -> conn ..`",
-            );
-        }
-        if others.is_empty() && self.left_behind(step).is_empty() {
-            return Some(
-                "a connection with one input must lead on to fewer states, as from a beam to a spring; else write the \
-                 arrow from element to element",
             );
         }
         if self.is_held_twice(step) {
@@ -267,12 +261,28 @@ mod tests {
         meeting([Space::Translation, Space::Translation], Space::Bending).scheme().check(4);
     }
 
+    /// It is a name for a point.
     #[test]
-    #[should_panic(expected = "a connection with one input must lead on to fewer states, as from a beam to a spring")]
-    fn a_connection_of_one_path_narrows_it() {
+    fn a_connection_of_one_path_may_go_on_with_its_state() {
         let steps = [
             Step::Tip(Fixed),
             Step::Element(0, Space::Bending),
+            Step::Connection(&[1]),
+            Step::Element(2, Space::Bending),
+            Step::Root(3, Free),
+        ];
+        let layout = Layout::new(steps);
+        layout.scheme().check(2);
+        layout.scheme().check(3);
+        assert_eq!(layout.scheme().size(), 4);
+    }
+
+    #[test]
+    #[should_panic(expected = "the output of this connection has more states than any input: give it a free tip")]
+    fn a_connection_of_one_path_does_not_widen() {
+        let steps = [
+            Step::Tip(Fixed),
+            Step::Element(0, Space::Translation),
             Step::Connection(&[1]),
             Step::Element(2, Space::Bending),
             Step::Root(3, Free),

@@ -13,7 +13,7 @@ system! {
     fixed -> beam 1 { length: l, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
     fixed -> beam 2 { length: l, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
     fixed -> beam 3 { length: l, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a
-          -> body 4 { mass: 0.3, inertia: 0.2, output_x: 0.3, centre_x: 0.1 } -> free;
+          -> body 4 { mass: 0.3, inertia_about_input: 0.2, output_x: 0.3, centre_x: 0.1 } -> free;
 }
 
 system! {

@@ -40,7 +40,8 @@ const ORDER: &[(&str, &[&str])] = &[
             "element/member_numbers",
         ],
     ),
-    ("answer", &["number", "model", "subspace/count", "element", "pass", "search"]),
+    ("frame", &["number", "model", "structure", "subspace", "element", "elements", "proof/visit", "pass"]),
+    ("answer", &["number", "model", "subspace/count", "element", "pass", "search", "frame"]),
 ];
 
 /// The sources of all crates that are published.

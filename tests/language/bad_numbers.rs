@@ -16,15 +16,17 @@ impl Range {
     fn outside(self) -> Vec<f64> {
         let finite: &[f64] = match self {
             Range::Positive => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
-            Range::Moderate | Range::Tame => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
-            Range::Invertible => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
+            Range::Moderate | Range::Tame | Range::TameOrRigid => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
+            Range::Invertible | Range::InvertibleOrRigid => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
             Range::NonNegative | Range::ModerateOrZero | Range::TameOrZero => &[-TINY, -1.0, f64::MIN],
             Range::Position => &[],
             // -1/f - G
             Range::Tension => &[-2.0, -3.0, f64::MIN],
             Range::Taper => &[0.999_999_1, 1.0, 2.0, f64::MAX, -1.000_001e6, f64::MIN],
         };
-        [&NOT_FINITE, finite].concat()
+        let is_rigid =
+            |value: f64| value == f64::INFINITY && matches!(self, Range::InvertibleOrRigid | Range::TameOrRigid);
+        [&NOT_FINITE, finite].concat().into_iter().filter(|&value| !is_rigid(value)).collect()
     }
 
     /// Values inside, the limits among them.
@@ -34,7 +36,9 @@ impl Range {
             Range::Moderate => &[1e-60, 1.0, 1e60],
             Range::ModerateOrZero => &[0.0, -0.0, TINY, 1e-60, 1.0, 1e60],
             Range::Invertible => &[f64::MIN_POSITIVE, 1.0, f64::MAX],
+            Range::InvertibleOrRigid => &[f64::MIN_POSITIVE, 1.0, f64::MAX, f64::INFINITY],
             Range::NonNegative => &[0.0, -0.0, TINY, f64::MIN_POSITIVE, 1.0, f64::MAX],
+            Range::TameOrRigid => &[1e-20, 1.0, 1e20, f64::INFINITY],
             Range::Tame => &[1e-20, 1.0, 1e20],
             Range::TameOrZero => &[0.0, -0.0, TINY, 1e-20, 1.0, 1e20],
             Range::Taper => &[-1e6, -1.0, -TINY, 0.0, 0.5, 0.999_999],
@@ -93,8 +97,8 @@ fn a_value_at_the_limit_of_its_range_is_accepted() {
 /// Oracle: J about the input end is at least `m c²` with c = 0.5; a step of 1e-12 is far beyond the rounding of the limit.
 #[test]
 fn a_body_needs_the_inertia_of_its_eccentric_mass() {
-    for (element, centres) in [("body 7", &[0.5][..]), ("planar_body 7", &[0.3, -0.4])] {
-        let scene = SCENES.iter().find(|scene| scene.element == element).unwrap();
+    for (type_name, centres) in [("Body", &[0.5][..]), ("PlanarBody", &[0.3, -0.4])] {
+        let scene = SCENES.iter().find(|scene| scene.type_name == type_name).unwrap();
         let mut values = scene.ordinary();
         let first = values.len() - centres.len();
         values[first..].copy_from_slice(centres);
@@ -102,10 +106,10 @@ fn a_body_needs_the_inertia_of_its_eccentric_mass() {
         for (inertia, valid) in [(least, true), (least * (1.0 - 1e-12), false), (0.0, false), (f64::MAX, true)] {
             values[1] = inertia;
             let refused = (scene.build)(&values).err().map(|error| (error.element, error.parameter, error.value));
-            assert_eq!(refused, (!valid).then_some((element, "inertia", inertia)));
+            assert_eq!(refused, (!valid).then_some(("body 7", "inertia_about_input", inertia)));
         }
         values[first] = f64::MAX; // the bound itself overflows
-        assert_eq!((scene.build)(&values).unwrap_err().parameter, "inertia");
+        assert_eq!((scene.build)(&values).unwrap_err().parameter, "inertia_about_input");
     }
 }
 

@@ -12,7 +12,7 @@ system! {
 
     fixed -> beam 1 { length, bending_stiffness: 2e4, mass_per_length: 3.0 } -> conn middle
           -> beam 2 { length, bending_stiffness: 2e4, mass_per_length: 3.0 }
-          -> body 3 { mass: 5.0, inertia: 2.0, output_x: arm, centre_x: centre } -> free;
+          -> body 3 { mass: 5.0, inertia_about_input: 2.0, output_x: arm, centre_x: centre } -> free;
     conn middle <- spring 4 { stiffness } <- fixed;
 }
 
@@ -109,7 +109,7 @@ system! {
         -> beam 7 { length: 7.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, loss_factor: 0.1 }
         -> timoshenko_beam 8 { length: 8.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 9.0, rotary_inertia: 0.1, kelvin_voigt_time: 0.1 }
         -> lever 9 { output_x: 9.0 * l } -> lever 10 { output_x: -10.0 * l, axial_force: 1.0 }
-        -> body 11 { mass: 1.0, inertia: 500.0, output_x: 11.0 * l, centre_x: 5.0, axial_force: 1.0 } -> conn end;
+        -> body 11 { mass: 1.0, inertia_about_input: 500.0, output_x: 11.0 * l, centre_x: 5.0, axial_force: 1.0 } -> conn end;
     conn end <- string 12 { length: 12.0 * l, tension: 1.0, mass_per_length: 1.0 } <- rod 13 { length: 13.0 * l, axial_stiffness: 1.0, mass_per_length: 1.0 }
         <- string 14 { length: 14.0 * l, tension: 1.0, mass_per_length: 1.0, external_damping: 0.1 }
         <- rod 15 { length: 15.0 * l, axial_stiffness: 1.0, mass_per_length: 1.0, loss_factor: 0.1 } <- free;

@@ -1,7 +1,7 @@
 //! Structures whose members hang together at clamps alone: each is by itself, all are one network.
 
 use crate::structure::{Node, Section, Structure};
-use crate::through_library::{first, needed_width};
+use crate::through_library::{first, width};
 
 const SECTION: Section = Section { axial_stiffness: 1e6, bending_stiffness: 1.0, mass_per_length: 1.0 };
 
@@ -24,7 +24,7 @@ fn many_cantilevers_on_one_clamp() {
     }
     // cos z cosh z = -1
     assert_each(&structure, 60, 1.875_104_068_711_961_2_f64.powi(2));
-    assert_eq!(needed_width(&structure), 6);
+    assert_eq!(width(&structure), 6);
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::families::line::line_structure;
 use crate::families::named::{ladder, ring, star, storeys, zigzag};
 use crate::families::random::{Spread, random_structure};
 use crate::structure::Structure;
-use crate::through_library::{asked, count, first_by, in_range, needed_width};
+use crate::through_library::{asked, count, first_by, in_range, width};
 use mstmm::prelude::*;
 use std::time::Instant;
 
@@ -73,7 +73,7 @@ fn judge_large(structures: Vec<Named>, modes: &[u64]) {
                     assert!(found[0].omega == 0.0 && found[0].multiplicity == 3 && found[1].omega > 0.0, "{name}");
                 }
                 let time = start.elapsed();
-                println!("{name}: width {:?}, {evaluations} evaluations, {time:?}", needed_width(&structure));
+                println!("{name}: width {:?}, {evaluations} evaluations, {time:?}", width(&structure));
                 report.compare(&name, &structure, 0, &found);
             }
             Err(error) => report.refused.push(format!("{name}, first: {error}")),
@@ -128,10 +128,9 @@ fn the_first_three_hundred_frequencies_are_where_they_belong() {
 
 #[test]
 fn widths_do_not_grow_with_the_length_of_a_structure() {
-    let storeys = [4, 10, 20].map(|levels| [1, 2, 3].map(|bays| needed_width(&storeys(levels, bays))));
+    let storeys = [4, 10, 20].map(|levels| [1, 2, 3].map(|bays| width(&storeys(levels, bays))));
     assert!(storeys[1] == storeys[0] && storeys[2] == storeys[0], "{storeys:?}");
-    let widths =
-        [5, 40, 300].map(|length| [zigzag(length), ladder(length, 1.0), ring(length)].map(|s| needed_width(&s)));
+    let widths = [5, 40, 300].map(|length| [zigzag(length), ladder(length, 1.0), ring(length)].map(|s| width(&s)));
     println!("storeys of 1, 2, 3 bays: {:?}; zigzag, ladder, ring: {:?}", storeys[0], widths[0]);
     assert!(widths[1] == widths[0] && widths[2] == widths[0], "{widths:?}");
 }

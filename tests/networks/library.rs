@@ -38,8 +38,7 @@ fn delta_changes_its_sign_at_exact_frequencies() {
     for case in reference_cases() {
         for exact in case.frequencies.iter().filter(|exact| exact.multiplicity == 1 && exact.omega > zero) {
             let sides = [-SHARP, SHARP].map(|part| exact.omega * DoubleDouble::from_sum(1.0, part));
-            let is_positive =
-                |network: &Undamped<'_>| sides.map(|omega| network.characteristic(omega).mantissa() > zero);
+            let is_positive = |network: &Undamped| sides.map(|omega| network.characteristic(omega).mantissa() > zero);
             let signs = asked(&case.structure, |network| Ok(is_positive(network)));
             assert!(signs.is_ok_and(|[below, above]| below != above), "{}: {}", case.name, exact.omega);
         }

@@ -12,14 +12,14 @@ use crate::structure::{Element, Structure};
 use crate::through_library::{first, freedoms};
 use mstmm::elements::{Damper, PlanarHinge, Spring, TorsionDamper, TorsionSpring};
 use mstmm::network::{
-    AnyMember, End, Freedoms, Joint, Member, MemberElement, MemberMatrix, Network, NetworkError, Node, Room, Section,
-    UndampedMember,
+    AnyMember, End, Freedoms, Joint, Member, MemberElement, MemberMatrix, Network, NetworkError, Node, Section,
+    UndampedMember, Vectors,
 };
 use mstmm::number::{DoubleDouble, Frequency, Scaled, Single};
 use mstmm::prelude::*;
 
 type Double = DoubleDouble;
-type InDouble<'a, E> = Network<'a, E, 60, 40, 60>;
+type InDouble<E> = Network<E, Vectors>;
 
 pub(crate) fn double(number: f64) -> Double {
     Double::from(number)
@@ -78,7 +78,7 @@ fn members<E: MemberElement<Parameter = Double>>(
 }
 
 /// The number of unknowns of a network.
-fn unknowns<E: MemberElement>(network: &InDouble<'_, E>) -> usize {
+fn unknowns<E: MemberElement>(network: &InDouble<E>) -> usize {
     match network.overall::<0>() {
         Err(NetworkError::Unknowns { needed }) => needed,
         other => unreachable!("no unknowns: {other:?}"),
@@ -86,7 +86,7 @@ fn unknowns<E: MemberElement>(network: &InDouble<'_, E>) -> usize {
 }
 
 /// The overall determinant of a network of any of these sizes.
-fn determinant<E, S>(network: &InDouble<'_, E>, x: S) -> Scaled<S>
+fn determinant<E, S>(network: &InDouble<E>, x: S) -> Scaled<S>
 where
     E: MemberMatrix<S>,
     S: Frequency<E::Parameter> + Single,
@@ -108,12 +108,11 @@ fn spread<E, S>(structure: &Structure, element: impl Fn(Element) -> E, points: &
 where
     E: MemberMatrix<S, Parameter = Double>,
     S: Frequency<Double> + Single,
-    for<'a> InDouble<'a, E>: Characteristic<S>,
+    InDouble<E>: Characteristic<S>,
 {
     let nodes: Vec<Node<Double>> = structure.nodes.iter().map(node).collect();
     let members = members(structure, element);
-    let mut room = Box::new(Room::<_, 40, 60>::new());
-    let network = InDouble::new(&nodes, &members, &mut room).unwrap();
+    let network = InDouble::new(&nodes, &members).unwrap();
     let quotients: Vec<S> =
         points.iter().map(|&x| quotient(determinant(&network, x), network.characteristic(x))).collect();
     (unknowns(&network), largest_difference(&quotients))
@@ -212,8 +211,7 @@ fn another_number_of_unknowns_is_refused() {
     let hinge = End::of(2).releasing(Freedoms::RZ);
     type Beam = Member<UndampedMember<Double>>;
     let members = [Beam::new(0, 1, section), Beam::new(1, hinge, section), Beam::new(3, 2, section)];
-    let mut room = Box::new(Room::<_, 40, 60>::new());
-    let network = InDouble::new(&nodes, &members, &mut room).unwrap();
+    let network = InDouble::new(&nodes, &members).unwrap();
     assert!(network.overall::<7>().is_ok());
     let message = "the overall transfer equation has 7 unknowns: ask for `overall::<7>()`";
     assert_eq!(network.overall::<6>().unwrap_err().to_string(), message);

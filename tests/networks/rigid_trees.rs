@@ -1,7 +1,7 @@
 //! Trees of rigid joints and stiff axes, which a search for zeros once took for mechanisms.
 
 use mstmm::elements::TorsionSpring;
-use mstmm::network::{End, Freedoms, Joint, Member, Network, Node, Room, Section, UndampedMember};
+use mstmm::network::{End, Freedoms, Joint, Member, Network, Node, Section, UndampedMember};
 use mstmm::prelude::*;
 
 type Frame = Member<UndampedMember<f64>>;
@@ -36,8 +36,7 @@ fn a_tree_of_rigid_joints_is_no_mechanism() {
         Frame::new(6, 7, Joint::rigid(rz)),
         Frame::new(7, End::of(8).at([1.921875, 0.0]), Joint::rigid(y.union(rz))),
     ];
-    let mut room = Room::<_, 9, 8>::new();
-    let network = Network::<_, 60, _, _>::new(&nodes, &members, &mut room).unwrap();
+    let network = Network::new(&nodes, &members).unwrap();
     let found = network.first_frequencies::<4>().unwrap();
     for (root, below) in found.iter().zip(0..) {
         assert_eq!(network.count_below(root.omega * 0.999_999).unwrap(), below);

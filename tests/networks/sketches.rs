@@ -8,6 +8,7 @@ mod general_beams;
 mod line;
 mod lists;
 mod overall;
+mod run_time;
 
 use crate::checks::Found;
 use crate::judgement::{judge_frequencies, judge_reference_cases};

@@ -3,22 +3,13 @@
 use crate::checks::Found;
 use crate::structure::{Element, Freedoms, Section, Structure};
 use mstmm::elements::{Damper, PlanarHinge, Spring, TorsionDamper, TorsionSpring};
-use mstmm::network::{
-    self, AnyMember, End, Joint, Member, MemberElement, Network, NetworkError, Node, Room, UndampedMember,
-};
+use mstmm::network::{self, AnyMember, End, Joint, Member, MemberElement, Network, Node, UndampedMember, Vectors};
 use mstmm::number::{DoubleDouble, Scaled};
 use mstmm::prelude::*;
 use mstmm::search::{FrequencyList, SearchError};
 
-/// Unknowns at once.
-const WIDTH: usize = 60;
-
-/// Sizes of the largest structure.
-const NODES: usize = 1002;
-const MEMBERS: usize = 1202;
-
 /// A network of the library.
-pub(crate) type Undamped<'a> = Network<'a, UndampedMember<f64>, WIDTH, NODES, MEMBERS>;
+pub(crate) type Undamped = Network<UndampedMember<f64>, Vectors>;
 
 pub(crate) fn freedoms(set: Freedoms) -> network::Freedoms {
     let all = [(set.x, network::Freedoms::X), (set.y, network::Freedoms::Y), (set.rz, network::Freedoms::RZ)];
@@ -79,21 +70,12 @@ fn members<E: MemberElement<Parameter = f64>>(structure: &Structure, element: im
     structure.members.iter().map(member).collect()
 }
 
-/// Asks the library about a structure, on a stack that has room for the largest.
-pub(crate) fn asked<R: Send>(
-    structure: &Structure,
-    ask: impl FnOnce(&Undamped<'_>) -> Result<R, String> + Send,
-) -> Result<R, String> {
-    on_a_large_stack(|| {
-        let (nodes, members) = (nodes(structure), members(structure, undamped));
-        let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
-        let network = Undamped::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
-        ask(&network)
-    })
+/// Asks the library about a structure.
+pub(crate) fn asked<R>(structure: &Structure, ask: impl FnOnce(&Undamped) -> Result<R, String>) -> Result<R, String> {
+    let (nodes, members) = (nodes(structure), members(structure, undamped));
+    let network = Undamped::new(&nodes, &members).map_err(|error| error.to_string())?;
+    ask(&network)
 }
-
-/// Unknowns at once of a damped structure.
-const DAMPED_WIDTH: usize = 40;
 
 /// The eigenvalues of least modulus, or those in a region with their number there.
 pub(crate) fn eigenvalues(
@@ -101,9 +83,7 @@ pub(crate) fn eigenvalues(
     region: Option<Region>,
 ) -> Result<(Vec<Eigenvalue>, Option<u64>), String> {
     let (nodes, members) = (nodes(structure), members(structure, any));
-    let mut room = Box::new(Room::<_, 100, 160>::new());
-    let network =
-        Network::<_, DAMPED_WIDTH, _, _>::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
+    let network = Network::new(&nodes, &members).map_err(|error| error.to_string())?;
     let Some(region) = region else {
         let found = network.first_eigenvalues::<12>().map_err(|error| error.to_string());
         return found.map(|found| (found.to_vec(), None));
@@ -120,17 +100,10 @@ pub(crate) fn characteristic(structure: &Structure, omegas: &[f64]) -> Result<Ve
     })
 }
 
-/// The smallest width.
-pub(crate) fn needed_width(structure: &Structure) -> usize {
-    let needed = on_a_large_stack(|| {
-        let (nodes, members) = (nodes(structure), members(structure, undamped::<UndampedMember<f64>>));
-        let mut room = Box::new(Room::<_, NODES, MEMBERS>::new());
-        match Network::<_, 1, _, _>::new(&nodes, &members, &mut room) {
-            Err(NetworkError::Width { needed }) => Ok(needed),
-            other => unreachable!("a width of one: {other:?}"),
-        }
-    });
-    needed.unwrap_or_else(|error| unreachable!("{error}"))
+/// The largest number of unknowns at once.
+pub(crate) fn width(structure: &Structure) -> usize {
+    let (nodes, members) = (nodes(structure), members(structure, undamped));
+    Undamped::new(&nodes, &members).unwrap_or_else(|error| unreachable!("{error}")).unknowns_at_once()
 }
 
 fn entry(root: &NaturalFrequency<f64>) -> Found {
@@ -174,43 +147,15 @@ pub(crate) fn count(structure: &Structure, omega: f64) -> Result<u64, String> {
     asked(structure, |network| network.count_below(omega).map_err(|error| error.to_string()))
 }
 
-/// A network of the library that is small enough for its motions.
-pub(crate) type Moving<'a> = Network<'a, UndampedMember<f64>, WIDTH, 60, 80>;
+/// A network with dampers.
+pub(crate) type Decaying = Network<AnyMember<f64>, Vectors>;
 
-/// Asks the library about motions of a structure, on a stack that has room for them.
-pub(crate) fn asked_to_move<R: Send>(
+/// Asks the library about motions of a damped structure.
+pub(crate) fn asked_to_decay<R>(
     structure: &Structure,
-    ask: impl FnOnce(&Moving<'_>) -> Result<R, String> + Send,
+    ask: impl FnOnce(&Decaying) -> Result<R, String>,
 ) -> Result<R, String> {
-    on_a_large_stack(|| {
-        let (nodes, members) = (nodes(structure), members(structure, undamped));
-        let mut room = Box::new(Room::<_, 60, 80>::new());
-        let network = Moving::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
-        ask(&network)
-    })
-}
-
-/// A network with dampers that is small enough for its motions.
-pub(crate) type Decaying<'a> = Network<'a, AnyMember<f64>, DAMPED_WIDTH, 60, 80>;
-
-/// Asks the library about motions of a damped structure, on a stack that has room for them.
-pub(crate) fn asked_to_decay<R: Send>(
-    structure: &Structure,
-    ask: impl FnOnce(&Decaying<'_>) -> Result<R, String> + Send,
-) -> Result<R, String> {
-    on_a_large_stack(|| {
-        let (nodes, members) = (nodes(structure), members(structure, any));
-        let mut room = Box::new(Room::<_, 60, 80>::new());
-        let network = Decaying::new(&nodes, &members, &mut room).map_err(|error| error.to_string())?;
-        ask(&network)
-    })
-}
-
-/// Works on a stack that has room for motions.
-fn on_a_large_stack<R: Send>(work: impl FnOnce() -> Result<R, String> + Send) -> Result<R, String> {
-    std::thread::scope(|scope| {
-        let thread = std::thread::Builder::new().stack_size(1 << 28).spawn_scoped(scope, work);
-        let told = thread.map_err(|error| error.to_string())?.join();
-        told.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-    })
+    let (nodes, members) = (nodes(structure), members(structure, any));
+    let network = Decaying::new(&nodes, &members).map_err(|error| error.to_string())?;
+    ask(&network)
 }

@@ -224,7 +224,7 @@ fn a_thousand_roots_of_a_cantilever_cost_nine_evaluations_each() {
 system! {
     #[derive(Clone, Copy, Debug)]
     struct Arm { inertia: f64 }
-    free -> body 1 { mass: 31.998150000000003, inertia, output_x: -0.894, centre_x: -0.647 }
+    free -> body 1 { mass: 31.998150000000003, inertia_about_input: inertia, output_x: -0.894, centre_x: -0.647 }
          -> beam 2 { length: 1.899, bending_stiffness: 1.147, mass_per_length: 1.685 } -> fixed;
 }
 

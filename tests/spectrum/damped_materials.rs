@@ -203,8 +203,12 @@ fn a_chain_of_masses_has_the_roots_of_its_polynomial() {
     {
         let mut elements: Vec<AnyElement<f64>> = Vec::new();
         for k in 0..3 {
-            let spring =
-                DampedSpring { stiffness: stiffnesses[k], loss_factor: losses[k], kelvin_voigt_time: times[k] };
+            let spring = DampedSpring {
+                stiffness: stiffnesses[k],
+                loss_factor: losses[k],
+                kelvin_voigt_time: times[k],
+                damping: 0.0,
+            };
             elements.push(spring.try_into().unwrap());
             elements.push(Mass { mass: masses[k] }.try_into().unwrap());
         }

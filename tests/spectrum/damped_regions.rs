@@ -111,7 +111,7 @@ fn first_roots_end_where_others_accumulate() {
     let refused = StepList::new(&with(1.0)).unwrap().first_eigenvalues::<1>();
     assert!(matches!(refused, Err(SearchError::Accumulation { .. })), "{refused:?}");
     // a lumped spring has no waves, and its root beyond 1/c is an ordinary one
-    let spring = DampedSpring { stiffness: 4.0, loss_factor: 0.0, kelvin_voigt_time: 3.0 };
+    let spring = DampedSpring { stiffness: 4.0, loss_factor: 0.0, kelvin_voigt_time: 3.0, damping: 0.0 };
     let mass = Mass { mass: 1.0 };
     let steps = list_of(&[spring.try_into().unwrap(), mass.try_into().unwrap()], [Support::Fixed, Support::Free]);
     let found = StepList::new(&steps).unwrap().first_eigenvalues::<2>().unwrap();

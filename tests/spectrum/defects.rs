@@ -9,8 +9,8 @@ system! {
     /// Two equal levers on one axle, both bolted to the joint of a cantilever.
     struct Levers { mass: f64, inertia: f64 }
     fixed -> beam 1 { length: 1.56, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
-    pinned -> body 2 { mass, inertia, output_x: 2.541, centre_x: 0.2 } -> conn a;
-    pinned -> body 3 { mass, inertia, output_x: 2.541, centre_x: 0.2 } -> conn a
+    pinned -> body 2 { mass, inertia_about_input: inertia, output_x: 2.541, centre_x: 0.2 } -> conn a;
+    pinned -> body 3 { mass, inertia_about_input: inertia, output_x: 2.541, centre_x: 0.2 } -> conn a
            -> beam 4 { length: 1.56, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
 }
 
@@ -18,7 +18,7 @@ system! {
     /// The same with a single lever that has the mass and the inertia of both.
     struct Lever { mass: f64, inertia: f64 }
     fixed -> beam 1 { length: 1.56, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
-    pinned -> body 2 { mass: 2.0 * mass, inertia: 2.0 * inertia, output_x: 2.541, centre_x: 0.2 } -> conn a
+    pinned -> body 2 { mass: 2.0 * mass, inertia_about_input: 2.0 * inertia, output_x: 2.541, centre_x: 0.2 } -> conn a
            -> beam 4 { length: 1.56, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
 }
 
@@ -88,7 +88,7 @@ system! {
     struct ArmMass { mass: f64, centre: f64 }
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
     fixed -> damper 2 { damping: 0.25 } -> conn a
-          -> body 3 { mass, inertia: mass * centre * centre, output_x: centre, centre_x: centre } -> free;
+          -> body 3 { mass, inertia_about_input: mass * centre * centre, output_x: centre, centre_x: centre } -> free;
 }
 
 /// The second eigenvalue has a node at the heavy point: there `J_I - m c²` is all that counts of the inertia.
@@ -106,8 +106,8 @@ system! {
     /// A beam with a body in it, from which a massless lever leads back to where the first lever began.
     struct ThereAndBack { offset: f64 }
     fixed -> beam 1 { length: 1.372, bending_stiffness: 1.876, mass_per_length: 1.0 }
-          -> body 2 { mass: 1.694, inertia: 1.003, output_x: offset, centre_x: 0.0 }
-          -> body 3 { mass: 0.0, inertia: 0.0, output_x: -offset, centre_x: 0.0 }
+          -> body 2 { mass: 1.694, inertia_about_input: 1.003, output_x: offset, centre_x: 0.0 }
+          -> body 3 { mass: 0.0, inertia_about_input: 0.0, output_x: -offset, centre_x: 0.0 }
           -> beam 4 { length: 1.662, bending_stiffness: 1.849, mass_per_length: 1.0 } -> free;
 }
 
@@ -149,7 +149,7 @@ fn a_region_may_be_long_in_the_real_direction() {
 system! {
     /// A wheel on a short lever that a spring holds: `ω = b sqrt(k/J)`.
     struct ShortLever { b: f64 }
-    pinned -> body 1 { mass: 1.0, inertia: 1.0, output_x: b, centre_x: 0.0 } -> conn a -> free;
+    pinned -> body 1 { mass: 1.0, inertia_about_input: 1.0, output_x: b, centre_x: 0.0 } -> conn a -> free;
     fixed -> spring 2 { stiffness: 1.0 } -> conn a;
 }
 

@@ -35,7 +35,7 @@ system! {
     /// The same as one body.
     struct AsBody { b: f64, m: f64, j: f64 }
     fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.5 }
-          -> body 2 { mass: m, inertia: j + m * b * b, output_x: b, centre_x: b } -> free;
+          -> body 2 { mass: m, inertia_about_input: j + m * b * b, output_x: b, centre_x: b } -> free;
 }
 
 system! {

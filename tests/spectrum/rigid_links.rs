@@ -14,7 +14,7 @@ system! {
     /// The same as a body that has the mass at its head.
     struct Tower { load: f64, k: f64, b: f64, mass: f64, inertia: f64 }
     fixed -> rotational_hinge 1 { stiffness: k }
-          -> body 2 { mass, inertia: inertia + mass * b * b, output_x: b, centre_x: b, axial_force: -load } -> free;
+          -> body 2 { mass, inertia_about_input: inertia + mass * b * b, output_x: b, centre_x: b, axial_force: -load } -> free;
 }
 
 system! {

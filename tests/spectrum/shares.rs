@@ -22,7 +22,7 @@ system! {
     struct Spans { first: f64, second: f64, stiff: f64, soft: f64, line: f64, spring: f64, mass: f64 }
     pinned -> beam 1 { length: first, bending_stiffness: stiff, mass_per_length: 1.0 } -> conn 2
         -> beam 3 { length: second, bending_stiffness: soft, mass_per_length: line }
-        -> body 5 { mass, inertia: mass, output_x: 0.3, centre_x: 0.1 } -> free;
+        -> body 5 { mass, inertia_about_input: mass, output_x: 0.3, centre_x: 0.1 } -> free;
     conn 2 <- spring 4 { stiffness: spring } <- fixed
 }
 

@@ -63,7 +63,7 @@ system! {
     /// A body on two links.
     #[derive(Clone, Copy, Debug)]
     struct Table { left: f64, right: f64, arm: f64 }
-    free -> conn 1 -> body 2 { mass: 1.0, inertia: arm * arm, output_x: arm, centre_x: 0.3 * arm } -> conn 3 -> free;
+    free -> conn 1 -> body 2 { mass: 1.0, inertia_about_input: arm * arm, output_x: arm, centre_x: 0.3 * arm } -> conn 3 -> free;
     conn 1 <- link::Link 4 { stiffness: left } <- fixed;
     conn 3 <- link::Link 5 { stiffness: right } <- fixed;
 }

@@ -32,7 +32,7 @@ system! {
     struct Mixed { length: f64, hinge: f64, mass: f64, arm: f64, torsion: f64 }
     fixed -> beam 1 { length, bending_stiffness: 2.0, mass_per_length: 0.5 }
           -> elastic_hinge 2 { stiffness_y: hinge, stiffness_theta: 3.0 * hinge }
-          -> body 3 { mass, inertia: mass * (0.01 + arm * arm), output_x: 2.0 * arm, centre_x: arm } -> conn 4
+          -> body 3 { mass, inertia_about_input: mass * (0.01 + arm * arm), output_x: 2.0 * arm, centre_x: arm } -> conn 4
           -> point_mass 5 { mass: 0.3, inertia: 0.001 }
           -> beam 6 { length: 0.5 * length, bending_stiffness: 1.0, mass_per_length: 0.5 } -> free;
     conn 4 <- torsion_spring 7 { stiffness: torsion } <- inertia 8 { inertia: 0.02 } <- free;
@@ -43,8 +43,8 @@ system! {
     #[derive(Clone, Copy, Debug)]
     struct Levers { arm: f64, mass: f64, length: f64 }
     fixed -> beam 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> body 2 { mass, inertia: mass * (1.0 + arm * arm), output_x: arm, centre_x: arm }
-          -> body 3 { mass: 0.0, inertia: 0.0, output_x: -arm, centre_x: 0.0 }
+          -> body 2 { mass, inertia_about_input: mass * (1.0 + arm * arm), output_x: arm, centre_x: arm }
+          -> body 3 { mass: 0.0, inertia_about_input: 0.0, output_x: -arm, centre_x: 0.0 }
           -> beam 4 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
 }
 

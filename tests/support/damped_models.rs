@@ -12,13 +12,13 @@ system! {
     free -> mass 7 { mass: 1.26 } -> spring_damper 8 { stiffness: 31.9, damping: 0.76 } -> conn 18;
     fixed -> damper 10 { damping: 3.9 } -> spring 11 { stiffness: 3.7 } -> conn 18;
     conn 16 -> beam 17 { length: 1.67, bending_stiffness: 0.2, mass_per_length: 3.05 } -> conn 18;
-    conn 18 -> body 19 { mass: 4.91, inertia: 1.991779, output_x: 0.395, centre_x: 0.63 } -> fixed;
+    conn 18 -> body 19 { mass: 4.91, inertia_about_input: 1.991779, output_x: 0.395, centre_x: 0.63 } -> fixed;
 }
 
 system! {
     pub(crate) struct Damped7;
 
-    free -> body 1 { mass: 0.28, inertia: 0.13974299999999998, output_x: 1.55, centre_x: 0.285 } -> conn 2;
+    free -> body 1 { mass: 0.28, inertia_about_input: 0.13974299999999998, output_x: 1.55, centre_x: 0.285 } -> conn 2;
     conn 2 -> damper 3 { damping: 3.63 } -> fixed;
 }
 
@@ -38,7 +38,7 @@ system! {
     fixed -> damper 3 { damping: 0.3 } -> spring 4 { stiffness: 11.799999999999999 } -> conn 9;
     fixed -> damper 6 { damping: 0.3 } -> spring 7 { stiffness: 11.799999999999999 } -> conn 9;
     pinned -> conn 9;
-    conn 9 -> body 10 { mass: 0.23, inertia: 0.50084575, output_x: 0.49, centre_x: 0.555 } -> beam 11 { length: 0.23, bending_stiffness: 1.08, mass_per_length: 1.0 } -> free;
+    conn 9 -> body 10 { mass: 0.23, inertia_about_input: 0.50084575, output_x: 0.49, centre_x: 0.555 } -> beam 11 { length: 0.23, bending_stiffness: 1.08, mass_per_length: 1.0 } -> free;
 }
 
 system! {
@@ -69,7 +69,7 @@ system! {
     fixed -> torsion_spring 18 { stiffness: 0.21 } -> inertia 19 { inertia: 1.61 } -> inertia 20 { inertia: 3.48 } -> conn 22;
     fixed -> conn 22;
     conn 7 -> elastic_hinge 8 { stiffness_y: 22.9, stiffness_theta: 0.51 } -> beam 9 { length: 3.02, bending_stiffness: 0.32, mass_per_length: 0.32 } -> conn 25;
-    conn 22 -> body 23 { mass: 3.93, inertia: 2.63340425, output_x: 1.88, centre_x: 0.815 } -> beam 24 { length: 1.87, bending_stiffness: 1.98, mass_per_length: 0.65 } -> conn 25;
+    conn 22 -> body 23 { mass: 3.93, inertia_about_input: 2.63340425, output_x: 1.88, centre_x: 0.815 } -> beam 24 { length: 1.87, bending_stiffness: 1.98, mass_per_length: 0.65 } -> conn 25;
     conn 25 -> point_mass 26 { mass: 0.24, inertia: 0.34400000000000003 } -> beam 27 { length: 1.28, bending_stiffness: 0.27, mass_per_length: 0.28 } -> fixed;
 }
 
@@ -83,7 +83,7 @@ system! {
     conn 5 -> torsion_damper 6 { damping: 0.025 } -> inertia 7 { inertia: 3.75 } -> conn 17;
     conn 13 -> torsion_damper 14 { damping: 0.025 } -> inertia 15 { inertia: 3.75 } -> conn 17;
     guided -> conn 17;
-    conn 17 -> body 18 { mass: 3.4, inertia: 0.12639125, output_x: 1.605, centre_x: 0.1675 } -> body 19 { mass: 0.95, inertia: 0.1350559375, output_x: 1.055, centre_x: 0.1975 } -> conn 21;
+    conn 17 -> body 18 { mass: 3.4, inertia_about_input: 0.12639125, output_x: 1.605, centre_x: 0.1675 } -> body 19 { mass: 0.95, inertia_about_input: 0.1350559375, output_x: 1.055, centre_x: 0.1975 } -> conn 21;
     free -> conn 21;
     conn 21 -> torsion_spring 22 { stiffness: 0.53 } -> free;
 }
@@ -91,11 +91,11 @@ system! {
 system! {
     pub(crate) struct Damped90;
 
-    free -> beam 4 { length: 0.29, bending_stiffness: 1.8, mass_per_length: 0.2 } -> body 5 { mass: 0.23, inertia: 0.1290734375, output_x: 1.775, centre_x: 0.1625 } -> conn 11;
+    free -> beam 4 { length: 0.29, bending_stiffness: 1.8, mass_per_length: 0.2 } -> body 5 { mass: 0.23, inertia_about_input: 0.1290734375, output_x: 1.775, centre_x: 0.1625 } -> conn 11;
     fixed -> spring_damper 7 { stiffness: 2.6, damping: 0.27 } -> mass 8 { mass: 3.09 } -> conn 11;
     free -> spring_damper 10 { stiffness: 16.0, damping: 4.51 } -> conn 11;
     pinned -> beam 1 { length: 0.89, bending_stiffness: 0.2, mass_per_length: 0.27 } -> beam 2 { length: 0.39, bending_stiffness: 1.09, mass_per_length: 0.2 } -> conn 14;
-    conn 11 -> body 12 { mass: 2.09, inertia: 0.15538399999999997, output_x: 0.63, centre_x: 0.24 } -> body 13 { mass: 0.66, inertia: 0.376504, output_x: 0.275, centre_x: 0.12 } -> conn 14;
+    conn 11 -> body 12 { mass: 2.09, inertia_about_input: 0.15538399999999997, output_x: 0.63, centre_x: 0.24 } -> body 13 { mass: 0.66, inertia_about_input: 0.376504, output_x: 0.275, centre_x: 0.12 } -> conn 14;
     conn 14 -> pinned;
 }
 
@@ -138,7 +138,7 @@ system! {
     fixed -> damper 1 { damping: 2.97 } -> mass 2 { mass: 0.94 } -> mass 3 { mass: 4.81 } -> conn 5;
     free -> conn 5;
     conn 5 -> beam 6 { length: 0.36, bending_stiffness: 0.21, mass_per_length: 0.81 } -> conn 10;
-    guided -> body 8 { mass: 0.52, inertia: 0.20431325, output_x: 0.215, centre_x: 0.1475 } -> body 9 { mass: 0.37, inertia: 0.432125, output_x: 0.34, centre_x: 0.75 } -> conn 10;
+    guided -> body 8 { mass: 0.52, inertia_about_input: 0.20431325, output_x: 0.215, centre_x: 0.1475 } -> body 9 { mass: 0.37, inertia_about_input: 0.432125, output_x: 0.34, centre_x: 0.75 } -> conn 10;
     conn 10 -> pinned;
 }
 
@@ -159,7 +159,7 @@ system! {
     pub(crate) struct Damped132;
 
     fixed -> spring_damper 3 { stiffness: 4.699999999999999, damping: 0.44 } -> mass 4 { mass: 4.34 } -> spring_damper 5 { stiffness: 13.100000000000001, damping: 0.3 } -> conn 12;
-    fixed -> body 7 { mass: 0.8, inertia: 1.0974800000000002, output_x: 0.61, centre_x: 1.09 } -> beam 8 { length: 1.42, bending_stiffness: 3.28, mass_per_length: 0.78 } -> conn 12;
+    fixed -> body 7 { mass: 0.8, inertia_about_input: 1.0974800000000002, output_x: 0.61, centre_x: 1.09 } -> beam 8 { length: 1.42, bending_stiffness: 3.28, mass_per_length: 0.78 } -> conn 12;
     fixed -> torsion_spring 10 { stiffness: 0.25 } -> inertia 11 { inertia: 2.54 } -> conn 12;
     guided -> beam 1 { length: 1.42, bending_stiffness: 3.28, mass_per_length: 0.78 } -> conn 14;
     conn 12 -> point_mass 13 { mass: 0.5, inertia: 0.22400000000000003 } -> conn 14;

@@ -12,7 +12,7 @@ system! {
     free -> mass 7 { mass: 1.26 } -> spring 8 { stiffness: 31.9 } -> conn 18;
     fixed -> spring 10 { stiffness: 6.3 } -> spring 11 { stiffness: 3.7 } -> conn 18;
     conn 16 -> beam 17 { length: 1.67, bending_stiffness: 0.2, mass_per_length: 3.05 } -> conn 18;
-    conn 18 -> body 19 { mass: 4.91, inertia: 1.991779, output_x: 0.395, centre_x: 0.63 } -> fixed;
+    conn 18 -> body 19 { mass: 4.91, inertia_about_input: 1.991779, output_x: 0.395, centre_x: 0.63 } -> fixed;
 }
 
 system! {
@@ -33,14 +33,14 @@ system! {
 system! {
     pub(crate) struct Undamped7;
 
-    free -> body 1 { mass: 0.28, inertia: 0.13974299999999998, output_x: 1.55, centre_x: 0.285 } -> conn 2;
+    free -> body 1 { mass: 0.28, inertia_about_input: 0.13974299999999998, output_x: 1.55, centre_x: 0.285 } -> conn 2;
     conn 2 -> spring 3 { stiffness: 15.700000000000001 } -> fixed;
 }
 
 system! {
     pub(crate) struct Undamped14;
 
-    pinned -> body 3 { mass: 1.23, inertia: 1.5260726875, output_x: 0.555, centre_x: 1.1025 } -> beam 4 { length: 0.93, bending_stiffness: 3.56, mass_per_length: 0.32 } -> conn 6;
+    pinned -> body 3 { mass: 1.23, inertia_about_input: 1.5260726875, output_x: 0.555, centre_x: 1.1025 } -> beam 4 { length: 0.93, bending_stiffness: 3.56, mass_per_length: 0.32 } -> conn 6;
     pinned -> conn 6;
     pinned -> point_mass 1 { mass: 0.81, inertia: 0.377 } -> conn 9;
     conn 6 -> point_mass 7 { mass: 1.68, inertia: 0.29700000000000004 } -> beam 8 { length: 0.4, bending_stiffness: 0.5, mass_per_length: 0.36 } -> conn 9;
@@ -56,10 +56,10 @@ system! {
     free -> inertia 11 { inertia: 0.28 } -> conn 18;
     fixed -> beam 13 { length: 1.13, bending_stiffness: 1.24, mass_per_length: 0.32 } -> point_mass 14 { mass: 0.34, inertia: 0.05500000000000001 } -> conn 18;
     fixed -> beam 16 { length: 1.13, bending_stiffness: 1.24, mass_per_length: 0.32 } -> point_mass 17 { mass: 0.34, inertia: 0.05500000000000001 } -> conn 18;
-    conn 8 -> body 9 { mass: 3.71, inertia: 0.24525118750000002, output_x: 0.395, centre_x: 0.0825 } -> conn 21;
-    conn 18 -> body 19 { mass: 3.71, inertia: 0.24525118750000002, output_x: 0.395, centre_x: 0.0825 } -> conn 21;
+    conn 8 -> body 9 { mass: 3.71, inertia_about_input: 0.24525118750000002, output_x: 0.395, centre_x: 0.0825 } -> conn 21;
+    conn 18 -> body 19 { mass: 3.71, inertia_about_input: 0.24525118750000002, output_x: 0.395, centre_x: 0.0825 } -> conn 21;
     free -> conn 21;
-    conn 21 -> body 22 { mass: 1.96, inertia: 0.46236900000000003, output_x: 0.33, centre_x: 0.205 } -> body 23 { mass: 0.88, inertia: 0.17046550000000002, output_x: 1.305, centre_x: 0.1525 } -> free;
+    conn 21 -> body 22 { mass: 1.96, inertia_about_input: 0.46236900000000003, output_x: 0.33, centre_x: 0.205 } -> body 23 { mass: 0.88, inertia_about_input: 0.17046550000000002, output_x: 1.305, centre_x: 0.1525 } -> free;
 }
 
 system! {
@@ -98,7 +98,7 @@ system! {
     guided -> beam 4 { length: 3.98, bending_stiffness: 0.49, mass_per_length: 0.26 } -> conn 7;
     guided -> beam 6 { length: 3.98, bending_stiffness: 0.49, mass_per_length: 0.26 } -> conn 7;
     pinned -> beam 1 { length: 1.62, bending_stiffness: 0.85, mass_per_length: 0.95 } -> beam 2 { length: 0.33, bending_stiffness: 0.85, mass_per_length: 1.11 } -> conn 10;
-    conn 7 -> point_mass 8 { mass: 0.21, inertia: 0.24300000000000002 } -> body 9 { mass: 2.04, inertia: 0.27625275, output_x: 0.1, centre_x: 0.0775 } -> conn 10;
+    conn 7 -> point_mass 8 { mass: 0.21, inertia: 0.24300000000000002 } -> body 9 { mass: 2.04, inertia_about_input: 0.27625275, output_x: 0.1, centre_x: 0.0775 } -> conn 10;
     conn 10 -> fixed;
 }
 
@@ -109,7 +109,7 @@ system! {
     fixed -> spring 3 { stiffness: 31.0 } -> spring 4 { stiffness: 11.799999999999999 } -> conn 9;
     fixed -> spring 6 { stiffness: 31.0 } -> spring 7 { stiffness: 11.799999999999999 } -> conn 9;
     pinned -> conn 9;
-    conn 9 -> body 10 { mass: 0.23, inertia: 0.50084575, output_x: 0.49, centre_x: 0.555 } -> beam 11 { length: 0.23, bending_stiffness: 1.08, mass_per_length: 1.0 } -> free;
+    conn 9 -> body 10 { mass: 0.23, inertia_about_input: 0.50084575, output_x: 0.49, centre_x: 0.555 } -> beam 11 { length: 0.23, bending_stiffness: 1.08, mass_per_length: 1.0 } -> free;
 }
 
 system! {
@@ -152,7 +152,7 @@ system! {
     fixed -> torsion_spring 18 { stiffness: 0.21 } -> inertia 19 { inertia: 1.61 } -> inertia 20 { inertia: 3.48 } -> conn 22;
     fixed -> conn 22;
     conn 7 -> elastic_hinge 8 { stiffness_y: 22.9, stiffness_theta: 0.51 } -> beam 9 { length: 3.02, bending_stiffness: 0.32, mass_per_length: 0.32 } -> conn 25;
-    conn 22 -> body 23 { mass: 3.93, inertia: 2.63340425, output_x: 1.88, centre_x: 0.815 } -> beam 24 { length: 1.87, bending_stiffness: 1.98, mass_per_length: 0.65 } -> conn 25;
+    conn 22 -> body 23 { mass: 3.93, inertia_about_input: 2.63340425, output_x: 1.88, centre_x: 0.815 } -> beam 24 { length: 1.87, bending_stiffness: 1.98, mass_per_length: 0.65 } -> conn 25;
     conn 25 -> point_mass 26 { mass: 0.24, inertia: 0.34400000000000003 } -> beam 27 { length: 1.28, bending_stiffness: 0.27, mass_per_length: 0.28 } -> fixed;
 }
 
@@ -161,15 +161,15 @@ system! {
 
     pinned -> beam 4 { length: 1.12, bending_stiffness: 0.41, mass_per_length: 2.25 } -> beam 5 { length: 0.98, bending_stiffness: 1.08, mass_per_length: 2.54 } -> conn 7;
     pinned -> conn 7;
-    free -> beam 1 { length: 0.55, bending_stiffness: 1.62, mass_per_length: 3.1 } -> body 2 { mass: 2.02, inertia: 0.02905, output_x: 0.495, centre_x: 0.05 } -> conn 10;
-    conn 7 -> body 8 { mass: 0.69, inertia: 0.5047143125, output_x: 0.525, centre_x: 0.6775 } -> body 9 { mass: 0.42, inertia: 0.0435625, output_x: 1.15, centre_x: 0.125 } -> conn 10;
+    free -> beam 1 { length: 0.55, bending_stiffness: 1.62, mass_per_length: 3.1 } -> body 2 { mass: 2.02, inertia_about_input: 0.02905, output_x: 0.495, centre_x: 0.05 } -> conn 10;
+    conn 7 -> body 8 { mass: 0.69, inertia_about_input: 0.5047143125, output_x: 0.525, centre_x: 0.6775 } -> body 9 { mass: 0.42, inertia_about_input: 0.0435625, output_x: 1.15, centre_x: 0.125 } -> conn 10;
     conn 10 -> guided;
 }
 
 system! {
     pub(crate) struct Undamped45;
 
-    guided -> beam 1 { length: 4.45, bending_stiffness: 1.47, mass_per_length: 1.97 } -> body 2 { mass: 0.24, inertia: 0.0349375, output_x: 1.06, centre_x: 0.0625 } -> conn 5;
+    guided -> beam 1 { length: 4.45, bending_stiffness: 1.47, mass_per_length: 1.97 } -> body 2 { mass: 0.24, inertia_about_input: 0.0349375, output_x: 1.06, centre_x: 0.0625 } -> conn 5;
     pinned -> beam 4 { length: 0.4, bending_stiffness: 0.52, mass_per_length: 0.95 } -> conn 5;
     conn 5 -> fixed;
 }
@@ -177,19 +177,19 @@ system! {
 system! {
     pub(crate) struct Undamped48;
 
-    pinned -> body 1 { mass: 3.35, inertia: 0.18713500000000002, output_x: 0.72, centre_x: 0.09 } -> conn 3;
+    pinned -> body 1 { mass: 3.35, inertia_about_input: 0.18713500000000002, output_x: 0.72, centre_x: 0.09 } -> conn 3;
     free -> conn 3;
     conn 3 -> point_mass 4 { mass: 0.25, inertia: 0.15600000000000003 } -> conn 5;
     conn 5 -> inertia 6 { inertia: 2.89 } -> conn 13;
     pinned -> beam 8 { length: 0.7, bending_stiffness: 0.58, mass_per_length: 1.18 } -> point_mass 9 { mass: 1.83, inertia: 0.296 } -> conn 13;
-    fixed -> beam 11 { length: 3.09, bending_stiffness: 0.62, mass_per_length: 0.26 } -> body 12 { mass: 0.39, inertia: 0.29031975, output_x: 1.615, centre_x: 0.655 } -> conn 13;
+    fixed -> beam 11 { length: 3.09, bending_stiffness: 0.62, mass_per_length: 0.26 } -> body 12 { mass: 0.39, inertia_about_input: 0.29031975, output_x: 1.615, centre_x: 0.655 } -> conn 13;
     conn 13 -> mass 14 { mass: 3.89 } -> mass 15 { mass: 0.2 } -> free;
 }
 
 system! {
     pub(crate) struct Undamped51;
 
-    pinned -> body 1 { mass: 0.22, inertia: 0.048321375, output_x: 0.645, centre_x: 0.0775 } -> conn 3;
+    pinned -> body 1 { mass: 0.22, inertia_about_input: 0.048321375, output_x: 0.645, centre_x: 0.0775 } -> conn 3;
     free -> conn 3;
     conn 3 -> beam 4 { length: 3.21, bending_stiffness: 0.37, mass_per_length: 2.14 } -> free;
 }
@@ -204,7 +204,7 @@ system! {
     conn 5 -> torsion_spring 6 { stiffness: 0.5 } -> inertia 7 { inertia: 3.75 } -> conn 17;
     conn 13 -> torsion_spring 14 { stiffness: 0.5 } -> inertia 15 { inertia: 3.75 } -> conn 17;
     guided -> conn 17;
-    conn 17 -> body 18 { mass: 3.4, inertia: 0.12639125, output_x: 1.605, centre_x: 0.1675 } -> body 19 { mass: 0.95, inertia: 0.1350559375, output_x: 1.055, centre_x: 0.1975 } -> conn 21;
+    conn 17 -> body 18 { mass: 3.4, inertia_about_input: 0.12639125, output_x: 1.605, centre_x: 0.1675 } -> body 19 { mass: 0.95, inertia_about_input: 0.1350559375, output_x: 1.055, centre_x: 0.1975 } -> conn 21;
     free -> conn 21;
     conn 21 -> torsion_spring 22 { stiffness: 0.53 } -> free;
 }
@@ -221,7 +221,7 @@ system! {
     pub(crate) struct Undamped63;
 
     pinned -> beam 1 { length: 2.81, bending_stiffness: 1.68, mass_per_length: 1.2 } -> point_mass 2 { mass: 0.48, inertia: 0.10200000000000001 } -> conn 6;
-    guided -> beam 4 { length: 0.29, bending_stiffness: 0.56, mass_per_length: 0.84 } -> body 5 { mass: 0.22, inertia: 0.2532655, output_x: 0.41, centre_x: 0.695 } -> conn 6;
+    guided -> beam 4 { length: 0.29, bending_stiffness: 0.56, mass_per_length: 0.84 } -> body 5 { mass: 0.22, inertia_about_input: 0.2532655, output_x: 0.41, centre_x: 0.695 } -> conn 6;
     conn 6 -> guided;
 }
 
@@ -233,7 +233,7 @@ system! {
     free -> mass 6 { mass: 0.65 } -> conn 8;
     free -> conn 8;
     conn 8 -> beam 9 { length: 0.27, bending_stiffness: 0.4, mass_per_length: 0.64 } -> point_mass 10 { mass: 0.23, inertia: 0.118 } -> conn 17;
-    free -> body 12 { mass: 0.25, inertia: 0.06425156250000001, output_x: 0.735, centre_x: 0.2025 } -> conn 17;
+    free -> body 12 { mass: 0.25, inertia_about_input: 0.06425156250000001, output_x: 0.735, centre_x: 0.2025 } -> conn 17;
     fixed -> spring 14 { stiffness: 9.5 } -> spring 15 { stiffness: 2.2 } -> mass 16 { mass: 0.25 } -> conn 17;
     conn 17 -> inertia 18 { inertia: 2.09 } -> inertia 19 { inertia: 4.89 } -> conn 25;
     fixed -> spring 21 { stiffness: 26.6 } -> spring 22 { stiffness: 2.6 } -> spring 23 { stiffness: 14.8 } -> conn 25;

@@ -27,7 +27,7 @@ system! {
     let inertia_about_input = inertia + mass * eccentricity * eccentricity;
 
     fixed -> beam 1 { length, bending_stiffness, mass_per_length }
-          -> body 2 { mass, inertia: inertia_about_input, output_x: depth, centre_x: eccentricity }
+          -> body 2 { mass, inertia_about_input, output_x: depth, centre_x: eccentricity }
           -> free;
 }
 

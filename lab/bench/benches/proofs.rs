@@ -3,7 +3,7 @@
 //!
 //! `cargo bench --bench proofs`. Times are the least of many rounds; quote the ratios.
 
-use mstmm::network::{Member, Network, Node, Room, Section, Support, UndampedMember};
+use mstmm::network::{Member, Network, Node, Section, Support, UndampedMember};
 use mstmm::prelude::*;
 use mstmm::search::System;
 use mstmm_lanes::InstructionSet;
@@ -86,6 +86,5 @@ fn main() -> Result<(), Failure> {
     let workshop = Workshop { ea: 4e8, ei: 1e6, m: 20.0, brace: 2e6, machine: 500.0 };
     row::<_, 10>("portal with brace and machine", &workshop.build()?)?;
     let (nodes, members) = building(10, 3);
-    let mut room = Room::<_, 64, 96>::new();
-    row::<_, 10>("building, 10 storeys of 3 bays", &Network::<_, 30, _, _>::new(&nodes, &members, &mut room)?)
+    row::<_, 10>("building, 10 storeys of 3 bays", &Network::new(&nodes, &members)?)
 }

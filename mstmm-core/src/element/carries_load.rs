@@ -28,7 +28,7 @@ impl<M, E> MemberLabel<M, E> {
     where
         E: CarriesLoad,
     {
-        PlaneLoad::along(self.index(), 0)
+        PlaneLoad::along(self.handle(), 0)
     }
 
     /// A load of 1 N along y on each metre of the member's length, whatever its direction.
@@ -36,7 +36,7 @@ impl<M, E> MemberLabel<M, E> {
     where
         E: CarriesLoad,
     {
-        PlaneLoad::along(self.index(), 1)
+        PlaneLoad::along(self.handle(), 1)
     }
 }
 

@@ -1,5 +1,6 @@
 //! How the parameters of a member change its dynamic work.
 
+use crate::element::charted::MemberElement;
 use crate::element::traits::Element;
 use crate::model::EndMotion;
 use crate::number::Scalar;
@@ -43,4 +44,16 @@ pub trait MemberGradient<S: Scalar>: Element {
 
     /// `∂L/∂p` for each parameter, with the displacements of both ends held.
     fn member_gradient(built: &Self::Built, work: &MemberWork<S>) -> Self::Gradient;
+}
+
+/// Parameters by their names: those of an element, or the derivatives with respect to them.
+pub trait ByName<S> {
+    /// The one of a name.
+    fn by_name(&self, name: &str) -> Option<S>;
+}
+
+/// A member of any type that says how its parameters change its dynamic work.
+pub trait MemberSlopes<S: Scalar>: MemberElement {
+    /// `∂L/∂p` for the parameter of a name, if there is one.
+    fn slope(built: &Self::Built, work: &MemberWork<S>, name: &str) -> Option<S>;
 }

@@ -65,8 +65,10 @@ impl BeamNumbers {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyNumbers {
     pub(crate) mass: Exact,
-    /// Moment of inertia about the input end.
+    /// Moment of inertia about the input end, or about the mass centre.
     pub(crate) inertia: Exact,
+    /// Whether it is about the mass centre.
+    pub(crate) is_central: bool,
     /// Positions of the mass centre and of the output end.
     pub(crate) centre_x: Exact,
     pub(crate) output_x: Exact,

@@ -18,7 +18,7 @@ pub(crate) use carries_load::CarriesLoad;
 pub(crate) use charted::{Charted, MemberChart, MemberElement, MemberVisit, along_member};
 pub(crate) use energies::{Energies, Inside};
 pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
-pub(crate) use member_gradient::{MemberGradient, MemberWork};
+pub(crate) use member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};
 pub(crate) use member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub(crate) use member_numbers::{
     BeamNumbers, BodyNumbers, DampingNumbers, Exact, LineNumbers, MemberNumbers, OwnPart, TaperedNumbers,

@@ -1,14 +1,16 @@
 //! Members of any type, for networks whose size the program decides.
 
 use crate::element::{
-    Charted, Element, MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberTransfer, MemberVisit,
-    VisitMember, along_member, member_transfer,
+    ByName, Charted, Element, MemberChart, MemberElement, MemberGradient, MemberMatrix, MemberNumbers, MemberSlopes,
+    MemberTransfer, MemberVisit, MemberWork, VisitMember, along_member, member_transfer, space_of,
 };
 use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::{
-    Damper, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring, TorsionSpringDamper,
+    DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper, GeneralBeam,
+    PlanarDampedBeam, PlanarGeneralBeam, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring,
+    TorsionSpringDamper,
 };
 use crate::model::{FrequencyEstimates, InvalidParameter};
 use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real, Single};
@@ -35,7 +37,7 @@ impl<T> Section<T> {
 
 /// Declares an enum of members, and one of them built.
 macro_rules! any_member {
-    ($(#[$doc:meta])* $name:ident, $built:ident, $frequency:ident: $($connector:ident)*) => {
+    ($(#[$doc:meta])* $name:ident, $built:ident, $frequency:ident: $($beam:ident)* ; $($connector:ident)*) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum $name<T: Real> {
@@ -43,6 +45,10 @@ macro_rules! any_member {
             Beam(Section<T>),
             /// A joint of two points at one place.
             Joint(Joint<T>),
+            $(
+                #[doc = concat!("A [`", stringify!($beam), "`], whose length is that between its ends.")]
+                $beam($beam<T>),
+            )*
             $(
                 #[doc = concat!("A [`", stringify!($connector), "`]: of a translation along the member, of a rotation about z.")]
                 $connector($connector<T>),
@@ -56,6 +62,10 @@ macro_rules! any_member {
             Beam(BuiltPlanarBeam<T>),
             /// A built joint.
             Joint(Joint<T>),
+            $(
+                #[doc = concat!("A built [`", stringify!($beam), "`].")]
+                $beam(<$beam<T> as Element>::Built),
+            )*
             $(
                 #[doc = concat!("A built [`", stringify!($connector), "`].")]
                 $connector(<$connector<T> as Element>::Built),
@@ -75,6 +85,14 @@ macro_rules! any_member {
         }
 
         $(
+            impl<T: Real> From<$beam<T>> for $name<T> {
+                fn from(beam: $beam<T>) -> Self {
+                    $name::$beam(beam)
+                }
+            }
+        )*
+
+        $(
             impl<T: Real> From<$connector<T>> for $name<T> {
                 fn from(connector: $connector<T>) -> Self {
                     $name::$connector(connector)
@@ -87,12 +105,14 @@ macro_rules! any_member {
             type Built = $built<T>;
             const MAY_BUCKLE: bool = <PlanarBeam<T> as Element>::MAY_BUCKLE
                 || <Joint<T> as Element>::MAY_BUCKLE
+                $(|| <$beam<T> as Element>::MAY_BUCKLE)*
                 $(|| <$connector<T> as Element>::MAY_BUCKLE)*;
 
             fn may_buckle(built: &$built<T>) -> bool {
                 match built {
                     $built::Beam(_) => <PlanarBeam<T> as Element>::MAY_BUCKLE,
                     $built::Joint(_) => <Joint<T> as Element>::MAY_BUCKLE,
+                    $($built::$beam(_) => <$beam<T> as Element>::MAY_BUCKLE,)*
                     $($built::$connector(_) => <$connector<T> as Element>::MAY_BUCKLE,)*
                 }
             }
@@ -101,6 +121,7 @@ macro_rules! any_member {
                 Ok(match self {
                     $name::Beam(section) => $built::Beam(section.beam(length).build()?),
                     $name::Joint(joint) => $built::Joint(joint.build()?),
+                    $($name::$beam(beam) => $built::$beam($beam { length, ..beam }.build()?),)*
                     $($name::$connector(connector) => $built::$connector(connector.build()?),)*
                 })
             }
@@ -109,6 +130,7 @@ macro_rules! any_member {
                 match self {
                     $name::Beam(_) => "beam",
                     $name::Joint(_) => "joint",
+                    $($name::$beam(_) => "beam",)*
                     $($name::$connector(_) => stringify!($connector),)*
                 }
             }
@@ -117,6 +139,7 @@ macro_rules! any_member {
                 match self {
                     $name::Beam(_) => Freedoms::ALL,
                     $name::Joint(joint) => joint.freedoms(),
+                    $($name::$beam(_) => space_of::<$beam<T>>(),)*
                     $($name::$connector(_) => along_member::<$connector<T>>(),)*
                 }
             }
@@ -129,6 +152,7 @@ macro_rules! any_member {
                 match built {
                     $built::Beam(beam) => <PlanarBeam<T> as Element>::estimate(beam, estimates),
                     $built::Joint(joint) => <Joint<T> as Element>::estimate(joint, estimates),
+                    $($built::$beam(built) => <$beam<T> as Element>::estimate(built, estimates),)*
                     $($built::$connector(built) => <$connector<T> as Element>::estimate(built, estimates),)*
                 }
             }
@@ -137,6 +161,7 @@ macro_rules! any_member {
                 match built {
                     $built::Beam(beam) => <PlanarBeam<T> as Element>::member_numbers(beam),
                     $built::Joint(joint) => <Joint<T> as Element>::member_numbers(joint),
+                    $($built::$beam(built) => <$beam<T> as Element>::member_numbers(built),)*
                     $($built::$connector(built) => <$connector<T> as Element>::member_numbers(built),)*
                 }
             }
@@ -147,6 +172,7 @@ macro_rules! any_member {
                 match built {
                     $built::Beam(beam) => <PlanarBeam<T> as Charted<S>>::chart(beam, at, length),
                     $built::Joint(joint) => <Joint<T> as Charted<S>>::chart(joint, at, length),
+                    $($built::$beam(built) => <$beam<T> as Charted<S>>::chart(built, at, length),)*
                     $($built::$connector(built) => <$connector<T> as Charted<S>>::chart(built, at, length),)*
                 }
             }
@@ -157,7 +183,21 @@ macro_rules! any_member {
                 match built {
                     $built::Beam(beam) => visitor.member::<PlanarBeam<T>>(beam),
                     $built::Joint(joint) => visitor.member::<Joint<T>>(joint),
+                    $($built::$beam(built) => visitor.member::<$beam<T>>(built),)*
                     $($built::$connector(built) => visitor.member::<$connector<T>>(built),)*
+                }
+            }
+        }
+
+        impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberSlopes<S> for $name<T> {
+            fn slope(built: &$built<T>, work: &MemberWork<S>, name: &str) -> Option<S> {
+                match built {
+                    $built::Beam(beam) => <PlanarBeam<T> as MemberGradient<S>>::member_gradient(beam, work).by_name(name),
+                    $built::Joint(joint) => <Joint<T> as MemberGradient<S>>::member_gradient(joint, work).by_name(name),
+                    $($built::$beam(beam) => <$beam<T> as MemberGradient<S>>::member_gradient(beam, work).by_name(name),)*
+                    $($built::$connector(built) => {
+                        <$connector<T> as MemberGradient<S>>::member_gradient(built, work).by_name(name)
+                    })*
                 }
             }
         }
@@ -167,6 +207,7 @@ macro_rules! any_member {
                 match built {
                     $built::Beam(beam) => member_transfer::<PlanarBeam<T>, S>(beam, x),
                     $built::Joint(joint) => member_transfer::<Joint<T>, S>(joint, x),
+                    $($built::$beam(built) => member_transfer::<$beam<T>, S>(built, x),)*
                     $($built::$connector(built) => member_transfer::<$connector<T>, S>(built, x),)*
                 }
             }
@@ -176,10 +217,31 @@ macro_rules! any_member {
 
 any_member!(
     /// Any member without damping.
-    UndampedMember, BuiltUndampedMember, Frequency: Spring TorsionSpring TautString Rod Shaft
+    UndampedMember, BuiltUndampedMember, Frequency:
+    PlanarGeneralBeam GeneralBeam; Spring TorsionSpring TautString Rod Shaft
 );
 any_member!(
     /// Any member; a network with a damper has complex eigenvalues only.
     AnyMember, BuiltAnyMember, ComplexFrequency:
+    PlanarGeneralBeam GeneralBeam PlanarDampedBeam DampedBeam;
     Spring TorsionSpring Damper TorsionDamper SpringDamper TorsionSpringDamper TautString Rod Shaft
+    DampedSpring DampedTorsionSpring DampedString DampedRod DampedShaft
 );
+
+impl<T: Real> AnyMember<T> {
+    /// The member, if it is one without damping.
+    pub fn undamped(self) -> Option<UndampedMember<T>> {
+        Some(match self {
+            AnyMember::Beam(section) => section.into(),
+            AnyMember::Joint(joint) => joint.into(),
+            AnyMember::PlanarGeneralBeam(beam) => beam.into(),
+            AnyMember::GeneralBeam(beam) => beam.into(),
+            AnyMember::Spring(spring) => spring.into(),
+            AnyMember::TorsionSpring(spring) => spring.into(),
+            AnyMember::TautString(string) => string.into(),
+            AnyMember::Rod(rod) => rod.into(),
+            AnyMember::Shaft(shaft) => shaft.into(),
+            _ => return None,
+        })
+    }
+}

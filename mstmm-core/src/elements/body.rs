@@ -10,9 +10,11 @@ use levers::{Beside, Levers};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
+mod central;
 mod column;
 mod levers;
 
+pub use central::{CentralBody, CentralBodyColumn};
 pub use column::BodyColumn;
 
 /// Rigid body with one input and one output end in a bending path; small motions, no longitudinal displacement.
@@ -48,19 +50,37 @@ pub struct BuiltBody<T> {
     mass: T,
     /// `J_C = J_I - m c1²`; below zero where the rounding of J_I has put it there.
     central_inertia: T,
-    /// J_I, as it was given.
-    inertia: T,
+    /// What was given of it.
+    inertia: Inertia<T>,
     /// b1 and c1.
     levers: Levers<T>,
     /// `b1 - c1`.
     centre_to_output: Arm<T>,
 }
 
-impl<T: Parameter> Body<T> {
-    /// `J_I - m c1²`. The product must be exact, since for a mass on a long arm the difference may be rounding alone.
-    fn central_inertia(&self) -> T {
-        let Body { mass, inertia, centre_x, .. } = *self;
-        inertia.minus_product([mass, centre_x, centre_x])
+/// A moment of inertia as it was given.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Inertia<T> {
+    /// J_I, about the input end.
+    AboutInput(T),
+    /// J_C, about the mass centre.
+    AboutCentre(T),
+}
+
+impl<T: Parameter> BuiltBody<T> {
+    fn new(mass: T, inertia: Inertia<T>, [output_x, centre_x]: [T; 2]) -> Self {
+        let central_inertia = match inertia {
+            // the product must be exact, since for a mass on a long arm the difference may be rounding alone
+            Inertia::AboutInput(inertia) => inertia.minus_product([mass, centre_x, centre_x]),
+            Inertia::AboutCentre(inertia) => inertia,
+        };
+        BuiltBody {
+            mass,
+            central_inertia,
+            inertia,
+            levers: Levers::new(Arm::new(output_x), Arm::new(centre_x)),
+            centre_to_output: Arm::between(centre_x, output_x),
+        }
     }
 }
 
@@ -74,13 +94,7 @@ impl<T: Parameter> Element for Body<T> {
         Requirement::Finite.check("centre_x", self.centre_x)?;
         let about_centre = self.mass * self.centre_x * self.centre_x;
         Requirement::at_least(about_centre, "mass * centre_x²").check("inertia", self.inertia)?;
-        Ok(BuiltBody {
-            mass: self.mass,
-            central_inertia: self.central_inertia(),
-            inertia: self.inertia,
-            levers: Levers::new(Arm::new(self.output_x), Arm::new(self.centre_x)),
-            centre_to_output: Arm::between(self.centre_x, self.output_x),
-        })
+        Ok(BuiltBody::new(self.mass, Inertia::AboutInput(self.inertia), [self.output_x, self.centre_x]))
     }
 
     fn estimate(built: &BuiltBody<T>, estimates: &mut FrequencyEstimates) {
@@ -99,9 +113,14 @@ impl<T: Parameter> Element for Body<T> {
     }
 
     fn member_numbers(built: &BuiltBody<T>) -> MemberNumbers {
+        let (inertia, is_central) = match built.inertia {
+            Inertia::AboutInput(inertia) => (inertia, false),
+            Inertia::AboutCentre(inertia) => (inertia, true),
+        };
         MemberNumbers::Body(BodyNumbers {
             mass: built.mass.words(),
-            inertia: built.inertia.words(),
+            inertia: inertia.words(),
+            is_central,
             centre_x: built.levers.centre.length.words(),
             output_x: built.levers.output.length.words(),
             axial_force: [0.0; 2],

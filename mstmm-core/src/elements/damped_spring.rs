@@ -1,4 +1,4 @@
-//! Springs with damping of their material.
+//! Springs with damping of their material, and a dashpot beside it.
 
 use crate::element::{
     BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
@@ -16,7 +16,7 @@ use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
 
-/// A spring with damping of its material.
+/// A spring with damping of its material, and a dashpot beside it, which is the external damping of its elongation.
 #[derive(Clone, Copy, Debug)]
 pub struct DampedStiffness<T> {
     stiffness: T,
@@ -24,31 +24,38 @@ pub struct DampedStiffness<T> {
 }
 
 impl<T: Parameter> DampedStiffness<T> {
-    fn new([stiffness, loss_factor, time]: [T; 3]) -> Result<Self, InvalidParameter> {
+    fn new([stiffness, loss_factor, time, damping]: [T; 4]) -> Result<Self, InvalidParameter> {
         Requirement::Invertible.check("stiffness", stiffness)?;
-        let dissipation = Dissipation { loss_factor, time, external: T::zero() };
+        Requirement::NonNegative.check("damping", damping)?;
+        let dissipation = Dissipation { loss_factor, time, external: damping };
         dissipation.check()?;
         Ok(DampedStiffness { stiffness, dissipation })
     }
 
-    /// The dynamic stiffness `κ = K (1 + iη)(1 + cλ)`.
+    /// The dynamic stiffness `κ = K (1 + iη)(1 + cλ) + dλ`.
     fn at<S: ComplexFrequency<T>>(&self, lambda: S) -> S {
-        self.dissipation.factor(lambda) * self.stiffness
+        self.dissipation.factor(lambda) * self.stiffness + self.dissipation.external(lambda)
     }
 
-    /// The sum of the sizes of K and Kcλ: for an overdamped motion κ itself cancels.
+    /// The sum of the sizes of K, Kcλ and dλ: for an overdamped motion κ itself cancels.
     fn size(&self, lambda: f64) -> f64 {
-        self.stiffness.to_f64() * (1.0 + self.dissipation.time.to_f64() * lambda)
+        let [stiffness, damping] = [self.stiffness, self.viscous()].map(T::to_f64);
+        stiffness + damping * lambda
     }
 
-    /// Adds the spring to the estimates: its viscous damping is that of a dashpot Kc.
+    /// The dashpot that its viscous damping is, `Kc + d`.
+    fn viscous(&self) -> T {
+        self.stiffness * self.dissipation.time + self.dissipation.external
+    }
+
+    /// Adds the spring to the estimates.
     fn estimate(
         &self,
         estimates: &mut FrequencyEstimates,
         [stiffness, damping]: [fn(&mut FrequencyEstimates, f64); 2],
     ) {
         stiffness(estimates, self.stiffness.to_f64());
-        damping(estimates, (self.stiffness * self.dissipation.time).to_f64());
+        damping(estimates, self.viscous().to_f64());
         self.dissipation.estimate(estimates);
     }
 }
@@ -58,19 +65,20 @@ impl<T: Real> DampedStiffness<T> {
     fn forms<S: ComplexFrequency<T> + Oscillation<T>>(&self, lambda: S, elongations: S) -> Forms<S> {
         let none = S::zero();
         let strain = elongations * self.stiffness;
-        self.dissipation.forms(lambda, UndampedForms { mass: none, strain, restoring: none, displacement: none })
+        self.dissipation.forms(lambda, UndampedForms { mass: none, strain, restoring: none, displacement: elongations })
     }
 
-    /// The derivatives of the dynamic work with respect to stiffness, loss factor and time, given the square of the elongation.
-    fn gradient<S: ComplexFrequency<T> + Oscillation<T>>(&self, lambda: S, square: S) -> [S; 3] {
-        let [loss, time, _] = self.dissipation.gradient(lambda, [square * self.stiffness, S::zero()]);
-        [half(square) * self.dissipation.factor_of_motion(lambda), loss, time]
+    /// The derivatives of the dynamic work with respect to stiffness, loss factor, time and damping, given the square of the elongation.
+    fn gradient<S: ComplexFrequency<T> + Oscillation<T>>(&self, lambda: S, square: S) -> [S; 4] {
+        let [loss, time, damping] = self.dissipation.gradient(lambda, [square * self.stiffness, square]);
+        [half(square) * self.dissipation.factor_of_motion(lambda), loss, time, damping]
     }
 
     /// The elongation of a member in a freedom.
     fn elongation<S: ComplexFrequency<T> + Oscillation<T>>(&self, motion: &MemberEnds<S>, freedom: usize) -> S {
         let lambda = Scalar::sqrt(motion.x.lambda_squared().size());
-        let kappa = self.dissipation.factor_of_motion(motion.x) * self.stiffness;
+        let material = self.dissipation.factor_of_motion(motion.x) * self.stiffness;
+        let kappa = material + self.dissipation.external(motion.x);
         elongation(kappa, self.size(lambda), &motion.ends, freedom)
     }
 }
@@ -200,7 +208,7 @@ macro_rules! damped_springs {
         #[cfg(test)]
         impl super::laws::Sample for $element<f64> {
             fn sample(mut next: impl FnMut() -> f64) -> Self {
-                $element { stiffness: next(), loss_factor: 0.2 * next(), kelvin_voigt_time: next() }
+                $element { stiffness: next(), loss_factor: 0.2 * next(), kelvin_voigt_time: next(), damping: 0.5 * next() }
             }
 
             fn lossless(self) -> Self {
@@ -221,7 +229,7 @@ const fn freedom<E: Element>() -> usize {
 }
 
 damped_springs! {
-    /// Massless translational spring with damping of its material, `Q = K (1 + iη)(1 + cλ)(Y_I - Y_O)`, at complex frequencies λ only.
+    /// Massless translational spring with damping of its material, `Q = (K (1 + iη)(1 + cλ) + dλ)(Y_I - Y_O)`, at complex frequencies λ only.
     ///
     /// With a time c alone it is a spring and a dashpot Kc in parallel. A loss factor describes motions with `Im λ > 0`.
     ///
@@ -234,9 +242,11 @@ damped_springs! {
         loss_factor,
         /// Time c of Kelvin and Voigt \[s\], zero or positive.
         kelvin_voigt_time,
+        /// Damping d of a dashpot beside it, [N s/m], zero or positive.
+        damping,
     }
 
-    /// Massless torsion spring with damping of its material, `M = K (1 + iη)(1 + cλ)(Θ_O - Θ_I)`, at complex frequencies λ only.
+    /// Massless torsion spring with damping of its material, `M = (K (1 + iη)(1 + cλ) + dλ)(Θ_O - Θ_I)`, at complex frequencies λ only.
     ///
     /// # Source
     /// Eq. (4) of the paper with a complex stiffness.
@@ -247,5 +257,7 @@ damped_springs! {
         loss_factor,
         /// Time c of Kelvin and Voigt \[s\], zero or positive.
         kelvin_voigt_time,
+        /// Damping d of a dashpot beside it, [N m s/rad], zero or positive.
+        damping,
     }
 }

@@ -26,11 +26,12 @@ mod transfer;
 mod under_load;
 mod wave_pair;
 
-pub use damped_kinds::{DampedBeam, DampedTimoshenkoBeam};
-pub use damped_members::{PlanarDampedBeam, PlanarDampedTimoshenkoBeam};
-pub use kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam};
+pub use damped_kinds::{DampedBeam, DampedTimoshenkoBeam, DampedUniformBeam};
+pub use damped_members::{PlanarDampedBeam, PlanarDampedTimoshenkoBeam, PlanarDampedUniformBeam};
+pub use kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam, UniformBeam};
 pub use members::{
     PlanarBeamColumn, PlanarFoundationBeam, PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam,
+    PlanarUniformBeam,
 };
 
 /// Uniform beam with shear, rotary inertia, axial force and an elastic foundation, exact at every frequency.
@@ -177,7 +178,7 @@ impl<T: Parameter> GeneralBeam<T> {
             return Requirement::Finite.check("axial_force", self.axial_force);
         }
         let bound = T::zero() - T::one() / self.shear_flexibility - self.foundation_shear_stiffness;
-        let formula = "-1/shear_flexibility - foundation_shear_stiffness";
+        let formula = "-shear_stiffness - foundation_shear_stiffness";
         Requirement::above(bound, formula).check("axial_force", self.axial_force)
     }
 }

@@ -44,6 +44,26 @@ impl<T> Joint<T> {
     pub fn rigid(freedoms: Freedoms) -> Self {
         Joint { rigid: freedoms, elastic: [const { None }; 3] }
     }
+
+    /// A joint with springs in some freedoms, along x, along y and about z, and rigid in the others of those that are given.
+    pub fn hinge(freedoms: Freedoms, stiffness: [Option<T>; 3]) -> Self {
+        let elastic = Freedoms::SINGLE.into_iter().zip(&stiffness).filter(|(_, stiffness)| stiffness.is_some());
+        let rigid = elastic.fold(freedoms, |rigid, (freedom, _)| rigid.without(freedom));
+        Joint { rigid, elastic: stiffness }
+    }
+}
+
+#[cfg(feature = "std")]
+impl<T> Joint<T> {
+    /// A joint that ties some freedoms rigidly and others by springs.
+    pub(crate) fn of(rigid: Freedoms, elastic: [Option<T>; 3]) -> Self {
+        Joint { rigid, elastic }
+    }
+
+    /// Whether it has no spring.
+    pub(crate) fn is_rigid(&self) -> bool {
+        self.elastic.iter().all(Option::is_none)
+    }
 }
 
 impl<T> From<ElasticHinge<T>> for Joint<T> {

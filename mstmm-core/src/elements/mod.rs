@@ -1,6 +1,6 @@
 //! The elements: one file holds everything about one element.
 
-use crate::element::space_of;
+use crate::element::{ByName, space_of};
 use mstmm_plan::Space;
 
 mod any;
@@ -27,20 +27,20 @@ mod wave_line;
 
 pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
-pub use body::{Body, BodyColumn};
+pub use body::{Body, BodyColumn, CentralBody, CentralBodyColumn};
 pub use damped_spring::{DampedSpring, DampedTorsionSpring};
 pub use damped_wave_line::{DampedRod, DampedShaft, DampedString};
 pub use elastic_hinge::ElasticHinge;
 pub use general_beam::{
-    BeamColumn, DampedBeam, DampedTimoshenkoBeam, FoundationBeam, GeneralBeam, PlanarBeamColumn, PlanarDampedBeam,
-    PlanarDampedTimoshenkoBeam, PlanarFoundationBeam, PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam,
-    RayleighBeam, TimoshenkoBeam,
+    BeamColumn, DampedBeam, DampedTimoshenkoBeam, DampedUniformBeam, FoundationBeam, GeneralBeam, PlanarBeamColumn,
+    PlanarDampedBeam, PlanarDampedTimoshenkoBeam, PlanarDampedUniformBeam, PlanarFoundationBeam, PlanarGeneralBeam,
+    PlanarRayleighBeam, PlanarTimoshenkoBeam, PlanarUniformBeam, RayleighBeam, TimoshenkoBeam, UniformBeam,
 };
 pub use hinge::{RotationalHinge, ShearHinge};
 pub use lever::{Lever, LeverColumn};
 pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
 pub use planar_beam::PlanarBeam;
-pub use planar_body::PlanarBody;
+pub use planar_body::{PlanarBody, PlanarCentralBody};
 pub use planar_hinge::PlanarHinge;
 pub use point_mass::PointMass;
 pub use tapered_beam::TaperedBeam;
@@ -76,6 +76,11 @@ macro_rules! elements {
             $(row!($planar_damped { $($planar_damped_field),* }),)*
         ];
 
+        $(by_name!($element { $($field),* });)*
+        $(by_name!($damped { $($damped_field),* });)*
+        $(by_name!($planar { $($planar_field),* });)*
+        $(by_name!($planar_damped { $($planar_damped_field),* });)*
+
         /// Hands the elements of the plane method to a macro: those without damping, then those with.
         macro_rules! stepping_elements {
             ($use_of_them:ident) => {
@@ -107,6 +112,20 @@ macro_rules! elements {
     };
 }
 
+/// The parameters of an element by their names.
+macro_rules! by_name {
+    ($element:ident { $($field:ident),* }) => {
+        impl<S: Copy> ByName<S> for $element<S> {
+            fn by_name(&self, name: &str) -> Option<S> {
+                match name {
+                    $(stringify!($field) => Some(self.$field),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
 /// The row of an element; a field that is missing or misspelt does not compile.
 macro_rules! row {
     ($element:ident { $($field:ident),* }) => {{
@@ -126,6 +145,8 @@ elements! {
         ElasticHinge { stiffness_y, stiffness_theta }
         Body { mass, inertia, output_x, centre_x }
         BodyColumn { mass, inertia, output_x, centre_x, axial_force }
+        CentralBody { mass, inertia, output_x, centre_x }
+        CentralBodyColumn { mass, inertia, output_x, centre_x, axial_force }
         Beam { length, bending_stiffness, mass_per_length }
         RayleighBeam { length, bending_stiffness, mass_per_length, rotary_inertia }
         TimoshenkoBeam { length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia }
@@ -133,6 +154,10 @@ elements! {
         FoundationBeam { length, bending_stiffness, mass_per_length, foundation_stiffness, foundation_shear_stiffness }
         GeneralBeam {
             length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force, foundation_stiffness,
+            foundation_shear_stiffness
+        }
+        UniformBeam {
+            length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force, foundation_stiffness,
             foundation_shear_stiffness
         }
         RotationalHinge { stiffness }
@@ -152,8 +177,8 @@ elements! {
         TorsionDamper { damping }
         SpringDamper { stiffness, damping }
         TorsionSpringDamper { stiffness, damping }
-        DampedSpring { stiffness, loss_factor, kelvin_voigt_time }
-        DampedTorsionSpring { stiffness, loss_factor, kelvin_voigt_time }
+        DampedSpring { stiffness, loss_factor, kelvin_voigt_time, damping }
+        DampedTorsionSpring { stiffness, loss_factor, kelvin_voigt_time, damping }
         DampedBeam {
             length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force, foundation_stiffness,
             foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
@@ -161,6 +186,10 @@ elements! {
         DampedTimoshenkoBeam {
             length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, loss_factor, kelvin_voigt_time,
             external_damping
+        }
+        DampedUniformBeam {
+            length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force, foundation_stiffness,
+            foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
         }
         DampedString { length, tension, mass_per_length, foundation_stiffness, external_damping }
         DampedRod {
@@ -172,6 +201,7 @@ elements! {
     }
     planar {
         PlanarBody { mass, inertia, output_x, output_y, centre_x, centre_y }
+        PlanarCentralBody { mass, inertia, output_x, output_y, centre_x, centre_y }
         PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length }
         PlanarHinge { stiffness_x, stiffness_y, stiffness_theta }
         PlanarRayleighBeam { length, axial_stiffness, bending_stiffness, mass_per_length, rotary_inertia }
@@ -186,10 +216,18 @@ elements! {
             length, axial_stiffness, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force,
             foundation_stiffness, foundation_shear_stiffness
         }
+        PlanarUniformBeam {
+            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force,
+            foundation_stiffness, foundation_shear_stiffness
+        }
     }
     planar damped {
         PlanarDampedBeam {
             length, axial_stiffness, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force,
+            foundation_stiffness, foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
+        }
+        PlanarDampedUniformBeam {
+            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force,
             foundation_stiffness, foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
         }
         PlanarDampedTimoshenkoBeam {

@@ -1,4 +1,4 @@
-//! Rigid body in planar motion.
+//! Rigid body in planar motion, by its inertia about its input end or about its mass centre.
 
 use crate::element::{Element, TransferMatrix};
 use crate::model::{Extent, InvalidParameter, Planar, Requirement};
@@ -79,6 +79,58 @@ impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PlanarBody<T>
     }
 }
 
+/// Rigid body in planar motion whose inertia is about its mass centre: a [`PlanarBody`] with `J_I = J_C + m (c1² + c2²)`.
+///
+/// # Source
+/// Eq. (15) of the paper, and Steiner's theorem.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarCentralBody<T> {
+    /// Mass m \[kg\], zero or positive.
+    pub mass: T,
+    /// Moment of inertia J_C about the mass centre [kg m²], zero or positive.
+    pub inertia: T,
+    /// Position b1 of the output end along x \[m\].
+    pub output_x: T,
+    /// Position b2 of the output end along y \[m\].
+    pub output_y: T,
+    /// Position c1 of the mass centre along x \[m\].
+    pub centre_x: T,
+    /// Position c2 of the mass centre along y \[m\].
+    pub centre_y: T,
+}
+
+impl<T: Parameter> Element for PlanarCentralBody<T> {
+    type State = Planar;
+    type Built = PlanarBody<T>;
+
+    fn build(self) -> Result<PlanarBody<T>, InvalidParameter> {
+        let PlanarCentralBody { mass, inertia, output_x, output_y, centre_x, centre_y } = self;
+        Requirement::NonNegative.check("mass", mass)?;
+        Requirement::NonNegative.check("inertia", inertia)?;
+        for (name, position) in
+            [("output_x", output_x), ("output_y", output_y), ("centre_x", centre_x), ("centre_y", centre_y)]
+        {
+            Requirement::Finite.check(name, position)?;
+        }
+        let inertia = inertia + mass * centre_x * centre_x + mass * centre_y * centre_y;
+        if Requirement::Finite.check("inertia", inertia).is_err() {
+            let (parameter, value, requirement) = ("mass", mass.to_f64(), Requirement::Rescale);
+            return Err(InvalidParameter { parameter, value, requirement });
+        }
+        Ok(PlanarBody { mass, inertia, output_x, output_y, centre_x, centre_y })
+    }
+
+    fn extent(built: &PlanarBody<T>) -> Extent {
+        PlanarBody::extent(built)
+    }
+}
+
+impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PlanarCentralBody<T> {
+    fn transfer_matrix(built: &PlanarBody<T>, x: S) -> Matrix6<S> {
+        PlanarBody::transfer_matrix(built, x)
+    }
+}
+
 #[cfg(test)]
 impl super::laws::Sample for PlanarBody<f64> {
     fn sample(mut next: impl FnMut() -> f64) -> Self {
@@ -91,6 +143,15 @@ impl super::laws::Sample for PlanarBody<f64> {
             centre_x,
             centre_y,
         }
+    }
+}
+
+#[cfg(test)]
+impl super::laws::Sample for PlanarCentralBody<f64> {
+    fn sample(mut next: impl FnMut() -> f64) -> Self {
+        let [mass, inertia] = [next(), next()];
+        let [output_x, output_y, centre_x, centre_y] = [(); 4].map(|()| next() - 1.0);
+        PlanarCentralBody { mass, inertia, output_x, output_y, centre_x, centre_y }
     }
 }
 

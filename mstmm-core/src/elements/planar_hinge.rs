@@ -1,6 +1,7 @@
 //! Elastic hinge in planar motion.
 
 use crate::element::{Element, TransferMatrix};
+use crate::elements::shared::compliance::compliance;
 use crate::model::{InvalidParameter, Planar, Requirement};
 use crate::number::{Frequency, Parameter, Single};
 use nalgebra::Matrix6;
@@ -14,11 +15,11 @@ use nalgebra::Matrix6;
 /// Eqs. (3), (4) and (32) of the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarHinge<T> {
-    /// Stiffness K_x along x [N/m], positive, with a finite reciprocal.
+    /// Stiffness K_x along x [N/m], positive, with a finite reciprocal; infinite is rigid.
     pub stiffness_x: T,
-    /// Stiffness K_y along y [N/m], positive, with a finite reciprocal.
+    /// Stiffness K_y along y [N/m], positive, with a finite reciprocal; infinite is rigid.
     pub stiffness_y: T,
-    /// Torsional stiffness K_θ [N m/rad], positive, with a finite reciprocal.
+    /// Torsional stiffness K_θ [N m/rad], positive, with a finite reciprocal; infinite is rigid.
     pub stiffness_theta: T,
 }
 
@@ -27,9 +28,9 @@ impl<T: Parameter> Element for PlanarHinge<T> {
     type Built = Self;
 
     fn build(self) -> Result<Self, InvalidParameter> {
-        Requirement::Invertible.check("stiffness_x", self.stiffness_x)?;
-        Requirement::Invertible.check("stiffness_y", self.stiffness_y)?;
-        Requirement::Invertible.check("stiffness_theta", self.stiffness_theta)?;
+        Requirement::InvertibleOrInfinite.check("stiffness_x", self.stiffness_x)?;
+        Requirement::InvertibleOrInfinite.check("stiffness_y", self.stiffness_y)?;
+        Requirement::InvertibleOrInfinite.check("stiffness_theta", self.stiffness_theta)?;
         Ok(self)
     }
 }
@@ -37,16 +38,18 @@ impl<T: Parameter> Element for PlanarHinge<T> {
 impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PlanarHinge<T> {
     fn transfer_matrix(built: &Self, _x: S) -> Matrix6<S> {
         let mut u = Matrix6::identity();
-        u[(0, 4)] = -S::from_parameter(T::one() / built.stiffness_x);
-        u[(1, 5)] = -S::from_parameter(T::one() / built.stiffness_y);
-        u[(2, 3)] = S::from_parameter(T::one() / built.stiffness_theta);
+        u[(0, 4)] = -S::from_parameter(compliance(built.stiffness_x));
+        u[(1, 5)] = -S::from_parameter(compliance(built.stiffness_y));
+        u[(2, 3)] = S::from_parameter(compliance(built.stiffness_theta));
         u
     }
 }
 
 #[cfg(test)]
 impl super::laws::Sample for PlanarHinge<f64> {
+    /// By compliances: an infinite one is no hinge, an infinite stiffness is rigid.
     fn sample(mut next: impl FnMut() -> f64) -> Self {
-        PlanarHinge { stiffness_x: next(), stiffness_y: next(), stiffness_theta: next() }
+        let [stiffness_x, stiffness_y, stiffness_theta] = [(); 3].map(|()| 1.0 / next());
+        PlanarHinge { stiffness_x, stiffness_y, stiffness_theta }
     }
 }

@@ -12,6 +12,8 @@ pub enum Requirement {
     Positive,
     /// Greater than zero and finite, with a finite reciprocal, as for a compliance.
     Invertible,
+    /// Greater than zero, with a finite reciprocal, or infinite, which is rigid.
+    InvertibleOrInfinite,
     /// Positive, and not so extreme that products with the other parameters of the element leave the range of the type.
     Rescale,
     /// Finite and not less than zero.
@@ -55,6 +57,7 @@ impl fmt::Display for Requirement {
             Requirement::Finite => write!(f, "a finite number"),
             Requirement::Positive => write!(f, "positive and finite"),
             Requirement::Invertible => write!(f, "positive and finite, with a finite reciprocal"),
+            Requirement::InvertibleOrInfinite => write!(f, "positive, with a finite reciprocal; infinite is rigid"),
             Requirement::Rescale => write!(f, "positive, and not too extreme beside the other parameters"),
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
@@ -148,6 +151,13 @@ impl Requirement {
             Requirement::Positive | Requirement::Rescale | Requirement::Apart { .. } => number > 0.0,
             Requirement::Direction => is_size_of_direction(number),
             Requirement::Invertible => number > 0.0 && reciprocal().is_finite(),
+            Requirement::InvertibleOrInfinite => {
+                return if number > 0.0 && (number == f64::INFINITY || reciprocal().is_finite()) {
+                    Ok(())
+                } else {
+                    Err(InvalidParameter { parameter, value: number, requirement: self })
+                };
+            }
             Requirement::NonNegative => number >= 0.0,
             Requirement::Above { bound, .. } => number > bound,
             Requirement::Between { least, most } => (least..=most).contains(&number),
@@ -174,6 +184,20 @@ pub struct ParameterError {
     pub requirement: Requirement,
 }
 
+impl ParameterError {
+    /// The error in the words of a model, given the fields of a type that are other words there: `(field, word)`.
+    #[doc(hidden)]
+    pub fn called(mut self, words: &[(&str, &'static str)]) -> Self {
+        for (field, word) in words {
+            if self.parameter == *field {
+                self.parameter = word;
+                break;
+            }
+        }
+        self
+    }
+}
+
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ParameterError { element, parameter, value, requirement } = *self;
@@ -192,6 +216,24 @@ mod tests {
     fn message_names_element_parameter_and_value() {
         let error = Requirement::Positive.check("length", -2.0).unwrap_err().of("beam 1");
         assert_eq!(error.to_string(), "beam 1: length is -2, but must be positive and finite");
+    }
+
+    #[test]
+    fn what_is_infinite_may_be_rigid() {
+        for (value, valid) in [(1.0, true), (f64::INFINITY, true), (f64::NEG_INFINITY, false), (f64::NAN, false)] {
+            assert_eq!(Requirement::InvertibleOrInfinite.check("shear_stiffness", value).is_ok(), valid, "{value}");
+        }
+        for value in [0.0, -1.0, 1e-320] {
+            assert!(Requirement::InvertibleOrInfinite.check("shear_stiffness", value).is_err(), "{value}");
+        }
+    }
+
+    #[test]
+    fn a_field_is_called_by_the_word_of_the_model() {
+        let error = Requirement::Positive.check("stiffness", -2.0).unwrap_err().of("hinge 1");
+        let words = [("stiffness", "stiffness_rz"), ("stiffness_rz", "other")];
+        assert_eq!(error.called(&words).parameter, "stiffness_rz");
+        assert_eq!(error.called(&[("length", "span")]), error);
     }
 
     #[test]

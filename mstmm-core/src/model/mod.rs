@@ -25,7 +25,8 @@ pub(crate) use label::{Acting, Entry, Label, Load, Point, Spread, plain};
 pub(crate) use load_error::LoadError;
 pub(crate) use motion_error::MotionError;
 pub(crate) use plane_label::{
-    Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad, Tied,
+    Handle, Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad,
+    Tied,
 };
 pub(crate) use scaled_state::ScaledState;
 pub(crate) use search_error::{SearchError, Spot};

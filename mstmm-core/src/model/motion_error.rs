@@ -71,6 +71,13 @@ pub enum MotionError {
         /// Index of the node or of the member.
         index: usize,
     },
+    /// A point or a member of another frame.
+    OtherFrame {
+        /// Its number there.
+        index: usize,
+    },
+    /// A parameter that a member or a body of a frame has not, or without a derivative.
+    NoSuchParameter,
     /// A point of a plane structure without this motion, or the end of a member that does not share it with its node.
     NoSuchFreedom {
         /// The motion: along x, along y, or the rotation; of a member along it, across it, or the rotation.
@@ -210,9 +217,9 @@ impl MotionError {
                 };
                 write!(f, "no state at this point has a {name}: no {path} path leads there")
             }
-            MotionError::NoSuchPoint { index } => {
-                write!(f, "this structure has no node or member {index}")
-            }
+            MotionError::NoSuchPoint { index } => write!(f, "this structure has no node or member {index}"),
+            MotionError::NoSuchParameter => write!(f, "no parameter of this name has a derivative here"),
+            MotionError::OtherFrame { index } => write!(f, "point or member {index} belongs to another frame"),
             MotionError::NotHeld { freedom } => {
                 let name = match freedom {
                     Freedoms::X => "along x",

@@ -10,16 +10,37 @@ pub struct PlanePoint<M> {
     of: PhantomData<fn() -> M>,
 }
 
+/// The number of a point or of a member among those of a list, a sketch or a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Handle {
+    pub(crate) index: usize,
+    /// The number of its frame; zero of a list and of a sketch.
+    pub(crate) frame: u32,
+}
+
+impl Handle {
+    /// What has an index in a list or a sketch.
+    pub(crate) const fn listed(index: usize) -> Self {
+        Handle { index, frame: 0 }
+    }
+
+    /// What has an index in a frame.
+    #[cfg(feature = "std")]
+    pub(crate) const fn in_frame(index: usize, frame: u32) -> Self {
+        Handle { index, frame }
+    }
+}
+
 /// The end of a member of a plane model `M`.
 pub struct MemberEnd<M> {
-    pub(crate) member: usize,
+    pub(crate) member: Handle,
     pub(crate) end: usize,
     of: PhantomData<fn() -> M>,
 }
 
 /// The label of a member of type `E` of a plane model `M`, such as `Portal::planar_beam_1`.
 pub struct MemberLabel<M, E> {
-    member: usize,
+    member: Handle,
     of: PhantomData<fn() -> (M, E)>,
 }
 
@@ -45,7 +66,7 @@ pub(crate) enum PlaneActing {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct SpreadLoad {
     /// The member that has 1 N/m of it; all members and bodies have their mass per length, and their mass, where there is none.
-    pub(crate) member: Option<usize>,
+    pub(crate) member: Option<Handle>,
     /// The axis, x or y.
     pub(crate) axis: usize,
 }
@@ -59,12 +80,12 @@ pub struct PlaneEntry<M> {
 /// Where a point of a plane model is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Site {
-    /// At a node.
-    Node(usize),
+    /// The point of a list or of a frame.
+    Point(Handle),
     /// At a place that a node ties rigidly.
     Tied(Tied),
     /// Where a member ends.
-    End { member: usize, end: usize },
+    End { member: Handle, end: usize },
 }
 
 /// A place that a node ties rigidly.
@@ -72,8 +93,8 @@ pub(crate) enum Site {
 pub struct Tied {
     /// Index of the node.
     pub node: usize,
-    /// Index of the place.
-    pub place: usize,
+    /// Index of the place; none at that of the node.
+    pub place: Option<usize>,
     /// The freedoms that elements bring there.
     pub freedoms: Freedoms,
     /// The support there.
@@ -94,20 +115,17 @@ pub struct Hold {
 pub(crate) enum Quantity {
     /// The displacement of a point along x or y, or its rotation.
     Displacement(Site, usize),
-    /// A force of a support along x or y, or its moment; none where nothing holds the point.
-    Reaction(Option<Hold>, usize),
+    /// A force of the support of a point along x or y, or its moment.
+    Reaction(Site, usize),
     /// An internal force at the end of a member: axial, shear, moment.
-    Internal { member: usize, end: usize, force: usize },
+    Internal { member: Handle, end: usize, force: usize },
 }
 
-impl Site {
-    /// The support that may hold the point.
-    pub(crate) const fn hold(self) -> Option<Hold> {
-        match self {
-            Site::Node(node) => Some(Hold { node, freedoms: Freedoms::ALL }),
-            Site::Tied(tied) => tied.hold,
-            Site::End { .. } => None,
-        }
+impl Tied {
+    /// A node of a list, which brings all freedoms and may be held in each.
+    pub(crate) const fn node(node: usize) -> Self {
+        let hold = Hold { node, freedoms: Freedoms::ALL };
+        Tied { node, place: None, freedoms: Freedoms::ALL, hold: Some(hold) }
     }
 }
 
@@ -118,7 +136,13 @@ impl<M> PlanePoint<M> {
 
     /// A node of a list, by its index.
     pub const fn node(node: usize) -> Self {
-        PlanePoint::of(Site::Node(node))
+        PlanePoint::of(Site::Point(Handle::listed(node)))
+    }
+
+    /// The point of a frame.
+    #[cfg(feature = "std")]
+    pub(crate) const fn handle(point: Handle) -> Self {
+        PlanePoint::of(Site::Point(point))
     }
 
     /// For emitted code: a place that a node ties rigidly.
@@ -194,7 +218,7 @@ in_global_axes!(MemberEnd, self => self.point().site);
 
 impl<M> PlanePoint<M> {
     const fn reaction(self, axis: usize) -> PlaneEntry<M> {
-        PlaneEntry { quantity: Quantity::Reaction(self.site.hold(), axis), of: PhantomData }
+        PlaneEntry { quantity: Quantity::Reaction(self.site, axis), of: PhantomData }
     }
 
     const fn motion(self, axis: usize) -> PlaneLoad<M> {
@@ -238,7 +262,7 @@ impl<M> PlaneLoad<M> {
     }
 
     /// A load of 1 per length along a member.
-    pub(crate) const fn along(member: usize, axis: usize) -> Self {
+    pub(crate) const fn along(member: Handle, axis: usize) -> Self {
         PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: Some(member), axis }))
     }
 
@@ -260,13 +284,18 @@ impl<M> PlaneLoad<M> {
 }
 
 impl<M, E> MemberLabel<M, E> {
-    /// The index of the member.
-    pub(crate) const fn index(self) -> usize {
+    /// The number of the member.
+    pub(crate) const fn handle(self) -> Handle {
         self.member
     }
 
     /// The member of an index, of a list.
     pub const fn member(member: usize) -> Self {
+        MemberLabel::of(Handle::listed(member))
+    }
+
+    /// The member of a number.
+    pub(crate) const fn of(member: Handle) -> Self {
         MemberLabel { member, of: PhantomData }
     }
 

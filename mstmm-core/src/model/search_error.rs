@@ -7,8 +7,10 @@ use core::fmt;
 pub enum Spot {
     /// The node of an index, of a network that is a list.
     Node(usize),
-    /// The member of an index, of a network that is a list.
+    /// The member of an index, of a network that is a list, or of a frame.
     Member(usize),
+    /// The point of an index, of a frame.
+    Point(usize),
     /// The step of an index, of a tree that is a list.
     Step(usize),
     /// What has a name.
@@ -20,6 +22,7 @@ impl fmt::Display for Spot {
         match self {
             Spot::Node(node) => write!(f, "node {node}"),
             Spot::Member(member) => write!(f, "member {member}"),
+            Spot::Point(point) => write!(f, "point {point}"),
             Spot::Step(step) => write!(f, "step {step}"),
             Spot::Named(name) => write!(f, "{name}"),
         }

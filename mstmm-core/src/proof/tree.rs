@@ -236,6 +236,8 @@ fn add_body<J: Join>(body: &BodyNumbers, rows: [&[Term<J::Alone>]; 2], joining: 
     let [mass, inertia, centre, output] =
         [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::<J::Alone>::of_pair);
     let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };
+    // Steiner's theorem
+    let inertia = if body.is_central && !is_zero(&moment) { inertia + moment * centre } else { inertia };
     joining.add_inertia([mass, moment, inertia], rows);
     if body.axial_force != [0.0; 2] {
         let length = if output.mid.leading() < 0.0 { -output } else { output };

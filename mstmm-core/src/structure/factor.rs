@@ -1,6 +1,7 @@
 //! The matrix of the unknowns that have not left, and their elimination. No pivot is searched: an unknown waits while its pivot is small.
 
 use crate::number::{Scalar, Size};
+use crate::structure::tape::Tape;
 use crate::structure::total::Total;
 use crate::structure::triangle::place;
 
@@ -87,13 +88,11 @@ pub struct Factor<'r, S: Scalar> {
     pub(super) unknowns: &'r mut [Unknown<S>],
     /// Number of slots that are in use or were.
     pub(super) width: usize,
-    pub(super) rows: &'r mut [Row<S>],
-    pub(super) numbers: &'r mut [S],
-    pub(super) beside: &'r mut [u32],
-    pub(super) row_count: usize,
-    pub(super) number_count: usize,
+    rows: Tape<'r, Row<S>>,
+    /// The numbers of all rows, each with the unknown beside it.
+    numbers: Tape<'r, (S, u32)>,
     /// The values of all unknowns under each load, once all have left.
-    pub(super) values: &'r mut [[S; LOADS]],
+    values: Tape<'r, [S; LOADS]>,
     pub(super) entered: u32,
     /// The load of all unknowns, if there is one.
     pub(crate) everywhere: Option<LoadEverywhere>,
@@ -114,9 +113,9 @@ impl<'r, S: Scalar> Factor<'r, S> {
     /// The factor of a structure that nothing has joined, in memory for the matrix and its unknowns, for rows, for their numbers, and for values.
     pub(super) fn new(
         (entries, unknowns): (&'r mut [S], &'r mut [Unknown<S>]),
-        rows: &'r mut [Row<S>],
-        (numbers, beside): (&'r mut [S], &'r mut [u32]),
-        values: &'r mut [[S; LOADS]],
+        rows: Tape<'r, Row<S>>,
+        numbers: Tape<'r, (S, u32)>,
+        values: Tape<'r, [S; LOADS]>,
         keeps_rows: bool,
     ) -> Self {
         Factor {
@@ -125,9 +124,6 @@ impl<'r, S: Scalar> Factor<'r, S> {
             width: 0,
             rows,
             numbers,
-            beside,
-            row_count: 0,
-            number_count: 0,
             values,
             entered: 0,
             everywhere: None,
@@ -181,20 +177,16 @@ impl<S: Scalar> Factor<'_, S> {
 
     /// Begins a row. Returns whether there is room for it.
     pub(super) fn begin_row(&mut self, row: Row<S>) -> bool {
-        let Some(place) = self.rows.get_mut(self.row_count) else {
-            self.is_full = true;
-            return false;
-        };
-        *place = Row { first: self.number_count as u32, ..row };
-        self.row_count += 1;
-        true
+        let has_room = self.rows.push(Row { first: self.numbers.get().len() as u32, ..row });
+        self.is_full |= !has_room;
+        has_room
     }
 
     /// Adds a number to the row that has begun.
     #[inline]
     pub(super) fn push_number(&mut self, factor: S, beside: u32) {
-        (self.numbers[self.number_count], self.beside[self.number_count]) = (factor, beside);
-        self.number_count += 1;
+        let has_room = self.numbers.push((factor, beside));
+        self.is_full |= !has_room;
     }
 
     /// Lets the motions of a node enter.
@@ -284,7 +276,7 @@ impl<S: Scalar> Factor<'_, S> {
         self.total.pivot(pivot);
         let inverse = S::one() / pivot;
         let is_loaded = loads.map(|load| !load.is_constant_zero());
-        let first = self.number_count;
+        let first = self.numbers.get().len();
         let mut row = Row { number, ..Row::none() };
         for load in (0..LOADS).filter(|load| is_loaded[*load]) {
             row.values[load] = loads[load] * inverse;
@@ -300,13 +292,14 @@ impl<S: Scalar> Factor<'_, S> {
             }
             let factor = entry * inverse;
             self.push_number(factor, row as u32);
-            for k in first..self.number_count {
-                let column = self.beside[k] as usize;
+            for (_, column) in &self.numbers.get()[first..] {
+                let column = *column as usize;
                 let term = factor * self.entries[place(column, slot)];
                 let sum = &mut self.entries[place(row, column)];
                 *sum -= term;
                 if row == column {
-                    self.note(row as u32, term.size().first());
+                    let size = &mut self.unknowns[row].size;
+                    *size = size.max(term.size().first());
                 }
             }
             for load in (0..LOADS).filter(|load| is_loaded[*load]) {
@@ -314,11 +307,12 @@ impl<S: Scalar> Factor<'_, S> {
             }
         }
         if !self.keeps_rows {
-            (self.row_count, self.number_count) = (0, 0);
+            self.rows.clear();
+            self.numbers.clear();
             return;
         }
         // slots are taken again: what is beside is known by its number
-        for beside in &mut self.beside[first..self.number_count] {
+        for (_, beside) in &mut self.numbers.get_mut()[first..] {
             *beside = self.unknowns[*beside as usize].number;
         }
     }
@@ -326,22 +320,25 @@ impl<S: Scalar> Factor<'_, S> {
     /// Finds the values of all unknowns, the last one first.
     pub(super) fn solve(&mut self) {
         self.leave_all();
+        let none = if self.is_full { S::from_f64(f64::NAN) } else { S::zero() };
+        self.values.fill([none; LOADS], self.entered as usize);
         if self.is_full {
-            self.values.fill([S::from_f64(f64::NAN); LOADS]);
             return;
         }
-        let mut end = self.number_count;
-        for row in self.rows[..self.row_count].iter().rev() {
+        let all = self.values.get_mut();
+        let numbers = self.numbers.get();
+        let mut end = numbers.len();
+        for row in self.rows.get().iter().rev() {
             let first = row.first as usize;
-            let mut values = if row.is_shear { self.values[row.number as usize] } else { row.values };
-            for (factor, beside) in self.numbers[first..end].iter().zip(&self.beside[first..end]) {
-                for (value, other) in values.iter_mut().zip(self.values[*beside as usize]) {
+            let mut values = if row.is_shear { all[row.number as usize] } else { row.values };
+            for (factor, beside) in &numbers[first..end] {
+                for (value, other) in values.iter_mut().zip(all[*beside as usize]) {
                     if !other.is_constant_zero() {
                         *value -= *factor * other;
                     }
                 }
             }
-            self.values[row.number as usize] = values;
+            all[row.number as usize] = values;
             end = first;
         }
     }
@@ -349,7 +346,8 @@ impl<S: Scalar> Factor<'_, S> {
     /// The value of an unknown under a load.
     #[inline]
     pub(crate) fn value(&self, number: u32, load: usize) -> S {
-        self.values[number as usize][load]
+        // without room for the unknowns there is no value
+        self.values.get().get(number as usize).map_or(S::from_f64(f64::NAN), |values| values[load])
     }
 
     /// The values of the motions of a node under a load.

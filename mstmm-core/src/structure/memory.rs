@@ -6,8 +6,12 @@ use crate::number::compiled::for_compiled_numbers;
 use crate::structure::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
 use crate::structure::factor::{Factor, LOADS, NodeUnknowns, Row, Unknown};
 use crate::structure::member::{MemberLoad, MemberStiffness};
+use crate::structure::tape::Tape;
+#[cfg(feature = "std")]
+use crate::structure::triangle::row;
 
 /// Size of memory \[bytes\] beyond which it is taken from the heap, with `std`: threads may have stacks of little more than a megabyte.
+#[cfg(feature = "std")]
 const LARGE: usize = 1 << 16;
 
 /// Memory for a structure of up to so many nodes, of whose unknowns up to `W` are there at once. At each node no more than these leave, and each
@@ -17,22 +21,18 @@ struct FactorRoom<S, const W: usize, const NODES: usize> {
     entries: [[S; W]; W],
     unknowns: [Unknown<S>; W],
     rows: [[Row<S>; W]; NODES],
-    numbers: [[[S; W]; W]; NODES],
-    beside: [[[u32; W]; W]; NODES],
+    numbers: [[[(S, u32); W]; W]; NODES],
     values: [[[S; LOADS]; W]; NODES],
 }
 
-/// What a function does with the factor of a structure that nothing has joined, given how many unknowns leave at most. The factor keeps rows, or has room
-/// for those of one node.
+/// What a function does with the factor of a structure that nothing has joined. The factor keeps rows, or has room for those of one node.
 pub(crate) fn in_memory<const W: usize, const NODES: usize, S: Scalar, R>(
     keeps_rows: bool,
-    unknowns: impl FnOnce() -> usize,
     work: impl FnOnce(Factor<'_, S>) -> R,
 ) -> R {
     #[cfg(feature = "std")]
     if const { size_of::<FactorRoom<S, W, NODES>>() > LARGE } {
-        // each may have a shear as well
-        return on_heap::<W, S, R>(keeps_rows, if keeps_rows { 2 * unknowns() } else { W }, work);
+        return on_heap(W, keeps_rows, work);
     }
     on_stack::<W, NODES, S, R>(keeps_rows, work)
 }
@@ -48,30 +48,29 @@ fn on_stack<const W: usize, const NODES: usize, S: Scalar, R>(
         entries: [[zero; W]; W],
         unknowns: [Unknown::none(); W],
         rows: [[Row::none(); W]; NODES],
-        numbers: [[[zero; W]; W]; NODES],
-        beside: [[[0; W]; W]; NODES],
+        numbers: [[[(zero, 0); W]; W]; NODES],
         values: [[[zero; LOADS]; W]; NODES],
     };
     work(Factor::new(
         (room.entries.as_flattened_mut(), &mut room.unknowns),
-        room.rows.as_flattened_mut(),
-        (room.numbers.as_flattened_mut().as_flattened_mut(), room.beside.as_flattened_mut().as_flattened_mut()),
-        room.values.as_flattened_mut(),
+        Tape::Slice(room.rows.as_flattened_mut(), 0),
+        Tape::Slice(room.numbers.as_flattened_mut().as_flattened_mut(), 0),
+        Tape::Slice(room.values.as_flattened_mut(), 0),
         keeps_rows,
     ))
 }
 
-/// What a function does with a factor in memory on the heap.
+/// What a function does with a factor on the heap, of up to so many unknowns at once. What it keeps of them grows.
 #[cfg(feature = "std")]
 #[inline(never)]
-fn on_heap<const W: usize, S: Scalar, R>(keeps_rows: bool, rows: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
+pub(crate) fn on_heap<S: Scalar, R>(width: usize, keeps_rows: bool, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
     use std::vec;
     let zero = S::zero();
     work(Factor::new(
-        (&mut vec![zero; W * W], &mut vec![Unknown::none(); W]),
-        &mut vec![Row::none(); rows],
-        (&mut vec![zero; rows * W], &mut vec![0; rows * W]),
-        &mut vec![[zero; LOADS]; rows],
+        (&mut vec![zero; row(width)], &mut vec![Unknown::none(); width]),
+        Tape::Vector(&mut vec![]),
+        Tape::Vector(&mut vec![]),
+        Tape::Vector(&mut vec![]),
         keeps_rows,
     ))
 }

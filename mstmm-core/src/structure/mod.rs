@@ -23,6 +23,7 @@ pub(crate) mod member;
 pub(crate) mod memory;
 mod path_chart;
 mod shear;
+mod tape;
 #[cfg(test)]
 mod tests;
 mod total;
@@ -32,6 +33,8 @@ mod units;
 pub(crate) use chart::{Chart, JoinedEnd, MOST_VARIABLES};
 pub(crate) use factor::{Factor, LOADS, LoadEverywhere, NodeUnknowns};
 pub(crate) use member::{MemberLoad, MemberStiffness};
+#[cfg(feature = "std")]
+pub(crate) use memory::on_heap;
 pub(crate) use memory::{StructureScalar, in_memory, with_many};
 pub(crate) use total::Total;
 pub(crate) use units::{Units, unit_of};

@@ -25,9 +25,9 @@ fn matrix(diagonal: impl Fn(usize) -> f64) -> [[f64; 6]; 6] {
 
 /// The largest residual of the values that a factor finds for three nodes of two motions each.
 fn residual(matrix: &[[f64; 6]; 6]) -> f64 {
-    let few = in_memory::<6, 3, f64, _>(true, || 6, |factor| residual_of(matrix, factor));
+    let few = in_memory::<6, 3, f64, _>(true, |factor| residual_of(matrix, factor));
     // with room for a hundred unknowns, on the heap
-    let many = in_memory::<100, 3, f64, _>(true, || 6, |factor| residual_of(matrix, factor));
+    let many = in_memory::<100, 3, f64, _>(true, |factor| residual_of(matrix, factor));
     assert_eq!(few, many);
     few
 }
@@ -75,16 +75,12 @@ fn values_solve_the_equations() {
 
 #[test]
 fn a_factor_without_room_knows_nothing() {
-    in_memory::<3, 2, f64, _>(
-        true,
-        || 4,
-        |mut factor| {
-            let nodes = [factor.enter_node(2), factor.enter_node(2)];
-            nodes.iter().for_each(|node| factor.take_up(node, &None, &[1.0; 3]));
-            factor.solve();
-            assert!(factor.values_of(&nodes[0], 0)[0].is_nan());
-        },
-    );
+    in_memory::<3, 2, f64, _>(true, |mut factor| {
+        let nodes = [factor.enter_node(2), factor.enter_node(2)];
+        nodes.iter().for_each(|node| factor.take_up(node, &None, &[1.0; 3]));
+        factor.solve();
+        assert!(factor.values_of(&nodes[0], 0)[0].is_nan());
+    });
 }
 
 /// Numbers of all sizes, or none.
@@ -105,7 +101,7 @@ proptest! {
         // rounding decides the sign of what is nearly zero
         let least = eigenvalues.iter().fold(f64::INFINITY, |least, value| value.abs().min(least));
         prop_assume!(least > 1e-9 * eigenvalues.amax());
-        let (total, vanished_at) = in_memory::<6, 3, f64, _>(false, || 6, |mut factor| {
+        let (total, vanished_at) = in_memory::<6, 3, f64, _>(false, |mut factor| {
             eliminate(&matrix, &mut factor);
             factor.leave_all();
             (factor.total, factor.vanished_at)

@@ -3,7 +3,7 @@
 use crate::reading::Picture;
 use mstmm::elements::{Beam, Mass, Spring};
 use mstmm::list::{AnyUndamped, ListStep, Room, StepList, Support};
-use mstmm::network::{Member, Network, Node, Room as NetworkRoom, Section, UndampedMember};
+use mstmm::network::{Member, Network, Node, Section, UndampedMember};
 use mstmm::prelude::*;
 use mstmm_drawing::{Drawing, DrawingError};
 
@@ -13,8 +13,7 @@ fn frame(length: f64, stiffness: f64) -> Result<String, DrawingError> {
         Section { axial_stiffness: stiffness, bending_stiffness: stiffness * length * length, mass_per_length: 1.0 };
     let nodes = [Node::at([0.0, 0.0]).held(Support::Fixed.holds()), Node::at([length, 0.0])];
     let members = [Member::<UndampedMember<f64>>::new(0, 1, section)];
-    let mut room = NetworkRoom::<_, 2, 1>::new();
-    let network = Network::<_, 16, _, _>::new(&nodes, &members, &mut room).unwrap();
+    let network = Network::new(&nodes, &members).unwrap();
     Ok(Drawing::of(&network)?.to_string())
 }
 
@@ -56,8 +55,7 @@ fn models_of_one_place_are_drawn() {
     assert_eq!(picture.shown("rest").len(), 2);
     let nodes = [Node::at([2.0, 1.0]), Node::at([2.0, 1.0]).held(Support::Fixed.holds())];
     let spring = Member::<UndampedMember<f64>>::new(0, 1, Spring { stiffness: 1.0 }).along([1.0, 0.0]);
-    let mut room = NetworkRoom::<_, 2, 1>::new();
-    let network = Network::<_, 16, _, _>::new(&nodes, std::slice::from_ref(&spring), &mut room).unwrap();
+    let network = Network::new(&nodes, std::slice::from_ref(&spring)).unwrap();
     let drawn = Picture::of(Drawing::of(&network).unwrap());
     assert!(drawn.number("width") > 10.0 && drawn.number("height") > 10.0);
 }
@@ -67,8 +65,7 @@ fn sizes_without_a_scale_are_an_error() {
     for length in [1e-306, 1e-320] {
         let nodes = [Node::at([0.0, 0.0]), Node::at([length, 0.0])];
         let spring = Member::<UndampedMember<f64>>::new(0, 1, Spring { stiffness: 1.0 }).along([1.0, 0.0]);
-        let mut room = NetworkRoom::<_, 2, 1>::new();
-        let Ok(network) = Network::<_, 16, _, _>::new(&nodes, std::slice::from_ref(&spring), &mut room) else {
+        let Ok(network) = Network::new(&nodes, std::slice::from_ref(&spring)) else {
             continue;
         };
         let drawn = Drawing::of(&network);
@@ -76,8 +73,7 @@ fn sizes_without_a_scale_are_an_error() {
     }
     let nodes = [Node::at([-1e308, 0.0]), Node::at([1e308, 0.0])];
     let spring = Member::<UndampedMember<f64>>::new(0, 1, Spring { stiffness: 1.0 }).along([1.0, 0.0]);
-    let mut room = NetworkRoom::<_, 2, 1>::new();
-    if let Ok(network) = Network::<_, 16, _, _>::new(&nodes, std::slice::from_ref(&spring), &mut room) {
+    if let Ok(network) = Network::new(&nodes, std::slice::from_ref(&spring)) {
         let error = Drawing::of(&network).unwrap_err();
         assert!(matches!(error, DrawingError::Size { .. }), "{error}");
     }

@@ -132,8 +132,7 @@ macro_rules! for_each_frame {
     (|$name:ident, $frame:ident| $body:expr) => {{
         $crate::frames::for_each_frame!($name, $frame, $body, girder star attached rail ring portal truss vehicle double_beam);
         let (nodes, members) = $crate::frames::list();
-        let mut room = mstmm::network::Room::<_, 8, 8>::new();
-        let list = mstmm::network::Network::<_, 24, _, _>::new(&nodes, &members, &mut room).unwrap();
+        let list = mstmm::network::Network::new(&nodes, &members).unwrap();
         let ($name, $frame) = ("list", &list);
         $body;
     }};

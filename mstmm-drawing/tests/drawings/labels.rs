@@ -95,7 +95,6 @@ fn many_labels_at_one_place_find_room() {
         std::array::from_fn(|k| mstmm::network::Node::at([if k == 0 { 0.0 } else { 1.0 + 1e-5 * k as f64 }, 0.0]));
     type Member = mstmm::network::Member<mstmm::network::UndampedMember<f64>>;
     let members: [_; 9] = std::array::from_fn(|k| Member::new(k, k + 1, section));
-    let mut room = mstmm::network::Room::<_, 10, 9>::new();
-    let crowd = mstmm::network::Network::<_, 24, _, _>::new(&nodes, &members, &mut room).unwrap();
+    let crowd = mstmm::network::Network::new(&nodes, &members).unwrap();
     check_frame("crowd", &crowd);
 }

@@ -275,9 +275,8 @@ fn a_motion_that_is_not_known_is_an_error() {
     type Member = mstmm::network::Member<mstmm::network::UndampedMember<f64>>;
     let nodes: [_; 4] = std::array::from_fn(|k| mstmm::network::Node::at([k as f64, 0.0]));
     let members: [_; 3] = std::array::from_fn(|k| Member::new(k, k + 1, section));
-    let [mut short, mut long] = [(); 2].map(|()| mstmm::network::Room::<_, 4, 3>::new());
-    let short = mstmm::network::Network::<_, 24, _, _>::new(&nodes[..3], &members[..2], &mut short).unwrap();
-    let long = mstmm::network::Network::<_, 24, _, _>::new(&nodes, &members, &mut long).unwrap();
+    let short = mstmm::network::Network::new(&nodes[..3], &members[..2]).unwrap();
+    let long = mstmm::network::Network::new(&nodes, &members).unwrap();
     let root = short.frequencies(5).unwrap().into_iter().find(|root| root.omega > 1.0).unwrap();
     let shape = FrameAnalysis::mode_shape(&short, &root).unwrap();
     let error = Drawing::of(&long).unwrap().mode(&shape).unwrap_err();

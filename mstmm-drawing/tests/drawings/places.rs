@@ -205,3 +205,22 @@ fn planar_trees_are_drawn_with_the_arms_of_bodies() {
     let [start, end] = ends(find(&shown, "planar_beam 3"));
     assert!(close(&picture, start, [1.3, 0.5]) && close(&picture, end, [2.3, 0.5]));
 }
+
+system! {
+    /// Two beams with a link between their ends.
+    struct Linked { l: f64 }
+    section piece { axial_stiffness: 1e6, bending_stiffness: 1e3, mass_per_length: 1.0 }
+    fixed at (0.0, 0.0) -> beam 1 { ..piece } -> conn a at (l, 0.0) -> rigid_link 2 {};
+    rigid_link 2 -> conn b at (l, 0.5 * l) -> beam 3 { ..piece } -> free at (2.0 * l, 0.5 * l);
+}
+
+/// A rigid link is a line between the points that it ties, without the centre that a body has.
+#[test]
+fn a_link_leads_from_point_to_point() {
+    let linked = Linked { l: 2.0 }.build().unwrap();
+    let picture = Picture::of(Drawing::of(&linked).unwrap());
+    let shown = picture.shown("model");
+    let [from, to] = ends(find(&shown, "rigid_link 2"));
+    assert!(close(&picture, from, [2.0, 0.0]) && close(&picture, to, [2.0, 1.0]), "{from:?} {to:?}");
+    assert_eq!(find(&shown, "rigid_link 2").kind, "rigid_link");
+}

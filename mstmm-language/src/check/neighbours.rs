@@ -43,5 +43,5 @@ fn space_of_mass(element: &Element) -> Option<Space> {
 }
 
 fn space_of(element: &Element) -> Option<Space> {
-    element.kind.known().map(|known| known.space)
+    element.known().map(|known| known.space)
 }

@@ -1,15 +1,15 @@
 //! The parameters of an element: each must be given once, and no others.
 
 use super::listed;
-use crate::ast::Element;
+use crate::ast::{Element, Parameter};
 use crate::diagnostics::Errors;
 use crate::keywords::{DAMPING, nearest};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
-/// Checks the parameters of one element against those that it must have, and those of them that may be left out. For a type of the user it
-/// only checks that each is given once, since rustc knows which.
-pub(super) fn parameters(element: &Element, known: Option<[&'static [&'static str]; 2]>, errors: &mut Errors) {
+/// Checks the parameters of one element against those that it must have, and those that it may have. For a type of the user it only checks
+/// that each is given once, since rustc knows which.
+pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2]>, errors: &mut Errors) {
     let mut given = BTreeSet::new();
     for parameter in element.parameters() {
         if !given.insert(parameter.name.unraw().to_string()) {
@@ -19,39 +19,75 @@ pub(super) fn parameters(element: &Element, known: Option<[&'static [&'static st
             );
         }
     }
-    let Some([known, optional]) = known else { return };
-    let is_missing = |name: &&str| !given.contains(*name) && !optional.contains(name);
-    let mut missing: Vec<&str> = known.iter().copied().filter(is_missing).collect();
-    let selecting = element.kind.known().and_then(|row| row.variant).map_or(&[][..], |variant| variant.parameters);
-    let is_unknown = |name: &str| !known.contains(&name) && !selecting.contains(&name);
+    let Some([required, optional]) = known else { return };
+    let mut missing: Vec<&str> = required.iter().copied().filter(|name| !given.contains(*name)).collect();
+    let is_unknown = |name: &str| !required.contains(&name) && !optional.contains(&name);
     let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;
     for parameter in element.parameters() {
         let name = parameter.name.unraw().to_string();
-        if !is_unknown(&name) {
+        if !is_unknown(&name) || parameter.is_told {
             continue;
         }
-        let candidates = missing.iter().chain(selecting).copied();
+        let candidates = missing.iter().chain(optional).copied();
         let meant = nearest(candidates, &name).or(missing.first().copied().filter(|_| is_only_one));
         let hint = match meant {
-            _ if DAMPING.contains(&name.as_str()) => advice_on_damping(selecting),
+            _ if DAMPING.contains(&name.as_str()) => advice_on_damping(optional),
+            _ if parameter.section.is_some() => format!("it has {}", listed(required.iter().chain(optional).copied())),
             Some(meant) => {
                 missing.retain(|other| *other != meant);
                 format!("did you mean `{meant}`?")
             }
-            None => format!("it has {}", listed(known.iter().chain(selecting).copied())),
+            None => format!("it has {}", listed(required.iter().chain(optional).copied())),
         };
-        errors.push(parameter.name.span(), format!("`{}` has no parameter `{name}`: {hint}", element.kind.name()));
+        let owner = match parameter.section {
+            Some(_) => element.to_string(),
+            None => element.kind.name().to_string(),
+        };
+        errors.push(parameter.name.span(), format!("`{owner}` has no parameter `{name}`: {hint}"));
     }
-    if !missing.is_empty() {
-        errors.push(element.place(), format!("`{element}` lacks {}", listed(missing)));
+    // what a section that is not there may have is not missed
+    if !missing.is_empty() && element.spread.is_empty() {
+        let in_plane = missing.contains(&"axial_stiffness") && element.known().is_some_and(|row| row.name == "beam");
+        let reason = if in_plane { IN_PLANE } else { "" };
+        errors.push(element.place(), format!("`{element}` lacks {}{reason}", listed(missing)));
     }
+}
+
+/// Of parameters that say the same in different ways one is named.
+pub(super) fn one_of_them(element: &Element, errors: &mut Errors) {
+    let Some(row) = element.known().filter(|row| !row.one_of.is_empty()) else { return };
+    let is_one = |parameter: &&Parameter| row.one_of.iter().any(|name| parameter.name.unraw() == name);
+    let mut named = element.parameters().filter(is_one);
+    let Some(first) = named.next() else {
+        if element.spread.is_empty() {
+            errors.push(
+                element.place(),
+                format!("`{element}` lacks `inertia`, about its mass centre, or `inertia_about_input`"),
+            );
+        }
+        return;
+    };
+    for second in named.filter(|second| second.name.unraw() != first.name.unraw()) {
+        let message = format!("`{element}` gives its inertia twice: remove `{}` or `{}`", first.name, second.name);
+        errors.push(second.name.span(), message);
+    }
+}
+
+/// Why a beam needs more in the plane.
+const IN_PLANE: &str = ": in the plane a beam stretches, too; a large number is one that hardly does";
+
+/// Whether an element names none of the parameters of which it needs one: a hinge in which nothing gives way.
+pub(super) fn names_nothing(element: &Element) -> bool {
+    let needs_one = element.known().is_some_and(|row| row.required.is_empty() && row.name == "hinge");
+    needs_one && element.parameters.is_some() && element.parameters().next().is_none()
 }
 
 /// Advice for a parameter of damping that an element does not take, given those that it takes.
 fn advice_on_damping(taken: &[&str]) -> String {
-    if taken.is_empty() {
+    let mut taken = taken.iter().copied().filter(|name| DAMPING.contains(name)).peekable();
+    if taken.peek().is_none() {
         return "springs, torsion springs, uniform beams, rods and shafts have damping of their own, strings an external one"
             .to_owned();
     }
-    format!("of damping it has {}", listed(taken.iter().copied()))
+    format!("of damping it has {}", listed(taken))
 }

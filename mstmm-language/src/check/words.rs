@@ -59,13 +59,13 @@ pub(crate) fn is_doubtful(vertex: &Vertex<'_>) -> bool {
     match vertex {
         Vertex::Support(keyword) => support_of(&keyword.to_string()).is_none(),
         Vertex::Connection(connection) => !connection.label.is_well_formed(),
-        Vertex::Element(element) => !(element.label.is_well_formed() && is_known(&element.kind)),
+        Vertex::Element(element) => !(element.label.is_well_formed() && is_known(element)),
     }
 }
 
 /// Whether the language or rustc knows the kind: rustc knows types of the user.
-fn is_known(kind: &Kind) -> bool {
-    matches!(kind, Kind::Type(_)) || kind.known().is_some()
+fn is_known(element: &Element) -> bool {
+    matches!(element.kind, Kind::Type(_)) || element.known().is_some()
 }
 
 /// A word that stands alone is a support.
@@ -96,7 +96,7 @@ fn check_label(label: &Label, errors: &mut Errors) {
 
 /// An element has a known keyword and its parameters.
 fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
-    if !is_known(&element.kind) {
+    if !is_known(element) {
         let text = element.kind.name().to_string();
         let message = match located_of(&text) {
             Some(_) => format!("`{text}` {NEEDS_PLACES}"),
@@ -106,8 +106,16 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
     } else if element.parameters.is_none() {
         errors.push(element.place(), without_parameters(element, model));
     } else {
-        let known = element.kind.known().map(|known| [known.parameters, known.optional]);
-        parameters::parameters(element, known, errors);
+        let known = element.known().map(|row| [row.required.to_vec(), [row.optional, row.one_of].concat()]);
+        parameters::parameters(element, known.as_ref(), errors);
+        parameters::one_of_them(element, errors);
+        if parameters::names_nothing(element) {
+            let advice = "write `stiffness_rz: 0.0`, which lets the rotation go, or another stiffness";
+            errors.push(
+                element.place(),
+                format!("`{element}` names no freedom that gives way, so it would be rigid: {advice}"),
+            );
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Names;
 use crate::ast::{Element, Field, Model};
 use crate::spans::collect_names;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
@@ -30,24 +30,32 @@ pub(super) fn bindings(model: &Model, names: &Names) -> TokenStream {
     quote_spanned!(names.here=> #(#fields)*)
 }
 
-/// A warning at each field that no formula uses: the one of rustc about what is deprecated, to which a macro
-/// can give words and a place.
-pub(super) fn unused(model: &Model, names: &Names) -> TokenStream {
+/// A warning at each field that no formula uses, and at each section that no element has: the one of rustc about what is deprecated,
+/// to which a macro can give words and a place.
+pub(super) fn unused(model: &Model, sections: &[Ident], names: &Names) -> TokenStream {
     let unused = unused_fields(model);
-    let warnings =
+    let fields =
         model.fields().filter(|field| unused.contains(&field.name)).map(|Field { name, conditions, .. }| {
-            let span = names.at(name.span());
             let note = format!("no parameter uses `{0}`: remove the field, or call it `_{0}`", name.unraw());
-            let unused = Ident::new("unused_field", span);
-            quote_spanned! {span=>
-                #(#conditions)*
-                const _: () = {
-                    #[allow(non_upper_case_globals)]
-                    #[deprecated(note = #note)]
-                    const #unused: () = ();
-                    #unused
-                };
-            }
+            let warning = warning(name.span(), "unused_field", &note, names);
+            quote_spanned!(names.here=> #(#conditions)* #warning)
         });
-    quote_spanned!(names.here=> #(#warnings)*)
+    let sections = sections.iter().filter(|name| !name.unraw().to_string().starts_with('_')).map(|name| {
+        let note = format!("no element has section `{0}`: remove it, or write `..{0}` in an element", name.unraw());
+        warning(name.span(), "unused_section", &note, names)
+    });
+    quote_spanned!(names.here=> #(#fields)* #(#sections)*)
+}
+
+fn warning(place: Span, name: &str, note: &str, names: &Names) -> TokenStream {
+    let span = names.at(place);
+    let unused = Ident::new(name, span);
+    quote_spanned! {span=>
+        const _: () = {
+            #[allow(non_upper_case_globals)]
+            #[deprecated(note = #note)]
+            const #unused: () = ();
+            #unused
+        };
+    }
 }

@@ -9,9 +9,17 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
 use std::collections::BTreeSet;
 
-/// `struct Labels { arm: () }` and a function with every mention of `arm`; nothing for a model with numbers alone.
+/// `struct Labels { arm: () }` and a function with every mention of `arm`, for elements and for connections; nothing for numbers.
 pub(super) fn labels(model: &Model, names: &Names) -> TokenStream {
-    let mentions: Vec<(&Ident, String)> = model.nodes().filter_map(named).collect();
+    let of_connections = |node: &&Node| matches!(node, Node::Connection(_));
+    let (connections, elements): (Vec<&Node>, Vec<&Node>) = model.nodes().partition(of_connections);
+    let [connections, elements] = [connections, elements].map(|nodes| set(&nodes, names));
+    quote_spanned!(names.here=> #connections #elements)
+}
+
+/// One set of labels.
+fn set(nodes: &[&Node], names: &Names) -> TokenStream {
+    let mentions: Vec<(&Ident, String)> = nodes.iter().filter_map(|node| named(node)).collect();
     let mut known = BTreeSet::new();
     let definitions = mentions.iter().filter(|(label, _)| known.insert(label.to_string()));
     let fields = definitions.map(|(label, doc)| quote_spanned!(names.here=> #[doc = #doc] #label: ()));
@@ -20,9 +28,11 @@ pub(super) fn labels(model: &Model, names: &Names) -> TokenStream {
         return TokenStream::new();
     }
     quote_spanned! {names.here=>
-        #[allow(dead_code, non_snake_case)]
-        struct Labels { #(#fields),* }
-        const _: fn(&Labels) = |labels| { #(#uses)* };
+        const _: () = {
+            #[allow(dead_code, non_snake_case)]
+            struct Labels { #(#fields),* }
+            const _: fn(&Labels) = |labels| { #(#uses)* };
+        };
     }
 }
 

@@ -18,12 +18,13 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote_spanned};
 use std::collections::BTreeMap;
 
-/// All items of a model with locations.
+/// All items of a model with locations, with the sections that no element has.
 ///
 /// # Errors
 /// Nothing joins a part of the model to the rest.
 pub(crate) fn located(
     model: &Model,
+    unused: &[Ident],
     network: &Network<'_>,
     skeleton: &Skeleton<'_>,
     derivatives: &Derivatives,
@@ -47,13 +48,13 @@ pub(crate) fn located(
     let owned = own::own(network, skeleton, &names);
     let placed = system::placed(model, skeleton, &width, &names);
     let drawn = drawn::drawn(model, &names);
-    let charts = system::charts(skeleton, &width, &names);
+    let charts = system::charts(skeleton, &names);
     let motions = system::motions(skeleton, &names);
     let overall = overall::overall(skeleton, &names);
     let system = system::system(skeleton, &names);
     let own_member = if own::has_own(network) { searched::own_member(&names) } else { Default::default() };
     let searched = searched::searched(own_member, &names);
-    let unused = fields::unused(model, &names);
+    let unused = fields::unused(model, unused, &names);
     Ok(quote_spanned! {names.here=>
         #parameters
         #definition

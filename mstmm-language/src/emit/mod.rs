@@ -22,8 +22,8 @@ use quote::{format_ident, quote_spanned};
 use std::collections::BTreeMap;
 use syn::ItemStruct;
 
-/// All items of a model.
-pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -> TokenStream {
+/// All items of a model, with the sections that no element has.
+pub(crate) fn model(model: &Model, unused: &[Ident], plan: &Plan<'_>, derivatives: &Derivatives) -> TokenStream {
     let names = Names::of(model);
     let parameters = parameters(model);
     let keeps_fields = sensitivity::keeps_fields(plan, derivatives);
@@ -38,7 +38,7 @@ pub(crate) fn model(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives) -
     let planned = tree::planned(model, plan, &names);
     let tree = tree::tree(plan, &names);
     let drawn = tree::drawn(plan, &names);
-    let unused = fields::unused(model, &names);
+    let unused = fields::unused(model, unused, &names);
     // one message for a planar path that is searched, rather than one for each number that searches use
     let searched = if plan.is_planar() {
         TokenStream::new()

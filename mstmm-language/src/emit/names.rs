@@ -58,7 +58,7 @@ impl Names {
                 let span = self.at(keyword.span());
                 let private = private_at(&self.facade, span);
                 // `check` has refused unknown keywords
-                let name = Ident::new(element.type_name().unwrap_or("Beam"), span);
+                let name = Ident::new(element.type_row().map_or("Beam", |row| row.name), span);
                 quote_spanned!(span=> #private::elements::#name)
             }
         }
@@ -109,6 +109,16 @@ impl Names {
     pub(super) fn function_at(&self, name: &str, span: Span) -> TokenStream {
         let (private, name) = (private_at(&self.facade, span), Ident::new(name, span));
         quote_spanned!(span=> #private::#name)
+    }
+
+    /// What gives errors about an element the words of the model for fields that have other names; nothing without any.
+    pub(super) fn called(&self, words: impl Iterator<Item = (&'static str, &'static str)>) -> TokenStream {
+        let (fields, names): (Vec<_>, Vec<_>) = words.unzip();
+        if names.is_empty() {
+            return TokenStream::new();
+        }
+        let private = &self.private;
+        quote_spanned!(self.here=> .map_err(|error| #private::ParameterError::called(error, &[#((#fields, #names)),*])))
     }
 
     /// A support, at the user's token.

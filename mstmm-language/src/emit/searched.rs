@@ -51,7 +51,7 @@ pub(super) fn own_part(plan: &Plan<'_>, names: &Names) -> (TokenStream, TokenStr
         return Default::default();
     }
     let Names { private, parameter, .. } = names;
-    let own = plan.elements.iter().enumerate().filter(|(_, element)| element.kind.known().is_none());
+    let own = plan.elements.iter().enumerate().filter(|(_, element)| element.known().is_none());
     let own: Vec<_> = own.collect();
     let extended = quote_spanned!(names.here=> <#parameter as #private::Real>::Extended);
     let bounds = own.iter().map(|(_, element)| {

@@ -216,22 +216,27 @@ fn built(element: &Element, place: &mut usize, names: &Names) -> TokenStream {
     let (span, field, name) = (names.at_element(element), element_field(element, names), element.to_string());
     let (build, of_system) = (names.function_at("build", span), names.element(element));
     let parameters = element.parameters().map(|parameter| {
-        let (name, of_place) = (&parameter.name, *place);
+        let (name, of_place) = (element.field(&parameter.name), *place);
         *place += 1;
         quote_spanned!(names.at(name.span())=> #name: number(#of_place))
     });
-    let (kind, omitted) = (names.element_type(element), omitted(element, names));
+    let (kind, omitted, called) =
+        (names.element_type(element), omitted(element, names), names.called(element.renamed()));
     // all at the keyword, where rustc then shows what is missing
     let literal = quote_spanned!(element.kind.place().last=> #kind { #(#parameters,)* #(#omitted,)* });
-    quote_spanned!(span=> #field: #build::<#of_system>(#literal, #name)?)
+    quote_spanned!(span=> #field: #build::<#of_system>(#literal, #name)#called?)
 }
 
-/// The parameters that were left out, as zeros.
+/// The parameters that were left out, as if they were not there.
 pub(super) fn omitted(element: &Element, names: &Names) -> impl Iterator<Item = TokenStream> {
     let (span, private) = (names.at_element(element), names.private.clone());
-    element.omitted().map(move |name| {
+    element.omitted().map(move |(name, value)| {
         let name = Ident::new(name, span);
-        quote_spanned!(span=> #name: #private::Scalar::from_f64(0.0))
+        let value = match value {
+            f64::INFINITY => quote_spanned!(span=> ::core::primitive::f64::INFINITY),
+            _ => quote_spanned!(span=> 0.0),
+        };
+        quote_spanned!(span=> #name: #private::Scalar::from_f64(#value))
     })
 }
 

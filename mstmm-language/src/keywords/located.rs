@@ -1,5 +1,7 @@
 //! The keywords of models with locations: what each element is between points.
 
+use super::dimension::Dimension;
+use super::elements::element_of;
 use mstmm_plan::Freedoms;
 
 /// What a node of the sketch is in a network of points.
@@ -28,48 +30,13 @@ impl Role {
     }
 }
 
-/// The number of coordinates of all points of a model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Dimension {
-    /// One coordinate: beams along a line, which move across it.
-    Line,
-    /// Two coordinates.
-    Plane,
-}
-
-impl Dimension {
-    pub(crate) fn coordinates(self) -> usize {
-        match self {
-            Dimension::Line => 1,
-            Dimension::Plane => 2,
-        }
-    }
-
-    /// The freedoms that a point can have.
-    pub(crate) fn freedoms(self) -> Freedoms {
-        match self {
-            Dimension::Line => Freedoms::Y.union(Freedoms::RZ),
-            Dimension::Plane => Freedoms::ALL,
-        }
-    }
-
-    /// A place, as advice shows it.
-    pub(crate) fn example(self) -> &'static str {
-        match self {
-            Dimension::Line => "at x",
-            Dimension::Plane => "at (x, y)",
-        }
-    }
-}
-
-/// What the language knows of an element in models with locations.
+/// What the language knows of an element in models with locations, beside its parameters.
 #[derive(Debug)]
 pub(crate) struct LocatedKeyword {
     pub(crate) name: &'static str,
     pub(crate) role: Role,
-    pub(crate) parameters: &'static [&'static str],
-    /// The parameters that may be left out.
-    pub(crate) optional: &'static [&'static str],
+    /// The parameters of a word that models without locations have not, or that has others there.
+    own: Option<&'static [&'static str]>,
     /// The parameter that has as many parts as points have coordinates.
     pub(crate) vector: Option<&'static str>,
     /// The freedoms that it brings to a point.
@@ -83,97 +50,93 @@ impl LocatedKeyword {
     pub(crate) fn instead(&self, dimension: Dimension) -> Option<&'static str> {
         self.instead[dimension.coordinates() - 1]
     }
+
+    /// Whether the length of the element follows from the places of its ends.
+    pub(crate) fn spans_places(&self) -> bool {
+        self.role == Role::Member
+    }
+
+    /// The parameters that must be named, and those that may be left out.
+    pub(crate) fn parameters(&self, dimension: Dimension) -> [Vec<&'static str>; 2] {
+        if let Some(own) = self.own {
+            return [own.to_vec(), Vec::new()];
+        }
+        let row = element_of(self.name, dimension);
+        let [mut required, optional] = row.map_or([&[][..]; 2], |row| [row.required, row.optional]).map(<[_]>::to_vec);
+        required.retain(|name| !(self.spans_places() && *name == "length"));
+        [required, optional]
+    }
 }
 
 const XY: Freedoms = Freedoms::X.union(Freedoms::Y);
 
-const fn keyword(
-    name: &'static str,
-    role: Role,
-    brings: Freedoms,
-    parameters: &'static [&'static str],
-) -> LocatedKeyword {
-    LocatedKeyword { name, role, parameters, optional: &[], vector: None, brings, instead: [None, None] }
+const fn keyword(name: &'static str, role: Role, brings: Freedoms) -> LocatedKeyword {
+    LocatedKeyword { name, role, own: None, vector: None, brings, instead: [None, None] }
 }
 
 /// A keyword of models without locations alone, with those to take instead.
 const fn refused(name: &'static str, instead: [&'static str; 2]) -> LocatedKeyword {
     let [line, plane] = instead;
-    LocatedKeyword { instead: [Some(line), Some(plane)], ..keyword(name, Role::Unknown, Freedoms::NONE, &[]) }
+    LocatedKeyword { instead: [Some(line), Some(plane)], ..keyword(name, Role::Unknown, Freedoms::NONE) }
 }
 
 /// A beam, with the keyword to take instead of it along a line or in the plane.
-const fn beam(
-    name: &'static str,
-    instead: [Option<&'static str>; 2],
-    parameters: &'static [&'static str],
-    optional: &'static [&'static str],
-) -> LocatedKeyword {
-    LocatedKeyword { instead, optional, ..keyword(name, Role::Member, Freedoms::ALL, parameters) }
+const fn beam(name: &'static str, instead: [Option<&'static str>; 2]) -> LocatedKeyword {
+    LocatedKeyword { instead, ..keyword(name, Role::Member, Freedoms::ALL) }
 }
 
-/// What ties points that have places in place of offsets.
+/// What ties points that have places in place of offsets, with mass and without.
 pub(crate) const RIGID_BODY: &str = "rigid_body";
+pub(crate) const RIGID_LINK: &str = "rigid_link";
 
 #[rustfmt::skip]
 pub(crate) const LOCATED: &[LocatedKeyword] = &[
-    keyword("spring", Role::Path, XY, &["stiffness"]),
-    keyword("torsion_spring", Role::Path, Freedoms::RZ, &["stiffness"]),
-    keyword("damper", Role::Path, XY, &["damping"]),
-    keyword("torsion_damper", Role::Path, Freedoms::RZ, &["damping"]),
-    keyword("spring_damper", Role::Path, XY, &["stiffness", "damping"]),
-    keyword("torsion_spring_damper", Role::Path, Freedoms::RZ, &["stiffness", "damping"]),
-    keyword("mass", Role::Path, XY, &["mass"]),
-    keyword("inertia", Role::Path, Freedoms::RZ, &["inertia"]),
-    LocatedKeyword {
-        optional: &["foundation_stiffness"],
-        ..keyword("string", Role::Path, XY, &["length", "tension", "mass_per_length", "foundation_stiffness"])
-    },
-    LocatedKeyword {
-        optional: &["foundation_stiffness"],
-        ..keyword("rod", Role::Path, XY, &["length", "axial_stiffness", "mass_per_length", "foundation_stiffness"])
-    },
-    keyword("shaft", Role::Path, Freedoms::RZ, &["length", "torsional_stiffness", "inertia_per_length"]),
-    LocatedKeyword {
-        optional: &["inertia"],
-        ..keyword("point_mass", Role::PointMass, XY, &["mass", "inertia"])
-    },
-    LocatedKeyword {
-        instead: [None, Some("planar_hinge")],
-        ..keyword("elastic_hinge", Role::Joint, Freedoms::ALL, &["stiffness_y", "stiffness_theta"])
-    },
+    keyword("spring", Role::Path, XY),
+    keyword("torsion_spring", Role::Path, Freedoms::RZ),
+    keyword("damper", Role::Path, XY),
+    keyword("torsion_damper", Role::Path, Freedoms::RZ),
+    keyword("spring_damper", Role::Path, XY),
+    keyword("torsion_spring_damper", Role::Path, Freedoms::RZ),
+    keyword("mass", Role::Path, XY),
+    keyword("inertia", Role::Path, Freedoms::RZ),
+    keyword("string", Role::Path, XY),
+    keyword("rod", Role::Path, XY),
+    keyword("shaft", Role::Path, Freedoms::RZ),
+    keyword("point_mass", Role::PointMass, XY),
+    keyword("hinge", Role::Joint, Freedoms::ALL),
+    LocatedKeyword { instead: [None, Some("hinge")], ..keyword("elastic_hinge", Role::Joint, Freedoms::ALL) },
     refused("body", [RIGID_BODY; 2]),
-    beam("beam", [None, Some("planar_beam")], &["bending_stiffness", "mass_per_length"], &[]),
-    beam("rayleigh_beam", [None, Some("planar_rayleigh_beam")], &["bending_stiffness", "mass_per_length", "rotary_inertia"], &[]),
-    beam("timoshenko_beam", [None, Some("planar_timoshenko_beam")], &["bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[]),
-    beam("beam_column", [None, Some("planar_beam_column")], &["bending_stiffness", "mass_per_length", "axial_force"], &[]),
-    beam("foundation_beam", [None, Some("planar_foundation_beam")], &["bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
-    beam("general_beam", [None, Some("planar_general_beam")], &["bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
+    beam("beam", [None, None]),
+    beam("rayleigh_beam", [None, Some("beam")]),
+    beam("timoshenko_beam", [None, Some("beam")]),
+    beam("beam_column", [None, Some("beam")]),
+    beam("foundation_beam", [None, Some("beam")]),
+    beam("general_beam", [None, Some("beam")]),
     refused("planar_body", [RIGID_BODY; 2]),
-    beam("planar_beam", [Some("beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length"], &[]),
-    beam("planar_rayleigh_beam", [Some("rayleigh_beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "rotary_inertia"], &[]),
-    beam("planar_timoshenko_beam", [Some("timoshenko_beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[]),
-    beam("planar_beam_column", [Some("beam_column"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "axial_force"], &[]),
-    beam("planar_foundation_beam", [Some("foundation_beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "foundation_stiffness", "foundation_shear_stiffness"], &["foundation_shear_stiffness"]),
-    beam("planar_general_beam", [Some("general_beam"), None], &["axial_stiffness", "bending_stiffness", "mass_per_length", "shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"], &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"]),
-    LocatedKeyword {
-        instead: [Some("elastic_hinge"), None],
-        ..keyword("planar_hinge", Role::Joint, Freedoms::ALL, &["stiffness_x", "stiffness_y", "stiffness_theta"])
-    },
+    beam("planar_beam", [Some("beam"), None]),
+    beam("planar_rayleigh_beam", [Some("beam"), None]),
+    beam("planar_timoshenko_beam", [Some("beam"), None]),
+    beam("planar_beam_column", [Some("beam"), None]),
+    beam("planar_foundation_beam", [Some("beam"), None]),
+    beam("planar_general_beam", [Some("beam"), None]),
+    LocatedKeyword { instead: [Some("hinge"), None], ..keyword("planar_hinge", Role::Joint, Freedoms::ALL) },
     LocatedKeyword {
         vector: Some("centre"),
-        ..keyword(RIGID_BODY, Role::RigidBody, Freedoms::ALL, &["mass", "inertia", "centre"])
+        own: Some(&["mass", "inertia", "centre"]),
+        ..keyword(RIGID_BODY, Role::RigidBody, Freedoms::ALL)
     },
-    keyword("pin", Role::Joint, XY, &[]),
+    LocatedKeyword { own: Some(&[]), ..keyword(RIGID_LINK, Role::RigidBody, Freedoms::ALL) },
+    LocatedKeyword { own: Some(&[]), ..keyword("pin", Role::Joint, XY) },
     LocatedKeyword {
         vector: Some("along"),
-        instead: [Some("elastic_hinge"), None],
-        ..keyword("slider", Role::Joint, Freedoms::ALL, &["along"])
+        own: Some(&["along"]),
+        instead: [Some("hinge"), None],
+        ..keyword("slider", Role::Joint, Freedoms::ALL)
     },
-    refused("rotational_hinge", ["elastic_hinge", "planar_hinge"]),
-    refused("shear_hinge", ["elastic_hinge", "planar_hinge"]),
-    refused("lever", [RIGID_BODY; 2]),
-    refused("tapered_beam", ["general_beam", "planar_general_beam"]),
+    refused("rotational_hinge", ["hinge"; 2]),
+    refused("shear_hinge", ["hinge"; 2]),
+    refused("lever", [RIGID_LINK; 2]),
+    refused("tapered_beam", ["beam"; 2]),
 ];
 
 /// The support that names what it holds.

@@ -2,53 +2,108 @@
 
 use super::*;
 use mstmm_core::elements::{ELEMENTS as OF_CORE, Row};
+use std::collections::BTreeSet;
 
+fn sorted<'a>(names: impl IntoIterator<Item = &'a str>) -> BTreeSet<&'a str> {
+    names.into_iter().collect()
+}
+
+/// A type has the parameters that its keyword requires, its own, and no others, as fields of their names or of others.
 #[test]
-fn each_element_of_the_core_has_one_keyword_with_its_state_and_parameters() {
-    let is_variant =
-        |row: &&Row| ELEMENTS.iter().filter_map(|row| row.variant).any(|variant| variant.type_name == row.name);
-    let mut of_core: Vec<&Row> = OF_CORE.iter().filter(|row| !is_variant(row)).collect();
-    let mut keywords: Vec<&Keyword> = ELEMENTS.iter().collect();
-    of_core.sort_by_key(|row| row.name);
-    keywords.sort_by_key(|keyword| keyword.type_name);
-    let rows: Vec<&str> = keywords.iter().map(|keyword| keyword.type_name).collect();
-    let names: Vec<&str> = of_core.iter().map(|row| row.name).collect();
-    assert_eq!(rows, names, "rows of keywords.rs, and of elements/mod.rs in the core");
-    for (keyword, of_core) in keywords.iter().zip(of_core) {
-        assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
-        assert_eq!(keyword.parameters, of_core.parameters, "{}", keyword.name);
-        assert!(keyword.optional.iter().all(|name| keyword.parameters.contains(name)), "{}", keyword.name);
+fn each_type_of_a_keyword_is_one_of_the_core_with_its_state_and_parameters() {
+    for keyword in ELEMENTS {
+        assert!(!keyword.types.is_empty(), "{}", keyword.name);
+        for row in keyword.types {
+            let of_core = OF_CORE.iter().find(|of_core| of_core.name == row.name);
+            let of_core = of_core.unwrap_or_else(|| panic!("no `{}` in the core", row.name));
+            let fields = keyword.required.iter().chain(row.parameters).map(|name| row.field(name));
+            assert_eq!(sorted(fields), sorted(of_core.parameters.iter().copied()), "{} {}", keyword.name, row.name);
+            assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
+        }
     }
 }
 
-/// Another type has the parameters of the keyword, those that select it, and others that are zero.
 #[test]
-fn each_type_that_parameters_select_is_one_of_the_core() {
-    for (keyword, variant) in ELEMENTS.iter().filter_map(|row| Some((row, row.variant?))) {
-        let of_core = OF_CORE.iter().find(|row| row.name == variant.type_name);
-        let of_core = of_core.unwrap_or_else(|| panic!("no `{}` in the core", variant.type_name));
-        let parts = [keyword.parameters, variant.parameters, variant.absent];
-        let mut parameters: Vec<&str> = parts.concat();
-        let mut expected = of_core.parameters.to_vec();
-        parameters.sort_unstable();
-        expected.sort_unstable();
-        assert_eq!(parameters, expected, "{}", keyword.name);
-        assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
+fn each_element_of_the_core_has_a_keyword() {
+    let types = || ELEMENTS.iter().flat_map(|keyword| keyword.types).map(|row| row.name);
+    let without: Vec<&Row> = OF_CORE.iter().filter(|row| types().all(|name| name != row.name)).collect();
+    assert!(without.is_empty(), "{without:?}");
+}
+
+/// All sets of the optional parameters: nothing that is named is lost, and no type before the one that is taken has it all.
+#[test]
+fn each_set_of_optional_parameters_selects_the_cheapest_type_that_has_them() {
+    for keyword in ELEMENTS {
+        let one_of =
+            if keyword.one_of.is_empty() { vec![None] } else { keyword.one_of.iter().copied().map(Some).collect() };
+        for (set, one) in
+            (0..1_usize << keyword.optional.len()).flat_map(|set| one_of.iter().map(move |one| (set, *one)))
+        {
+            let optional = keyword.optional.iter().enumerate();
+            let chosen = optional.filter(|(index, _)| set >> index & 1 == 1).map(|(_, name)| *name);
+            let named: BTreeSet<&str> = chosen.chain(one).collect();
+            let has_all = |row: &&TypeRow| named.iter().all(|name| row.parameters.contains(name));
+            let taken = keyword.type_with(|name| named.contains(name));
+            assert!(has_all(&taken), "{} with {named:?} is {}", keyword.name, taken.name);
+            let before = keyword.types.iter().take_while(|row| row.name != taken.name).find(has_all);
+            assert_eq!(before, None, "{} with {named:?}", keyword.name);
+        }
     }
+}
+
+/// What a beam is with some of its parameters, along a line and in the plane.
+#[test]
+fn the_parameters_of_a_beam_select_its_type() {
+    for (named, of_line) in [
+        (&[][..], "Beam"),
+        (&["rotary_inertia"], "RayleighBeam"),
+        (&["axial_force"], "BeamColumn"),
+        (&["foundation_shear_stiffness"], "FoundationBeam"),
+        (&["shear_stiffness"], "TimoshenkoBeam"),
+        (&["shear_stiffness", "rotary_inertia"], "TimoshenkoBeam"),
+        (&["rotary_inertia", "axial_force"], "UniformBeam"),
+        (&["shear_stiffness", "foundation_stiffness"], "UniformBeam"),
+        (&["loss_factor"], "DampedUniformBeam"),
+        (&["shear_stiffness", "axial_force", "external_damping"], "DampedUniformBeam"),
+    ] {
+        let taken = |dimension| element_of("beam", dimension).unwrap().type_with(|name| named.contains(&name)).name;
+        assert_eq!(taken(Dimension::Line), of_line, "{named:?}");
+        assert_eq!(taken(Dimension::Plane), format!("Planar{of_line}"), "{named:?}");
+    }
+}
+
+/// A type of which a parameter is left out is as if it were not there: rigid, or zero.
+#[test]
+fn what_is_not_named_is_neutral() {
+    for keyword in ELEMENTS {
+        for name in keyword.types.iter().flat_map(|row| row.parameters) {
+            let is_rigid = name.contains("stiffness") && !name.contains("foundation");
+            assert_eq!(neutral(name) == f64::INFINITY, is_rigid, "{} {name}", keyword.name);
+        }
+    }
+}
+
+/// The cells of the first table row in a section that begin with a keyword and go on with a state, or with anything.
+fn row_of<'g>(section: &'g str, keyword: &str, second: Option<&str>) -> Option<&'g str> {
+    let quoted = format!("`{keyword}`");
+    section.lines().filter(|line| line.starts_with('|')).find(|row| {
+        let mut cells = row.split('|').skip(1).map(str::trim);
+        cells.next().is_some_and(|cell| cell.contains(&quoted))
+            && second.is_none_or(|second| cells.next() == Some(second))
+    })
 }
 
 #[test]
 fn the_grammar_says_which_elements_have_damping() {
     let grammar = include_str!("../../../docs/grammar.md");
     let (_, section) = grammar.split_once("### Damping of materials").unwrap();
-    let is_damped = |variant: &Variant| variant.parameters.iter().all(|name| DAMPING.contains(name));
-    for (keyword, damped) in ELEMENTS.iter().filter_map(|row| Some((row, row.variant.filter(is_damped)?))) {
-        let quoted = format!("`{}`", keyword.name);
-        let row = section.lines().find(|line| line.starts_with('|') && line.contains(&quoted));
-        let row = row.unwrap_or_else(|| panic!("no row for {quoted} in the table of damping in docs/grammar.md"));
+    for keyword in ELEMENTS.iter().filter(|row| row.optional.iter().any(|name| DAMPING.contains(name))) {
+        let row = row_of(section, keyword.name, None);
+        let row =
+            row.unwrap_or_else(|| panic!("no row for {} in the table of damping in docs/grammar.md", keyword.name));
         for parameter in DAMPING {
             let is_there = row.contains(&format!("`{parameter}`"));
-            assert_eq!(is_there, damped.parameters.contains(parameter), "{parameter} in docs/grammar.md: {row}");
+            assert_eq!(is_there, keyword.optional.contains(parameter), "{parameter} in docs/grammar.md: {row}");
         }
     }
 }
@@ -56,34 +111,35 @@ fn the_grammar_says_which_elements_have_damping() {
 #[test]
 fn the_grammar_has_a_row_for_each_element() {
     let grammar = include_str!("../../../docs/grammar.md");
+    let (_, section) = grammar.split_once("## Elements").unwrap();
     for keyword in ELEMENTS {
-        let quoted = format!("`{}`", keyword.name);
-        let names_it = |row: &&str| row.split('|').nth(1).is_some_and(|cell| cell.contains(&quoted));
-        let row = grammar.lines().filter(|line| line.starts_with('|')).find(names_it);
-        let row = row.unwrap_or_else(|| panic!("no row for {quoted} in the table of elements in docs/grammar.md"));
-        assert_eq!(row.split('|').nth(2).unwrap().trim(), keyword.space.to_string(), "{row}");
-        for parameter in keyword.parameters {
+        let (name, space) = (keyword.name, keyword.space.to_string());
+        let row = row_of(section, name, Some(&space));
+        let row =
+            row.unwrap_or_else(|| panic!("no row for {name}, {space}, in the table of elements in docs/grammar.md"));
+        let of_damping = |name: &&&str| !DAMPING.contains(name);
+        for parameter in keyword.required.iter().chain(keyword.optional).chain(keyword.one_of).filter(of_damping) {
             assert!(row.contains(&format!("`{parameter}`")), "no `{parameter}` in docs/grammar.md: {row}");
         }
     }
 }
 
-/// The rows of models with locations, `beam` without the length that follows from its points.
+/// A word of models with locations has a row, and is right in one dimension at least unless another one is to be taken.
 #[test]
 fn each_keyword_is_known_in_models_with_locations() {
     for keyword in ELEMENTS {
-        let row = located_of(keyword.name).unwrap_or_else(|| panic!("no row for {} in LOCATED", keyword.name));
-        if row.role == Role::Unknown {
-            continue;
-        }
-        let expected = keyword.parameters.iter().filter(|name| row.role != Role::Member || **name != "length");
-        assert!(row.parameters.iter().eq(expected), "{}", keyword.name);
+        assert!(located_of(keyword.name).is_some(), "no row for {} in LOCATED", keyword.name);
     }
     for row in LOCATED {
         let is_right = [Dimension::Line, Dimension::Plane].map(|dimension| row.instead(dimension).is_none());
         assert_eq!(is_right == [false, false], row.role == Role::Unknown, "{}", row.name);
-        assert!(row.optional.iter().all(|name| row.parameters.contains(name)), "{}", row.name);
-        assert!(row.vector.is_none_or(|name| row.parameters.contains(&name)), "{}", row.name);
+        for dimension in [Dimension::Line, Dimension::Plane].into_iter().filter(|of| row.instead(*of).is_none()) {
+            let [required, _] = row.parameters(dimension);
+            assert!(row.vector.is_none_or(|name| required.contains(&name)), "{}", row.name);
+            assert!(!(row.spans_places() && required.contains(&"length")), "{}", row.name);
+            let instead = row.instead(dimension).map(located_of);
+            assert!(instead.is_none_or(|instead| instead.is_some()), "{}", row.name);
+        }
     }
 }
 
@@ -91,13 +147,17 @@ fn each_keyword_is_known_in_models_with_locations() {
 fn the_grammar_has_a_row_for_each_element_of_models_with_locations() {
     let grammar = include_str!("../../../docs/grammar.md");
     let (_, section) = grammar.split_once("### Elements of located models").unwrap();
-    let right = LOCATED.iter().filter(|row| !matches!(row.role, Role::Unknown | Role::Path));
-    for row in right {
-        let start = format!("| `{}` |", row.name);
-        let line = section.lines().find(|line| line.starts_with(&start));
-        let line = line.unwrap_or_else(|| panic!("no row for {} in docs/grammar.md", row.name));
-        for parameter in row.parameters {
-            assert!(line.contains(&format!("`{parameter}`")), "no `{parameter}` in docs/grammar.md: {line}");
+    for row in LOCATED.iter().filter(|row| !matches!(row.role, Role::Unknown | Role::Path)) {
+        for dimension in [Dimension::Line, Dimension::Plane].into_iter().filter(|of| row.instead(*of).is_none()) {
+            let parameters = row.parameters(dimension).concat();
+            let start = format!("| `{}` |", row.name);
+            let has_all = |line: &&str| {
+                let of_damping = |name: &&&str| !DAMPING.contains(name);
+                line.starts_with(&start)
+                    && parameters.iter().filter(of_damping).all(|name| line.contains(&format!("`{name}`")))
+            };
+            let found = section.lines().find(has_all);
+            assert!(found.is_some(), "no row for {} with {parameters:?} in docs/grammar.md", row.name);
         }
     }
 }
@@ -108,4 +168,25 @@ fn a_slip_of_the_pen_finds_its_keyword() {
     assert_eq!(nearest(elements(), "baem"), Some("beam"));
     assert_eq!(nearest(elements(), "springdamper"), Some("spring_damper"));
     assert_eq!(nearest(elements(), "quux"), None);
+}
+
+/// What stands for an old word has all of its parameters, under their new names, where it stands.
+#[test]
+fn the_new_form_of_an_old_word_is_one_of_its_new_word() {
+    for word in OLD_WORDS {
+        let old = ELEMENTS.iter().find(|row| row.name == word.name).unwrap();
+        let new = ELEMENTS.iter().find(|row| row.name == word.new && row.space == old.space);
+        let new = new.unwrap_or_else(|| panic!("no {} for {}", word.new, word.name));
+        for name in old.required.iter().chain(old.optional) {
+            let written = word.parameter(name, "x").unwrap();
+            let (name, _) = written.split_once(':').unwrap();
+            assert!([new.required, new.optional, new.one_of].concat().contains(&name), "{} {written}", word.name);
+        }
+    }
+    assert_eq!(
+        old_word("general_beam").unwrap().parameter("shear_flexibility", "f"),
+        Some("shear_stiffness: 1.0 / (f)".to_owned())
+    );
+    assert_eq!(old_word("general_beam").unwrap().parameter("axial_force", "0.0"), None);
+    assert_eq!(old_word("shear_hinge").unwrap().parameter("stiffness", "0.0"), Some("stiffness_y: 0.0".to_owned()));
 }

@@ -3,8 +3,7 @@
 use crate::ast::{Arrow, Connection, Coordinates, Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::{Errors, Place};
 use crate::keywords::{LocatedKeyword, Role, support_of};
-use crate::topology::refuse_label;
-use std::collections::BTreeMap;
+use crate::topology::{Labels, refuse_label};
 
 /// A vertex. All mentions of a connection are one, and all of a rigid body; each mention of a support is another.
 pub(crate) struct Vertex<'a> {
@@ -112,10 +111,10 @@ pub(crate) struct Graph<'a> {
 }
 
 impl<'a> Graph<'a> {
-    /// The graph of a model. Reports labels that two vertices share.
+    /// The graph of a model. Reports labels that two elements share.
     pub(crate) fn of(model: &'a Model, errors: &mut Errors) -> Self {
         let mut graph = Graph::default();
-        let mut labels = BTreeMap::new();
+        let mut labels = Labels::new();
         for path in &model.paths {
             let mut previous = graph.vertex(&path.first, &mut labels, errors);
             for (arrow, node) in &path.rest {
@@ -129,7 +128,7 @@ impl<'a> Graph<'a> {
     }
 
     /// The vertex of a node: a new one, unless it is a connection or a rigid body that was mentioned before.
-    fn vertex(&mut self, node: &'a Node, labels: &mut BTreeMap<String, usize>, errors: &mut Errors) -> usize {
+    fn vertex(&mut self, node: &'a Node, labels: &mut Labels, errors: &mut Errors) -> usize {
         let (label, vertex) = match node {
             Node::Support(support) => (None, Vertex::support(support)),
             Node::Connection(connection) => (Some(&connection.label), Vertex::connection(connection)),
@@ -150,25 +149,15 @@ impl<'a> Graph<'a> {
         self.vertices.len() - 1
     }
 
-    fn labelled(
-        &mut self,
-        label: &Label,
-        mut vertex: Vertex<'a>,
-        labels: &mut BTreeMap<String, usize>,
-        errors: &mut Errors,
-    ) -> usize {
-        let Some(&known) = labels.get(&label.to_string()) else {
+    fn labelled(&mut self, label: &Label, mut vertex: Vertex<'a>, labels: &mut Labels, errors: &mut Errors) -> usize {
+        let is_connection = matches!(vertex.node, Named::Connection(_));
+        let Some(&known) = labels.get(&(is_connection, label.to_string())) else {
             let new = self.push(vertex);
-            labels.insert(label.to_string(), new);
+            labels.insert((is_connection, label.to_string()), new);
             return new;
         };
         let first = &mut self.vertices[known];
-        let is_same = match (first.node, vertex.node) {
-            (Named::Connection(_), Named::Connection(_)) => true,
-            (Named::Element(_), Named::Element(_)) => (first.role, vertex.role) == (Role::RigidBody, Role::RigidBody),
-            _ => false,
-        };
-        if is_same {
+        if is_connection || (first.role, vertex.role) == (Role::RigidBody, Role::RigidBody) {
             if first.is_mention() && !vertex.is_mention() {
                 *first = vertex;
             }

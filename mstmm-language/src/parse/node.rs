@@ -5,7 +5,7 @@ use super::suffix::{ALONG_STANDS, Suffixes, held, is_suffix, is_word};
 use crate::ast::{Connection, Element, Kind, Label, Node, Parameter, Support};
 use crate::depth::is_keyword;
 use crate::diagnostics::Place;
-use crate::keywords::{ALONG, AT, CONNECTION, HELD, apart, support_of};
+use crate::keywords::{ALONG, AT, CONNECTION, Dimension, HELD, apart, support_of};
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Result};
 use syn::{Error, Ident, Lit, LitInt, Path, Token, braced, token};
@@ -71,24 +71,35 @@ fn parse_element(kind: Kind, input: ParseStream<'_>) -> Result<Node> {
         return Err(error_at(input, "the type of an element is written without generic arguments"));
     }
     let label = parse_label(input, kind.name(), kind.place(), " { .. }")?;
-    let parameters = if input.peek(token::Brace) { Some(parse_parameters(input)?) } else { None };
+    let (parameters, spread) = match input.peek(token::Brace).then(|| parse_parameters(input)).transpose()? {
+        Some((parameters, spread)) => (Some(parameters), spread),
+        None => (None, Vec::new()),
+    };
     let owner = format!("{} {label}", kind.name());
     let location = if is_suffix(input) { Suffixes::parse(input, &owner)?.location_alone("conn a")? } else { None };
-    Ok(Node::Element(Box::new(Element { kind, label, parameters, location })))
+    let dimension = Dimension::Line;
+    Ok(Node::Element(Box::new(Element { kind, label, parameters, spread, dimension, location })))
 }
 
-/// `{ name: value, name, .. }`
-fn parse_parameters(input: ParseStream<'_>) -> Result<Vec<Parameter>> {
+/// `{ name: value, name, ..section }`: parameters and sections.
+pub(super) fn parse_parameters(input: ParseStream<'_>) -> Result<(Vec<Parameter>, Vec<Ident>)> {
     let content;
     braced!(content in input);
-    let mut parameters = Vec::new();
+    let (mut parameters, mut sections) = (Vec::new(), Vec::new());
     while !content.is_empty() {
-        parameters.push(content.parse()?);
+        if content.peek(Token![..]) {
+            let dots: Token![..] = content.parse()?;
+            let message = "`..` stands before the name of a section, whose parameters the element takes: `..steel`";
+            let name = content.parse::<Ident>().map_err(|_| Error::new_spanned(dots, message))?;
+            sections.push(name);
+        } else {
+            parameters.push(content.parse()?);
+        }
         if !content.is_empty() && content.parse::<Option<Token![,]>>()?.is_none() {
             return Err(error_at(&content, "expected `,` between parameters"));
         }
     }
-    Ok(parameters)
+    Ok((parameters, sections))
 }
 
 /// A name or a number, behind `owner`.
@@ -118,7 +129,7 @@ impl Parse for Parameter {
             return Err(error_at(input, message));
         };
         if input.is_empty() || input.peek(Token![,]) {
-            return Ok(Parameter { name, value: None });
+            return Ok(Parameter { name, value: None, section: None, is_told: false });
         }
         if input.peek(Token![;]) || input.peek2(Token![:]) || input.peek2(Token![,]) {
             return Err(error_at(input, "expected `,` between parameters"));
@@ -127,6 +138,6 @@ impl Parse for Parameter {
             return Err(error_at(input, format!("expected `:`: a parameter is written `{name}: value`")));
         }
         input.parse::<Token![:]>()?;
-        Ok(Parameter { name, value: Some(input.parse()?) })
+        Ok(Parameter { name, value: Some(input.parse()?), section: None, is_told: false })
     }
 }

@@ -14,7 +14,10 @@ impl<'a> Skeleton<'a> {
         let mut assembly = Assembly::new(network);
         network.supports.iter().for_each(|support| assembly.support(support));
         for body in &network.bodies {
-            assembly.body(body.element, body.points[0], &body.centre);
+            // a link has no mass, and stands where it begins
+            let place = network.points[body.points[0]].place;
+            let centre = if body.centre.is_empty() { &network.places[place].parts } else { &body.centre };
+            assembly.body(body.element, body.points[0], centre);
         }
         for mass in &network.masses {
             let place = network.points[mass.point].place;
@@ -120,7 +123,7 @@ impl<'a> Assembly<'a> {
         };
         let freedoms = FreedomSet::known(ties.intersection(self.network.dimension.freedoms()));
         // a hinge has its stiffnesses, other joints are rigid
-        let what = if joint.element.kind.known().is_some() { What::Hinge(joint.element) } else { What::Rigid };
+        let what = if joint.element.known().is_some() { What::Hinge(joint.element) } else { What::Rigid };
         self.skeleton.members.push(Member { what, name, kind: Some(keyword), freedoms, ends });
     }
 

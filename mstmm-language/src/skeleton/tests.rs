@@ -2,15 +2,16 @@
 
 use super::Skeleton;
 use crate::diagnostics::Errors;
-use crate::expand::{network, read};
+use crate::expand::{located, network, read};
 use expect_test::{Expect, expect};
 
 #[track_caller]
 fn check(model: &str, text: Expect) {
     let tokens = |text: &str| text.parse::<proc_macro2::TokenStream>().unwrap();
     let mut errors = Errors::default();
-    let model = read(tokens("(mstmm)").into_iter().chain(tokens(model)).collect(), &mut errors).unwrap();
-    text.assert_eq(&Skeleton::of(&network(&model, errors).unwrap()).to_string());
+    let mut model = read(tokens("(mstmm)").into_iter().chain(tokens(model)).collect(), &mut errors).unwrap();
+    let (dimension, errors) = located(&mut model, errors).unwrap();
+    text.assert_eq(&Skeleton::of(&network(&model, dimension, errors).unwrap()).to_string());
 }
 
 /// Two storeys: the girders close loops between the columns, and the brace closes one more.
@@ -31,7 +32,7 @@ fn loops_and_the_members_that_close_them() {
             # Size
 
             ```text
-            nodes 6, members 7, unknowns at once 16
+            nodes 6, members 7, unknowns at once 21
             closed loops 2, cut at planar_beam 6, spring brace
             unknowns of the overall transfer equation 14, root pinned at planar_beam 5
             ```
@@ -69,7 +70,7 @@ fn nodes_that_are_no_points() {
             # Size
 
             ```text
-            nodes 8, members 8, unknowns at once 9
+            nodes 8, members 8, unknowns at once 11
             closed loops 1, cut at spring 6
             unknowns of the overall transfer equation 18, root roller at conn c
             ```

@@ -235,7 +235,8 @@ fn a_parameter_is_written_with_a_colon() {
         fixed -> spring 2 { stiffness 1.0 } -> free;
                                       ^^^ expected `:`: a parameter is written `stiffness: value`
         fixed -> spring 3 { .. } -> free;
-                            ^^ expected a parameter, `name: value`, or `name` alone for the value of that name
+                            ^^ `..` stands before the name of a section, whose parameters the element takes:
+                            | `..steel`
         fixed -> spring 4 { 1.0 } -> free;
                             ^^^ expected a parameter, `name: value`, or `name` alone for the value of that
                             | name

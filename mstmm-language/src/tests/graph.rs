@@ -1,24 +1,35 @@
 //! Messages about the graph.
 
-use super::assert_refused;
+use super::{assert_refused, expanded};
 
 #[test]
-fn elements_and_connections_share_one_set_of_labels() {
+fn elements_share_one_set_of_labels() {
     assert_refused(
         "
         struct M;
         fixed -> spring 1 { stiffness: 1.0 } -> mass 1 { mass: 1.0 } -> free;
-                                                     ^ label `1` is taken by `spring 1`: elements and
-                                                     | connections share one set of labels, and an element is
-                                                     | written once
+                                                     ^ label `1` is taken by `spring 1`: elements share one
+                                                     | set of labels, and an element is written once
                  ^^^^^^^^ label `1` is first used here
-        fixed -> spring arm { stiffness: 1.0 } -> conn arm -> free;
-                                                       ^^^ label `arm` is taken by `spring arm`: elements and
-                                                       | connections share one set of labels, and an element
-                                                       | is written once
+        fixed -> spring arm { stiffness: 1.0 } -> conn arm -> mass arm { mass: 1.0 } -> free;
+                                                                   ^^^ label `arm` is taken by `spring arm`:
+                                                                   | elements share one set of labels, and an
+                                                                   | element is written once
                  ^^^^^^^^^^ label `arm` is first used here
         ",
     );
+}
+
+/// Both sets may have the same names, of models with places, too.
+#[test]
+fn connections_have_a_set_of_labels_of_their_own() {
+    let tree =
+        "struct M; fixed -> beam a { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a -> free";
+    let located = "struct M; fixed at 0.0 -> beam a { bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at 1.0";
+    for model in [tree, located] {
+        let code = expanded(model);
+        assert!(code.contains("const conn_a :") && code.contains("const beam_a :"), "{code}");
+    }
 }
 
 #[test]

@@ -22,14 +22,12 @@ fn supports_are_known_by_their_names_elsewhere() {
 #[test]
 fn elements_are_known_by_their_names_elsewhere() {
     let path = |word: &str| format!("struct M {{ l: f64 }} fixed -> {word} 1 {{ length: l }} -> free;");
-    for (word, meant) in
-        [("euler_beam", "beam"), ("hinge", "rotational_hinge"), ("corner", "conn"), ("dashpot", "damper")]
-    {
+    for (word, meant) in [("euler_beam", "beam"), ("link", "rigid_link"), ("corner", "conn"), ("dashpot", "damper")] {
         let found = messages(&path(word));
         assert!(found.contains(&format!("`{word}` is not an element: did you mean `{meant}`?")), "{found}");
     }
     let frame = |word: &str| format!("struct M {{ l: f64 }} fixed at (0.0, 0.0) -> {word} 1 {{}} -> free at (l, 0.0);");
-    for (word, meant) in [("euler_beam", "planar_beam"), ("hinge", "pin"), ("link", "rigid_body")] {
+    for (word, meant) in [("euler_beam", "beam"), ("column", "beam"), ("link", "rigid_link")] {
         let found = messages(&frame(word));
         assert!(found.contains(&format!("`{word}` is not an element: did you mean `{meant}`?")), "{found}");
     }

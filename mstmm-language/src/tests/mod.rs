@@ -9,6 +9,9 @@ mod grammar;
 mod graph;
 mod meant;
 mod network;
+mod new_words;
+mod sections;
+mod types;
 mod words;
 
 use crate::expand::expand_checked;

@@ -126,16 +126,16 @@ fn words_labels_parameters_and_graph_are_shown_together() {
         "
         struct M { k: f64, name: String }
                                  ^^^^^^ a field of a model is an `f64`: compute anything else in a `let` line
-        fixed -> sprng 1 { stiffness: k } -> conn 2 <- mass 2 { mas: 1.0 } <- free;
+        fixed -> sprng 1 { stiffness: k } -> conn 2 <- mass 3 { mas: 1.0 } <- free;
                  ^^^^^ `sprng` is not an element: did you mean `spring`?
                                                                 ^^^ `mass` has no parameter `mas`: did you
                                                                 | mean `mass`?
-                                                            ^ label `2` is taken by `conn 2`: elements and
-                                                            | connections share one set of labels, and an
-                                                            | element is written once
-                                             ^^^^^^ label `2` is first used here
+                                                       ^^^^^^ label `3` is first used here
+                                             ^^^^^^ `conn 2` has no output: lead it on to the root
         fixed -> beam 3 { length: k } -> conn 4;
                  ^^^^^^ `beam 3` lacks `bending_stiffness` and `mass_per_length`
+                      ^ label `3` is taken by `mass 3`: elements share one set of labels, and an element is
+                      | written once
                                          ^^^^^^ `conn 4` has no output: lead it on to the root
         ",
     );
@@ -166,8 +166,12 @@ fn an_element_has_its_parameters_and_no_others() {
                           ^^^^^^ `beam` has no parameter `lenght`: did you mean `length`?
                                                                  ^^^^ `beam` has no parameter `quux`: it has
                                                                  | `length`, `bending_stiffness`,
-                                                                 | `mass_per_length`, `loss_factor`,
-                                                                 | `kelvin_voigt_time` and `external_damping`
+                                                                 | `mass_per_length`, `shear_stiffness`,
+                                                                 | `rotary_inertia`, `axial_force`,
+                                                                 | `foundation_stiffness`,
+                                                                 | `foundation_shear_stiffness`,
+                                                                 | `loss_factor`, `kelvin_voigt_time` and
+                                                                 | `external_damping`
                  ^^^^^^ `beam 1` lacks `mass_per_length`
         conn 2 <- spring_damper 3 { stiffness: 1.0, stiffness: 2.0 } <- fixed;
                                                     ^^^^^^^^^ `spring_damper 3` gives `stiffness` a second

@@ -111,21 +111,30 @@ impl mstmm::__private::Located for Mast {
     }
 }
 const _: () = {
-    #[allow(dead_code, non_snake_case)]
-    struct Labels {
-        /// `conn top`
-        top: (),
-        /// `spring guy`
-        guy: (),
-        /// `conn anchor`
-        anchor: (),
-    }
-    const _: fn(&Labels) = |labels| {
-        let _ = labels.top;
-        let _ = labels.top;
-        let _ = labels.guy;
-        let _ = labels.anchor;
-        let _ = labels.top;
+    const _: () = {
+        #[allow(dead_code, non_snake_case)]
+        struct Labels {
+            /// `conn top`
+            top: (),
+            /// `conn anchor`
+            anchor: (),
+        }
+        const _: fn(&Labels) = |labels| {
+            let _ = labels.top;
+            let _ = labels.top;
+            let _ = labels.anchor;
+            let _ = labels.top;
+        };
+    };
+    const _: () = {
+        #[allow(dead_code, non_snake_case)]
+        struct Labels {
+            /// `spring guy`
+            guy: (),
+        }
+        const _: fn(&Labels) = |labels| {
+            let _ = labels.guy;
+        };
     };
     /// The labels of the sketch: points and members, as results about motions take them.
     #[allow(dead_code, non_upper_case_globals)]
@@ -316,7 +325,7 @@ const _: () = {
                 .describe::<
                     mstmm::__private::elements::Spring<T>,
                 >(1usize, &system.member_1, &mut system.estimates);
-            system.skeleton.arrange(&ORDER.order(3usize, 2usize));
+            system.skeleton.arrange(&ORDER.order());
             system.estimates.finish();
             ::core::result::Result::Ok(system)
         }
@@ -354,24 +363,7 @@ const _: () = {
     #[automatically_derived]
     impl<T: mstmm::__private::Real> mstmm::__private::Placed for MastSystem<T> {
         type Model = Mast;
-        type PerNode<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; 3usize];
-        type PerMember<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; 2usize];
-        fn per_node<V: ::core::marker::Copy + ::core::fmt::Debug>(
-            value: V,
-        ) -> [V; 3usize] {
-            [value; 3usize]
-        }
-        fn per_member<V: ::core::marker::Copy + ::core::fmt::Debug>(
-            value: V,
-        ) -> [V; 2usize] {
-            [value; 2usize]
-        }
-        fn in_factor<S: mstmm::__private::StructureScalar, R>(
-            &self,
-            work: impl ::core::ops::FnOnce(mstmm::__private::Factor<'_, S>) -> R,
-        ) -> R {
-            mstmm::__private::in_factor::<7usize, 3usize, S, R>(self, work)
-        }
+        type Memory = mstmm::__private::Arrays<7usize, 3usize, 2usize>;
         fn sizes(&self) -> [::core::primitive::usize; 2] {
             [3usize, 2usize]
         }
@@ -394,7 +386,7 @@ const _: () = {
             SKETCH.spot(node)
         }
         fn order(&self) -> mstmm::__private::NetworkOrder<'_> {
-            ORDER.order(3usize, 2usize)
+            ORDER.order()
         }
     }
     #[automatically_derived]
@@ -473,7 +465,7 @@ const _: () = {
             x: S,
             counter: &mut C,
         ) -> mstmm::__private::Scaled<S> {
-            mstmm::__private::network_pass::<7usize, Self, S, C>(self, x, counter)
+            mstmm::__private::network_pass::<Self, S, C>(self, x, counter)
         }
     }
     #[automatically_derived]

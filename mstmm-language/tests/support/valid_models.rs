@@ -5,9 +5,9 @@ use crate::choices::Choices;
 use mstmm_language::Space;
 use std::collections::BTreeSet;
 
-/// Keyword and parameters of the elements of a space.
-fn elements(space: Space) -> Vec<(&'static str, &'static [&'static str])> {
-    let own = ("crate::parts::Rope", Space::Bending, &["tension", "mass_per_length"][..]);
+/// Keyword and parameters of the elements of a space: those that it must have, those that it may have, and those of which it has one.
+fn elements(space: Space) -> Vec<(&'static str, [&'static [&'static str]; 3])> {
+    let own = ("crate::parts::Rope", Space::Bending, [&["tension", "mass_per_length"][..], &[], &[]]);
     let all = mstmm_language::elements().chain([own]);
     all.filter(|(_, of, _)| *of == space).map(|(keyword, _, parameters)| (keyword, parameters)).collect()
 }
@@ -22,7 +22,7 @@ fn supports(space: Space) -> &'static [&'static str] {
 
 /// Every parameter is a field, so that each can be written in short.
 fn fields() -> String {
-    let parameters = mstmm_language::elements().flat_map(|(_, _, parameters)| parameters).copied();
+    let parameters = mstmm_language::elements().flat_map(|(_, _, parameters)| parameters.concat());
     let names: BTreeSet<&str> = parameters.chain(["r#type", "tension"]).collect();
     let field = |name: &str| match name {
         "bending_stiffness" => format!("pub {name}: f64, "),
@@ -137,9 +137,20 @@ impl Writer<'_, '_> {
 
     fn element(&mut self, space: Space) -> String {
         let elements = elements(space);
-        let (keyword, parameters) = elements[self.choices.below(elements.len())];
+        let (keyword, [required, optional, one_of]) = elements[self.choices.below(elements.len())];
         let label = self.label(keyword);
-        let parameters: Vec<String> = parameters.iter().map(|name| self.parameter(name)).collect();
+        let mut named = required.to_vec();
+        let optional: Vec<&str> = optional.iter().copied().filter(|_| self.choices.below(3) == 1).collect();
+        named.extend(optional);
+        if !one_of.is_empty() {
+            named.push(self.choices.pick(one_of));
+        }
+        // a hinge gives way, and in the plane it says so
+        let gives_way = if space == Space::Planar { "stiffness_x" } else { "stiffness_y" };
+        if keyword == "hinge" && !named.contains(&gives_way) {
+            named.push(gives_way);
+        }
+        let parameters: Vec<String> = named.iter().map(|name| self.parameter(name)).collect();
         format!("{label} {{ {} }}", parameters.join(", "))
     }
 

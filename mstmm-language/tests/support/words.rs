@@ -3,8 +3,8 @@
 
 use proc_macro2::{TokenStream, TokenTree};
 
-/// Words of models with locations.
-const LOCATED: [&str; 12] = [
+/// Words of models with locations, and sections.
+const OTHERS: [&str; 15] = [
     "at",
     "at 1.0",
     "at (0.0, 1.0)",
@@ -17,6 +17,9 @@ const LOCATED: [&str; 12] = [
     "pin",
     "slider",
     "rz",
+    "section",
+    "section a { mass: 1.0 }",
+    "..a",
 ];
 
 /// The tokens of each word.
@@ -27,9 +30,9 @@ pub(crate) fn words() -> Vec<Vec<TokenTree>> {
     let lines = include_str!("../../../lab/fuzz/words.dict").lines();
     let words = lines.filter(|line| !line.is_empty() && !line.starts_with('#')).map(word);
     let of_elements = mstmm_language::elements()
-        .flat_map(|(keyword, _, parameters)| [keyword].into_iter().chain(parameters.iter().copied()));
+        .flat_map(|(keyword, _, parameters)| [keyword].into_iter().chain(parameters.concat()));
     words
-        .chain(LOCATED.iter().map(|name| word(&format!("\"{name}\""))))
+        .chain(OTHERS.iter().map(|name| word(&format!("\"{name}\""))))
         .chain(of_elements.map(|name| word(&format!("\"{name}\""))))
         .collect()
 }

@@ -23,7 +23,7 @@ system! {
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
           -> body 2 {
                  mass,
-                 inertia: inertia + mass * eccentricity * eccentricity,
+                 inertia,
                  output_x: depth,
                  centre_x: eccentricity,
              }

@@ -25,6 +25,10 @@ struct FirstModel;
 struct Frames;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/from_file.md")]
+struct FromFile;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/free_systems.md")]
 struct FreeSystems;
 

@@ -20,12 +20,16 @@ pub(crate) enum Range {
     ModerateOrZero,
     /// Greater than zero, with a finite reciprocal.
     Invertible,
+    /// The same, or infinite, which is rigid.
+    InvertibleOrRigid,
     /// Zero or greater.
     NonNegative,
     /// Greater than zero, so that the fourth power is not extreme.
     Tame,
     /// Zero, or so.
     TameOrZero,
+    /// So, or infinite, which is rigid.
+    TameOrRigid,
     /// Any position.
     Position,
     /// Greater than the axial force at which a beam of the other values loses its stiffness against shear.
@@ -129,18 +133,28 @@ fn evaluate<S: mstmm::number::Scalar, const N: usize>(
 scenes! {
     Beam = fixed -> beam { length: Moderate, bending_stiffness: Moderate, mass_per_length: Moderate } -> free undamped;
     Body = free -> body {
-        mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position,
+        mass: NonNegative, inertia_about_input: NonNegative, output_x: Position, centre_x: Position,
     } -> free undamped;
     BodyColumn = free -> body {
+        mass: NonNegative, inertia_about_input: NonNegative, output_x: Position, centre_x: Position, axial_force: Position,
+    } -> free undamped;
+    CentralBody = free -> body {
+        mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position,
+    } -> free undamped;
+    CentralBodyColumn = free -> body {
         mass: NonNegative, inertia: NonNegative, output_x: Position, centre_x: Position, axial_force: Position,
     } -> free undamped;
-    ElasticHinge = fixed -> elastic_hinge { stiffness_y: Invertible, stiffness_theta: Invertible } -> free undamped;
+    PlanarCentralBody = free -> body {
+        mass: NonNegative, inertia: NonNegative,
+        output_x: Position, output_y: Position, centre_x: Position, centre_y: Position,
+    } -> free undamped;
+    ElasticHinge = fixed -> hinge { stiffness_y: Invertible, stiffness_rz: Invertible } -> free undamped;
     Spring = fixed -> spring { stiffness: Invertible } -> free undamped;
     Damper = fixed -> damper { damping: NonNegative } -> free;
-    SpringDamper = fixed -> spring_damper { stiffness: Invertible, damping: NonNegative } -> free;
+    SpringDamper = fixed -> spring { stiffness: Invertible, damping: NonNegative } -> free;
     TorsionSpring = fixed -> torsion_spring { stiffness: Invertible } -> free undamped;
     TorsionDamper = fixed -> torsion_damper { damping: NonNegative } -> free;
-    TorsionSpringDamper = fixed -> torsion_spring_damper { stiffness: Invertible, damping: NonNegative } -> free;
+    TorsionSpringDamper = fixed -> torsion_spring { stiffness: Invertible, damping: NonNegative } -> free;
     Mass = free -> mass { mass: NonNegative } -> free undamped;
     Inertia = free -> inertia { inertia: NonNegative } -> free undamped;
     PointMass = free -> point_mass { mass: NonNegative, inertia: NonNegative } -> free undamped;
@@ -153,19 +167,19 @@ scenes! {
     Shaft = fixed -> shaft {
         length: Moderate, torsional_stiffness: Moderate, inertia_per_length: Moderate,
     } -> free undamped;
-    PlanarBeam = fixed -> planar_beam {
+    PlanarBeam = fixed -> beam {
         length: Positive, axial_stiffness: Positive, bending_stiffness: Positive, mass_per_length: Positive,
     } -> free undamped;
-    RayleighBeam = fixed -> rayleigh_beam {
+    RayleighBeam = fixed -> beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, rotary_inertia: TameOrZero,
     } -> free undamped;
-    TimoshenkoBeam = fixed -> timoshenko_beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: Tame, rotary_inertia: TameOrZero,
+    TimoshenkoBeam = fixed -> beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid, rotary_inertia: TameOrZero,
     } -> free undamped;
-    BeamColumn = fixed -> beam_column {
+    BeamColumn = fixed -> beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, axial_force: Position,
     } -> free undamped;
-    FoundationBeam = fixed -> foundation_beam {
+    FoundationBeam = fixed -> beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame,
         foundation_stiffness: TameOrZero, foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
@@ -174,17 +188,17 @@ scenes! {
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
-    PlanarRayleighBeam = fixed -> planar_rayleigh_beam {
+    PlanarRayleighBeam = fixed -> beam {
         length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, rotary_inertia: TameOrZero,
     } -> free undamped;
-    PlanarTimoshenkoBeam = fixed -> planar_timoshenko_beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: Tame,
+    PlanarTimoshenkoBeam = fixed -> beam {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero,
     } -> free undamped;
-    PlanarBeamColumn = fixed -> planar_beam_column {
+    PlanarBeamColumn = fixed -> beam {
         length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, axial_force: Position,
     } -> free undamped;
-    PlanarFoundationBeam = fixed -> planar_foundation_beam {
+    PlanarFoundationBeam = fixed -> beam {
         length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame,
         foundation_stiffness: TameOrZero, foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
@@ -193,24 +207,24 @@ scenes! {
         shear_flexibility: TameOrZero, rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
-    PlanarBody = free -> planar_body {
-        mass: NonNegative, inertia: NonNegative,
+    PlanarBody = free -> body {
+        mass: NonNegative, inertia_about_input: NonNegative,
         output_x: Position, output_y: Position, centre_x: Position, centre_y: Position,
     } -> free undamped;
-    PlanarHinge = fixed -> planar_hinge {
-        stiffness_x: Invertible, stiffness_y: Invertible, stiffness_theta: Invertible,
+    PlanarHinge = fixed -> hinge {
+        stiffness_x: InvertibleOrRigid, stiffness_y: InvertibleOrRigid, stiffness_rz: InvertibleOrRigid,
     } -> free undamped;
-    RotationalHinge = fixed -> rotational_hinge { stiffness: NonNegative } -> free undamped;
-    ShearHinge = fixed -> shear_hinge { stiffness: NonNegative } -> free undamped;
-    Lever = fixed -> lever { output_x: Position } -> free undamped;
-    LeverColumn = fixed -> lever { output_x: Position, axial_force: Position } -> free undamped;
+    RotationalHinge = fixed -> hinge { stiffness_rz: NonNegative } -> free undamped;
+    ShearHinge = fixed -> hinge { stiffness_y: NonNegative } -> free undamped;
+    Lever = fixed -> rigid_link { output_x: Position } -> free undamped;
+    LeverColumn = fixed -> rigid_link { output_x: Position, axial_force: Position } -> free undamped;
     TaperedBeam = fixed -> tapered_beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, width_taper: Taper, height_taper: Taper,
         rotary_inertia: TameOrZero, axial_force: Position, rotation_speed: TameOrZero, hub_radius: Position, setting_angle: Position,
         foundation_stiffness: Position,
     } -> free undamped;
-    DampedSpring = fixed -> spring { stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative } -> free;
-    DampedTorsionSpring = fixed -> torsion_spring { stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative } -> free;
+    DampedSpring = fixed -> spring { stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative } -> free;
+    DampedTorsionSpring = fixed -> torsion_spring { stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative } -> free;
     DampedString = fixed -> string {
         length: Moderate, tension: Moderate, mass_per_length: Moderate, foundation_stiffness: ModerateOrZero, external_damping: NonNegative,
     } -> free;
@@ -228,7 +242,7 @@ scenes! {
         foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
     } -> free;
     DampedTimoshenkoBeam = fixed -> timoshenko_beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: Tame, rotary_inertia: TameOrZero,
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid, rotary_inertia: TameOrZero,
         loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
     } -> free;
     PlanarDampedBeam = fixed -> planar_general_beam {
@@ -237,7 +251,27 @@ scenes! {
         foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
     } -> free;
     PlanarDampedTimoshenkoBeam = fixed -> planar_timoshenko_beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: Tame,
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
+    } -> free;
+    UniformBeam = fixed -> beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero,
+    } -> free undamped;
+    PlanarUniformBeam = fixed -> beam {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero,
+    } -> free undamped;
+    DampedUniformBeam = fixed -> beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
+    } -> free;
+    PlanarDampedUniformBeam = fixed -> beam {
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
     } -> free;
 }

@@ -5,7 +5,7 @@ system! {
 
     fixed -> spring 1 { stiffness: k } -> mass 1 { mass: m } -> free;
 //           ^^^^^^^^ label `1` is first used here
-//                                             ^ elements and connections share one set of labels, and an element is written once
+//                                             ^ elements share one set of labels, and an element is written once
 }
 
 fn main() {}

@@ -7,10 +7,11 @@ system! {
     fixd -> sprng 1 { stiffness: k } -> conn 2 -> free;
 //  ^^^^ did you mean `fixed`?
 //          ^^^^^ did you mean `spring`?
-//                                      ^^^^^^ label `2` is first used here
     conn 2 <- mass 2 { mas: m } <- free;
-//                 ^ elements and connections share one set of labels, and an element is written once
+//            ^^^^^^ label `2` is first used here
 //                     ^^^ did you mean `mass`?
+    free -> mass 2 { mass: m } -> conn 2;
+//               ^ elements share one set of labels, and an element is written once
     free -> conn 5;
 //          ^^^^^^ lead it on to the root
 }

@@ -99,7 +99,7 @@ system! {
     fixed -> torsion_spring 11 { stiffness: kt } -> conn 0;
     free -> inertia 12 { inertia: 0.3 * m } -> torsion_spring 13 { stiffness: 0.8 * kt } -> conn 0;
     free -> inertia 14 { inertia: 0.1 * m } -> conn 0;
-    free -> body 15 { mass: m, inertia: m, output_x: 0.3, centre_x: -0.2 } -> conn 0;
+    free -> body 15 { mass: m, inertia_about_input: m, output_x: 0.3, centre_x: -0.2 } -> conn 0;
     free -> point_mass 16 { mass: 0.1 * m, inertia: 0.1 * m } -> conn 0;
     fixed -> elastic_hinge 17 { stiffness_y: k, stiffness_theta: kt } -> conn 0;
     fixed -> spring 18 { stiffness: k } -> mass 19 { mass: m } -> spring 20 { stiffness: 3.0 * k } -> conn 0;
@@ -112,11 +112,11 @@ system! {
     #[derive(Clone, Copy, Debug)]
     pub(crate) struct Bodies { pub(crate) b: f64, pub(crate) c: f64, pub(crate) m: f64, pub(crate) l: f64 }
 
-    free -> body 1 { mass: m, inertia: m + m * c * c, output_x: b, centre_x: c }
+    free -> body 1 { mass: m, inertia_about_input: m + m * c * c, output_x: b, centre_x: c }
          -> beam 2 { length: l, bending_stiffness: 1.0, mass_per_length: 0.4 }
-         -> body 3 { mass: 2.0 * m, inertia: m + 2.0 * m * c * c, output_x: -b, centre_x: 0.5 * c }
+         -> body 3 { mass: 2.0 * m, inertia_about_input: m + 2.0 * m * c * c, output_x: -b, centre_x: 0.5 * c }
          -> elastic_hinge 4 { stiffness_y: 7.0, stiffness_theta: 2.0 }
-         -> body 5 { mass: m, inertia: m * c * c, output_x: 0.4, centre_x: -c }
+         -> body 5 { mass: m, inertia_about_input: m * c * c, output_x: 0.4, centre_x: -c }
          -> point_mass 6 { mass: m, inertia: 0.1 }
          -> beam 7 { length: 0.5 * l, bending_stiffness: 1.0, mass_per_length: 0.4 } -> pinned;
 }

@@ -120,6 +120,8 @@ impl Reader<'_> {
         while !self.takes("}") {
             let name = self.next();
             let value = if self.takes(":") { self.sum() } else { self.value(&name) };
+            // the laws of bodies are about their input ends
+            let name = if name == "inertia_about_input" { "inertia".to_owned() } else { name };
             parameters.insert(name, value);
             self.takes(",");
         }

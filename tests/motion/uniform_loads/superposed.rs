@@ -17,7 +17,7 @@ system! {
     /// A frame of two arms with a damper, a body and a spring.
     struct Whole { l: f64, c: f64 }
     fixed -> beam 1 { length: l, bending_stiffness: 2.0, mass_per_length: 0.8 } -> conn 2
-          -> body 3 { mass: 0.5, inertia: 0.1, output_x: 0.3, centre_x: 0.1 } -> timoshenko_beam 4 {
+          -> body 3 { mass: 0.5, inertia_about_input: 0.1, output_x: 0.3, centre_x: 0.1 } -> timoshenko_beam 4 {
               length: 0.7, bending_stiffness: 1.0, mass_per_length: 0.5, shear_stiffness: 30.0, rotary_inertia: 0.02
           } -> pinned;
     conn 2 <- spring_damper 5 { stiffness: 3.0, damping: c } <- mass 6 { mass: 0.2 } <- free;
@@ -34,7 +34,7 @@ system! {
           -> beam 16 { length: (GAUSS[5].0 - GAUSS[4].0) * l, bending_stiffness: 2.0, mass_per_length: 0.8 }
           -> beam 17 { length: (GAUSS[6].0 - GAUSS[5].0) * l, bending_stiffness: 2.0, mass_per_length: 0.8 }
           -> beam 18 { length: (1.0 - GAUSS[6].0) * l, bending_stiffness: 2.0, mass_per_length: 0.8 } -> conn 2
-          -> body 3 { mass: 0.5, inertia: 0.1, output_x: 0.3, centre_x: 0.1 } -> timoshenko_beam 4 {
+          -> body 3 { mass: 0.5, inertia_about_input: 0.1, output_x: 0.3, centre_x: 0.1 } -> timoshenko_beam 4 {
               length: 0.7, bending_stiffness: 1.0, mass_per_length: 0.5, shear_stiffness: 30.0, rotary_inertia: 0.02
           } -> pinned;
     conn 2 <- spring_damper 5 { stiffness: 3.0, damping: c } <- mass 6 { mass: 0.2 } <- free;

@@ -8,7 +8,7 @@ system! {
     /// Everything that has a mass, in the air.
     pub(super) struct Flying { pub(super) l: f64, pub(super) mass: f64, pub(super) c: f64 }
     free -> beam 1 { length: l, bending_stiffness: 2.0, mass_per_length: 0.8 } -> conn 2
-         -> body 3 { mass: 0.5, inertia: 0.1, output_x: 0.3, centre_x: c } -> lever 4 { output_x: -0.2 } -> timoshenko_beam 5 {
+         -> body 3 { mass: 0.5, inertia_about_input: 0.1, output_x: 0.3, centre_x: c } -> lever 4 { output_x: -0.2 } -> timoshenko_beam 5 {
              length: 0.7, bending_stiffness: 1.0, mass_per_length: 0.5, shear_stiffness: 30.0, rotary_inertia: 0.02
          } -> point_mass 6 { mass, inertia: 0.3 } -> elastic_hinge 7 { stiffness_y: 3.0, stiffness_theta: 2.0 } -> conn 8 -> free;
     conn 2 <- spring 9 { stiffness: 3.0 } <- mass 10 { mass: 0.2 } <- free;
@@ -40,7 +40,7 @@ system! {
     /// A bridge with a machine on it, and a tank that hangs from it.
     struct Bridge { span: f64, m: f64, machine: f64, tank: f64 }
     pinned -> beam 1 { length: 0.3 * span, bending_stiffness: 5.0, mass_per_length: m } -> conn 2
-           -> body 3 { mass: machine, inertia: machine, output_x: 0.2, centre_x: 0.1 }
+           -> body 3 { mass: machine, inertia_about_input: machine, output_x: 0.2, centre_x: 0.1 }
            -> rayleigh_beam 4 { length: 0.5 * span, bending_stiffness: 4.0, mass_per_length: 2.0 * m, rotary_inertia: 0.1 } -> pinned;
     conn 2 <- spring 5 { stiffness: 3.0 } <- mass 6 { mass: tank } <- free;
 }

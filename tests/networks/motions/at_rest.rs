@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "the structures are right")]
 
 use crate::structure::{Freedoms, Node, Section, Structure};
-use crate::through_library::{Moving, asked_to_move};
+use crate::through_library::{Undamped, asked};
 use mstmm::motion::{MemberEnd, MemberLabel, MotionError, PlaneEntry, PlaneLoad, PlanePoint};
 use mstmm::network::InNetwork;
 use mstmm::prelude::*;
@@ -10,7 +10,7 @@ use mstmm::prelude::*;
 const SECTION: Section = Section { axial_stiffness: 3e4, bending_stiffness: 2.0, mass_per_length: 1.5 };
 
 fn at_rest(structure: &Structure, load: PlaneLoad<InNetwork>, entry: PlaneEntry<InNetwork>) -> f64 {
-    asked_to_move(structure, |network| {
+    asked(structure, |network| {
         network.frequency_response(load, entry).and_then(|response| response.at(0.0)).map_err(|error| error.to_string())
     })
     .unwrap()
@@ -97,7 +97,7 @@ fn a_multiple_root_of_another_structure_is_none() {
         structure
     };
     let roots = |structure: &Structure| {
-        asked_to_move(structure, |network: &Moving<'_>| {
+        asked(structure, |network: &Undamped| {
             Ok(network.first_frequencies::<8>().map_err(|error| error.to_string())?.to_vec())
         })
         .unwrap()
@@ -108,13 +108,10 @@ fn a_multiple_root_of_another_structure_is_none() {
     let at_rest = roots(&square(true, 1.0)).into_iter().find(|root| root.omega == 0.0).unwrap();
     assert_eq!(at_rest.multiplicity, 3);
     for root in multiple.iter().chain([&at_rest]) {
-        let told =
-            asked_to_move(&other, |network| Ok(network.mode_shapes::<4, _>(root).map(|shapes| shapes.iter().count())));
+        let told = asked(&other, |network| Ok(network.mode_shapes::<4, _>(root).map(|shapes| shapes.iter().count())));
         assert!(matches!(told, Ok(Err(MotionError::NotARoot { .. }))), "{told:?}");
     }
-    let own = asked_to_move(&held, |network| {
-        Ok(network.mode_shapes::<4, _>(&multiple[0]).map(|shapes| shapes.iter().count()))
-    });
+    let own = asked(&held, |network| Ok(network.mode_shapes::<4, _>(&multiple[0]).map(|shapes| shapes.iter().count())));
     assert_eq!(own, Ok(Ok(multiple[0].multiplicity as usize)));
 }
 
@@ -141,7 +138,7 @@ fn a_mechanism_is_named_and_no_resonance() {
     structure.beam(clamp, tip, SECTION);
     structure.spring(tip, free, 5.0);
     structure.spring(free, wall, 5.0);
-    let told = asked_to_move(&structure, |network| {
+    let told = asked(&structure, |network| {
         let point = PlanePoint::node(tip);
         let response = network.frequency_response(point.force_x(), point.displacement_x()).unwrap();
         Ok([0.0, 1.0, 100.0]

@@ -6,7 +6,7 @@ use crate::families::random::Spread;
 use crate::families::{Named, named_structures, random_structures};
 use crate::large::around;
 use crate::structure::{Element, Structure};
-use crate::through_library::{Moving, asked_to_move};
+use crate::through_library::{Undamped, asked};
 use mstmm::motion::{MotionError, MovingNetwork, PlaneFrequency, PlaneShape, PlaneStates};
 use mstmm::prelude::*;
 use mstmm::search::System;
@@ -14,7 +14,7 @@ use mstmm::search::System;
 /// Part of the largest force or displacement by which nothing may differ.
 const PART: f64 = 1e-11;
 
-type Shape<'a> = PlaneShape<'a, Moving<'a>, f64>;
+type Shape<'a> = PlaneShape<'a, Undamped, f64>;
 
 /// What was seen of a number of shapes.
 #[derive(Debug, Default)]
@@ -153,12 +153,12 @@ fn look(
     name: &str,
     structure: &Structure,
     tally: &mut Tally,
-    ask: impl FnOnce(&Moving<'_>) -> Result<Vec<NaturalFrequency<f64>>, String> + Send,
+    ask: impl FnOnce(&Undamped) -> Result<Vec<NaturalFrequency<f64>>, String> + Send,
 ) {
     if structure.nodes.len() > 60 || structure.members.len() > 80 {
         return;
     }
-    let seen = asked_to_move(structure, |network| {
+    let seen = asked(structure, |network| {
         let mut tally = Tally { structures: 1, ..Tally::default() };
         let mut shapes: Vec<Shape<'_>> = Vec::new();
         for root in ask(network)? {
@@ -196,7 +196,7 @@ fn look(
     }
 }
 
-fn first(network: &Moving<'_>) -> Result<Vec<NaturalFrequency<f64>>, String> {
+fn first(network: &Undamped) -> Result<Vec<NaturalFrequency<f64>>, String> {
     network.first_frequencies::<10>().map(|found| found.to_vec()).map_err(|error| error.to_string())
 }
 

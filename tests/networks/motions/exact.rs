@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a file that is not as it should be fails the test")]
 
 use crate::reference_cases::{node_names, reference_cases};
-use crate::through_library::asked_to_move;
+use crate::through_library::asked;
 use mstmm::motion::PlanePoint;
 use mstmm::prelude::*;
 use serde_json::Value;
@@ -37,7 +37,7 @@ fn receptances_of_reference_cases_are_exact() {
                 for (place, exact) in receptance["at"].as_array().unwrap().iter().zip(exact) {
                     let (read, axis) = point(place);
                     let entry = if axis == "x" { read.displacement_x() } else { read.displacement_y() };
-                    let value = asked_to_move(&structure, |network| {
+                    let value = asked(&structure, |network| {
                         let response = network.frequency_response(load, entry).unwrap();
                         response.at(omega).map_err(|error| error.to_string())
                     });
@@ -57,7 +57,7 @@ fn shapes_of_reference_cases_are_exact() {
     for (structure, names, wanted) in cases("shapes") {
         for shape in wanted.as_array().unwrap() {
             let mode = shape["mode"].as_u64().unwrap() as usize;
-            let found = asked_to_move(&structure, |network| {
+            let found = asked(&structure, |network| {
                 let roots = network.first_frequencies::<4>().unwrap();
                 let shape = network.mode_shape(&roots[mode - 1]).map_err(|error| error.to_string())?;
                 Ok((0..names.len()).map(|node| shape.node(node).unwrap()).collect::<Vec<_>>())

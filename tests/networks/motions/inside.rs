@@ -5,7 +5,7 @@ use crate::families::damped::damped_structure;
 use crate::families::random::Spread;
 use crate::families::{Named, named_structures, random_structures};
 use crate::structure::{Element, Freedoms, Node, Structure};
-use crate::through_library::{Moving, asked_to_decay, asked_to_move};
+use crate::through_library::{Undamped, asked, asked_to_decay};
 use mstmm::Complex;
 use mstmm::motion::{MemberLabel, MemberState, MotionError, PlanePoint};
 use mstmm::network::InNetwork;
@@ -45,7 +45,7 @@ fn compare_undamped((name, structure): &Named, seed: usize, omega: f64, worst: &
     let (with_node, node, distance) = split(structure, member, part);
     let free = structure.nodes.iter().position(|node| node.held == Freedoms::NONE)?;
     let ask = |structure: &Structure, inside: bool| {
-        asked_to_move(structure, |network: &Moving<'_>| {
+        asked(structure, |network: &Undamped| {
             let point = PlanePoint::node(free);
             let response = network.frequency_response(point.force_y(), point.displacement_x()).unwrap();
             let states = response.states(omega).map_err(|error| error.to_string())?;
@@ -149,7 +149,7 @@ fn shares_of_energies_are_integrals_along_members() {
         if structure.nodes.len() > 40 {
             continue;
         }
-        let told = asked_to_move(&structure, |network| {
+        let told = asked(&structure, |network| {
             let roots = network.first_frequencies::<6>().map_err(|error| error.to_string())?;
             let mut off = Vec::new();
             for root in roots.iter().filter(|root| root.multiplicity == 1 && root.omega > 0.0) {
@@ -199,7 +199,7 @@ fn a_beam_has_the_nodes_of_its_modes_and_unit_deflection() {
     let section = crate::structure::Section { axial_stiffness: 1e9, bending_stiffness: 1.0, mass_per_length: 1.0 };
     structure.beam(foot, tip, section);
     structure.spring(foot, tip, 1e-3);
-    let told = asked_to_move(&structure, |network| {
+    let told = asked(&structure, |network| {
         let roots = network.first_frequencies::<6>().unwrap();
         for (mode, root) in roots.iter().enumerate() {
             let shape = network.mode_shape(root).unwrap();

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "the structures are right")]
 
 use crate::structure::{Freedoms, Node, Section, Structure};
-use crate::through_library::{Moving, asked_to_move};
+use crate::through_library::{Undamped, asked};
 use mstmm::motion::{MemberLabel, MotionError, PlanePoint};
 use mstmm::network::InNetwork;
 use mstmm::prelude::*;
@@ -13,9 +13,9 @@ const SECTION: Section = Section { axial_stiffness: 1e4, bending_stiffness: 1.0,
 fn ask<R: Send>(
     structure: &Structure,
     multiplicity: u64,
-    question: impl Fn(&Moving<'_>, &NaturalFrequency<f64>) -> R + Send + Sync,
+    question: impl Fn(&Undamped, &NaturalFrequency<f64>) -> R + Send + Sync,
 ) -> Vec<R> {
-    let told = asked_to_move(structure, |network| {
+    let told = asked(structure, |network| {
         let roots = network.natural_frequencies::<12>(0.0..=100.0).map_err(|error| error.to_string())?;
         Ok(roots.iter().filter(|root| root.multiplicity == multiplicity).map(|root| question(network, root)).collect())
     });
@@ -31,7 +31,7 @@ fn equal_beams_between_clamps_move_each_alone() {
         clamps.windows(2).for_each(|pair| structure.beam(pair[0], pair[1], SECTION));
         let seen = ask(&structure, u64::from(count), |network, root| {
             let shapes = network.mode_shapes::<6, _>(root).unwrap();
-            let of_shape = |shape: &mstmm::motion::PlaneShape<'_, Moving<'_>, f64>| {
+            let of_shape = |shape: &mstmm::motion::PlaneShape<'_, Undamped, f64>| {
                 let members = 0..count as usize;
                 let ends = members.flat_map(|member| shape.member(member).unwrap()).copied();
                 let moved = ends.flat_map(|end| end.displacements).map(f64::abs).fold(0.0, f64::max);
@@ -62,7 +62,7 @@ fn oscillators(stiffnesses: &[f64]) -> Structure {
 #[test]
 fn equal_oscillators_follow_the_ground_alike() {
     let structure = oscillators(&[100.0, 1.0, 1.0, 1.0]);
-    let told = asked_to_move(&structure, |network| {
+    let told = asked(&structure, |network| {
         let roots = network.first_frequencies::<4>().map_err(|error| error.to_string())?;
         let moved = (1..=4).map(|node| {
             let entry = PlanePoint::node(node).displacement_x();
@@ -124,7 +124,7 @@ fn forces_of_slow_motions_are_those_of_slower_ones() {
     let nodes = [corners[0], corners[1], corners[2], last];
     (0..4).for_each(|k| structure.beam(nodes[k], nodes[(k + 1) % 4], SECTION));
     for member in 0..4 {
-        let told = asked_to_move(&structure, |network| {
+        let told = asked(&structure, |network| {
             let entry = MemberLabel::<InNetwork, ()>::member(member).input().axial_force();
             let response = network.frequency_response(PlanePoint::node(0).force_x(), entry).unwrap();
             Ok([1e-3, 3e-4, 1e-4, 5e-5, 1e-5, 0.0].map(|omega| response.at(omega).unwrap()))

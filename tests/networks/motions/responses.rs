@@ -6,7 +6,7 @@ use crate::families::{Named, named_structures, random_structures};
 use crate::oracle::Oracle;
 use crate::stiffness_matrix::discs::C;
 use crate::structure::Structure;
-use crate::through_library::asked_to_move;
+use crate::through_library::asked;
 use mstmm::motion::PlanePoint;
 use mstmm::number::{DoubleDouble, Parameter};
 use mstmm::prelude::*;
@@ -113,7 +113,7 @@ fn moved(structure: &Structure) -> Structure {
 
 /// The displacements of all nodes by the library.
 fn responses(structure: &Structure, omega: f64, node: usize, axis: usize) -> Result<Vec<[f64; 3]>, String> {
-    asked_to_move(structure, |network| {
+    asked(structure, |network| {
         let point = PlanePoint::node(node);
         let load = [point.force_x(), point.force_y(), point.torque_z()][axis];
         let response = network.frequency_response(load, point.displacement_x()).map_err(|error| error.to_string())?;
@@ -164,7 +164,7 @@ fn responses_at_speed_lose_the_ratio_of_stiffnesses() {
     for (ratio, worst) in [1e3, 1e8].into_iter().zip(&mut worst) {
         let structure = crate::families::named::portal(ratio, 1.0);
         for omega in [0.0, 0.37, 2.9, 17.3, 71.0] {
-            let differences = asked_to_move(&structure, |network| {
+            let differences = asked(&structure, |network| {
                 let point = PlanePoint::node(2);
                 let response = network
                     .frequency_response(point.force_x(), point.displacement_x())

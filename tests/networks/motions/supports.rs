@@ -7,7 +7,7 @@ use crate::families::{Named, named_structures, random_structures};
 use crate::oracle::Oracle;
 use crate::stiffness_matrix::discs::C;
 use crate::structure::{Freedoms, Node, Structure};
-use crate::through_library::{asked_to_decay, asked_to_move};
+use crate::through_library::{asked, asked_to_decay};
 use mstmm::Complex;
 use mstmm::motion::{MotionError, PlaneLoad, PlanePoint};
 use mstmm::network::InNetwork;
@@ -70,7 +70,7 @@ fn along(structure: &Structure, node: usize, axis: usize, force: [Complex<f64>; 
 }
 
 fn undamped(structure: &Structure, omega: f64, node: usize, axis: usize) -> Result<Moved, String> {
-    asked_to_move(structure, |network| {
+    asked(structure, |network| {
         let entry = PlanePoint::node(0).displacement_x();
         let response = network.frequency_response(load(node, axis), entry).map_err(|error| error.to_string())?;
         let states = response.states(omega).map_err(|error| error.to_string())?;
@@ -176,7 +176,7 @@ fn what_nothing_holds_neither_moves_nor_reacts() {
     let tip = structure.node(Node::at([1.0, 0.0]).along([1.0, 1.0]));
     let section = crate::structure::Section { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 };
     structure.beam(foot, tip, section);
-    let told = asked_to_move(&structure, |network| {
+    let told = asked(&structure, |network| {
         let [foot, tip] = [foot, tip].map(PlanePoint::node);
         let ask = |load| network.frequency_response(load, tip.displacement_x()).and_then(|response| response.at(0.3));
         let free = mstmm::network::Freedoms::RZ;

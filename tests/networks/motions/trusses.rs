@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a truss that does not answer fails the test")]
 
 use mstmm::motion::{MemberLabel, PlanePoint};
-use mstmm::network::{Freedoms, InNetwork, Joint, Member, Network, Node, Room, Section, UndampedMember};
+use mstmm::network::{Freedoms, InNetwork, Joint, Member, Network, Node, Section, UndampedMember};
 use mstmm::prelude::*;
 
 type Frame = Member<UndampedMember<f64>>;
@@ -33,8 +33,7 @@ fn forces(section: Section<f64>, loaded: usize) -> Vec<f64> {
         [Frame::new(input, output, section), Frame::new(*from, input, pin()), Frame::new(output, *to, pin())]
     };
     let members: Vec<Frame> = BARS.iter().enumerate().flat_map(with_pins).collect();
-    let mut room = Room::<_, 19, 21>::new();
-    let truss = Network::<_, 40, _, _>::new(&nodes, &members, &mut room).unwrap();
+    let truss = Network::new(&nodes, &members).unwrap();
     let force = |bar: usize| {
         let end = MemberLabel::<InNetwork, ()>::member(3 * bar).input();
         let response = truss.frequency_response(PlanePoint::node(loaded).force_y(), end.axial_force()).unwrap();

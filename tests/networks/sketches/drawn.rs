@@ -4,7 +4,7 @@ use super::frames::{InclinedRoller, ThreePorts};
 use crate::portal;
 use mstmm::elements::Spring;
 use mstmm::motion::{Drawn, DrawnEnd};
-use mstmm::network::{End, Freedoms, Member, Network, Node, Room, Section, Support, UndampedMember};
+use mstmm::network::{End, Freedoms, Member, Network, Node, Section, Support, UndampedMember};
 use mstmm::prelude::*;
 
 /// The freedoms of the plane without the rotation.
@@ -174,8 +174,7 @@ fn a_list_has_indices_for_names() {
         Frame::new(End::of(1).at([2.5, 0.5]), End::of(2).releasing(Freedoms::RZ), section),
         Frame::new(1, 0, Spring { stiffness: 3.0 }).along([0.0, 2.0]),
     ];
-    let mut room = Room::<_, 4, 5>::new();
-    let system = Network::<_, 20, _, _>::new(&nodes, &members_of, &mut room).unwrap();
+    let system = Network::new(&nodes, &members_of).unwrap();
     let expected = vec![("node 0", [0.0, 0.0]), ("node 1", [2.0, 0.0]), ("node 2", [4.0, 1.0])];
     assert_eq!(points(&system), named(expected));
     let expected = [("member 0", "beam", [0, 1]), ("member 1", "beam", [1, 2]), ("member 2", "Spring", [1, 0])];

@@ -15,7 +15,7 @@ mod trees {
         fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m } -> conn 2
             -> beam 3 { length: 2.0 * l, bending_stiffness: ei, mass_per_length: 2.0 * m }
             -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: 0.3 * k } -> beam 5 { length: l, bending_stiffness: ei, mass_per_length: m }
-            -> body 6 { mass, inertia: 0.125 + mass * 0.0625, output_x: 0.5, centre_x: 0.25 } -> conn 7 -> free;
+            -> body 6 { mass, inertia_about_input: 0.125 + mass * 0.0625, output_x: 0.5, centre_x: 0.25 } -> conn 7 -> free;
         conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass } <- spring 10 { stiffness: 0.5 * k } <- fixed;
         conn 2 <- torsion_spring 11 { stiffness: k } <- inertia 12 { inertia: 0.2 * mass } <- free;
         conn 7 <- spring 13 { stiffness: k } <- fixed;

@@ -7,7 +7,13 @@ use std::fmt::Write;
 
 /// An element as the source of a model.
 fn element(part: &Part, label: usize) -> String {
-    let parameters: Vec<String> = part.named().iter().map(|(name, value)| format!("{name}: {value:?}")).collect();
+    // a body of lists has its inertia about the input end
+    let word = |name: &&'static str| match (part, *name) {
+        (Part::Body(_), "inertia") => "inertia_about_input",
+        (_, name) => name,
+    };
+    let parameters: Vec<String> =
+        part.named().iter().map(|(name, value)| format!("{}: {value:?}", word(name))).collect();
     format!("{} {label} {{ {} }}", part.keyword(), parameters.join(", "))
 }
 

@@ -28,8 +28,8 @@ where
         &self,
         label: MemberLabel<Y::Model, E>,
     ) -> Result<EnergyShares<<Y as System>::Parameter>, MotionError> {
-        self.member(label.index())?;
-        Ok(self.shares(self.forms(label.index(), S::conjugate)))
+        let member = self.system.member_of(label.handle())?;
+        Ok(self.shares(self.forms(member, S::conjugate)))
     }
 
     /// The shares of the rigid bodies and masses that move with a point; they have kinetic energy alone.

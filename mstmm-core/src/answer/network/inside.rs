@@ -41,7 +41,7 @@ where
     /// [`MotionError::Outside`] for a distance beyond its ends; [`MotionError::NoInside`] for springs, dampers and joints;
     /// [`MotionError::NoSuchPoint`] for a member that this system has not got.
     pub fn along<E>(&self, label: MemberLabel<Y::Model, E>, distance: f64) -> Result<MemberState<S>, MotionError> {
-        let member = label.index();
+        let member = self.system.member_of(label.handle())?;
         let Inside { length, .. } = self.inside(member)?;
         // lengths follow from places, with their rounding
         if !(0.0..=length * (1.0 + LENGTH)).contains(&distance) {
@@ -120,7 +120,7 @@ where
     /// # Errors
     /// [`MotionError::NoSuchPoint`] for a member that this system has not got; [`MotionError::NoInside`] for springs, dampers and joints.
     pub fn nodes<E>(&self, label: MemberLabel<Y::Model, E>) -> Result<usize, MotionError> {
-        let member = label.index();
+        let member = self.system.member_of(label.handle())?;
         let inside = self.inside(member)?;
         let samples = inside.samples();
         let width = inside.length / f64::from(samples);

@@ -3,14 +3,15 @@
 use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::frequency_response::on_grid;
 use crate::answer::network::spread_load::loads;
-use crate::answer::network::states::{PlaneStates, check, check_freedom, held_at, offset};
+use crate::answer::network::states::{PlaneStates, Seen, check, check_freedom, held_at, located, offset};
 use crate::answer::response_curve::{Sample, refined};
 use crate::answer::root::{Root, is_below_losses};
-use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Site, SpreadLoad, Tied};
+use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Tied};
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, load_on_chart, motion_under,
+    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, PerMember, Placed, PlaneFrequency, load_on_chart,
+    motion_under,
 };
 use crate::search::ClosedRange;
 
@@ -107,14 +108,14 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     }
 
     /// The load along each member.
-    fn along_members<S>(&self, load: ActingLoad<S>) -> Result<Y::PerMember<[S; 2]>, MotionError>
+    fn along_members<S>(&self, load: ActingLoad<S>) -> Result<PerMember<Y, [S; 2]>, MotionError>
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
         match load {
             ActingLoad::Spread(spread) => loads::<Y, S>(self.system, spread),
-            ActingLoad::At(_) => Ok(Y::per_member([S::zero(); 2])),
+            ActingLoad::At(_) => Ok(self.system.per_member([S::zero(); 2])),
         }
     }
 
@@ -262,25 +263,21 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
 ) -> Result<ActingLoad<S>, MotionError> {
     let mut forces = [S::zero(); 3];
     let (site, axis) = match load {
-        PlaneActing::Spread(SpreadLoad { member: Some(member), .. }) if member >= system.sizes()[1] => {
-            return Err(MotionError::NoSuchPoint { index: member });
+        PlaneActing::Spread(load) => {
+            load.member.map_or(Ok(0), |member| system.member_of(member))?;
+            return Ok(ActingLoad::Spread(load));
         }
-        PlaneActing::Spread(load) => return Ok(ActingLoad::Spread(load)),
         PlaneActing::Motion(site, axis) => {
-            check_freedom(site, axis)?;
-            let (node, moved) = held_at(system, site.hold(), axis)?;
+            check_freedom(system, site, axis)?;
+            let (node, moved) = held_at(system, site, axis)?;
             return Ok(ActingLoad::At(LoadAt { node, forces, moved: Some(moved) }));
         }
         PlaneActing::Force(site, axis) => (site, axis),
     };
-    check_freedom(site, axis)?;
-    let (node, [x, y]) = match site {
-        Site::Node(node) => (node, [S::zero(); 2]),
-        Site::Tied(Tied { node, place, .. }) => (node, offset(system, node, place)),
-        Site::End { member, end } => {
-            if member >= system.sizes()[1] {
-                return Err(MotionError::NoSuchPoint { index: member });
-            }
+    check_freedom(system, site, axis)?;
+    let (node, [x, y]): (_, [S; 2]) = match located(system, site)? {
+        Seen::Tied(Tied { node, place, .. }) => (node, offset(system, node, place)),
+        Seen::End { member, end } => {
             let placement = system.placement(member);
             let released = placement.released(end);
             if !released.is_empty() {
@@ -289,9 +286,6 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
             (placement.node_of(end), placement.offset(end))
         }
     };
-    if node >= system.sizes()[0] {
-        return Err(MotionError::NoSuchPoint { index: node });
-    }
     forces[axis] = S::one();
     forces[2] += x * forces[1] - y * forces[0];
     Ok(ActingLoad::At(LoadAt { node, forces, moved: None }))

@@ -199,7 +199,7 @@ where
         if lambda.is_zero() {
             return false;
         }
-        let Forms { mass: kinetic, damping, .. } = self.shape(*motion).whole();
+        let Forms { mass: kinetic, damping, .. } = self.shape(motion.clone()).whole();
         mass.size() < DEFECTIVE * (kinetic.size() + damping.size() / lambda.size())
     }
 
@@ -229,7 +229,7 @@ where
         let mut nearer = x;
         let mut motions = self.precise_motions(nearer, 0);
         for _ in 0..STEPS {
-            let motion = motions[0];
+            let motion = &motions[0];
             let plain = motion.rounded(S::nearest);
             let mass = mass_product(self.system, self.x, &plain, &plain);
             let step = motion.work / (mass * self.x.slope_of_lambda_squared()).precise();
@@ -274,7 +274,7 @@ where
                 pair = self.motions_beside(number);
             }
             number += 1;
-            pair[(number as usize - 1) % 2]
+            pair[(number as usize - 1) % 2].clone()
         };
         for shape in 0..multiplicity {
             let mut best = self.orthogonal(&motions[..shape], next())?;
@@ -285,7 +285,8 @@ where
                 let other = self.orthogonal(&motions[..shape], next())?;
                 best = if other.1 > best.1 { other } else { best };
             }
-            let (motion, rounded) = (best.0, best.0.rounded(S::nearest));
+            let (motion, _) = best;
+            let rounded = motion.rounded(S::nearest);
             if self.is_defective(&rounded, S::one()) {
                 let (root, multiplicity, shapes) = (self.x.modulus(), multiplicity as u64, shape.max(1) as u64);
                 return Err(MotionError::Defective { root, multiplicity, shapes });
@@ -331,7 +332,7 @@ where
 
 /// The shape of a simple root: the difference of motions on both sides of it, under a load everywhere. Where that under another load differs, the
 /// root has another one beside it, and the motion at the root itself is told from that of the other one.
-pub(super) fn simple<Y, S>(system: &Y, x: S) -> Result<PlaneShape<'_, Y, S>, MotionError>
+pub(crate) fn simple<Y, S>(system: &Y, x: S) -> Result<PlaneShape<'_, Y, S>, MotionError>
 where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,

@@ -4,7 +4,7 @@ use crate::answer::network::states::PlaneStates;
 use crate::element::{MemberEnds, MemberMotion, VisitMember};
 use crate::model::{EndMotion, MotionError, SpreadLoad};
 use crate::number::{Oscillation, Scalar};
-use crate::pass::network::{PlacedMotions, load_work, turned};
+use crate::pass::network::{PerMember, PlacedMotions, load_work, turned};
 use mstmm_plan::Freedoms;
 use num_traits::Zero;
 
@@ -16,21 +16,24 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// # Errors
 /// [`MotionError::NoUniformLoad`] where a member takes none, or a path of one motion has a mass, whose weight has no direction there;
 /// [`MotionError::NoSuchFreedom`] for a direction in which a member does not move.
-pub(super) fn loads<Y, S>(system: &Y, load: SpreadLoad) -> Result<Y::PerMember<[S; 2]>, MotionError>
+pub(super) fn loads<Y, S>(system: &Y, load: SpreadLoad) -> Result<PerMember<Y, [S; 2]>, MotionError>
 where
     Y: PlacedMotions<S>,
     S: Oscillation<Y::Parameter>,
 {
     let [nodes, members] = system.sizes();
-    let mut loads = Y::per_member([S::zero(); 2]);
-    if load.member.is_none() {
-        let has_weight = |node: usize| {
-            let (body, motions) = system.node(node);
-            motions.is_of_path && body.has_body() && !body.mass.is_zero()
-        };
-        if (0..nodes).any(has_weight) {
-            return Err(MotionError::NoUniformLoad);
-        }
+    let mut loads = system.per_member([S::zero(); 2]);
+    if let Some(member) = load.member {
+        let member = system.member_of(member)?;
+        loads.as_mut()[member] = on_member(system, load, member)?;
+        return Ok(loads);
+    }
+    let has_weight = |node: usize| {
+        let (body, motions) = system.node(node);
+        motions.is_of_path && body.has_body() && !body.mass.is_zero()
+    };
+    if (0..nodes).any(has_weight) {
+        return Err(MotionError::NoUniformLoad);
     }
     for (member, own) in loads.as_mut().iter_mut().enumerate().take(members) {
         *own = on_member(system, load, member)?;
@@ -45,7 +48,7 @@ where
     S: Oscillation<Y::Parameter>,
 {
     let density = match load.member {
-        Some(loaded) => S::from_f64(if loaded == member { 1.0 } else { 0.0 }),
+        Some(loaded) => S::from_f64(if system.member_of(loaded)? == member { 1.0 } else { 0.0 }),
         None => system.visit_member(member, MassPerLength).unwrap_or_default(),
     };
     if density.is_zero() {

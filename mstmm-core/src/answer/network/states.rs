@@ -2,7 +2,7 @@
 
 use crate::model::{EndMotion, Hold, MotionError, PlaneEntry, PlanePoint, Quantity, Site, SpreadLoad, Tied};
 use crate::number::Frequency;
-use crate::pass::network::{ActingLoad, NetworkMotion, Placed, longest, moved, size_of_forces, turned};
+use crate::pass::network::{ActingLoad, NetworkMotion, PerNode, Placed, longest, moved, size_of_forces, turned};
 use mstmm_plan::Freedoms;
 
 /// The displacements and forces of a plane structure in one motion.
@@ -17,7 +17,7 @@ pub struct PlaneStates<'a, Y: Placed, S: Frequency<Y::Parameter>> {
 
 impl<Y: Placed, S: Frequency<Y::Parameter>> Clone for PlaneStates<'_, Y, S> {
     fn clone(&self) -> Self {
-        PlaneStates { ..*self }
+        PlaneStates { motion: self.motion.clone(), ..*self }
     }
 }
 
@@ -31,8 +31,10 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         check(self.system, entry)?;
         match entry.quantity {
             Quantity::Displacement(site, axis) => Ok(self.displacements(site)?[axis]),
-            Quantity::Reaction(hold, axis) => Ok(self.reaction(held_at::<Y, S>(self.system, hold, axis)?.0)?[axis]),
-            Quantity::Internal { member, end, force } => Ok(self.member(member)?[end].internal(end)[force]),
+            Quantity::Reaction(site, axis) => Ok(self.reaction(held_at::<Y, S>(self.system, site, axis)?.0)?[axis]),
+            Quantity::Internal { member, end, force } => {
+                Ok(self.member(self.system.member_of(member)?)?[end].internal(end)[force])
+            }
         }
     }
 
@@ -74,15 +76,10 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
 
     /// The node with which a point moves.
     pub(super) fn node_of(&self, point: PlanePoint<Y::Model>) -> Result<usize, MotionError> {
-        let node = match point.site {
-            Site::Node(node) | Site::Tied(Tied { node, .. }) => node,
-            Site::End { member, end } => {
-                self.member(member)?;
-                self.system.placement(member).node_of(end)
-            }
-        };
-        self.node(node)?;
-        Ok(node)
+        Ok(match located(self.system, point.site)? {
+            Seen::Tied(Tied { node, .. }) => node,
+            Seen::End { member, end } => self.system.placement(member).node_of(end),
+        })
     }
 
     /// A vector of a member in global axes, with the part about z as it is.
@@ -93,10 +90,9 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
 
     /// The displacements of a point.
     fn displacements(&self, site: Site) -> Result<[S; 3], MotionError> {
-        match site {
-            Site::Node(node) => self.node(node),
-            Site::Tied(Tied { node, place, .. }) => Ok(moved(self.node(node)?, offset(self.system, node, place))),
-            Site::End { member, end } => {
+        match located(self.system, site)? {
+            Seen::Tied(Tied { node, place, .. }) => Ok(moved(self.node(node)?, offset(self.system, node, place))),
+            Seen::End { member, end } => {
                 let own = self.member(member)?[end].displacements;
                 let placement = self.system.placement(member);
                 let mut local = self.tied(member, end);
@@ -143,9 +139,9 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     }
 
     /// What supports do to their nodes: the inertia of bodies less the forces of members and the load.
-    pub(super) fn reactions(&self) -> Y::PerNode<[S; 3]> {
+    pub(super) fn reactions(&self) -> PerNode<Y, [S; 3]> {
         let [nodes, members] = self.system.sizes();
-        let mut reactions = Y::per_node([S::zero(); 3]);
+        let mut reactions = self.system.per_node([S::zero(); 3]);
         let sums = reactions.as_mut();
         for (node, (sum, displacements)) in sums.iter_mut().zip(self.motion.nodes.as_ref()).enumerate().take(nodes) {
             for (entry, row) in sum.iter_mut().zip(self.inertia(node)) {
@@ -179,21 +175,11 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
 
 /// Whether a structure has what an entry asks for.
 pub(super) fn check<Y: Placed>(system: &Y, entry: PlaneEntry<Y::Model>) -> Result<(), MotionError> {
-    let [nodes, members] = system.sizes();
-    let is_there = |index: usize, count: usize| {
-        if index < count { Ok(()) } else { Err(MotionError::NoSuchPoint { index }) }
-    };
     match entry.quantity {
-        Quantity::Displacement(site, axis) => {
-            check_freedom(site, axis)?;
-            match site {
-                Site::Node(node) | Site::Tied(Tied { node, .. }) => is_there(node, nodes),
-                Site::End { member, .. } => is_there(member, members),
-            }
-        }
-        Quantity::Reaction(hold, axis) => held_at::<Y, Y::Parameter>(system, hold, axis).map(|_| ()),
+        Quantity::Displacement(site, axis) => check_freedom(system, site, axis),
+        Quantity::Reaction(site, axis) => held_at::<Y, Y::Parameter>(system, site, axis).map(|_| ()),
         Quantity::Internal { member, force, .. } => {
-            is_there(member, members)?;
+            let member = system.member_of(member)?;
             let freedom = Freedoms::SINGLE[force];
             let is_carried = system.placement(member).freedoms.contains(freedom);
             if is_carried { Ok(()) } else { Err(MotionError::NoSuchFreedom { freedom }) }
@@ -201,11 +187,36 @@ pub(super) fn check<Y: Placed>(system: &Y, entry: PlaneEntry<Y::Model>) -> Resul
     }
 }
 
+/// Where a point is in a structure.
+pub(super) enum Seen {
+    /// At a place that a node ties rigidly.
+    Tied(Tied),
+    /// Where a member ends.
+    End { member: usize, end: usize },
+}
+
+/// Where a point is in a structure.
+///
+/// # Errors
+/// [`MotionError::NoSuchPoint`] and [`MotionError::OtherFrame`] for a point that this structure has not got.
+pub(super) fn located<Y: Placed>(system: &Y, site: Site) -> Result<Seen, MotionError> {
+    let tied = match site {
+        Site::End { member, end } => return Ok(Seen::End { member: system.member_of(member)?, end }),
+        Site::Point(point) => system.point(point)?,
+        Site::Tied(tied) => tied,
+    };
+    // a sketch of another size
+    if tied.node >= system.sizes()[0] {
+        return Err(MotionError::NoSuchPoint { index: tied.node });
+    }
+    Ok(Seen::Tied(tied))
+}
+
 /// Whether elements bring a motion to a point.
-pub(super) fn check_freedom(site: Site, axis: usize) -> Result<(), MotionError> {
+pub(super) fn check_freedom<Y: Placed>(system: &Y, site: Site, axis: usize) -> Result<(), MotionError> {
     let freedom = Freedoms::SINGLE[axis];
-    match site {
-        Site::Tied(Tied { freedoms, .. }) if !freedoms.contains(freedom) => Err(MotionError::NoSuchFreedom { freedom }),
+    match located(system, site)? {
+        Seen::Tied(Tied { freedoms, .. }) if !freedoms.contains(freedom) => Err(MotionError::NoSuchFreedom { freedom }),
         _ => Ok(()),
     }
 }
@@ -216,20 +227,22 @@ pub(super) fn check_freedom(site: Site, axis: usize) -> Result<(), MotionError> 
 /// [`MotionError::NotHeld`] where nothing holds the point so; [`MotionError::NoSuchPoint`] for a node that this system has not got.
 pub(super) fn held_at<Y: Placed, S: Frequency<Y::Parameter>>(
     system: &Y,
-    hold: Option<Hold>,
+    site: Site,
     axis: usize,
 ) -> Result<(usize, [S; 3]), MotionError> {
     let freedom = Freedoms::SINGLE[axis];
     let not_held = MotionError::NotHeld { freedom };
+    let hold = match located(system, site)? {
+        Seen::Tied(tied) => tied.hold,
+        Seen::End { .. } => None,
+    };
     let Hold { node, .. } = hold.filter(|hold| hold.freedoms.contains(freedom)).ok_or(not_held)?;
-    if node >= system.sizes()[0] {
-        return Err(MotionError::NoSuchPoint { index: node });
-    }
     Ok((node, system.node(node).0.moved(axis).ok_or(not_held)?))
 }
 
-/// Where a place is from the node that ties it.
-pub(super) fn offset<Y: Placed, S: Frequency<Y::Parameter>>(system: &Y, node: usize, place: usize) -> [S; 2] {
+/// Where a place is from the node that ties it; none is its own.
+pub(super) fn offset<Y: Placed, S: Frequency<Y::Parameter>>(system: &Y, node: usize, place: Option<usize>) -> [S; 2] {
+    let Some(place) = place else { return [S::zero(); 2] };
     let (to, from) = (system.place(place), system.node(node).0.position);
     [0, 1].map(|k| S::from_parameter(to[k]) - S::from_parameter(from[k]))
 }

@@ -6,7 +6,7 @@ use crate::element::{
 };
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::damped::BuiltDampedBeam;
-use crate::elements::general_beam::kinds::TimoshenkoBeam;
+use crate::elements::general_beam::kinds::{TimoshenkoBeam, UniformBeam};
 use crate::elements::general_beam::transfer::BackThrough;
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::chart_scalar::ChartScalar;
@@ -294,5 +294,22 @@ damped_beams! {
         shear_stiffness,
         /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
         rotary_inertia,
+    }
+
+    /// [`UniformBeam`] with damping of its material and of a medium around it: a [`DampedBeam`] with `f = 1/(k G A)`.
+    ///
+    /// # Source
+    /// That of [`DampedBeam`].
+    DampedUniformBeam of UniformBeam {
+        /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
+        shear_stiffness,
+        /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
+        rotary_inertia,
+        /// Axial force N \[N\], positive in tension; greater than `-kGA - G`.
+        axial_force,
+        /// Stiffness k of the foundation per length [N/m²], zero or positive.
+        foundation_stiffness,
+        /// Stiffness G of the shear layer of the foundation \[N\], zero or positive.
+        foundation_shear_stiffness,
     }
 }

@@ -5,7 +5,7 @@ use crate::element::{
     TransferMatrix,
 };
 use crate::elements::general_beam::damped::BuiltDampedBeam;
-use crate::elements::general_beam::damped_kinds::{DampedBeam, DampedTimoshenkoBeam};
+use crate::elements::general_beam::damped_kinds::{DampedBeam, DampedTimoshenkoBeam, DampedUniformBeam};
 use crate::elements::general_beam::members::BuiltPlanarGeneralBeam;
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::damped_line::DampedLine;
@@ -220,5 +220,22 @@ in_plane! {
         shear_stiffness,
         /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
         rotary_inertia,
+    }
+
+    /// [`DampedUniformBeam`] between two points of the plane, with exact longitudinal vibration.
+    ///
+    /// # Source
+    /// That of the beam; along it the equation of a [`DampedRod`](crate::elements::DampedRod).
+    PlanarDampedUniformBeam of DampedUniformBeam {
+        /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
+        shear_stiffness,
+        /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
+        rotary_inertia,
+        /// Axial force N \[N\], positive in tension; greater than `-kGA - G`.
+        axial_force,
+        /// Stiffness k of the foundation per length [N/m²], zero or positive.
+        foundation_stiffness,
+        /// Stiffness G of the shear layer of the foundation \[N\], zero or positive.
+        foundation_shear_stiffness,
     }
 }

@@ -4,14 +4,17 @@ use crate::element::{
     BackTransfer, CarriesLoad, Element, Energies, Inside, MatrixOf, MemberNumbers, PlaneStep, TransferMatrix,
 };
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
+use crate::elements::shared::compliance::{compliance, is_rigid};
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement, State};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::Support;
 
-/// The shear stiffness of a beam that has these fields, or zero.
+/// The shear stiffness of a beam that has these fields; zero without one, and where it is rigid.
 macro_rules! shear_stiffness {
-    ($beam:ident shear_stiffness $($other:ident)*) => { $beam.shear_stiffness };
+    ($beam:ident shear_stiffness $($other:ident)*) => {
+        if is_rigid($beam.shear_stiffness) { T::zero() } else { $beam.shear_stiffness }
+    };
     ($beam:ident $other:ident $($field:ident)*) => { shear_stiffness!($beam $($field)*) };
     ($beam:ident) => { T::zero() };
 }
@@ -233,13 +236,13 @@ kinds! {
     /// # Source
     /// Timoshenko's beam, a [`GeneralBeam`] with `f = 1/(k G A)`.
     TimoshenkoBeam {
-        /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal.
+        /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
         shear_stiffness,
         /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
         rotary_inertia,
     }
-    checked by { shear_stiffness: Invertible }
-    is |beam| { shear_flexibility: T::one() / beam.shear_stiffness, rotary_inertia: beam.rotary_inertia }
+    checked by { shear_stiffness: InvertibleOrInfinite }
+    is |beam| { shear_flexibility: compliance(beam.shear_stiffness), rotary_inertia: beam.rotary_inertia }
     derived by |general, beam| {
         shear_stiffness: -(general.shear_flexibility * (beam.shear_flexibility * beam.shear_flexibility)),
         rotary_inertia: general.rotary_inertia
@@ -285,4 +288,39 @@ kinds! {
     }
     may buckle: false
     sampled by { |x| x, |x| x * 0.5 } tied by { foundation_stiffness, foundation_shear_stiffness }
+
+    /// Uniform beam with shear, rotary inertia, axial force and an elastic foundation, exact at every frequency.
+    ///
+    /// # Source
+    /// A [`GeneralBeam`] with `f = 1/(k G A)`.
+    UniformBeam {
+        /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
+        shear_stiffness,
+        /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
+        rotary_inertia,
+        /// Axial force N \[N\], positive in tension; greater than `-kGA - G`.
+        axial_force,
+        /// Stiffness k of the foundation per length [N/m²], zero or positive.
+        foundation_stiffness,
+        /// Stiffness G of the shear layer of the foundation \[N\], zero or positive.
+        foundation_shear_stiffness,
+    }
+    checked by { shear_stiffness: InvertibleOrInfinite }
+    is |beam| {
+        shear_flexibility: compliance(beam.shear_stiffness),
+        rotary_inertia: beam.rotary_inertia,
+        axial_force: beam.axial_force,
+        foundation_stiffness: beam.foundation_stiffness,
+        foundation_shear_stiffness: beam.foundation_shear_stiffness
+    }
+    derived by |general, beam| {
+        shear_stiffness: -(general.shear_flexibility * (beam.shear_flexibility * beam.shear_flexibility)),
+        rotary_inertia: general.rotary_inertia,
+        axial_force: general.axial_force,
+        foundation_stiffness: general.foundation_stiffness,
+        foundation_shear_stiffness: general.foundation_shear_stiffness
+    }
+    may buckle: true
+    sampled by { |x| 100.0 / x, |x| x * 0.005, |x| x - 1.25, |x| x, |x| x * 0.5 }
+    tied by { axial_force, foundation_stiffness, foundation_shear_stiffness }
 }

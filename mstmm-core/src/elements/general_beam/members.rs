@@ -4,7 +4,7 @@ use crate::element::{
     CarriesLoad, Charted, Element, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
     MemberWork, TransferMatrix,
 };
-use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam};
+use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam, UniformBeam};
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::bending_chart::units_of_waves;
 use crate::elements::shared::chart_scalar::ChartScalar;
@@ -136,7 +136,7 @@ macro_rules! along_line {
         }
     )*};
 }
-along_line!(GeneralBeam, RayleighBeam, TimoshenkoBeam, BeamColumn, FoundationBeam);
+along_line!(GeneralBeam, RayleighBeam, TimoshenkoBeam, BeamColumn, FoundationBeam, UniformBeam);
 
 /// Declares beams of the plane by what they are in bending and by the parameters beside length, stiffnesses and mass.
 macro_rules! in_plane {
@@ -330,6 +330,23 @@ in_plane! {
         /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
         rotary_inertia,
         /// Axial force N \[N\], positive in tension; greater than `-1/f - G` where f is not zero.
+        axial_force,
+        /// Stiffness k of the foundation per length [N/m²], zero or positive.
+        foundation_stiffness,
+        /// Stiffness G of the shear layer of the foundation \[N\], zero or positive.
+        foundation_shear_stiffness,
+    }
+
+    /// [`UniformBeam`] between two points of the plane, with exact longitudinal vibration; the foundation acts across it.
+    ///
+    /// # Source
+    /// That of the beam; along it `EA X'' = mλ² X`, as in [`PlanarBeam`](crate::elements::PlanarBeam).
+    PlanarUniformBeam of UniformBeam {
+        /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
+        shear_stiffness,
+        /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
+        rotary_inertia,
+        /// Axial force N \[N\], positive in tension; greater than `-kGA - G`.
         axial_force,
         /// Stiffness k of the foundation per length [N/m²], zero or positive.
         foundation_stiffness,

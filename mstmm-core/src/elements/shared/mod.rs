@@ -7,6 +7,7 @@ pub(crate) mod bending_chart;
 pub(crate) mod bending_motion;
 pub(crate) mod chart_form;
 pub(crate) mod chart_scalar;
+pub(crate) mod compliance;
 pub(crate) mod compound;
 pub(crate) mod connector;
 pub(crate) mod damped_line;

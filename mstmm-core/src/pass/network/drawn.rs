@@ -4,6 +4,7 @@ use crate::element::MemberElement;
 use crate::model::{MemberEnd, MemberLabel, PlanePoint, Spot, plain};
 use crate::number::{Parameter, Real};
 use crate::pass::network::member::Placement;
+use crate::pass::network::memory::Memory;
 use crate::pass::network::node::Node;
 use crate::pass::network::placed::Placed;
 use crate::pass::network::sketch::{NetworkSketch, Seat, SketchedEnd};
@@ -107,8 +108,7 @@ plain!(DrawnEnd<M, T: Parameter>, point, position, along, released, node, rests,
 
 impl<M, T: Real> DrawnEnd<M, T> {
     /// The end of a member, given the index of its point, if it has one.
-    fn of(placement: &Placement<T>, member: usize, end: usize, point: Option<usize>) -> Self {
-        let label = MemberLabel::<M, ()>::member(member);
+    pub(crate) fn of(placement: &Placement<T>, label: MemberLabel<M, ()>, end: usize, point: Option<usize>) -> Self {
         let has_direction = point.is_some() && !placement.freedoms.is(Freedoms::RZ);
         DrawnEnd {
             point,
@@ -143,8 +143,8 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         };
         self.members.iter().enumerate().filter_map(move |(index, member)| {
             let placement = system.placement(index);
-            let ends = [0, 1].map(|end| DrawnEnd::of(placement, index, end, point(&member.ends[end])));
             let label = MemberLabel::member(index);
+            let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, point(&member.ends[end])));
             Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, ends, label })
         })
     }
@@ -172,11 +172,9 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
     }
 }
 
-impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Drawn
-    for Network<'_, E, WIDTH, NODES, MEMBERS>
-{
+impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
     fn points(&self) -> impl Iterator<Item = DrawnPoint<InNetwork, E::Parameter>> {
-        self.nodes.iter().enumerate().map(|(index, node)| DrawnPoint {
+        self.nodes().iter().enumerate().map(|(index, node)| DrawnPoint {
             name: Spot::Node(index),
             position: node.position,
             node: index,
@@ -186,15 +184,15 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
     }
 
     fn members(&self) -> impl Iterator<Item = DrawnMember<InNetwork, E::Parameter>> {
-        self.kinds.iter().enumerate().map(|(index, kind)| {
-            let placement = self.placement(index);
-            let ends = [0, 1].map(|end| DrawnEnd::of(placement, index, end, Some(placement.node_of(end))));
-            DrawnMember { name: Spot::Member(index), kind, ends, label: MemberLabel::member(index) }
+        self.kinds().iter().enumerate().map(|(index, kind)| {
+            let (placement, label) = (self.placement(index), MemberLabel::member(index));
+            let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, Some(placement.node_of(end))));
+            DrawnMember { name: Spot::Member(index), kind, ends, label }
         })
     }
 
     fn bodies(&self) -> impl Iterator<Item = DrawnBody<E::Parameter>> {
-        let with_body = self.nodes.iter().enumerate().filter(|(_, node)| node.has_body());
+        let with_body = self.nodes().iter().enumerate().filter(|(_, node)| node.has_body());
         with_body.map(|(index, node)| DrawnBody {
             name: Spot::Node(index),
             mass: node.mass,
@@ -206,7 +204,7 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
 
     fn supports(&self) -> impl Iterator<Item = DrawnSupport<E::Parameter>> {
         let held = |node: &Node<_>| !node.held.is_empty() || node.along.is_some();
-        self.nodes.iter().enumerate().filter(move |(_, node)| held(node)).map(|(index, node)| DrawnSupport {
+        self.nodes().iter().enumerate().filter(move |(_, node)| held(node)).map(|(index, node)| DrawnSupport {
             name: Spot::Node(index),
             point: index,
             position: node.position,

@@ -57,7 +57,7 @@ pub enum NetworkError {
         /// Index of the node.
         node: usize,
     },
-    /// The room has not enough nodes or members.
+    /// Arrays have room for fewer nodes or members.
     Room {
         /// Nodes and members of the network.
         nodes: usize,
@@ -100,11 +100,11 @@ impl fmt::Display for NetworkError {
                 write!(f, "nothing joins node {node} to the rest: a network hangs together; search two networks")
             }
             NetworkError::Room { nodes, members } => {
-                write!(f, "the room is too small for {nodes} nodes and {members} members: ")?;
-                write!(f, "`Room::<_, {nodes}, {members}>` has room for them")
+                write!(f, "the arrays are too small for {nodes} nodes and {members} members: ")?;
+                write!(f, "`Arrays::<_, {nodes}, {members}>` has room for them")
             }
             NetworkError::Width { needed } => {
-                write!(f, "up to {needed} unknowns are there at once: `Network::<_, {needed}, _, _>` has room for them")
+                write!(f, "up to {needed} unknowns are there at once: `Arrays::<{needed}, _, _>` has room for them")
             }
             NetworkError::Unknowns { needed } => {
                 write!(f, "the overall transfer equation has {needed} unknowns: ask for `overall::<{needed}>()`")

@@ -1,33 +1,20 @@
 //! The evaluation of a network: its nodes are eliminated one after the other.
 
-use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled};
+use crate::number::{Frequency, FrequencyPowers, Scaled};
 use crate::pass::network::loading::Loading;
-use crate::pass::network::placed::{Placed, PlacedCharts, for_each_cut};
-use crate::structure::{Factor, MemberStiffness, NodeUnknowns, StructureScalar, Total, in_memory, with_many};
+use crate::pass::network::memory::Memory;
+use crate::pass::network::placed::{PlacedCharts, for_each_cut};
+use crate::structure::{Factor, MemberStiffness, NodeUnknowns, StructureScalar, Total, with_many};
 use crate::subspace::RootCounter;
 
-/// What a function does in memory for the elimination of a network of up to so many nodes, with up to `WIDTH` unknowns at once.
-pub fn in_factor<const WIDTH: usize, const NODES: usize, S: Scalar, R>(
-    network: &impl Placed,
-    work: impl FnOnce(Factor<'_, S>) -> R,
-) -> R {
-    let [nodes, members] = network.sizes();
-    // a member has no more unknowns of its own than freedoms
-    let unknowns = || {
-        let of_nodes = (0..nodes).map(|node| network.node(node).1.count);
-        of_nodes.chain((0..members).map(|member| network.placement(member).freedoms.count())).sum()
-    };
-    in_memory::<WIDTH, NODES, S, R>(true, unknowns, work)
-}
-
-/// Δ of a network, with a counter. `WIDTH` is the largest number of unknowns at once.
-pub fn network_pass<const WIDTH: usize, Y, S, C>(network: &Y, x: S, counter: &mut C) -> Scaled<S>
+/// Δ of a network, with a counter.
+pub fn network_pass<Y, S, C>(network: &Y, x: S, counter: &mut C) -> Scaled<S>
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + StructureScalar,
     C: RootCounter<S>,
 {
-    let (total, vanished_at) = total::<WIDTH, _, _>(network, x);
+    let (total, vanished_at) = total(network, x);
     if let (true, Some(node)) = (C::WATCHES, vanished_at) {
         counter.vanished(network.spot(node as usize));
         if S::IS_EXTENDED {
@@ -41,31 +28,25 @@ where
 
 /// Δ and the count of a network, and the first node where a pivot was rounding alone.
 #[inline(never)]
-fn total<const WIDTH: usize, Y, S>(network: &Y, x: S) -> (Total<S>, Option<u32>)
+fn total<Y, S>(network: &Y, x: S) -> (Total<S>, Option<u32>)
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + StructureScalar,
 {
-    // the rows of one node at a time
-    in_memory::<WIDTH, 1, S, _>(
-        false,
-        || WIDTH,
-        |mut factor| {
-            let mut stiffness = MemberStiffness::none();
-            let at = FrequencyPowers::new(x, true);
-            with_many(NodeUnknowns::NONE, network.sizes()[0], Y::per_node, |unknowns| {
-                eliminate(
-                    network,
-                    &at,
-                    &Loading::Nothing,
-                    &mut factor,
-                    (unknowns, core::slice::from_mut(&mut stiffness)),
-                );
-            });
-            S::leave_all(&mut factor);
-            (factor.total, factor.vanished_at)
-        },
-    )
+    Y::Memory::in_front(network.width(), |mut factor: Factor<'_, S>| {
+        let mut stiffness = MemberStiffness::none();
+        let (at, stiffnesses) = (FrequencyPowers::new(x, true), core::slice::from_mut(&mut stiffness));
+        with_many(
+            NodeUnknowns::NONE,
+            network.sizes()[0],
+            |none| network.per_node(none),
+            |unknowns| {
+                eliminate(network, &at, &Loading::Nothing, &mut factor, (unknowns, stiffnesses));
+            },
+        );
+        S::leave_all(&mut factor);
+        (factor.total, factor.vanished_at)
+    })
 }
 
 /// Lets all nodes and members join the factor, and all nodes leave in their order. Fills the unknowns of nodes and the stiffnesses of members,

@@ -8,9 +8,11 @@ mod frame;
 mod frequency;
 mod loading;
 mod member;
+mod memory;
 mod motion;
 mod node;
 mod numbers;
+mod order;
 mod overall;
 mod overall_network;
 mod own;
@@ -27,17 +29,20 @@ mod visit;
 pub(crate) use chart_load::{load_on_chart, load_work};
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
-pub use evaluate::{in_factor, network_pass};
+pub use evaluate::network_pass;
 pub(crate) use frame::{moved, turned};
 pub use frequency::{MovingNetwork, PlaneFrequency};
 pub(crate) use loading::{ActingLoad, LoadAt, Loading};
 pub use member::{End, Member, Placement};
+#[cfg(feature = "std")]
+pub use memory::Vectors;
+pub use memory::{Arrays, Memory};
 pub(crate) use motion::{NetworkMotion, longest, motion_under, motions_under, size_of_forces};
 pub use node::{Motions, Node};
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;
 pub use own::OwnMembers;
-pub use placed::{Placed, PlacedCharts, PlacedMotions};
+pub use placed::{PerMember, PerNode, Placed, PlacedCharts, PlacedMotions};
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member};
 pub use sketch::{
@@ -45,5 +50,7 @@ pub use sketch::{
     SketchedSupport,
 };
 pub use stiffness::StiffnessModel;
-pub use structure::{InNetwork, Network, NetworkRoom};
+#[cfg(feature = "std")]
+pub(crate) use structure::check_node;
+pub use structure::{InNetwork, Network};
 pub use visit::visit_network;

@@ -4,16 +4,17 @@ use crate::model::EndMotion;
 use crate::number::{Frequency, FrequencyPowers, Scalar, Size};
 use crate::pass::network::evaluate::eliminate;
 use crate::pass::network::loading::Loading;
-use crate::pass::network::placed::{Placed, PlacedCharts};
+use crate::pass::network::memory::Memory;
+use crate::pass::network::placed::{PerMember, PerNode, Placed, PlacedCharts};
 use crate::structure::{Factor, LOADS, MemberStiffness, NodeUnknowns, StructureScalar, with_many};
 
 /// The motion of a network.
 #[derive(Debug)]
 pub(crate) struct NetworkMotion<Y: Placed, S: Scalar> {
     /// Displacements x \[m\], y \[m\] and rotation \[rad\] of each node.
-    pub(crate) nodes: Y::PerNode<[S; 3]>,
+    pub(crate) nodes: PerNode<Y, [S; 3]>,
     /// Displacements and forces of both ends of each member.
-    pub(crate) members: Y::PerMember<[EndMotion<S>; 2]>,
+    pub(crate) members: PerMember<Y, [EndMotion<S>; 2]>,
     /// The work of the load on the motion: the sum of forces times displacements.
     pub(crate) work: S,
     /// The first node where a pivot was rounding alone, as at a resonance.
@@ -22,11 +23,16 @@ pub(crate) struct NetworkMotion<Y: Placed, S: Scalar> {
 
 impl<Y: Placed, S: Scalar> Clone for NetworkMotion<Y, S> {
     fn clone(&self) -> Self {
-        *self
+        NetworkMotion { nodes: self.nodes.clone(), members: self.members.clone(), ..*self }
     }
 }
 
-impl<Y: Placed, S: Scalar> Copy for NetworkMotion<Y, S> {}
+impl<Y: Placed, S: Scalar> Copy for NetworkMotion<Y, S>
+where
+    PerNode<Y, [S; 3]>: Copy,
+    PerMember<Y, [EndMotion<S>; 2]>: Copy,
+{
+}
 
 /// The motion under a load, the first one of two.
 pub(crate) fn motion_under<Y, S>(network: &Y, x: S, loading: &Loading<'_, S>) -> NetworkMotion<Y, S>
@@ -58,18 +64,28 @@ where
     S: Frequency<Y::Parameter> + StructureScalar,
 {
     let ([nodes, members], none) = (network.sizes(), MemberStiffness::none());
-    network.in_factor(|mut factor| {
-        with_many(NodeUnknowns::NONE, nodes, Y::per_node, |unknowns| {
-            with_many(none, members, Y::per_member, |stiffnesses| {
-                if let Loading::Everywhere(load) = loading {
-                    factor.everywhere = Some(*load);
-                }
-                let at = FrequencyPowers::new(x, true);
-                eliminate(network, &at, loading, &mut factor, (unknowns, stiffnesses));
-                S::solve(&mut factor);
-                make(&|load| found(network, loading, (&factor, load), (unknowns, stiffnesses)))
-            })
-        })
+    Y::Memory::in_factor(network.width(), |mut factor: Factor<'_, S>| {
+        with_many(
+            NodeUnknowns::NONE,
+            nodes,
+            |none| network.per_node(none),
+            |unknowns| {
+                with_many(
+                    none,
+                    members,
+                    |none| network.per_member(none),
+                    |stiffnesses| {
+                        if let Loading::Everywhere(load) = loading {
+                            factor.everywhere = Some(*load);
+                        }
+                        let at = FrequencyPowers::new(x, true);
+                        eliminate(network, &at, loading, &mut factor, (unknowns, stiffnesses));
+                        S::solve(&mut factor);
+                        make(&|load| found(network, loading, (&factor, load), (unknowns, stiffnesses)))
+                    },
+                )
+            },
+        )
     })
 }
 
@@ -85,7 +101,7 @@ where
     S: Frequency<Y::Parameter> + StructureScalar,
 {
     let (order, [node_count, member_count]) = (network.order(), network.sizes());
-    let (mut nodes, mut members) = (Y::per_node([S::zero(); 3]), Y::per_member([EndMotion::at_rest(); 2]));
+    let (mut nodes, mut members) = (network.per_node([S::zero(); 3]), network.per_member([EndMotion::at_rest(); 2]));
     for (node, displacements) in nodes.as_mut().iter_mut().enumerate().take(node_count) {
         let of_node = &unknowns[node];
         *displacements = network.node(node).1.displacements(factor.values_of(of_node, load));
@@ -116,13 +132,14 @@ impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
     /// Each number of this motion and of another one through a function.
     fn with<R: Scalar>(&self, other: &Self, change: impl Fn(S, S) -> R, work: R) -> NetworkMotion<Y, R> {
         let three = |one: [S; 3], other: [S; 3]| [0, 1, 2].map(|k| change(one[k], other[k]));
-        let mut nodes = Y::per_node([R::zero(); 3]);
+        let ([of_nodes, of_members], zero) = ([self.nodes.as_ref().len(), self.members.as_ref().len()], [R::zero(); 3]);
+        let mut nodes = Y::Memory::per_node(of_nodes, zero);
         for (changed, (one, other)) in
             nodes.as_mut().iter_mut().zip(self.nodes.as_ref().iter().zip(other.nodes.as_ref()))
         {
             *changed = three(*one, *other);
         }
-        let mut members = Y::per_member([EndMotion::at_rest(); 2]);
+        let mut members = Y::Memory::per_member(of_members, [EndMotion::at_rest(); 2]);
         for (changed, (one, other)) in
             members.as_mut().iter_mut().zip(self.members.as_ref().iter().zip(other.members.as_ref()))
         {

@@ -3,7 +3,7 @@
 use crate::element::{MemberTransfer, PathState};
 use crate::number::{Frequency, Scaled, Single};
 use crate::pass::network::frame::Frame;
-use crate::pass::network::placed::Placed;
+use crate::pass::network::placed::{PerMember, PerNode, Placed};
 use crate::pass::overall::determinant::determinant;
 use core::mem::replace;
 use mstmm_plan::{Freedoms, PathNode};
@@ -25,11 +25,11 @@ where
     Y: PlacedTransfers<S>,
     S: Frequency<Y::Parameter> + Single,
 {
-    let mut links = Y::per_member(Link::none());
+    let mut links = network.per_member(Link::none());
     for (member, link) in links.as_mut().iter_mut().enumerate().take(network.sizes()[1]) {
         *link = Link::new(network, paths, member, x);
     }
-    let mut order = Y::per_node(0);
+    let mut order = network.per_node(0);
     for (node, path) in paths.iter().enumerate() {
         if let Some(place) = order.as_mut().get_mut(path.rank) {
             *place = node;
@@ -41,8 +41,8 @@ where
             network,
             paths,
             links: &links.as_ref()[..network.sizes()[1]],
-            nodes: Y::per_node(PathState::zero()),
-            ends: Y::per_member([[S::zero(); 3]; 2]),
+            nodes: network.per_node(PathState::zero()),
+            ends: network.per_member([[S::zero(); 3]; 2]),
             lambda_squared: x.lambda_squared(),
             unknown,
             next_unknown: 0,
@@ -112,9 +112,9 @@ struct Column<'a, Y: Placed, S: Single> {
     network: &'a Y,
     paths: &'a [PathNode],
     links: &'a [Link<S>],
-    nodes: Y::PerNode<PathState<S>>,
+    nodes: PerNode<Y, PathState<S>>,
     /// The displacements of the ends that arrive at nodes, in their own axes.
-    ends: Y::PerMember<[[S; 3]; 2]>,
+    ends: PerMember<Y, [[S; 3]; 2]>,
     lambda_squared: S,
     unknown: usize,
     next_unknown: usize,

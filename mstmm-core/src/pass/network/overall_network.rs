@@ -3,23 +3,22 @@
 use crate::element::MemberElement;
 use crate::number::{Frequency, Scaled, Single};
 use crate::pass::network::error::NetworkError;
+use crate::pass::network::memory::Memory;
 use crate::pass::network::overall::{PlacedTransfers, overall_determinant, overall_matrix};
-use crate::pass::network::placed::Placed;
+use crate::pass::network::placed::{PerNode, Placed};
 use crate::pass::network::structure::Network;
 use crate::pass::overall::evaluate::Evaluate;
 use mstmm_plan::{Freedoms, PathMember, PathNode, lead_paths, unknowns};
 use nalgebra::SMatrix;
 
 /// A network with its paths, along which the overall transfer equation is assembled; `N` is the number of its unknowns.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct OverallNetwork<'n, Y: Placed, const N: usize> {
     network: &'n Y,
-    paths: Y::PerNode<PathNode>,
+    paths: PerNode<Y, PathNode>,
 }
 
-impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize>
-    Network<'a, E, WIDTH, NODES, MEMBERS>
-{
+impl<E: MemberElement, M: Memory> Network<E, M> {
     /// The overall transfer equation `U_all z_all = 0`, with `overall_matrix` and `overall_determinant`.
     ///
     /// `N` unknowns are half of the entries of a state at each support, at the free tips of paths and at the root, all `2n` entries of the
@@ -27,14 +26,13 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
     ///
     /// ```
     /// use mstmm_core::search::NaturalFrequencies;
-    /// use mstmm_core::{Evaluate, Member, Network, NetworkRoom, Node, Section, UndampedMember};
+    /// use mstmm_core::{Arrays, Evaluate, Member, Network, Node, Section, UndampedMember};
     ///
     /// // a free square: one cut, and three displacements of the root
     /// let nodes = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Node::at);
     /// let section = Section { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 };
     /// let members = [[0, 1], [1, 2], [2, 3], [3, 0]].map(|[from, to]| Member::<UndampedMember<f64>>::new(from, to, section));
-    /// let mut room = NetworkRoom::<_, 4, 4>::new();
-    /// let square = Network::<_, 15, _, _>::new(&nodes, &members, &mut room)?;
+    /// let square = Network::<_, Arrays<15, 4, 4>>::in_arrays(&nodes, &members)?;
     /// let equation = square.overall::<9>()?;
     /// let first = square.first_frequencies::<5>().unwrap()[1];
     /// let [below, above] = [0.99, 1.01].map(|part| equation.overall_determinant(part * first.omega).mantissa());
@@ -52,7 +50,7 @@ impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS
 impl<'n, Y: Placed, const N: usize> OverallNetwork<'n, Y, N> {
     fn new(network: &'n Y) -> Result<Self, NetworkError> {
         let [node_count, member_count] = network.sizes();
-        let mut members = Y::per_member(PathMember::NONE);
+        let mut members = network.per_member(PathMember::NONE);
         let members = &mut members.as_mut()[..member_count];
         for (index, member) in members.iter_mut().enumerate() {
             let placement = network.placement(index);
@@ -64,7 +62,7 @@ impl<'n, Y: Placed, const N: usize> OverallNetwork<'n, Y, N> {
                 released: released.iter().sum(),
             };
         }
-        let mut paths = Y::per_node(PathNode::NONE);
+        let mut paths = network.per_node(PathNode::NONE);
         let nodes = &mut paths.as_mut()[..node_count];
         for (index, path) in nodes.iter_mut().enumerate() {
             let here = members.iter().filter(|member| member.nodes.contains(&index));

@@ -1,12 +1,14 @@
 //! A network as its evaluation reads it: nodes, members, and the order in which nodes leave.
 
 use crate::element::VisitMember;
-use crate::model::Spot;
+use crate::model::{Handle, MotionError, Spot, Tied};
 use crate::number::{Frequency, FrequencyPowers};
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
+use crate::pass::network::memory::Memory;
 use crate::pass::network::node::{Motions, Node};
-use crate::structure::{Chart, Factor, JoinedEnd, StructureScalar};
+
+use crate::structure::{Chart, JoinedEnd};
 use core::fmt::Debug;
 use mstmm_plan::NetworkOrder;
 
@@ -24,6 +26,22 @@ pub trait Placed: System {
     /// A place that rigid bodies tie.
     fn place(&self, place: usize) -> [Self::Parameter; 2];
 
+    /// The node of a point of a list or of a frame, with its place and its support.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] and [`MotionError::OtherFrame`] for a point that it has not got.
+    fn point(&self, point: Handle) -> Result<Tied, MotionError> {
+        Ok(Tied::node(of_list(point, self.sizes()[0])?))
+    }
+
+    /// The index of a member.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] and [`MotionError::OtherFrame`] for a member that it has not got.
+    fn member_of(&self, member: Handle) -> Result<usize, MotionError> {
+        of_list(member, self.sizes()[1])
+    }
+
     /// What errors call a node.
     fn spot(&self, node: usize) -> Spot {
         Spot::Node(node)
@@ -35,21 +53,38 @@ pub trait Placed: System {
     /// The number of nodes and of members.
     fn sizes(&self) -> [usize; 2];
 
-    /// A value per node.
-    type PerNode<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
+    /// The largest number of unknowns at once.
+    fn width(&self) -> usize {
+        Self::Memory::WIDTH
+    }
 
-    /// A value per member.
-    type PerMember<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Copy + Debug;
+    /// Its memory.
+    type Memory: Memory;
 
     /// One value for all nodes.
-    fn per_node<V: Copy + Debug>(value: V) -> Self::PerNode<V>;
+    fn per_node<V: Copy + Debug>(&self, value: V) -> PerNode<Self, V> {
+        Self::Memory::per_node(self.sizes()[0], value)
+    }
 
     /// One value for all members.
-    fn per_member<V: Copy + Debug>(value: V) -> Self::PerMember<V>;
-
-    /// What a function does in memory for the elimination of its unknowns.
-    fn in_factor<S: StructureScalar, R>(&self, work: impl FnOnce(Factor<'_, S>) -> R) -> R;
+    fn per_member<V: Copy + Debug>(&self, value: V) -> PerMember<Self, V> {
+        Self::Memory::per_member(self.sizes()[1], value)
+    }
 }
+
+/// The index in a list of so many.
+pub(super) fn of_list(Handle { index, frame }: Handle, count: usize) -> Result<usize, MotionError> {
+    if frame != 0 {
+        return Err(MotionError::OtherFrame { index });
+    }
+    if index < count { Ok(index) } else { Err(MotionError::NoSuchPoint { index }) }
+}
+
+/// A value for each node of a network.
+pub type PerNode<Y, V> = <<Y as Placed>::Memory as Memory>::PerNode<V>;
+
+/// A value for each member of a network.
+pub type PerMember<Y, V> = <<Y as Placed>::Memory as Memory>::PerMember<V>;
 
 /// A network whose members are known at a frequency.
 pub trait PlacedCharts<S: Frequency<Self::Parameter>>: Placed {

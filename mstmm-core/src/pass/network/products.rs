@@ -6,7 +6,7 @@ use crate::number::{Real, power_of_two};
 use crate::pass::characteristic::System;
 use crate::pass::network::frequency::{MovingNetwork, PlaneFrequency};
 use crate::pass::network::motion::NetworkMotion;
-use crate::pass::network::placed::PlacedCharts;
+use crate::pass::network::placed::{PerMember, PlacedCharts};
 use crate::structure::{Chart, MOST_VARIABLES};
 use mstmm_plan::Freedoms;
 
@@ -69,13 +69,13 @@ where
 }
 
 /// The motions of all members with the halves of their mass forms.
-pub(crate) fn member_works<Y, S>(network: &Y, x: S, motion: &NetworkMotion<Y, S>) -> Y::PerMember<MemberWork<S>>
+pub(crate) fn member_works<Y, S>(network: &Y, x: S, motion: &NetworkMotion<Y, S>) -> PerMember<Y, MemberWork<S>>
 where
     Y: MovingNetwork<S>,
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
     let at = x.powers_in_square();
-    let mut works = Y::per_member(MemberWork::at_rest(x));
+    let mut works = network.per_member(MemberWork::at_rest(x));
     let ends = motion.members.as_ref().iter().zip(works.as_mut());
     for (member, (ends, work)) in ends.enumerate().take(network.sizes()[1]) {
         work.ends = *ends;

@@ -4,6 +4,7 @@ use crate::element::{Element, MemberNumbers, build};
 use crate::model::{FrequencyEstimates, ParameterError};
 use crate::number::Real;
 use crate::pass::network::member::{End, Placement};
+use crate::pass::network::memory::Arrays;
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::numbers::Numbers;
 use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedMember};
@@ -17,7 +18,7 @@ pub struct Skeleton<T, const NODES: usize, const MEMBERS: usize> {
     motions: [Motions<T>; NODES],
     placements: [Placement<T>; MEMBERS],
     /// Nodes and members in numbers, for searches at many frequencies at once.
-    stiffness: StiffnessRoom<NODES, MEMBERS>,
+    stiffness: StiffnessRoom<Arrays<0, NODES, MEMBERS>>,
 }
 
 impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBERS> {
@@ -50,7 +51,7 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
             *placement = Placement::new(member.freedoms, [&ends[0], &ends[1]], at_nodes.0, at_nodes.1);
             numbers.check_distance(sketch, member, placement.own_length().to_f64())?;
         }
-        let mut stiffness = StiffnessRoom::new();
+        let mut stiffness = StiffnessRoom::new([NODES, MEMBERS]);
         for (index, (node, motions)) in nodes.iter().zip(&motions).enumerate() {
             stiffness.set_node(index, node, motions);
         }

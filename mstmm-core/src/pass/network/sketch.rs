@@ -148,7 +148,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             freedoms[member] = self.members[member].freedoms.count();
             member += 1;
         }
-        order.order(NODES, MEMBERS).width(&motions, &freedoms)
+        order.order().width(&motions, &freedoms)
     }
 
     /// Number of unknowns of its overall transfer equation, given its paths.
@@ -211,7 +211,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             }
             support += 1;
         }
-        PlanePoint::tied(Tied { node, place, freedoms, hold })
+        PlanePoint::tied(Tied { node, place: Some(place), freedoms, hold })
     }
 
     /// What errors call a node: the name of its place, or its index where it is a motion of a path.

@@ -1,15 +1,19 @@
 //! A network with its order of elimination.
 
-use crate::element::{
-    MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberTransfer, MemberVisit, VisitMember,
-};
+use crate::element::{MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
+#[cfg(feature = "std")]
+use crate::element::{MemberSlopes, MemberWork};
 use crate::model::{FrequencyEstimates, Spot, is_size_of_direction};
-use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scaled, Single};
+use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
-use crate::pass::network::evaluate::{in_factor, network_pass};
+use crate::pass::network::evaluate::network_pass;
 use crate::pass::network::member::{End, Member, Placement, is_finite};
+#[cfg(feature = "std")]
+use crate::pass::network::memory::Vectors;
+use crate::pass::network::memory::{Arrays, Memory};
 use crate::pass::network::node::{Motions, Node};
+use crate::pass::network::order::Order;
 use crate::pass::network::overall::PlacedTransfers;
 use crate::pass::network::placed::{Placed, PlacedCharts, PlacedMotions};
 use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
@@ -17,52 +21,24 @@ use crate::pass::network::visit::visit_network;
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::proof::visit::Visitor;
 use crate::structure::Chart;
-use crate::structure::{Factor, StructureScalar};
+use crate::structure::StructureScalar;
 use crate::subspace::RootCounter;
-use core::array;
-use core::fmt::Debug;
-use mstmm_plan::{Freedoms, NetworkOrder, OrderRoom};
+use mstmm_plan::{Freedoms, NetworkOrder};
 
 /// The points of networks, by their indices.
 #[derive(Clone, Copy, Debug)]
 pub enum InNetwork {}
 
-/// Memory for a network of up to `NODES` nodes and `MEMBERS` members: some 200 bytes per node, some 720 per member.
-#[derive(Clone, Debug)]
-pub struct NetworkRoom<E: MemberElement, const NODES: usize, const MEMBERS: usize> {
-    members: [Option<E::Built>; MEMBERS],
-    kinds: [&'static str; MEMBERS],
-    placements: [Placement<E::Parameter>; MEMBERS],
-    motions: [Motions<E::Parameter>; NODES],
-    stiffness: StiffnessRoom<NODES, MEMBERS>,
-    order: OrderRoom<NODES, MEMBERS>,
-}
-
-impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, NODES, MEMBERS> {
-    /// Memory without a network.
-    #[allow(clippy::new_without_default, reason = "an array of any length has no default")]
-    pub fn new() -> Self {
-        NetworkRoom {
-            members: [const { None }; MEMBERS],
-            kinds: [""; MEMBERS],
-            placements: [Placement::nowhere(); MEMBERS],
-            motions: [Motions::none(); NODES],
-            stiffness: StiffnessRoom::new(),
-            order: OrderRoom::EMPTY,
-        }
-    }
-}
-
 /// A plane structure of beams, springs and dampers between nodes, at any angle, with any number of closed loops.
 ///
-/// Nodes are eliminated one after the other; `WIDTH` is the largest number of unknowns at once, the motions of nodes and what members have
-/// of their own. An evaluation takes a stack of `2 WIDTH²` numbers and some 100 bytes per unknown: 8 bytes a number of `f64`, 16 with
-/// its slope, and each twice as much in extended precision, where the search of a doubtful result has 32. Searches for natural frequencies take
-/// up to 60 kB more. A motion takes `WIDTH²` numbers more for each of `NODES` nodes. With `std` memory of more than 64 kB is taken from the heap.
+/// Nodes are eliminated one after the other. With `std` a network is as large as the program wants: its memory, and that of what it is asked, is on
+/// the heap. Without `std` it stands in [`Arrays`] of a size that the compiler knows. There an evaluation takes a stack of `2 WIDTH²` numbers and
+/// some 100 bytes per unknown: 8 bytes a number of `f64`, 16 with its slope, and each twice as much in extended precision, where the search of a
+/// doubtful result has 32. A motion takes `WIDTH²` numbers more for each of `NODES` nodes. Searches for natural frequencies take up to 60 kB more.
 ///
 /// ```
 /// use mstmm_core::search::NaturalFrequencies;
-/// use mstmm_core::{Member, Network, NetworkRoom, Node, Section, Support, UndampedMember};
+/// use mstmm_core::{Arrays, Member, Network, Node, Section, Support, UndampedMember};
 ///
 /// // a portal frame: two legs and a girder, clamped feet
 /// let nodes = [
@@ -73,88 +49,135 @@ impl<E: MemberElement, const NODES: usize, const MEMBERS: usize> NetworkRoom<E, 
 /// ];
 /// let section = Section { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 };
 /// let members = [[0, 1], [1, 2], [3, 2]].map(|[from, to]| Member::<UndampedMember<f64>>::new(from, to, section));
-/// let mut room = NetworkRoom::<_, 4, 3>::new();
-/// let portal = Network::<_, 16, _, _>::new(&nodes, &members, &mut room)?;
+/// let portal = Network::<_, Arrays<16, 4, 3>>::in_arrays(&nodes, &members)?;
 /// let found = portal.first_frequencies::<2>().unwrap();
 /// assert!((found[0].omega - 178.832186592728532).abs() < 1e-12);
 /// # Ok::<(), mstmm_core::NetworkError>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
-pub struct Network<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> {
-    pub(super) nodes: &'a [Node<E::Parameter>],
-    motions: &'a [Motions<E::Parameter>],
-    members: &'a [Option<E::Built>],
+#[derive(Clone, Debug)]
+pub struct Network<E: MemberElement, M: Memory> {
+    sizes: [usize; 2],
+    nodes: M::PerNode<Node<E::Parameter>>,
+    motions: M::PerNode<Motions<E::Parameter>>,
+    members: M::PerMember<Option<E::Built>>,
     /// What each member is.
-    pub(super) kinds: &'a [&'static str],
-    placements: &'a [Placement<E::Parameter>],
+    kinds: M::PerMember<&'static str>,
+    placements: M::PerMember<Placement<E::Parameter>>,
     /// Nodes and members in numbers, for searches at many frequencies at once.
-    stiffness: Option<StiffnessModel<'a>>,
-    /// The members in numbers.
-    numbers: &'a [MemberNumbers],
-    order: NetworkOrder<'a>,
+    stiffness: StiffnessRoom<M>,
+    order: Order<M>,
+    width: usize,
 }
 
-impl<'a, E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize>
-    Network<'a, E, WIDTH, NODES, MEMBERS>
-{
-    /// Builds a network in memory of the caller's.
+#[cfg(feature = "std")]
+impl<E: MemberElement> Network<E, Vectors> {
+    /// Builds a network of any size.
     ///
     /// # Errors
-    /// [`NetworkError`] for what cannot be built, and for a room or a `WIDTH` that is too small.
-    pub fn new(
-        nodes: &'a [Node<E::Parameter>],
-        members: &[Member<E>],
-        room: &'a mut NetworkRoom<E, NODES, MEMBERS>,
-    ) -> Result<Self, NetworkError> {
-        if members.is_empty() {
-            return Err(NetworkError::Empty);
+    /// [`NetworkError`] for what cannot be built.
+    pub fn new(nodes: &[Node<E::Parameter>], members: &[Member<E>]) -> Result<Self, NetworkError> {
+        Network::build(nodes, members)
+    }
+}
+
+impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize>
+    Network<E, Arrays<WIDTH, NODES, MEMBERS>>
+{
+    /// Builds a network in arrays: some 200 bytes per node, some 720 per member.
+    ///
+    /// # Errors
+    /// [`NetworkError`] for what cannot be built, and for arrays that are too small.
+    pub fn in_arrays(nodes: &[Node<E::Parameter>], members: &[Member<E>]) -> Result<Self, NetworkError> {
+        if nodes.len() > NODES || members.len() > MEMBERS {
+            return Err(NetworkError::Room { nodes: nodes.len(), members: members.len() });
         }
-        let sizes = (nodes.len(), members.len());
-        if sizes.0 > NODES || sizes.1 > MEMBERS {
-            return Err(NetworkError::Room { nodes: sizes.0, members: sizes.1 });
-        }
-        for (index, node) in nodes.iter().enumerate() {
-            check_node(index, node)?;
-            room.motions[index] = Motions::of(node);
-            room.stiffness.set_node(index, node, &room.motions[index]);
-        }
-        for (index, member) in members.iter().enumerate() {
-            let (built, placement) = built(index, member, nodes, &room.motions)?;
-            room.stiffness.set_member(index, E::member_numbers(&built), &placement);
-            (room.members[index], room.placements[index]) = (Some(built), placement);
-            room.kinds[index] = member.element.name();
-        }
-        let pairs = members.iter().map(|member| [member.ends[0].node, member.ends[1].node]);
-        let motions = &room.motions;
-        if let Some(node) = room.order.fill(sizes.0, |node| motions[node].count == 0, pairs) {
-            return Err(NetworkError::Apart { node });
-        }
-        let NetworkRoom { members: built, kinds, placements, motions, stiffness, order } = room;
-        let order = order.order(sizes.0, sizes.1);
-        stiffness.arrange(&order);
-        let network = Network {
-            nodes,
-            motions: &motions[..sizes.0],
-            members: &built[..sizes.1],
-            kinds: &kinds[..sizes.1],
-            placements: &placements[..sizes.1],
-            stiffness: stiffness.model(&order),
-            numbers: stiffness.numbers(),
-            order,
-        };
-        let motions: [usize; NODES] =
-            array::from_fn(|node| network.motions.get(node).map_or(0, |of_node| of_node.count));
-        let freedoms: [usize; MEMBERS] =
-            array::from_fn(|member| network.placements.get(member).map_or(0, |placement| placement.freedoms.count()));
-        match network.order.width(&motions, &freedoms) {
-            needed if needed > WIDTH => Err(NetworkError::Width { needed }),
-            _ => Ok(network),
+        match Network::build(nodes, members)? {
+            Network { width: needed, .. } if needed > WIDTH => Err(NetworkError::Width { needed }),
+            network => Ok(network),
         }
     }
 }
 
+impl<E: MemberElement, M: Memory> Network<E, M> {
+    /// Builds a network in memory that has room for it.
+    fn build(nodes: &[Node<E::Parameter>], members: &[Member<E>]) -> Result<Self, NetworkError> {
+        Self::with_paths(nodes, members, |_| false)
+    }
+
+    /// Builds a network some of whose nodes are motions of paths.
+    pub(crate) fn with_paths(
+        nodes: &[Node<E::Parameter>],
+        members: &[Member<E>],
+        is_of_path: impl Fn(usize) -> bool,
+    ) -> Result<Self, NetworkError> {
+        if members.is_empty() {
+            return Err(NetworkError::Empty);
+        }
+        let sizes @ [node_count, member_count] = [nodes.len(), members.len()];
+        let mut motions = M::per_node(node_count, Motions::none());
+        let mut stiffness = StiffnessRoom::new(sizes);
+        for (index, (node, motions)) in nodes.iter().zip(motions.as_mut()).enumerate() {
+            check_node(index, node)?;
+            *motions = Motions::of(node);
+            motions.is_of_path = is_of_path(index);
+            stiffness.set_node(index, node, motions);
+        }
+        let mut built = M::per_member(member_count, None);
+        let mut kinds = M::per_member(member_count, "");
+        let mut placements = M::per_member(member_count, Placement::nowhere());
+        for (index, member) in members.iter().enumerate() {
+            let (element, placement) = build_placed(index, member, nodes, motions.as_ref())?;
+            stiffness.set_member(index, E::member_numbers(&element), &placement);
+            built.as_mut()[index] = Some(element);
+            placements.as_mut()[index] = placement;
+            kinds.as_mut()[index] = member.element.name();
+        }
+        let rests = |node: usize| motions.as_ref()[node].count == 0;
+        let order = Order::of(sizes, |member| members[member].ends.map(|end| end.node), rests)
+            .map_err(|node| NetworkError::Apart { node })?;
+        stiffness.arrange(&order.get());
+        let mut own_nodes = M::per_node(node_count, Node::at([<E::Parameter as Scalar>::from_f64(0.0); 2]));
+        own_nodes.as_mut()[..node_count].copy_from_slice(nodes);
+        let (mut of_nodes, mut of_members) = (M::per_node(node_count, 0), M::per_member(member_count, 0));
+        of_nodes.as_mut().iter_mut().zip(motions.as_ref()).for_each(|(count, motions)| *count = motions.count);
+        let ends = of_members.as_mut().iter_mut().zip(placements.as_ref());
+        ends.for_each(|(count, placement)| *count = placement.freedoms.count());
+        let width = order.get().width(of_nodes.as_ref(), of_members.as_ref());
+        Ok(Network { sizes, nodes: own_nodes, motions, members: built, kinds, placements, stiffness, order, width })
+    }
+
+    /// The largest number of unknowns at once: motions of nodes, and what members have of their own.
+    pub fn unknowns_at_once(&self) -> usize {
+        self.width
+    }
+
+    /// The nodes.
+    pub(super) fn nodes(&self) -> &[Node<E::Parameter>] {
+        &self.nodes.as_ref()[..self.sizes[0]]
+    }
+
+    /// What each member is.
+    pub(crate) fn kinds(&self) -> &[&'static str] {
+        &self.kinds.as_ref()[..self.sizes[1]]
+    }
+
+    /// `∂L/∂p` for a parameter of a member by its name.
+    #[cfg(feature = "std")]
+    pub(crate) fn slope<S: Scalar>(&self, member: usize, work: &MemberWork<S>, name: &str) -> Option<S>
+    where
+        E: MemberSlopes<S>,
+    {
+        E::slope(self.member(member)?, work, name)
+    }
+
+    /// A built member.
+    fn member(&self, member: usize) -> Option<&E::Built> {
+        self.members.as_ref().get(member)?.as_ref()
+    }
+}
+
 /// Checks the numbers of a node.
-fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkError> {
+pub(crate) fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkError> {
     let fail = |problem| Err(NetworkError::InvalidNode { node: index, problem });
     let is_valid = |inertia: T| inertia.to_f64() >= 0.0 && inertia.to_f64().is_finite();
     if !is_finite(node.position) {
@@ -179,7 +202,7 @@ fn is_direction<T: Parameter>(vector: [T; 2]) -> bool {
 }
 
 /// Builds a member.
-fn built<E: MemberElement>(
+fn build_placed<E: MemberElement>(
     index: usize,
     member: &Member<E>,
     nodes: &[Node<E::Parameter>],
@@ -221,9 +244,7 @@ fn built<E: MemberElement>(
     Ok((built, placement))
 }
 
-impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> System
-    for Network<'_, E, WIDTH, NODES, MEMBERS>
-{
+impl<E: MemberElement, M: Memory> System for Network<E, M> {
     type Parameter = E::Parameter;
 
     const HAS_PHASES: bool = false;
@@ -231,11 +252,11 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
     const MAY_BUCKLE: bool = E::MAY_BUCKLE;
 
     fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
-        self.stiffness
+        self.stiffness.model(&self.order.get())
     }
 
     fn name_parts(&self, visitor: &mut dyn Visitor) {
-        visit_network(self, &|member| self.numbers[member], visitor);
+        visit_network(self, &|member| self.stiffness.numbers()[member], visitor);
     }
 
     fn spot_of(&self, place: usize) -> Spot {
@@ -243,15 +264,15 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
     }
 
     fn may_buckle(&self) -> bool {
-        E::MAY_BUCKLE && self.members.iter().flatten().any(E::may_buckle)
+        E::MAY_BUCKLE && self.members.as_ref().iter().flatten().any(E::may_buckle)
     }
 
     fn frequency_estimates(&self) -> FrequencyEstimates {
         let mut estimates = FrequencyEstimates::default();
-        for member in self.members.iter().flatten() {
+        for member in self.members.as_ref().iter().flatten() {
             E::estimate(member, &mut estimates);
         }
-        for node in self.nodes {
+        for node in self.nodes() {
             node.estimate(&mut estimates);
         }
         estimates.finish();
@@ -259,101 +280,60 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
     }
 }
 
-impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Placed
-    for Network<'_, E, WIDTH, NODES, MEMBERS>
-{
+impl<E: MemberElement, M: Memory> Placed for Network<E, M> {
     type Model = InNetwork;
 
     fn node(&self, node: usize) -> (&Node<E::Parameter>, &Motions<E::Parameter>) {
-        (&self.nodes[node], &self.motions[node])
+        (&self.nodes.as_ref()[node], &self.motions.as_ref()[node])
     }
 
     fn sizes(&self) -> [usize; 2] {
-        [self.nodes.len(), self.members.len()]
+        self.sizes
     }
 
     fn place(&self, place: usize) -> [E::Parameter; 2] {
-        self.nodes[place].position
+        self.nodes.as_ref()[place].position
     }
 
     fn placement(&self, member: usize) -> &Placement<E::Parameter> {
-        &self.placements[member]
+        &self.placements.as_ref()[member]
     }
 
     fn order(&self) -> NetworkOrder<'_> {
-        self.order
+        self.order.get()
     }
 
-    type PerNode<V: Copy + Debug> = [V; NODES];
-    type PerMember<V: Copy + Debug> = [V; MEMBERS];
-
-    fn per_node<V: Copy + Debug>(value: V) -> [V; NODES] {
-        [value; NODES]
+    fn width(&self) -> usize {
+        self.width
     }
 
-    fn per_member<V: Copy + Debug>(value: V) -> [V; MEMBERS] {
-        [value; MEMBERS]
-    }
-
-    fn in_factor<S: StructureScalar, R>(&self, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
-        in_factor::<WIDTH, NODES, S, R>(self, work)
-    }
+    type Memory = M;
 }
 
-impl<E, S, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> PlacedCharts<S>
-    for Network<'_, E, WIDTH, NODES, MEMBERS>
-where
-    E: MemberChart<S>,
-    S: Frequency<E::Parameter>,
-{
+impl<E: MemberChart<S>, M: Memory, S: Frequency<E::Parameter>> PlacedCharts<S> for Network<E, M> {
     fn chart(&self, member: usize, at: &FrequencyPowers<S>, length: S) -> Option<Chart<S>> {
-        Some(E::chart(self.members[member].as_ref()?, at, length))
+        Some(E::chart(self.member(member)?, at, length))
     }
 }
 
-impl<E, S, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> PlacedMotions<S>
-    for Network<'_, E, WIDTH, NODES, MEMBERS>
-where
-    E: MemberVisit<S>,
-    S: Frequency<E::Parameter>,
-{
+impl<E: MemberVisit<S>, M: Memory, S: Frequency<E::Parameter>> PlacedMotions<S> for Network<E, M> {
     fn visit_member<V: VisitMember<S>>(&self, member: usize, visitor: V) -> Option<V::Output> {
-        Some(E::visit(self.members[member].as_ref()?, visitor))
+        Some(E::visit(self.member(member)?, visitor))
     }
 }
 
-impl<E, S, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> PlacedTransfers<S>
-    for Network<'_, E, WIDTH, NODES, MEMBERS>
-where
-    E: MemberMatrix<S>,
-    S: Frequency<E::Parameter> + Single,
-{
+impl<E: MemberMatrix<S>, M: Memory, S: Frequency<E::Parameter> + Single> PlacedTransfers<S> for Network<E, M> {
     fn transfer(&self, member: usize, x: S) -> Option<MemberTransfer<S>> {
-        Some(E::transfer(self.members[member].as_ref()?, x))
+        Some(E::transfer(self.member(member)?, x))
     }
 }
 
-impl<E, S, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Characteristic<S>
-    for Network<'_, E, WIDTH, NODES, MEMBERS>
-where
-    E: MemberChart<S>,
-    S: Frequency<E::Parameter> + StructureScalar,
-{
+impl<E: MemberChart<S>, M: Memory, S: Frequency<E::Parameter> + StructureScalar> Characteristic<S> for Network<E, M> {
     fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
-        network_pass::<WIDTH, _, _, _>(self, x, counter)
+        network_pass(self, x, counter)
     }
 }
 
-impl<E, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Undamped for Network<'_, E, WIDTH, NODES, MEMBERS>
-where
-    E: MemberElement<Parameter: InLanes>,
-    Self: RealPasses,
-{
-}
+impl<E: MemberElement<Parameter: InLanes>, M: Memory> Undamped for Network<E, M> where Self: RealPasses {}
 
-impl<E, const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Spectrum for Network<'_, E, WIDTH, NODES, MEMBERS>
-where
-    E: MemberElement,
-    Self: ComplexPasses,
-{
-}
+impl<E: MemberElement, M: Memory> Spectrum for Network<E, M> where Self: ComplexPasses {}

@@ -3,7 +3,7 @@
 extern crate std;
 
 use crate::elements::Spring;
-use crate::pass::network::{End, Member, Network, NetworkRoom, Node};
+use crate::pass::network::{Arrays, End, Member, Network, Node};
 use crate::search::NaturalFrequencies;
 use crate::{Joint, Section, UndampedMember};
 use mstmm_plan::{Freedoms, Support};
@@ -15,8 +15,7 @@ const SECTION: Section<f64> = Section { axial_stiffness: 1e4, bending_stiffness:
 
 /// What a network of up to four nodes and three members says against being built or searched with room for so many unknowns at once.
 fn refused_in<const WIDTH: usize>(nodes: &[Node<f64>], members: &[Any]) -> String {
-    let mut room = NetworkRoom::<_, 4, 3>::new();
-    match Network::<_, WIDTH, _, _>::new(nodes, members, &mut room) {
+    match Network::<_, Arrays<WIDTH, 4, 3>>::in_arrays(nodes, members) {
         Err(error) => error.to_string(),
         Ok(network) => network.first_frequencies::<2>().unwrap_err().to_string(),
     }
@@ -37,10 +36,10 @@ fn capacities_are_refused_with_those_that_suffice() {
     let nodes = [Node::at([0.0, 0.0]).held(Support::Fixed.holds()), Node::at([1.0, 0.0])];
     let cantilever = [Any::new(0, 1, SECTION)];
     let narrow = refused_in::<5>(&nodes, &cantilever);
-    assert_eq!(narrow, "up to 6 unknowns are there at once: `Network::<_, 6, _, _>` has room for them");
+    assert_eq!(narrow, "up to 6 unknowns are there at once: `Arrays::<6, _, _>` has room for them");
     let many = [nodes[1]; 5];
     let crowded = refused_in::<30>(&many, &cantilever);
-    assert_eq!(crowded, "the room is too small for 5 nodes and 1 members: `Room::<_, 5, 1>` has room for them");
+    assert_eq!(crowded, "the arrays are too small for 5 nodes and 1 members: `Arrays::<_, 5, 1>` has room for them");
     assert_eq!(refused_in::<30>(&nodes, &[]), "the network has no members");
 }
 

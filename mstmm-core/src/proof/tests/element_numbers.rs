@@ -119,6 +119,10 @@ fn rigid(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
             mass: p.size(1.0), centre_x: p.any(), output_x: p.any(), inertia: of_body(mass, centre_x, p.size(1.0)),
             axial_force: p.any(),
         }
+        CentralBody of one => { mass: p.size(1.0), centre_x: p.any(), output_x: p.any(), inertia: p.size(1.0) }
+        CentralBodyColumn of one => {
+            mass: p.size(1.0), centre_x: p.any(), output_x: p.any(), inertia: p.size(1.0), axial_force: p.any(),
+        }
         RotationalHinge of one => { stiffness: p.size(1.0) }
         ShearHinge of one => { stiffness: p.size(1.0) }
         Lever of one => { output_x: p.any() }
@@ -126,6 +130,9 @@ fn rigid(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
         PlanarBody of one => {
             mass: p.size(1.0), centre_x: p.any(), centre_y: p.any(), output_x: p.any(), output_y: p.any(),
             inertia: of_body(mass, centre_x, p.size(1.0)) + of_body(mass, centre_y, p.size(1.0)),
+        }
+        PlanarCentralBody of one => {
+            mass: p.size(1.0), centre_x: p.any(), centre_y: p.any(), output_x: p.any(), output_y: p.any(), inertia: p.size(1.0),
         }
         PlanarHinge of one => { stiffness_x: p.size(1.0), stiffness_y: p.size(1.0), stiffness_theta: p.size(1.0) }
     )
@@ -151,6 +158,11 @@ fn beams(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
         GeneralBeam of length => {
             length: beam!(p: length), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
             shear_flexibility: beam!(p: small), rotary_inertia: beam!(p: small), axial_force: p.any(),
+            foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
+        }
+        UniformBeam of length => {
+            length: beam!(p: length), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
+            shear_stiffness: DoubleDouble::from_f64(10.0) + p.size(0.5), rotary_inertia: beam!(p: small), axial_force: p.any(),
             foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
         }
         TaperedBeam of length => {
@@ -187,6 +199,11 @@ fn planar_beams(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
             shear_flexibility: beam!(p: small), rotary_inertia: beam!(p: small), axial_force: p.any(),
             foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
         }
+        PlanarUniformBeam of length => {
+            length: beam!(p: length), axial_stiffness: p.size(1.0), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
+            shear_stiffness: DoubleDouble::from_f64(10.0) + p.size(0.5), rotary_inertia: beam!(p: small), axial_force: p.any(),
+            foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
+        }
     )
 }
 
@@ -205,7 +222,7 @@ fn joints(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
 }
 
 /// Elements without numbers: what a frame makes of them has some, bodies of nodes and joints.
-const WITHOUT_NUMBERS: [&str; 2] = ["PlanarBody", "PlanarHinge"];
+const WITHOUT_NUMBERS: [&str; 3] = ["PlanarBody", "PlanarCentralBody", "PlanarHinge"];
 
 fn check(runs: usize) {
     let mut p = Parameters { random: Random::new(21) };

@@ -6,7 +6,7 @@ use crate::elements::{
 };
 use crate::number::Scalar;
 use crate::pass::characteristic::{Characteristic, counted_pass};
-use crate::pass::network::{Member, Network, NetworkRoom, Node};
+use crate::pass::network::{Member, Network, Node};
 use crate::pass::searched::Undamped;
 use crate::proof::tests::random::Random;
 use crate::proof::visit::Visited;
@@ -368,8 +368,7 @@ impl Model {
             }
             Model::Frame(frame) => {
                 let Frame { nodes, members } = frame.shuffled(random);
-                let mut room = NetworkRoom::<_, 6, 8>::new();
-                Network::<_, 48, _, _>::new(&nodes, &members, &mut room).ok().map(|network| ask(&network))
+                Network::new(&nodes, &members).ok().map(|network| ask(&network))
             }
         }
     }

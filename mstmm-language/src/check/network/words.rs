@@ -1,11 +1,15 @@
 //! Rules of models with locations that need no graph: keywords, parameters, and what a support holds.
 
+use super::super::new_words::in_new_words;
 use super::super::words::{check_support, support_names, unknown_keyword, without_parameters};
 use super::super::{listed, parameters};
 use super::dimension;
 use crate::ast::{Coordinates, Element, Kind, Model, Node, Parameter, Support, place_of, tuple_parts};
 use crate::diagnostics::Errors;
-use crate::keywords::{ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, Role, freedom_of};
+use crate::keywords::{
+    ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, freedom_of, located_of,
+    old_word,
+};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
@@ -102,13 +106,21 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
         return errors.push(element.kind.place(), message);
     };
     if let Some(instead) = row.instead(dimension) {
-        return errors.push(element.kind.place(), format!("`{text}` {}: take `{instead}`", reason(row, dimension)));
+        let known = located_of(instead).map_or([const { Vec::new() }; 2], |row| row.parameters(dimension));
+        let advice = match old_word(&text).filter(|word| word.new == instead) {
+            Some(word) => format!("write `{}`", in_new_words(element, word, &known)),
+            None => format!("take `{instead}`"),
+        };
+        return errors.push(element.kind.place(), format!("`{text}` {}: {advice}", reason(row, dimension)));
     }
+    let [required, optional] = row.parameters(dimension);
     if element.parameters.is_some() {
         check_parameters(element, row, dimension, errors);
-    } else if row.parameters.is_empty() {
+    } else if row.role == Role::RigidBody {
+        // it may have them at another mention
+    } else if required.is_empty() && optional.is_empty() {
         errors.push(element.place(), format!("`{element}` lacks its braces, `{element} {{}}`"));
-    } else if row.role != Role::RigidBody {
+    } else {
         errors.push(element.place(), without_parameters(element, model));
     }
 }
@@ -116,7 +128,7 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
 /// Why a keyword has no place in a model.
 fn reason(row: &LocatedKeyword, dimension: Dimension) -> &'static str {
     match (row.role, dimension) {
-        (Role::Unknown, _) if row.instead(dimension) == Some(RIGID_BODY) => {
+        (Role::Unknown, _) if matches!(row.instead(dimension), Some(RIGID_BODY | RIGID_LINK)) => {
             "has its points by offsets, which places replace"
         }
         (Role::Unknown, _) => "stands in models without places",
@@ -134,7 +146,14 @@ fn check_parameters(element: &Element, row: &LocatedKeyword, dimension: Dimensio
                 format!("`{element}` takes no `length`, which follows from the places of its ends: remove it");
             errors.push(length.name.span(), message);
         }
-        None => parameters::parameters(element, Some([row.parameters, row.optional]), errors),
+        None => parameters::parameters(element, Some(&row.parameters(dimension)), errors),
+    }
+    if parameters::names_nothing(element) {
+        let advice = format!("write `pin {} {{}}`, which lets the rotation go, or name a stiffness", element.label);
+        errors.push(
+            element.place(),
+            format!("`{element}` names no freedom that gives way, so it would be rigid: {advice}"),
+        );
     }
     let vectors =
         element.parameters().filter(|parameter| row.vector.is_some_and(|name| parameter.name.unraw() == name));
@@ -174,9 +193,14 @@ fn check_bodies(model: &Model, dimension: Dimension, errors: &mut Errors) {
         let label = body.label.to_string();
         if !defined.contains(&label) && missed.insert(label) {
             let centre = if dimension == Dimension::Line { "x" } else { "(x, y)" };
-            let message = format!(
-                "`{body}` lacks its parameters, at one of its mentions: `{body} {{ mass, inertia, centre: {centre} }}`"
-            );
+            let message = match body.kind.name() {
+                name if name == RIGID_LINK => {
+                    format!("`{body}` lacks its braces, at one of its mentions: `{body} {{}}`")
+                }
+                _ => format!(
+                    "`{body}` lacks its parameters, at one of its mentions: `{body} {{ mass, inertia, centre: {centre} }}`"
+                ),
+            };
             errors.push(body.place(), message);
         }
     }

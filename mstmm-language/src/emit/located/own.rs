@@ -13,13 +13,13 @@ pub(super) fn width(width: Option<usize>, names: &Names) -> TokenStream {
 
 /// Whether some element is of the user's own.
 pub(super) fn has_own(network: &Network<'_>) -> bool {
-    network.paths.iter().flat_map(|path| &path.elements).any(|element| element.element.kind.known().is_none())
+    network.paths.iter().flat_map(|path| &path.elements).any(|element| element.element.known().is_none())
 }
 
 /// `WIDTH`, and one constant per check; nothing for a model of elements of the language alone.
 pub(super) fn own(network: &Network<'_>, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let elements = network.paths.iter().flat_map(|path| &path.elements).map(|element| element.element);
-    let own = elements.filter(|element| element.kind.known().is_none()).map(|element| {
+    let own = elements.filter(|element| element.known().is_none()).map(|element| {
         let span = names.at_element(element);
         let [one_motion, has_chart] = ["one_motion", "has_chart"].map(|name| names.function_at(name, span));
         let kind = names.element_over(element, &format_ident!("f64"));

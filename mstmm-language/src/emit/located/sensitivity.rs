@@ -3,11 +3,12 @@
 use super::super::sensitivity::{fields, variables};
 use super::super::{Names, implement};
 use super::numbers::{Number, geometry};
+use super::system::FREEDOMS_OF_JOINT;
 use super::{by_type, field};
 use crate::ast::Model;
 use crate::check::Derivatives;
 use crate::skeleton::{Member, Skeleton, What};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
 use syn::{Expr, Index};
 
@@ -89,6 +90,12 @@ fn gradient_bound(member: &Member<'_>, names: &Names) -> TokenStream {
     quote_spanned!(span=> #kind: #motion)
 }
 
+/// The field of the derivatives of a joint, at the user's token.
+fn field_of_joint(parameter: &Ident) -> Ident {
+    let field = FREEDOMS_OF_JOINT.iter().find(|(_, names)| names.iter().any(|name| parameter == name));
+    field.map_or_else(|| parameter.clone(), |(field, _)| Ident::new(field, parameter.span()))
+}
+
 /// What a member adds: the derivatives of its parameters, and what its length does.
 fn summand(index: usize, member: &Member<'_>, derivatives: &Derivatives, names: &Names) -> TokenStream {
     let Some(element) = member.what.element() else { return TokenStream::new() };
@@ -96,10 +103,14 @@ fn summand(index: usize, member: &Member<'_>, derivatives: &Derivatives, names: 
     let (kind, field) = (member.kind(names), field(index, names.here));
     let gradient = names.trait_at("MemberGradient", span);
     let parameters = derivatives.of(element);
-    let (parameters, values): (Vec<_>, Vec<_>) = parameters.iter().cloned().unzip();
+    let field_of = |name: &Ident| match member.what {
+        What::Hinge(_) => field_of_joint(name),
+        What::Element(_) | What::Rigid => element.field(name),
+    };
+    let (parameters, values): (Vec<_>, Vec<_>) = parameters.iter().map(|(name, value)| (field_of(name), value)).unzip();
     let order = (0..values.len()).map(Index::from);
     let length =
-        element.kind.has_length_of_places().then(|| quote_spanned!(names.here=> lengths[#index] = gradient.length;));
+        element.has_length_of_places().then(|| quote_spanned!(names.here=> lengths[#index] = gradient.length;));
     quote_spanned! {names.here=>
         let values = (#(#values,)*);
         let gradient = <#kind as #gradient>::member_gradient(&self.#field, &works[#index]);

@@ -8,6 +8,7 @@ use crate::ast::{Element, Model};
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
+use syn::ext::IdentExt;
 
 /// The struct of the skeleton and of built members.
 pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
@@ -51,7 +52,6 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         quote_spanned!(span=> system.skeleton.describe::<#kind>(#index, &system.#field, &mut system.estimates);)
     });
     let kept = values_of_fields(model, keeps_fields, names);
-    let (nodes, member_count) = (skeleton.nodes.len(), skeleton.members.len());
     let body = quote_spanned! {names.here=>
         let numbers = #private::Located::numbers(self);
         let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
@@ -65,7 +65,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         };
         system.skeleton.estimate(&mut system.estimates);
         #(#descriptions)*
-        system.skeleton.arrange(&ORDER.order(#nodes, #member_count));
+        system.skeleton.arrange(&ORDER.order());
     };
     let doc = [
         "Validates all places and parameters and builds the system.",
@@ -84,24 +84,53 @@ fn built(index: usize, member: &Member<'_>, place: &mut usize, names: &Names) ->
             quote_spanned!(span=> <#kind>::rigid(#freedoms))
         }
         What::Hinge(element) => {
-            let literal = literal(index, element, place, names);
-            quote_spanned!(span=> <#kind as ::core::convert::From<_>>::from(#literal))
+            let elastic = FREEDOMS_OF_JOINT.map(|(_, words)| elastic(element, words, *place, names));
+            *place += element.parameters().count();
+            let freedoms = super::sketch::freedom_set(&member.freedoms, names);
+            quote_spanned!(span=> <#kind>::hinge(#freedoms, [#(#elastic),*]))
         }
         What::Element(element) => literal(index, element, place, names),
     };
-    quote_spanned!(span=> #field: #build::<#kind>(#value, #name)?)
+    let called = match member.what {
+        What::Element(element) => names.called(element.renamed()),
+        What::Hinge(element) => called_in_joint(element, names),
+        What::Rigid => TokenStream::new(),
+    };
+    quote_spanned!(span=> #field: #build::<#kind>(#value, #name)#called?)
+}
+
+/// The fields of the derivatives of a joint, and the parameters that each may be: about z and the displacements.
+pub(super) const FREEDOMS_OF_JOINT: [(&str, &[&str]); 3] = [
+    ("stiffness_x", &["stiffness_x"]),
+    ("stiffness_y", &["stiffness_y"]),
+    ("stiffness_theta", &["stiffness_rz", "stiffness_theta"]),
+];
+
+/// The stiffness of a hinge in a freedom, if it is named: `Some(number(3))`.
+fn elastic(element: &Element, words: &[&str], first: usize, names: &Names) -> TokenStream {
+    let named = element.parameters().position(|parameter| words.iter().any(|word| parameter.name.unraw() == word));
+    let Some(index) = named else { return quote_spanned!(names.here=> ::core::option::Option::None) };
+    let place = first + index;
+    quote_spanned!(names.here=> ::core::option::Option::Some(number(#place)))
+}
+
+/// What gives errors about a joint the names of the parameters of its hinge.
+fn called_in_joint(element: &Element, names: &Names) -> TokenStream {
+    let is_other = |field: &str, word: &str| field != word && element.gives(word);
+    let other = FREEDOMS_OF_JOINT.iter().flat_map(|(field, words)| words.iter().map(move |word| (*field, *word)));
+    names.called(other.filter(|(field, word)| is_other(field, word)))
 }
 
 /// The struct of an element's parameters, with its length where its type has one.
 fn literal(index: usize, element: &Element, place: &mut usize, names: &Names) -> TokenStream {
     let span = names.at_element(element);
     let parameters = element.parameters().map(|parameter| {
-        let (name, of_place) = (&parameter.name, *place);
+        let (name, of_place) = (element.field(&parameter.name), *place);
         *place += 1;
         quote_spanned!(names.at(name.span())=> #name: number(#of_place))
     });
     let parameters: Vec<TokenStream> = parameters.collect();
-    let length = element.kind.has_length_of_places().then(|| {
+    let length = element.has_length_of_places().then(|| {
         let length = Ident::new("length", span);
         quote_spanned!(span=> #length: skeleton.length(#index),)
     });
@@ -153,23 +182,7 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::Placed for #system<#parameter> {
             type Model = #model;
-            type PerNode<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; #nodes];
-            type PerMember<V: ::core::marker::Copy + ::core::fmt::Debug> = [V; #members];
-
-            fn per_node<V: ::core::marker::Copy + ::core::fmt::Debug>(value: V) -> [V; #nodes] {
-                [value; #nodes]
-            }
-
-            fn per_member<V: ::core::marker::Copy + ::core::fmt::Debug>(value: V) -> [V; #members] {
-                [value; #members]
-            }
-
-            fn in_factor<S: #private::StructureScalar, R>(
-                &self,
-                work: impl ::core::ops::FnOnce(#private::Factor<'_, S>) -> R,
-            ) -> R {
-                #private::in_factor::<#width, #nodes, S, R>(self, work)
-            }
+            type Memory = #private::Arrays<#width, #nodes, #members>;
 
             fn sizes(&self) -> [::core::primitive::usize; 2] {
                 [#nodes, #members]
@@ -195,14 +208,14 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
             }
 
             fn order(&self) -> #private::NetworkOrder<'_> {
-                ORDER.order(#nodes, #members)
+                ORDER.order()
             }
         }
     }
 }
 
 /// `impl PlacedCharts<S>` and `impl Characteristic<S>`.
-pub(super) fn charts(skeleton: &Skeleton<'_>, width: &TokenStream, names: &Names) -> TokenStream {
+pub(super) fn charts(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let Names { private, frequency, counter, .. } = names;
     let bounds = bounds("Charted", skeleton, names);
     let charts = answers_of_members(skeleton, names, |kind, span| {
@@ -226,7 +239,7 @@ pub(super) fn charts(skeleton: &Skeleton<'_>, width: &TokenStream, names: &Names
             x: #frequency,
             counter: &mut #counter,
         ) -> #private::Scaled<#frequency> {
-            #private::network_pass::<#width, Self, #frequency, #counter>(self, x, counter)
+            #private::network_pass::<Self, #frequency, #counter>(self, x, counter)
         }
     };
     let compiled = quote_spanned!(names.here=> #frequency: #private::StructureScalar);

@@ -55,8 +55,7 @@ fn parts_of_directions_and_places_are_as_many_as_coordinates() {
                                                                     ^^^^^^^^ `centre` is one number where
                                                                     | points have one coordinate: `centre: x`
         conn a -> slider 2 { along: 1.0 } -> fixed;
-                  ^^^^^^ `slider` moves in the plane, but points have one coordinate here: take
-                  | `elastic_hinge`
+                  ^^^^^^ `slider` moves in the plane, but points have one coordinate here: take `hinge`
         ",
     );
 }

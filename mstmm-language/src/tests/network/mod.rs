@@ -11,15 +11,19 @@ mod words;
 
 use super::{assert_refused, input};
 use crate::diagnostics::Errors;
-use crate::expand::{network, read};
+use crate::expand::{located, network, read};
 
 /// The network of a model, as text.
 #[track_caller]
 fn described(model: &str) -> String {
     let mut errors = Errors::default();
-    let model = read(input(model), &mut errors).unwrap();
+    let mut model = read(input(model), &mut errors).unwrap();
     crate::check::words(&model, &mut errors);
-    match network(&model, errors) {
+    let network = match located(&mut model, errors) {
+        Ok((dimension, errors)) => network(&model, dimension, errors),
+        Err(error) => Err(error),
+    };
+    match network {
         Ok(network) => network.to_string(),
         Err(error) => error.into_iter().map(|error| format!("{error}\n")).collect(),
     }

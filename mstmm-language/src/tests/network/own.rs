@@ -3,7 +3,7 @@
 use super::super::input;
 use super::assert_refused;
 use crate::diagnostics::Errors;
-use crate::expand::{network, read};
+use crate::expand::{located, network, read};
 use crate::skeleton::Skeleton;
 use expect_test::{Expect, expect};
 use std::fmt::Write;
@@ -12,8 +12,9 @@ use std::fmt::Write;
 #[track_caller]
 fn check(model: &str, text: Expect) {
     let mut errors = Errors::default();
-    let model = read(input(model), &mut errors).unwrap();
-    let network = network(&model, errors).unwrap();
+    let mut model = read(input(model), &mut errors).unwrap();
+    let (dimension, errors) = located(&mut model, errors).unwrap();
+    let network = network(&model, dimension, errors).unwrap();
     let mut shown = Skeleton::of(&network).to_string();
     for suspicion in &network.suspicions {
         let of: Vec<String> = suspicion.of.iter().map(|(element, space)| format!("{element} of {space}")).collect();

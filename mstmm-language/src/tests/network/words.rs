@@ -8,13 +8,13 @@ fn each_dimension_has_its_keywords() {
         "
         struct M { l: f64 }
         fixed at (0.0, 0.0) -> beam 1 { bending_stiffness: l, mass_per_length: l } -> conn a at (l, 0.0)
-                               ^^^^ `beam` does not say what happens along it, which counts in the plane: take
-                               | `planar_beam`
+                               ^^^^^^ `beam 1` lacks `axial_stiffness`: in the plane a beam stretches, too; a
+                               | large number is one that hardly does
             -> body 2 { mass: l, inertia: l, output_x: l, centre_x: l } -> conn b at (l, l)
                ^^^^ `body` has its points by offsets, which places replace: take `rigid_body`
             -> elastic_hinge 3 { stiffness_y: l, stiffness_theta: l } -> fixed;
                ^^^^^^^^^^^^^ `elastic_hinge` does not say what happens along x, which counts in the plane:
-               | take `planar_hinge`
+               | write `hinge 3 { stiffness_y: l, stiffness_rz: l }`
         conn b -> planar_body 4 { } -> fixed;
                   ^^^^^^^^^^^ `planar_body` has its points by offsets, which places replace: take `rigid_body`
         conn a -> spatial_beam 5 { } -> plnar_beam 7 { } -> pin8 -> conn b;
@@ -29,10 +29,10 @@ fn each_dimension_has_its_keywords() {
         struct M { l: f64 }
         fixed at 0.0 -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at l
                         ^^^^^^^^^^^ `planar_beam` moves in the plane, but points have one coordinate here:
-                        | take `beam`
+                        | write `beam 1 { bending_stiffness: l, mass_per_length: l }`
             -> planar_hinge 2 { stiffness_x: l, stiffness_y: l, stiffness_theta: l } -> fixed;
-               ^^^^^^^^^^^^ `planar_hinge` moves in the plane, but points have one coordinate here: take
-               | `elastic_hinge`
+               ^^^^^^^^^^^^ `planar_hinge` moves in the plane, but points have one coordinate here: write
+               | `hinge 2 { stiffness_y: l, stiffness_rz: l }`
         ",
     );
 }
@@ -63,16 +63,12 @@ fn labels_are_checked() {
         struct M { l: f64 }
         fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                                ^^^^^^^^^^^^^ label `1` is first used here
-                               ^^^^^^^^^^^^^ label `1` is first used here
             -> conn 1 at (l, 0.0) -> planar_beam 02 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                                                  ^^ `02` is not a label: a label is a name or a decimal number
                                                  | without leading zero or suffix, such as `arm` or `12`
-                    ^ label `1` is taken by `planar_beam 1`: elements and connections share one set of labels,
-                    | and an element is written once
             -> conn b at (l, l) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-                                               ^ label `1` is taken by `planar_beam 1`: elements and
-                                               | connections share one set of labels, and an element is
-                                               | written once
+                                               ^ label `1` is taken by `planar_beam 1`: elements share one set
+                                               | of labels, and an element is written once
             -> fixed at (0.0, l);
         ",
     );
@@ -147,12 +143,12 @@ fn joints_of_paths_have_others_instead() {
         "
         struct M { l: f64 }
         fixed at (0.0, 0.0) -> rotational_hinge 1 { stiffness: l } -> conn a at (l, 0.0)
-                               ^^^^^^^^^^^^^^^^ `rotational_hinge` stands in models without places: take
-                               | `planar_hinge`
+                               ^^^^^^^^^^^^^^^^ `rotational_hinge` stands in models without places: write
+                               | `hinge 1 { stiffness_rz: l }`
             -> shear_hinge 2 { stiffness: l } -> lever 3 { output_x: l } -> fixed;
-               ^^^^^^^^^^^ `shear_hinge` stands in models without places: take `planar_hinge`
+               ^^^^^^^^^^^ `shear_hinge` stands in models without places: write `hinge 2 { stiffness_y: l }`
                                                  ^^^^^ `lever` has its points by offsets, which places
-                                                 | replace: take `rigid_body`
+                                                 | replace: write `rigid_link 3 {}`
         ",
     );
 }

@@ -3,6 +3,7 @@
 use crate::element::MemberNumbers;
 use crate::number::Real;
 use crate::pass::network::member::Placement;
+use crate::pass::network::memory::Memory;
 use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::stiffness::arrangement::arrange;
 use crate::pass::network::stiffness::member::StiffnessMember;
@@ -11,55 +12,62 @@ use mstmm_plan::NetworkOrder;
 
 /// Memory for a network in numbers, in the order in which a pass needs them.
 #[derive(Clone, Debug)]
-pub(crate) struct StiffnessRoom<const NODES: usize, const MEMBERS: usize> {
-    nodes: [StiffnessNode; NODES],
-    members: [StiffnessMember; MEMBERS],
+pub(crate) struct StiffnessRoom<M: Memory> {
+    nodes: M::PerNode<StiffnessNode>,
+    members: M::PerMember<StiffnessMember>,
     /// The parameters of members, from which a proof computes them anew.
-    numbers: [MemberNumbers; MEMBERS],
-    joining: [u32; MEMBERS],
-    parting: [u32; MEMBERS],
+    numbers: M::PerMember<MemberNumbers>,
+    joining: M::PerMember<u32>,
+    parting: M::PerMember<u32>,
     width: Option<usize>,
 }
 
-impl<const NODES: usize, const MEMBERS: usize> StiffnessRoom<NODES, MEMBERS> {
-    /// Memory without a network.
-    pub(crate) fn new() -> Self {
+impl<M: Memory> StiffnessRoom<M> {
+    /// Memory without a network, of so many nodes and members.
+    pub(crate) fn new([nodes, members]: [usize; 2]) -> Self {
         StiffnessRoom {
-            nodes: [StiffnessNode::none(); NODES],
-            members: [StiffnessMember::none(); MEMBERS],
-            numbers: [MemberNumbers::Other; MEMBERS],
-            joining: [0; MEMBERS],
-            parting: [0; MEMBERS],
+            nodes: M::per_node(nodes, StiffnessNode::none()),
+            members: M::per_member(members, StiffnessMember::none()),
+            numbers: M::per_member(members, MemberNumbers::Other),
+            joining: M::per_member(members, 0),
+            parting: M::per_member(members, 0),
             width: None,
         }
     }
 
     /// Keeps a node.
     pub(crate) fn set_node<T: Real>(&mut self, index: usize, node: &Node<T>, motions: &Motions<T>) {
-        self.nodes[index] = StiffnessNode::new(node, motions);
+        self.nodes.as_mut()[index] = StiffnessNode::new(node, motions);
     }
 
     /// Keeps a member in its place.
     pub(crate) fn set_member<T: Real>(&mut self, index: usize, numbers: MemberNumbers, placement: &Placement<T>) {
-        self.members[index] = StiffnessMember::new(&numbers, placement);
-        self.numbers[index] = numbers;
+        self.members.as_mut()[index] = StiffnessMember::new(&numbers, placement);
+        self.numbers.as_mut()[index] = numbers;
     }
 
     /// Arranges all that was kept for the passes to come.
     pub(crate) fn arrange(&mut self, order: &NetworkOrder<'_>) {
         let StiffnessRoom { nodes, members, joining, parting, width, .. } = self;
-        *width = arrange(order, nodes, members, [joining, parting]);
+        *width = arrange(order, nodes.as_mut(), members.as_mut(), [joining.as_mut(), parting.as_mut()]);
     }
 
     /// The members in numbers.
     pub(crate) fn numbers(&self) -> &[MemberNumbers] {
-        &self.numbers
+        self.numbers.as_ref()
     }
 
     /// The network, given its order, unless a member is not known in numbers, or too many displacements are in a front.
     pub(crate) fn model<'a>(&'a self, order: &NetworkOrder<'a>) -> Option<StiffnessModel<'a>> {
         let StiffnessRoom { nodes, members, joining, parting, width, .. } = self;
-        (*width).map(|width| StiffnessModel { nodes, members, order: order.nodes, joining, parting, width })
+        (*width).map(|width| StiffnessModel {
+            nodes: nodes.as_ref(),
+            members: members.as_ref(),
+            order: order.nodes,
+            joining: joining.as_ref(),
+            parting: parting.as_ref(),
+            width,
+        })
     }
 }
 

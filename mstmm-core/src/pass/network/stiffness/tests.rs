@@ -6,7 +6,7 @@ use crate::elements::{Rod, Spring, TautString, TorsionSpring};
 use crate::number::{DoubleDouble, Scaled};
 use crate::pass::characteristic::{System, counted_pass};
 use crate::pass::network::stiffness::{StiffnessBlock, StiffnessModel};
-use crate::pass::network::{End, Member, Network, NetworkRoom, Node};
+use crate::pass::network::{End, Member, Network, Node};
 use crate::subspace::WittrickWilliams;
 use crate::{Joint, Section, UndampedMember};
 use core::f64::consts::PI;
@@ -14,10 +14,6 @@ use mstmm_plan::{Freedoms, Support};
 use std::vec::Vec;
 
 type Any = UndampedMember<f64>;
-
-/// The number of nodes and of members that memory is for.
-const NODES: usize = 12;
-const MEMBERS: usize = 16;
 
 /// A network at some frequencies.
 fn evaluated<'a>(
@@ -39,8 +35,7 @@ fn compare(nodes: &[Node<f64>], members: &[Member<Any>], frequencies: &[f64]) {
 
 /// The same in blocks of so many frequencies, in lanes if there are several.
 fn compare_in_blocks(nodes: &[Node<f64>], members: &[Member<Any>], frequencies: &[f64], size: usize) {
-    let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
-    let network = Network::<_, 48, _, _>::new(nodes, members, &mut room).unwrap();
+    let network = Network::new(nodes, members).unwrap();
     let (mut value, mut below) = ([0.0; 16], [0.0; 16]);
     let mut ratio = None;
     for omega in frequencies.chunks(size) {
@@ -182,8 +177,7 @@ fn what_nothing_holds_is_not_known() {
     let on_a_spring = |end: Node<f64>| {
         let nodes = [Node::at([0.0, 0.0]).held(Support::Fixed.holds()), end];
         let members = [Member::<Any>::new(0, 1, Spring { stiffness: 3.0 })];
-        let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
-        let network = Network::<_, 48, _, _>::new(&nodes, &members, &mut room).unwrap();
+        let network = Network::new(&nodes, &members).unwrap();
         let numbers = [&mut [0.0; 16], &mut [0.0; 16]];
         evaluated(&network.in_numbers().unwrap(), &[1.0, 2.0], numbers, true).unknown
     };
@@ -196,8 +190,7 @@ fn what_nothing_holds_is_not_known() {
 fn width<const POINTS: usize, const BEAMS: usize>(pairs: impl Iterator<Item = [usize; 2]>) -> Option<usize> {
     let nodes: Vec<_> = (0..POINTS).map(|k| Node::at([k as f64, 0.1 * (k * k) as f64])).collect();
     let members: Vec<_> = pairs.map(|[from, to]| Member::<Any>::new(from, to, section())).collect();
-    let mut room = NetworkRoom::<_, POINTS, BEAMS>::new();
-    let network = Network::<_, 1000, _, _>::new(&nodes, &members, &mut room).unwrap();
+    let network = Network::new(&nodes, &members).unwrap();
     network.in_numbers().map(|model| model.width)
 }
 
@@ -220,8 +213,7 @@ fn frequencies_of_held_rods_are_told_apart_by_the_signs_of_their_minors() {
     let rod = |length: f64| Rod { length, axial_stiffness: 1.0, mass_per_length: 1.0, foundation_stiffness: 0.0 };
     let members: [Member<Any>; 5] =
         core::array::from_fn(|k| Member::new(0, 1, rod(1.0 + k as f64 * f64::EPSILON)).along([1.0, 0.0]));
-    let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
-    let network = Network::<_, 48, _, _>::new(&nodes, &members, &mut room).unwrap();
+    let network = Network::new(&nodes, &members).unwrap();
     let (mut value, mut below) = ([0.0; 16], [0.0; 16]);
     for halves in 1..20 {
         for ulps in -8..8 {
@@ -256,8 +248,7 @@ fn ladder(bays: usize, stiffer: f64) -> (Vec<Node<f64>>, Vec<Member<Any>>) {
 #[test]
 fn a_frequency_beyond_the_range_leaves_the_next_one_as_it_is() {
     let (nodes, members) = ladder(3, 1.0);
-    let mut room = NetworkRoom::<_, NODES, MEMBERS>::new();
-    let network = Network::<_, 48, _, _>::new(&nodes, &members, &mut room).unwrap();
+    let network = Network::new(&nodes, &members).unwrap();
     let (mut value, mut below) = ([0.0; 16], [0.0; 16]);
     let block = evaluated(&network.in_numbers().unwrap(), &[500.0, 1e300, 500.0], [&mut value, &mut below], false);
     assert_eq!(block.unknown, 0b010);

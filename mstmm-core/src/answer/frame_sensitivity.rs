@@ -1,0 +1,110 @@
+//! Sensitivities of frames: how a root moves with the parameters of members and bodies.
+
+use crate::answer::network::shape::{PlaneShape, simple};
+use crate::answer::root::{Root, simple_root};
+use crate::element::{MemberChart, MemberElement, MemberSlopes, MemberVisit, MemberWork};
+use crate::frame::{Body, Dimension, Framework, Member};
+use crate::model::MotionError;
+use crate::pass::network::{PerMember, Placed, PlaneFrequency, member_works};
+
+/// The derivatives of a root with respect to the parameters of a frame, dω/dp or dλ/dp, by handles and names.
+#[derive(Debug)]
+pub struct FrameSensitivities<'a, D: Dimension, E: MemberElement<Parameter = f64>, S: PlaneFrequency<f64>> {
+    frame: &'a Framework<D, E>,
+    shape: PlaneShape<'a, Framework<D, E>, S>,
+    works: PerMember<Framework<D, E>, MemberWork<S>>,
+}
+
+/// What has parameters in a frame: a member or a body.
+pub trait Asked<D: Dimension, E: MemberElement<Parameter = f64>, S: PlaneFrequency<f64>> {
+    /// `∂L/∂p` for the parameter of a name.
+    #[doc(hidden)]
+    fn slope(self, sensitivities: &FrameSensitivities<'_, D, E, S>, name: &str) -> Result<Option<S>, MotionError>;
+}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
+    /// The derivatives of a simple root with respect to the parameters of members and bodies.
+    ///
+    /// ```
+    /// use mstmm_core::frame::{Frame, Section};
+    /// use mstmm_core::search::NaturalFrequencies;
+    /// use mstmm_core::Support;
+    ///
+    /// let mut frame = Frame::new();
+    /// let [foot, tip] = [0.0, 2.0].map(|place| frame.point(place));
+    /// frame.hold(foot, Support::Fixed);
+    /// let beam = frame.member(foot, tip, Section::new().bending_stiffness(8.0).mass_per_length(1.5));
+    /// let cantilever = frame.build()?;
+    /// let root = cantilever.frequencies(1)?[0];
+    /// // ω grows as the root of the stiffness
+    /// let slope = cantilever.sensitivity(&root)?.of(beam, "bending_stiffness")?;
+    /// assert!((slope / (root.omega / 16.0) - 1.0).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`mode_shape`](crate::FrameAnalysis::mode_shape); [`MotionError::ZeroFrequency`] for a root at zero.
+    pub fn sensitivity<S>(
+        &self,
+        root: &impl Root<f64, Frequency = S>,
+    ) -> Result<FrameSensitivities<'_, D, E, S>, MotionError>
+    where
+        S: PlaneFrequency<f64>,
+        E: MemberVisit<S> + MemberChart<S> + MemberChart<S::Precise> + MemberChart<S::WithSlope>,
+    {
+        let x = simple_root(root)?;
+        if x.is_zero() {
+            return Err(MotionError::ZeroFrequency);
+        }
+        let shape = simple(self, x)?;
+        let works = member_works(self, x, &shape.motion);
+        Ok(FrameSensitivities { frame: self, shape, works })
+    }
+}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>, S: PlaneFrequency<f64>> FrameSensitivities<'_, D, E, S> {
+    /// The derivative with respect to a parameter of a member, by the name that its section or its struct has, or to `mass` or `inertia` of a body.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchParameter`] where there is no derivative of this name; [`MotionError::OtherFrame`] for a handle of another frame.
+    pub fn of(&self, item: impl Asked<D, E, S>, name: &str) -> Result<S, MotionError> {
+        let slope = item.slope(self, name)?.ok_or(MotionError::NoSuchParameter)?;
+        // `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`, with `∂L/∂λ = (dλ²/dλ)/2` for a shape of unit modal mass
+        Ok(slope * S::from_f64(-2.0) / self.shape.x.slope_of_lambda_squared())
+    }
+}
+
+impl<K, D, E, S> Asked<D, E, S> for Member<K>
+where
+    D: Dimension,
+    E: MemberElement<Parameter = f64> + MemberSlopes<S>,
+    S: PlaneFrequency<f64>,
+{
+    fn slope(self, sensitivities: &FrameSensitivities<'_, D, E, S>, name: &str) -> Result<Option<S>, MotionError> {
+        let FrameSensitivities { frame, works, .. } = sensitivities;
+        let member = frame.member_of(self.handle())?;
+        Ok(frame.slope(member, &works.as_slice()[member], name))
+    }
+}
+
+impl<D, E, S> Asked<D, E, S> for Body
+where
+    D: Dimension,
+    E: MemberElement<Parameter = f64>,
+    S: PlaneFrequency<f64>,
+{
+    fn slope(self, sensitivities: &FrameSensitivities<'_, D, E, S>, name: &str) -> Result<Option<S>, MotionError> {
+        let FrameSensitivities { frame, shape, .. } = sensitivities;
+        let (node, centre) = frame.body(self)?;
+        let position = Placed::node(*frame, node).0.position;
+        let [u, v, rotation] = shape.node(node)?;
+        let [x, y] = [0, 1].map(|k| S::from_f64(centre[k] - position[k]));
+        let [at_x, at_y] = [u - rotation * y, v + rotation * x];
+        let half = shape.x.lambda_squared() * S::from_f64(0.5);
+        Ok(match name {
+            "mass" => Some(half * (at_x * at_x + at_y * at_y)),
+            "inertia" => Some(half * rotation * rotation),
+            _ => None,
+        })
+    }
+}

@@ -1,0 +1,154 @@
+//! Frames that cannot be built: all that is wrong with one, in the words of its names.
+
+use crate::model::InvalidParameter;
+use crate::pass::network::NetworkError;
+use core::fmt;
+use core::ops::Deref;
+use std::string::String;
+use std::vec::Vec;
+
+/// What is wrong with a part of a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Mistake {
+    /// A beam names too little.
+    Missing {
+        /// The parameter that it needs.
+        parameter: &'static str,
+    },
+    /// A beam along a line names an axial stiffness.
+    AxialStiffness,
+    /// A shear stiffness is not positive.
+    ShearStiffness {
+        /// Its value.
+        value: f64,
+    },
+    /// A number is out of its range.
+    Parameter(InvalidParameter),
+    /// A place, a mass or a direction is out of its range.
+    Number {
+        /// What is wrong.
+        problem: &'static str,
+    },
+    /// A handle is that of another frame.
+    OtherFrame,
+    /// A beam or a joint ends at the ground or at a path, which have no place.
+    NoPlace,
+    /// A spring, a damper or a path acts on a point in no direction.
+    NoDirection,
+    /// A direction is zero, not finite or beyond 1e±70, or the element has none to choose.
+    Direction,
+    /// Both ends of a member are at one place.
+    SamePlace,
+    /// The ends of a joint are at two places.
+    TwoPlaces,
+    /// A hinge names no stiffness.
+    RigidHinge,
+    /// Translations and rotations meet at a point of a path, or nothing does.
+    Motions,
+    /// A member has damping, and the frame is built without.
+    Damped,
+    /// A body ties no point.
+    NoPoint,
+    /// A point is held twice.
+    HeldTwice,
+    /// Nothing joins it to the rest.
+    Apart,
+    /// The frame has no member.
+    Empty,
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Mistake::Missing { parameter: "axial_stiffness" } => {
+                write!(
+                    f,
+                    "`axial_stiffness` is missing: in the plane a beam stretches, too; a large number is nearly rigid"
+                )
+            }
+            Mistake::Missing { parameter } => write!(f, "`{parameter}` is missing"),
+            Mistake::AxialStiffness => write!(f, "a beam along a line moves across it and has no `axial_stiffness`"),
+            Mistake::ShearStiffness { value } => write!(f, "shear_stiffness is {value}, but must be positive"),
+            Mistake::Parameter(error) => write!(f, "{error}"),
+            Mistake::Number { problem } => write!(f, "{problem}"),
+            Mistake::OtherFrame => write!(f, "a point or a member of another frame: each frame has handles of its own"),
+            Mistake::NoPlace => write!(f, "it ends at the ground or at a path, which have no place: end it at a point"),
+            Mistake::NoDirection => write!(f, "it acts on a point in no direction: `point.along([dx, dy])`"),
+            Mistake::Direction => {
+                write!(
+                    f,
+                    "its direction is zero, not finite, beyond 1e±70, or not its own to choose, as that of a beam"
+                )
+            }
+            Mistake::SamePlace => {
+                write!(f, "both ends are at one place: a beam has a length, a spring there a direction")
+            }
+            Mistake::TwoPlaces => write!(f, "the ends of a joint are at one place, and its are at two"),
+            Mistake::RigidHinge => write!(f, "it names no stiffness and would be rigid: `stiffness_rz(0.0)`, or `Pin`"),
+            Mistake::Motions => {
+                write!(f, "springs that move and springs that turn meet at this point of a path, or nothing does")
+            }
+            Mistake::Damped => write!(f, "it has damping: `build_damped()` has eigenvalues"),
+            Mistake::NoPoint => write!(f, "it ties no point"),
+            Mistake::HeldTwice => write!(f, "it is held twice: name all that is held at once"),
+            Mistake::Apart => write!(f, "nothing joins it to the rest: build two structures"),
+            Mistake::Empty => write!(f, "the frame has no member"),
+        }
+    }
+}
+
+/// One thing that is wrong with a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildError {
+    /// The part: its name, or its number.
+    pub part: String,
+    /// What is wrong with it.
+    pub mistake: Mistake,
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.part, self.mistake)
+    }
+}
+
+impl core::error::Error for BuildError {}
+
+/// All that is wrong with a frame, at least one thing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildErrors(pub(crate) Vec<BuildError>);
+
+impl Deref for BuildErrors {
+    type Target = [BuildError];
+
+    fn deref(&self) -> &[BuildError] {
+        &self.0
+    }
+}
+
+impl fmt::Display for BuildErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, error) in self.0.iter().enumerate() {
+            write!(f, "{}{error}", if place > 0 { "\n" } else { "" })?;
+        }
+        Ok(())
+    }
+}
+
+impl core::error::Error for BuildErrors {}
+
+impl Mistake {
+    /// What a network says against a member or a node.
+    pub(crate) fn of(error: NetworkError) -> Self {
+        match error {
+            NetworkError::InvalidNode { problem, .. } => Mistake::Number { problem },
+            NetworkError::Parameter { error, .. } => Mistake::Parameter(error),
+            NetworkError::SamePlace { .. } => Mistake::SamePlace,
+            NetworkError::TwoPlaces { .. } => Mistake::TwoPlaces,
+            NetworkError::Direction { .. } => Mistake::Direction,
+            NetworkError::Apart { .. } => Mistake::Apart,
+            _ => Mistake::Empty,
+        }
+    }
+}

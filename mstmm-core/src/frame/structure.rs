@@ -1,0 +1,359 @@
+//! Built frames: structures that are searched and asked.
+
+use crate::element::{
+    MemberChart, MemberElement, MemberMatrix, MemberSlopes, MemberTransfer, MemberVisit, MemberWork, VisitMember,
+};
+use crate::elements::any_member::{AnyMember, UndampedMember};
+use crate::frame::assembly::{Assembly, NetworkMember};
+use crate::frame::dimension::Dimension;
+use crate::frame::entries::{Body, Frame};
+use crate::frame::error::{BuildError, BuildErrors, Mistake};
+use crate::frame::point::InFrame;
+use crate::model::{FrequencyEstimates, Handle, InvalidParameter, MemberLabel, MotionError, PlanePoint, Spot, Tied};
+use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Single};
+use crate::pass::characteristic::{Characteristic, System};
+use crate::pass::network::{
+    self, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, Motions, Network, NetworkError, Node,
+    Placed, PlacedCharts, PlacedMotions, PlacedTransfers, Placement, StiffnessModel, Vectors,
+};
+use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
+use crate::proof::visit::Visitor;
+use crate::structure::{Chart, StructureScalar};
+use crate::subspace::RootCounter;
+use core::marker::PhantomData;
+use mstmm_plan::{Freedoms, NetworkOrder};
+use std::string::String;
+use std::vec::Vec;
+
+/// A built frame of members `E`.
+#[derive(Clone, Debug)]
+pub struct Framework<D, E: MemberElement> {
+    network: Network<E, Vectors>,
+    number: u32,
+    points: Vec<Tied>,
+    places: Vec<[f64; 2]>,
+    /// The supports: a point, what is held, and the direction along which it moves.
+    supports: Vec<(usize, Freedoms, Option<[f64; 2]>)>,
+    /// The node and the mass centre of each body.
+    bodies: Vec<(usize, [f64; 2])>,
+    /// The shear flexibility of each member \[1/N\]; zero of what has none.
+    flexibilities: Vec<f64>,
+    /// Members of the frame; behind them there are those of supports and of masses in a direction.
+    member_count: usize,
+    of: PhantomData<fn() -> D>,
+}
+
+/// A built frame without damping: it has natural frequencies, shapes, responses.
+pub type Structure<D> = Framework<D, UndampedMember<f64>>;
+
+/// A built frame with damping: it has eigenvalues, shapes, responses.
+pub type DampedStructure<D> = Framework<D, AnyMember<f64>>;
+
+impl<D: Dimension> Frame<D> {
+    /// Builds the structure, if nothing in it is damped.
+    ///
+    /// # Errors
+    /// [`BuildErrors`]: all that is wrong, each with the name or the number of its part.
+    pub fn build(&self) -> Result<Structure<D>, BuildErrors> {
+        Framework::built(self, |element| element.undamped().ok_or(Mistake::Damped))
+    }
+
+    /// Builds the structure with what is damped in it: it has eigenvalues, and responses.
+    ///
+    /// # Errors
+    /// As [`build`](Frame::build).
+    pub fn build_damped(&self) -> Result<DampedStructure<D>, BuildErrors> {
+        Framework::built(self, Ok)
+    }
+}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
+    /// Builds a frame with what a function makes of its members.
+    fn built(frame: &Frame<D>, element: impl Fn(AnyMember<f64>) -> Result<E, Mistake>) -> Result<Self, BuildErrors> {
+        let mut assembly = Assembly::of(frame);
+        let mut members = Vec::new();
+        for index in 0..assembly.members.len() {
+            let NetworkMember { ends, element: any } = assembly.members[index];
+            match element(any).and_then(|element| checked(&assembly.nodes, &ends, element)) {
+                Ok(element) => members.push(network::Member { ends, element }),
+                Err(mistake) => assembly.fail(assembly.called[index].clone(), mistake),
+            }
+        }
+        for node in 0..assembly.nodes.len() {
+            if let Err(error) = network::check_node(node, &assembly.nodes[node]) {
+                assembly.fail(assembly.names[node].clone(), Mistake::of(error));
+            }
+        }
+        let flexibilities = assembly.members.iter().map(|member| shear_flexibility(&member.element)).collect();
+        let Assembly { nodes, names, is_of_path, called, points, bodies, errors, .. } = assembly;
+        if !errors.is_empty() {
+            return Err(BuildErrors(errors));
+        }
+        let network = Network::with_paths(&nodes, &members, |node| is_of_path[node]).map_err(|error| {
+            let part = match error {
+                NetworkError::Apart { node } | NetworkError::InvalidNode { node, .. } => names[node].clone(),
+                NetworkError::Parameter { member, .. }
+                | NetworkError::SamePlace { member, .. }
+                | NetworkError::TwoPlaces { member, .. }
+                | NetworkError::Direction { member }
+                | NetworkError::NoSuchNode { member, .. } => called[member].clone(),
+                _ => String::from("the frame"),
+            };
+            BuildErrors(std::vec![BuildError { part, mistake: Mistake::of(error) }])
+        })?;
+        let places = frame.points.iter().map(|point| D::in_plane(point.place)).collect();
+        let holds = frame
+            .points
+            .iter()
+            .enumerate()
+            .flat_map(|(point, entry)| entry.holds.iter().map(move |hold| (point, hold)));
+        let supports = holds.map(|(point, hold)| (point, hold.freedoms, hold.along)).collect();
+        let (number, member_count) = (frame.number, frame.members.len());
+        Ok(Framework {
+            network,
+            number,
+            points,
+            places,
+            supports,
+            bodies,
+            flexibilities,
+            member_count,
+            of: PhantomData,
+        })
+    }
+}
+
+/// The shear flexibility of a beam.
+fn shear_flexibility(element: &AnyMember<f64>) -> f64 {
+    match element {
+        AnyMember::PlanarGeneralBeam(beam) => beam.shear_flexibility,
+        AnyMember::GeneralBeam(beam) => beam.shear_flexibility,
+        AnyMember::PlanarDampedBeam(beam) => beam.shear_flexibility,
+        AnyMember::DampedBeam(beam) => beam.shear_flexibility,
+        _ => 0.0,
+    }
+}
+
+/// An element whose parameters are in their ranges, between two ends.
+fn checked<E: MemberElement<Parameter = f64>>(
+    nodes: &[Node<f64>],
+    ends: &[network::End<f64>; 2],
+    element: E,
+) -> Result<E, Mistake> {
+    let [[x, y], [to_x, to_y]] = ends.each_ref().map(|end| end.position.unwrap_or(nodes[end.node].position));
+    let length = (to_x - x).hypot(to_y - y);
+    let is_beam = element.freedoms().count() > 1 && !element.is_joint();
+    if is_beam && length == 0.0 {
+        return Err(Mistake::SamePlace);
+    }
+    if element.is_joint() && length > 0.0 {
+        return Err(Mistake::TwoPlaces);
+    }
+    let built = element.build(if is_beam { length } else { 1.0 });
+    built.map_err(|error| {
+        // frames say rz, as they say x and y
+        let parameter = if error.parameter == "stiffness_theta" { "stiffness_rz" } else { error.parameter };
+        Mistake::Parameter(InvalidParameter { parameter, ..error })
+    })?;
+    Ok(element)
+}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> System for Framework<D, E> {
+    type Parameter = f64;
+    const HAS_PHASES: bool = false;
+    const IS_NETWORK: bool = true;
+    const MAY_BUCKLE: bool = E::MAY_BUCKLE;
+
+    fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
+        self.network.in_numbers()
+    }
+
+    fn name_parts(&self, visitor: &mut dyn Visitor) {
+        self.network.name_parts(visitor);
+    }
+
+    fn spot_of(&self, place: usize) -> Spot {
+        self.spot(place)
+    }
+
+    fn may_buckle(&self) -> bool {
+        self.network.may_buckle()
+    }
+
+    fn frequency_estimates(&self) -> FrequencyEstimates {
+        self.network.frequency_estimates()
+    }
+}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> Placed for Framework<D, E> {
+    type Model = InFrame;
+    type Memory = Vectors;
+
+    fn node(&self, node: usize) -> (&Node<f64>, &Motions<f64>) {
+        self.network.node(node)
+    }
+
+    fn placement(&self, member: usize) -> &Placement<f64> {
+        self.network.placement(member)
+    }
+
+    fn place(&self, place: usize) -> [f64; 2] {
+        self.places[place]
+    }
+
+    fn point(&self, point: Handle) -> Result<Tied, MotionError> {
+        let index = self.own(point)?;
+        self.points.get(index).copied().ok_or(MotionError::NoSuchPoint { index })
+    }
+
+    fn member_of(&self, member: Handle) -> Result<usize, MotionError> {
+        let index = self.own(member)?;
+        if index < self.member_count { Ok(index) } else { Err(MotionError::NoSuchPoint { index }) }
+    }
+
+    fn spot(&self, node: usize) -> Spot {
+        let point = self.points.iter().position(|point| point.node == node);
+        point.map_or(Spot::Node(node), Spot::Point)
+    }
+
+    fn order(&self) -> NetworkOrder<'_> {
+        self.network.order()
+    }
+
+    fn sizes(&self) -> [usize; 2] {
+        self.network.sizes()
+    }
+
+    fn width(&self) -> usize {
+        self.network.width()
+    }
+}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
+    /// The node and the mass centre of a body.
+    ///
+    /// # Errors
+    /// [`MotionError::OtherFrame`] for a body of another frame, [`MotionError::NoSuchPoint`] for one that was added later.
+    pub(crate) fn body(&self, body: Body) -> Result<(usize, [f64; 2]), MotionError> {
+        let index = self.own(body.handle)?;
+        self.bodies.get(index).copied().ok_or(MotionError::NoSuchPoint { index })
+    }
+
+    /// `∂L/∂p` for a parameter of a member by its name in a frame.
+    pub(crate) fn slope<S: Scalar>(&self, member: usize, work: &MemberWork<S>, name: &str) -> Option<S>
+    where
+        E: MemberSlopes<S>,
+    {
+        let of = |name: &str| self.network.slope(member, work, name);
+        match name {
+            // the length of a beam is that between its points
+            "length" if self.placement(member).freedoms.count() > 1 => None,
+            "stiffness_rz" => of("stiffness_theta"),
+            "stiffness_theta" | "shear_flexibility" => None,
+            "shear_stiffness" => {
+                // of the inverse
+                let flexibility = self.flexibilities[member];
+                Some(of("shear_flexibility")? * S::from_f64(-flexibility * flexibility))
+            }
+            _ => of(name),
+        }
+    }
+}
+
+impl<D, E: MemberElement> Framework<D, E> {
+    /// The index of what a handle of its frame means.
+    fn own(&self, Handle { index, frame }: Handle) -> Result<usize, MotionError> {
+        if frame == self.number { Ok(index) } else { Err(MotionError::OtherFrame { index }) }
+    }
+}
+
+impl<D: Dimension, E, S> PlacedCharts<S> for Framework<D, E>
+where
+    E: MemberElement<Parameter = f64> + MemberChart<S>,
+    S: Frequency<f64>,
+{
+    fn chart(&self, member: usize, at: &FrequencyPowers<S>, length: S) -> Option<Chart<S>> {
+        self.network.chart(member, at, length)
+    }
+}
+
+impl<D: Dimension, E, S> PlacedMotions<S> for Framework<D, E>
+where
+    E: MemberElement<Parameter = f64> + MemberVisit<S>,
+    S: Frequency<f64>,
+{
+    fn visit_member<V: VisitMember<S>>(&self, member: usize, visitor: V) -> Option<V::Output> {
+        self.network.visit_member(member, visitor)
+    }
+}
+
+impl<D: Dimension, E, S> PlacedTransfers<S> for Framework<D, E>
+where
+    E: MemberElement<Parameter = f64> + MemberMatrix<S>,
+    S: Frequency<f64> + Single,
+{
+    fn transfer(&self, member: usize, x: S) -> Option<MemberTransfer<S>> {
+        self.network.transfer(member, x)
+    }
+}
+
+impl<D: Dimension, E, S> Characteristic<S> for Framework<D, E>
+where
+    E: MemberElement<Parameter = f64> + MemberChart<S>,
+    S: Frequency<f64> + StructureScalar,
+{
+    fn pass<C: RootCounter<S>>(&self, x: S, counter: &mut C) -> Scaled<S> {
+        self.network.pass(x, counter)
+    }
+}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> Undamped for Framework<D, E> where Self: RealPasses {}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> Spectrum for Framework<D, E> where Self: ComplexPasses {}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> {
+    fn points(&self) -> impl Iterator<Item = DrawnPoint<InFrame, f64>> {
+        self.points.iter().enumerate().map(|(index, point)| DrawnPoint {
+            name: Spot::Point(index),
+            position: self.places[index],
+            node: point.node,
+            freedoms: point.freedoms,
+            label: PlanePoint::handle(Handle::in_frame(index, self.number)),
+        })
+    }
+
+    fn members(&self) -> impl Iterator<Item = DrawnMember<InFrame, f64>> {
+        self.network.kinds().iter().enumerate().take(self.member_count).map(|(index, kind)| {
+            let label = MemberLabel::of(Handle::in_frame(index, self.number));
+            let placement = self.placement(index);
+            let point = |end: usize| {
+                let at = |point: &Tied| point.node == placement.node_of(end);
+                let here = |point: usize| at(&self.points[point]) && self.places[point] == placement.place_of(end);
+                (0..self.points.len()).find(|point| here(*point)).or_else(|| self.points.iter().position(at))
+            };
+            let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, point(end)));
+            DrawnMember { name: Spot::Member(index), kind, ends, label }
+        })
+    }
+
+    fn bodies(&self) -> impl Iterator<Item = DrawnBody<f64>> {
+        let nodes = (0..self.sizes()[0]).map(|node| (node, self.node(node)));
+        nodes.filter(|(_, (node, _))| node.has_body()).map(|(index, (node, motions))| DrawnBody {
+            name: self.spot(index),
+            mass: node.mass,
+            inertia: node.inertia,
+            centre: (!motions.is_of_path).then_some(node.centre),
+            node: index,
+        })
+    }
+
+    fn supports(&self) -> impl Iterator<Item = DrawnSupport<f64>> {
+        self.supports.iter().map(|(point, held, along)| DrawnSupport {
+            name: Spot::Point(*point),
+            point: *point,
+            position: self.places[*point],
+            held: *held,
+            along: *along,
+        })
+    }
+}

@@ -1,0 +1,280 @@
+//! The elements of the language: which parameters each keyword has, and which type of the core it is.
+
+use super::dimension::Dimension;
+use mstmm_plan::Space;
+
+/// What the language knows of an element of the core along a line, or in the plane: a test compares it with the core.
+///
+/// Naming a parameter selects the type: what is not named is neither in the mathematics nor in the code.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Keyword {
+    pub(crate) name: &'static str,
+    /// Space of the states at both ends.
+    pub(crate) space: Space,
+    /// The parameters that must be named.
+    pub(crate) required: &'static [&'static str],
+    /// The parameters that may be left out.
+    pub(crate) optional: &'static [&'static str],
+    /// Parameters that say the same in different ways: one of them is named.
+    pub(crate) one_of: &'static [&'static str],
+    /// What it may be, cheapest first: it is the first type that has all named parameters.
+    pub(crate) types: &'static [TypeRow],
+}
+
+/// A type in `mstmm_core::elements`.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct TypeRow {
+    pub(crate) name: &'static str,
+    /// Its parameters beside those that the keyword requires, in the words of the language; what is not named of them is [`neutral`].
+    pub(crate) parameters: &'static [&'static str],
+    /// Parameters whose field in the type has another name: `(parameter, field)`.
+    pub(crate) renamed: &'static [(&'static str, &'static str)],
+}
+
+/// The value of a parameter that is not there.
+pub(crate) fn neutral(parameter: &str) -> f64 {
+    match parameter {
+        // what is not named is rigid
+        "shear_stiffness" | "stiffness_x" | "stiffness_y" | "stiffness_rz" => f64::INFINITY,
+        _ => 0.0,
+    }
+}
+
+impl Keyword {
+    /// The type that has all named parameters. A name that the keyword has not is an error elsewhere.
+    pub(crate) fn type_with(&self, is_named: impl Fn(&str) -> bool) -> &'static TypeRow {
+        let named = || self.optional.iter().chain(self.one_of).filter(|name| is_named(name));
+        let has_all = |row: &&TypeRow| named().all(|name| row.parameters.contains(name));
+        self.types.iter().find(has_all).unwrap_or(&self.types[self.types.len() - 1])
+    }
+}
+
+impl TypeRow {
+    /// The field of a parameter.
+    pub(crate) fn field<'p>(&self, parameter: &'p str) -> &'p str {
+        self.renamed.iter().find(|(name, _)| *name == parameter).map_or(parameter, |(_, field)| *field)
+    }
+}
+
+/// The parameters of damping.
+pub(crate) const DAMPING: &[&str] = &["loss_factor", "kelvin_voigt_time", "external_damping"];
+
+const SPRING: &[&str] = &["damping", "loss_factor", "kelvin_voigt_time"];
+
+/// The optional parameters of a beam, and those of them that are no damping.
+const OF_BEAM: &[&str] = &[
+    "shear_stiffness",
+    "rotary_inertia",
+    "axial_force",
+    "foundation_stiffness",
+    "foundation_shear_stiffness",
+    "loss_factor",
+    "kelvin_voigt_time",
+    "external_damping",
+];
+const UNDAMPED: &[&str] =
+    &["shear_stiffness", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"];
+const SHEAR: &[&str] = &["shear_stiffness", "rotary_inertia"];
+const FOUNDATION: &[&str] = &["foundation_stiffness", "foundation_shear_stiffness"];
+
+/// The optional parameters of the general beam that is given by its shear flexibility, and with damping.
+const FLEXIBLE: &[&str] =
+    &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"];
+const DAMPED_FLEXIBLE: &[&str] = &[
+    "shear_flexibility",
+    "rotary_inertia",
+    "axial_force",
+    "foundation_stiffness",
+    "foundation_shear_stiffness",
+    "loss_factor",
+    "kelvin_voigt_time",
+    "external_damping",
+];
+
+const BENDING: &[&str] = &["length", "bending_stiffness", "mass_per_length"];
+const STRETCHING: &[&str] = &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"];
+
+const TAPERS: &[&str] = &[
+    "width_taper",
+    "height_taper",
+    "rotary_inertia",
+    "axial_force",
+    "rotation_speed",
+    "hub_radius",
+    "setting_angle",
+    "foundation_stiffness",
+];
+
+const fn row(name: &'static str, parameters: &'static [&'static str]) -> TypeRow {
+    TypeRow { name, parameters, renamed: &[] }
+}
+
+const fn keyword(
+    name: &'static str,
+    space: Space,
+    required: &'static [&'static str],
+    optional: &'static [&'static str],
+    types: &'static [TypeRow],
+) -> Keyword {
+    Keyword { name, space, required, optional, one_of: &[], types }
+}
+
+/// The inertia of a body: about its mass centre, or about its input end.
+const INERTIAS: &[&str] = &["inertia", "inertia_about_input"];
+
+/// A type of bodies by their inertia about the input end.
+const fn about_input(name: &'static str, parameters: &'static [&'static str]) -> TypeRow {
+    TypeRow { name, parameters, renamed: &[("inertia_about_input", "inertia")] }
+}
+
+/// A word for beams of one kind, whose damping makes a general beam of it.
+const fn beam_of_a_kind(
+    name: &'static str,
+    space: Space,
+    required: &'static [&'static str],
+    types: &'static [TypeRow],
+) -> Keyword {
+    keyword(name, space, required, DAMPING, types)
+}
+
+#[rustfmt::skip]
+pub(crate) const ELEMENTS: &[Keyword] = &[
+    keyword("beam", Space::Bending, BENDING, OF_BEAM, &[
+        row("Beam", &[]),
+        row("RayleighBeam", &["rotary_inertia"]),
+        row("BeamColumn", &["axial_force"]),
+        row("FoundationBeam", FOUNDATION),
+        row("TimoshenkoBeam", SHEAR),
+        row("UniformBeam", UNDAMPED),
+        row("DampedUniformBeam", OF_BEAM),
+    ]),
+    keyword("beam", Space::Planar, STRETCHING, OF_BEAM, &[
+        row("PlanarBeam", &[]),
+        row("PlanarRayleighBeam", &["rotary_inertia"]),
+        row("PlanarBeamColumn", &["axial_force"]),
+        row("PlanarFoundationBeam", FOUNDATION),
+        row("PlanarTimoshenkoBeam", SHEAR),
+        row("PlanarUniformBeam", UNDAMPED),
+        row("PlanarDampedUniformBeam", OF_BEAM),
+    ]),
+    keyword("tapered_beam", Space::Bending, BENDING, TAPERS, &[row("TaperedBeam", TAPERS)]),
+    keyword("string", Space::Translation, &["length", "tension", "mass_per_length"], &["foundation_stiffness", "external_damping"], &[
+        row("TautString", &["foundation_stiffness"]),
+        row("DampedString", &["foundation_stiffness", "external_damping"]),
+    ]),
+    keyword("rod", Space::Translation, &["length", "axial_stiffness", "mass_per_length"], &["foundation_stiffness", "loss_factor", "kelvin_voigt_time", "external_damping"], &[
+        row("Rod", &["foundation_stiffness"]),
+        row("DampedRod", &["foundation_stiffness", "loss_factor", "kelvin_voigt_time", "external_damping"]),
+    ]),
+    keyword("shaft", Space::Rotation, &["length", "torsional_stiffness", "inertia_per_length"], DAMPING, &[
+        row("Shaft", &[]),
+        row("DampedShaft", DAMPING),
+    ]),
+    keyword("spring", Space::Translation, &["stiffness"], SPRING, &[
+        row("Spring", &[]),
+        row("SpringDamper", &["damping"]),
+        row("DampedSpring", SPRING),
+    ]),
+    keyword("torsion_spring", Space::Rotation, &["stiffness"], SPRING, &[
+        row("TorsionSpring", &[]),
+        row("TorsionSpringDamper", &["damping"]),
+        row("DampedTorsionSpring", SPRING),
+    ]),
+    keyword("damper", Space::Translation, &["damping"], &[], &[row("Damper", &[])]),
+    keyword("torsion_damper", Space::Rotation, &["damping"], &[], &[row("TorsionDamper", &[])]),
+    keyword("mass", Space::Translation, &["mass"], &[], &[row("Mass", &[])]),
+    keyword("inertia", Space::Rotation, &["inertia"], &[], &[row("Inertia", &[])]),
+    keyword("point_mass", Space::Bending, &["mass"], &["inertia"], &[row("PointMass", &["inertia"])]),
+    Keyword { one_of: INERTIAS, ..keyword("body", Space::Bending, &["mass", "output_x", "centre_x"], &["axial_force"], &[
+        row("CentralBody", &["inertia"]),
+        about_input("Body", &["inertia_about_input"]),
+        row("CentralBodyColumn", &["inertia", "axial_force"]),
+        about_input("BodyColumn", &["inertia_about_input", "axial_force"]),
+    ]) },
+    Keyword { one_of: INERTIAS, ..keyword("body", Space::Planar, &["mass", "output_x", "output_y", "centre_x", "centre_y"], &[], &[
+        row("PlanarCentralBody", &["inertia"]),
+        about_input("PlanarBody", &["inertia_about_input"]),
+    ]) },
+    keyword("rigid_link", Space::Bending, &["output_x"], &["axial_force"], &[
+        row("Lever", &[]),
+        row("LeverColumn", &["axial_force"]),
+    ]),
+    keyword("rigid_link", Space::Planar, &["output_x", "output_y"], &[], &[
+        row("PlanarBody", &["mass", "inertia", "centre_x", "centre_y"]),
+    ]),
+    keyword("hinge", Space::Bending, &[], &["stiffness_y", "stiffness_rz"], &[
+        TypeRow { renamed: &[("stiffness_rz", "stiffness")], ..row("RotationalHinge", &["stiffness_rz"]) },
+        TypeRow { renamed: &[("stiffness_y", "stiffness")], ..row("ShearHinge", &["stiffness_y"]) },
+        TypeRow { renamed: TURNING, ..row("ElasticHinge", &["stiffness_y", "stiffness_rz"]) },
+    ]),
+    keyword("hinge", Space::Planar, &[], &["stiffness_x", "stiffness_y", "stiffness_rz"], &[
+        TypeRow { renamed: TURNING, ..row("PlanarHinge", &["stiffness_x", "stiffness_y", "stiffness_rz"]) },
+    ]),
+    // words of one type each, beside those above
+    keyword("spring_damper", Space::Translation, &["stiffness", "damping"], &[], &[row("SpringDamper", &[])]),
+    keyword("torsion_spring_damper", Space::Rotation, &["stiffness", "damping"], &[], &[row("TorsionSpringDamper", &[])]),
+    keyword("elastic_hinge", Space::Bending, &["stiffness_y", "stiffness_theta"], &[], &[row("ElasticHinge", &[])]),
+    keyword("rotational_hinge", Space::Bending, &["stiffness"], &[], &[row("RotationalHinge", &[])]),
+    keyword("shear_hinge", Space::Bending, &["stiffness"], &[], &[row("ShearHinge", &[])]),
+    keyword("planar_hinge", Space::Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"], &[], &[row("PlanarHinge", &[])]),
+    keyword("lever", Space::Bending, &["output_x"], &["axial_force"], &[
+        row("Lever", &[]),
+        row("LeverColumn", &["axial_force"]),
+    ]),
+    keyword("planar_body", Space::Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"], &[], &[row("PlanarBody", &[])]),
+    beam_of_a_kind("rayleigh_beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "rotary_inertia"], &[
+        row("RayleighBeam", &[]),
+        row("DampedBeam", DAMPED_FLEXIBLE),
+    ]),
+    beam_of_a_kind("timoshenko_beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[
+        row("TimoshenkoBeam", &[]),
+        row("DampedTimoshenkoBeam", DAMPING),
+    ]),
+    beam_of_a_kind("beam_column", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "axial_force"], &[
+        row("BeamColumn", &[]),
+        row("DampedBeam", DAMPED_FLEXIBLE),
+    ]),
+    keyword("foundation_beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "foundation_stiffness"], &["foundation_shear_stiffness", "loss_factor", "kelvin_voigt_time", "external_damping"], &[
+        row("FoundationBeam", &["foundation_shear_stiffness"]),
+        row("DampedBeam", DAMPED_FLEXIBLE),
+    ]),
+    keyword("general_beam", Space::Bending, BENDING, DAMPED_FLEXIBLE, &[
+        row("GeneralBeam", FLEXIBLE),
+        row("DampedBeam", DAMPED_FLEXIBLE),
+    ]),
+    beam_of_a_kind("planar_beam", Space::Planar, STRETCHING, &[
+        row("PlanarBeam", &[]),
+        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
+    ]),
+    beam_of_a_kind("planar_rayleigh_beam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "rotary_inertia"], &[
+        row("PlanarRayleighBeam", &[]),
+        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
+    ]),
+    beam_of_a_kind("planar_timoshenko_beam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[
+        row("PlanarTimoshenkoBeam", &[]),
+        row("PlanarDampedTimoshenkoBeam", DAMPING),
+    ]),
+    beam_of_a_kind("planar_beam_column", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "axial_force"], &[
+        row("PlanarBeamColumn", &[]),
+        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
+    ]),
+    keyword("planar_foundation_beam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "foundation_stiffness"], &["foundation_shear_stiffness", "loss_factor", "kelvin_voigt_time", "external_damping"], &[
+        row("PlanarFoundationBeam", &["foundation_shear_stiffness"]),
+        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
+    ]),
+    keyword("planar_general_beam", Space::Planar, STRETCHING, DAMPED_FLEXIBLE, &[
+        row("PlanarGeneralBeam", FLEXIBLE),
+        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
+    ]),
+];
+
+/// The rotation of a hinge, in the words of its type.
+const TURNING: &[(&str, &str)] = &[("stiffness_rz", "stiffness_theta")];
+
+/// The element behind a keyword: along a line or in the plane, where it differs.
+pub(crate) fn element_of(keyword: &str, dimension: Dimension) -> Option<&'static Keyword> {
+    let mut rows = ELEMENTS.iter().filter(|element| element.name == keyword);
+    let is_in_plane = dimension == Dimension::Plane;
+    let mut fitting = rows.clone().filter(|element| element.space.is(Space::Planar) == is_in_plane);
+    fitting.next().or_else(|| rows.next())
+}

@@ -1,0 +1,134 @@
+//! Sections: parameters that elements share. Each expression becomes a `let` line, which elements name.
+
+use crate::ast::{Element, Model, Parameter, Section};
+use crate::check::listed;
+use crate::diagnostics::Errors;
+use crate::keywords::nearest;
+use crate::spans::emitted_at;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote_spanned};
+use std::collections::BTreeSet;
+use syn::ext::IdentExt;
+use syn::parse::Parser;
+use syn::{Block, Expr, ExprPath, Local, Stmt};
+
+/// Gives each element the parameters of its sections that it does not name itself. Returns the sections that no element has.
+pub(crate) fn spread(model: &mut Model, errors: &mut Errors) -> Vec<Ident> {
+    check_sections(&model.sections, errors);
+    let sections = std::mem::take(&mut model.sections);
+    let lines: Vec<Local> = sections
+        .iter()
+        .flat_map(|section| section.parameters.iter().filter_map(|parameter| line(section, parameter, &model.facade)))
+        .collect();
+    model.lets.extend(lines);
+    let facade = model.facade.clone();
+    let (mut used, mut told) = (BTreeSet::new(), BTreeSet::new());
+    for element in model.elements_mut() {
+        spread_into(element, &sections, &facade, &mut used, errors);
+        tell_once(element, &mut told);
+    }
+    model.sections = sections;
+    let names = model.sections.iter().map(|section| section.name.clone());
+    names.filter(|name| !used.contains(&name.unraw().to_string())).collect()
+}
+
+/// Names of sections are different, and so are the names in each.
+fn check_sections(sections: &[Section], errors: &mut Errors) {
+    let mut known = BTreeSet::new();
+    for Section { name, parameters } in sections {
+        if !known.insert(name.unraw().to_string()) {
+            errors.push(name.span(), format!("there is a section `{name}` already: give this one another name"));
+        }
+        let mut given = BTreeSet::new();
+        for parameter in parameters {
+            if !given.insert(parameter.name.unraw().to_string()) {
+                let message =
+                    format!("section `{name}` gives `{}` a second time: remove one of the two", parameter.name);
+                errors.push(parameter.name.span(), message);
+            }
+        }
+    }
+}
+
+/// The variable of a parameter of a section: no name of the user's, since it has the meaning of emitted code.
+fn variable(section: &Section, parameter: &Parameter, facade: &TokenStream) -> Ident {
+    let span = emitted_at(facade, parameter.name.span());
+    format_ident!("_section_{}_{}", section.name.unraw(), parameter.name.unraw(), span = span)
+}
+
+/// `let variable: f64 = expression;`
+fn line(section: &Section, parameter: &Parameter, facade: &TokenStream) -> Option<Local> {
+    let (variable, value) = (variable(section, parameter, facade), parameter.expression());
+    // a type that is not `f64` is shown at the expression, and what is expected at the name
+    let float = quote_spanned!(parameter.name.span()=> ::core::primitive::f64);
+    let statement = quote_spanned!(variable.span()=> let #variable: #float = #value;);
+    match Block::parse_within.parse2(statement).ok()?.pop()? {
+        Stmt::Local(local) => Some(local),
+        _ => None,
+    }
+}
+
+/// Gives one element the parameters of its sections.
+fn spread_into(
+    element: &mut Element,
+    sections: &[Section],
+    facade: &TokenStream,
+    used: &mut BTreeSet<String>,
+    errors: &mut Errors,
+) {
+    let own: BTreeSet<String> = element.parameters().map(|parameter| parameter.name.unraw().to_string()).collect();
+    let mut given: Vec<Parameter> = Vec::new();
+    for name in &element.spread {
+        let Some(section) = sections.iter().find(|section| section.name.unraw() == name.unraw()) else {
+            errors.push(name.span(), no_section(name, sections));
+            continue;
+        };
+        used.insert(name.unraw().to_string());
+        for parameter in &section.parameters {
+            let same = |other: &Parameter| other.name.unraw() == parameter.name.unraw();
+            if own.contains(&parameter.name.unraw().to_string()) {
+                continue;
+            }
+            if let Some(first) = given.iter().find(|other| same(other)).and_then(|other| other.section.as_ref()) {
+                let message = format!(
+                    "sections `{first}` and `{name}` both give `{}`: name it in `{element}` itself, which then wins",
+                    parameter.name
+                );
+                errors.push(name.span(), message);
+                continue;
+            }
+            let path = variable(section, parameter, facade).into();
+            let value = Some(Expr::Path(ExprPath { attrs: Vec::new(), qself: None, path }));
+            given.push(Parameter {
+                name: parameter.name.clone(),
+                value,
+                section: Some(section.name.clone()),
+                is_told: false,
+            });
+        }
+    }
+    element.spread.retain(|name| !sections.iter().any(|section| section.name.unraw() == name.unraw()));
+    element.parameters.iter_mut().for_each(|parameters| parameters.append(&mut given));
+}
+
+/// A name that a keyword lacks is told with the first of its elements.
+fn tell_once(element: &mut Element, told: &mut BTreeSet<[String; 3]>) {
+    let kind = element.kind.name().to_string();
+    for parameter in element.parameters.iter_mut().flatten() {
+        let Some(section) = &parameter.section else { continue };
+        parameter.is_told =
+            !told.insert([kind.clone(), section.unraw().to_string(), parameter.name.unraw().to_string()]);
+    }
+}
+
+fn no_section(name: &Ident, sections: &[Section]) -> String {
+    let names: Vec<String> = sections.iter().map(|section| section.name.unraw().to_string()).collect();
+    if names.is_empty() {
+        return format!("there is no section `{name}`: write `section {name} {{ .. }}` behind the `let` lines");
+    }
+    let hint = match nearest(names.iter().map(String::as_str), &name.unraw().to_string()) {
+        Some(meant) => format!("did you mean `{meant}`?"),
+        None => format!("there are {}", listed(names.iter().map(String::as_str))),
+    };
+    format!("there is no section `{name}`: {hint}")
+}
