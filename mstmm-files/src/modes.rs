@@ -22,7 +22,8 @@ impl From<NaturalFrequency> for Mode {
     fn from(root: NaturalFrequency) -> Self {
         let error = (root.upper - root.omega).max(root.omega - root.lower);
         let lambda = Complex::new(0.0, root.omega);
-        Mode { root: Eigenvalue { lambda, error, multiplicity: root.multiplicity }, shape: Vec::new() }
+        let root = Eigenvalue { lambda, error, multiplicity: root.multiplicity, ..Eigenvalue::default() };
+        Mode { root, shape: Vec::new() }
     }
 }
 

@@ -143,7 +143,8 @@ fn close_roots_keep_their_own_sensitivities() {
         let system = undamped::<f64>(&tree);
         for (stiffness, own, other) in [(first, 2, 5), (second, 5, 2)] {
             let omega = stiffness.sqrt();
-            let root = Eigenvalue { lambda: Complex::new(0.0, omega), error: f64::EPSILON, multiplicity: 1 };
+            let (lambda, error) = (Complex::new(0.0, omega), f64::EPSILON);
+            let root = Eigenvalue { lambda, error, multiplicity: 1, ..Eigenvalue::default() };
             let sensitivity = system.sensitivity(&root).unwrap();
             let [own, other] = [own, other].map(|step| sensitivity.of(system.parameter(step, "stiffness").unwrap()));
             let scale = omega / (2.0 * stiffness);

@@ -18,6 +18,8 @@ struct Report {
     discs: usize,
     regions: usize,
     unsure: usize,
+    /// Discs that are proven.
+    proven: usize,
     /// The largest radius in units of eps.
     widest: f64,
     refused: Vec<String>,
@@ -32,6 +34,7 @@ impl Report {
     fn discs(&mut self, name: &str, oracle: &Oracle, roots: &[Eigenvalue]) {
         for root in roots.iter().filter(|root| !is_zero(root)) {
             self.discs += 1;
+            self.proven += usize::from(root.is_proven);
             self.widest = self.widest.max(root.error / (root.lambda.norm() * f64::EPSILON));
             match oracle.judge_disc(root) {
                 Verdict::Holds => {}
@@ -103,6 +106,7 @@ impl Report {
         let moving = moving.flat_map(|root| one_by_one(root.multiplicity).map(move |_| root));
         for (root, frequency) in roots.zip(moving) {
             self.discs += 1;
+            self.proven += usize::from(root.is_proven);
             self.widest = self.widest.max(root.error / (root.lambda.norm() * f64::EPSILON));
             let (below, above) = (root.lambda.im - root.error, root.lambda.im + root.error);
             if root.lambda.re.abs() > root.error || above < frequency.lower || below > frequency.upper {
@@ -112,9 +116,9 @@ impl Report {
     }
 
     fn judge(self, name: &str) {
-        let Report { structures, discs, regions, unsure, widest, refused, wrong } = &self;
+        let Report { structures, discs, regions, unsure, proven, widest, refused, wrong } = &self;
         println!(
-            "{name}: {structures} structures, {discs} discs, {regions} regions, {unsure} unsure, widest {widest:.0} eps"
+            "{name}: {structures} structures, {discs} discs, {proven} proven, {regions} regions, {unsure} unsure, widest {widest:.0} eps"
         );
         refused.iter().for_each(|why| println!("  refused {why}"));
         wrong.iter().for_each(|why| println!("  wrong {why}"));
@@ -125,6 +129,7 @@ impl Report {
 fn judge_damped(seeds: core::ops::Range<u64>) {
     let mut report = Report::default();
     seeds.for_each(|seed| report.damped(&format!("damped_structure({seed})"), &damped_structure(seed)));
+    assert!(report.proven == report.discs && report.widest <= 2.0, "{report:?}");
     report.judge("damped");
 }
 

@@ -203,7 +203,7 @@ fn levers_are_what_they_are_instead() {
 }
 
 fn disc(lambda: Complex<f64>, error: f64, multiplicity: u64) -> Eigenvalue {
-    Eigenvalue { lambda, error, multiplicity }
+    Eigenvalue { lambda, error, multiplicity, ..Eigenvalue::default() }
 }
 
 /// Eigenvalues of finite elements are near, but the discs of a well-known one hold it, and miss it beside it.

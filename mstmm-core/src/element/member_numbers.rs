@@ -45,6 +45,11 @@ impl BeamNumbers {
         shear.iter().chain(&others).all(|parameter| *parameter == [0.0; 2])
     }
 
+    /// Whether it has no shear, no rotary inertia, no axial force and no shear layer: its foundation acts as its mass does.
+    pub(crate) fn bends_alone(&self) -> bool {
+        BeamNumbers { foundation_stiffness: [0.0; 2], ..*self }.is_plain()
+    }
+
     /// Its longitudinal vibration, if it has one.
     pub(crate) fn longitudinal(&self) -> Option<LineNumbers> {
         (self.axial_stiffness != [0.0; 2]).then_some(LineNumbers {
@@ -87,6 +92,23 @@ pub struct TaperedNumbers {
     pub(crate) foundation_stiffness: Exact,
 }
 
+/// What damps an element, each zero where it has nothing of that kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DampingNumbers {
+    /// Loss factor η and time c of Kelvin and Voigt: the stiffness is multiplied by `(1 + iη)(1 + cλ)`.
+    pub(crate) loss_factor: Exact,
+    pub(crate) time: Exact,
+    /// Viscous damping: of a spring C, which adds `Cλ` to its stiffness; of a medium around a member c_e, which adds `c_e λ` to its foundation.
+    pub(crate) viscous: Exact,
+}
+
+impl DampingNumbers {
+    /// Whether nothing is damped.
+    pub(crate) fn is_none(&self) -> bool {
+        *self == DampingNumbers::default()
+    }
+}
+
 /// What an element is made of, as far as its dynamic stiffness follows from these numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum MemberNumbers {
@@ -105,6 +127,12 @@ pub enum MemberNumbers {
     Joint(Freedoms, [Exact; 3]),
     /// A rigid body, or a mass or an inertia alone.
     Body(BodyNumbers),
+    /// A beam with damping.
+    DampedBeam(BeamNumbers, DampingNumbers),
+    /// A line with damping, in the freedom of that index.
+    DampedLine(usize, LineNumbers, DampingNumbers),
+    /// A spring or a dashpot in the freedom of that index.
+    DampedSpring(usize, Exact, DampingNumbers),
 }
 
 /// What an element that is no numbers is at a frequency, as far as it is known: no bound of its rounding is.
@@ -134,6 +162,26 @@ impl MemberNumbers {
         let [length, stiffness, inertia, foundation] = [length, stiffness, inertia, foundation].map(|x| [x, 0.0]);
         let numbers = LineNumbers { length, stiffness, inertia, foundation };
         if freedom < 3 { MemberNumbers::Line(freedom, numbers) } else { MemberNumbers::Other }
+    }
+
+    /// The element without its damping, and that.
+    pub(crate) fn parted(&self) -> (MemberNumbers, DampingNumbers) {
+        match *self {
+            MemberNumbers::DampedBeam(beam, damping) => (MemberNumbers::Beam(beam), damping),
+            MemberNumbers::DampedLine(freedom, line, damping) => (MemberNumbers::Line(freedom, line), damping),
+            MemberNumbers::DampedSpring(freedom, spring, damping) => (MemberNumbers::Spring(freedom, spring), damping),
+            undamped => (undamped, DampingNumbers::default()),
+        }
+    }
+
+    /// The element with damping; of one that has none in these numbers nothing is known.
+    pub(crate) fn damped(self, damping: DampingNumbers) -> Self {
+        match self {
+            MemberNumbers::Beam(beam) => MemberNumbers::DampedBeam(beam, damping),
+            MemberNumbers::Line(freedom, line) => MemberNumbers::DampedLine(freedom, line, damping),
+            MemberNumbers::Spring(freedom, spring) => MemberNumbers::DampedSpring(freedom, spring, damping),
+            _ => MemberNumbers::Other,
+        }
     }
 
     /// A plain beam, as long as its parameter says, without longitudinal vibration if its axial stiffness is zero.

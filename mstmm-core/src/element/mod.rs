@@ -20,7 +20,9 @@ pub(crate) use energies::{Energies, Inside};
 pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub(crate) use member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};
 pub(crate) use member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
-pub(crate) use member_numbers::{BeamNumbers, BodyNumbers, Exact, LineNumbers, MemberNumbers, OwnPart, TaperedNumbers};
+pub(crate) use member_numbers::{
+    BeamNumbers, BodyNumbers, DampingNumbers, Exact, LineNumbers, MemberNumbers, OwnPart, TaperedNumbers,
+};
 pub(crate) use member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
 pub(crate) use moving::{CoefficientsOf, Moving};
 pub(crate) use traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of};

@@ -1,8 +1,8 @@
 //! Springs with damping of their material, and a dashpot beside it.
 
 use crate::element::{
-    BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberWork, PlaneStep,
-    TransferMatrix, along_member,
+    BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
+    MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::connector::connector;
 use crate::elements::shared::dissipation::{Dissipation, UndampedForms};
@@ -103,6 +103,11 @@ macro_rules! damped_springs {
 
             fn build(self) -> Result<DampedStiffness<T>, InvalidParameter> {
                 DampedStiffness::new([$(self.$field),*])
+            }
+
+            fn member_numbers(built: &DampedStiffness<T>) -> MemberNumbers {
+                MemberNumbers::Spring(if is_rotation::<Self>() { 2 } else { 0 }, built.stiffness.words())
+                    .damped(built.dissipation.numbers())
             }
 
             fn estimate(built: &DampedStiffness<T>, estimates: &mut FrequencyEstimates) {

@@ -3,8 +3,8 @@
 //! They differ in their coordinate, in the names of their stiffness and inertia, and in which of foundation and loss they have.
 
 use crate::element::{
-    BackTransfer, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork,
-    PlaneStep, TransferMatrix, along_member,
+    BackTransfer, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
+    MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::damped_line::DampedLine;
@@ -88,6 +88,10 @@ macro_rules! damped_wave_lines {
 
             fn extent(built: &DampedLine<T>) -> Extent {
                 Extent::along(built.line.section.length.to_f64())
+            }
+
+            fn member_numbers(built: &DampedLine<T>) -> MemberNumbers {
+                MemberNumbers::Line(freedom::<Self>(), built.line.numbers()).damped(built.dissipation.numbers())
             }
         }
 

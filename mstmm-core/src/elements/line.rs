@@ -3,8 +3,8 @@
 //! They differ in their coordinate, in the sign of its force, and in which of stiffness, damping and inertia they have.
 
 use crate::element::{
-    BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
-    MemberWork, PlaneStep, TransferMatrix, along_member,
+    BackTransfer, Charted, DampingNumbers, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion,
+    MemberNumbers, MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::connector::connector;
 use crate::elements::shared::line_forms::{displacements, elongations, half, unit_of};
@@ -72,8 +72,19 @@ macro_rules! numbers {
     ($built:ident, inertia) => {
         MemberNumbers::mass([T::zero(), $built.inertia])
     };
-    ($built:ident, $($field:ident)*) => {
-        MemberNumbers::Other
+    ($built:ident, damping) => {
+        dashpot!($built, T::zero())
+    };
+    ($built:ident, stiffness damping) => {
+        dashpot!($built, $built.stiffness)
+    };
+}
+
+/// The numbers of an element with damping and a stiffness.
+macro_rules! dashpot {
+    ($built:ident, $stiffness:expr) => {
+        MemberNumbers::Spring(if is_rotation::<Self>() { 2 } else { 0 }, $stiffness.words())
+            .damped(DampingNumbers { viscous: $built.damping.words(), ..DampingNumbers::default() })
     };
 }
 

@@ -1,8 +1,7 @@
 //! Constraints between the rows of a point of a tree: a variable becomes a combination of others, and what does not go on leaves.
 
 use crate::proof::ball::Ball;
-use crate::proof::front::substitute;
-use crate::proof::joining::{Failure, Joining};
+use crate::proof::join::{Failure, Join};
 use crate::proof::level::Level;
 use crate::proof::row::{Row, Term, is_one, is_zero};
 use mstmm_plan::Freedoms;
@@ -17,12 +16,7 @@ pub(crate) type PointRows<N, const T: usize = 2> = [Option<Row<N, T>>; 2];
 pub(crate) const JOINED: usize = 4;
 
 /// Holds the freedoms of a support.
-pub(crate) fn hold<N: Level>(
-    held: Freedoms,
-    rows: &mut PointRows<N::Alone>,
-    step: usize,
-    joining: &mut Joining<'_, N>,
-) {
+pub(crate) fn hold<J: Join>(held: Freedoms, rows: &mut PointRows<J::Alone>, step: usize, joining: &mut J) {
     for (index, freedom) in FREEDOMS.into_iter().enumerate() {
         if let (true, Some(row)) = (held.contains(freedom), rows[index]) {
             satisfy(&row, [rows, &mut [None; 2]], step, joining);
@@ -33,18 +27,18 @@ pub(crate) fn hold<N: Level>(
 /// Satisfies that a combination of variables is zero: one of them is a combination of the others. What is zero already needs nothing: it is held
 /// twice, by the same. Returns that variable and the combination.
 #[inline(never)]
-pub(crate) fn satisfy<N: Level, const T: usize>(
-    constraint: &Row<N::Alone, T>,
-    rows: [&mut PointRows<N::Alone, T>; 2],
+pub(crate) fn satisfy<J: Join, const T: usize>(
+    constraint: &Row<J::Alone, T>,
+    rows: [&mut PointRows<J::Alone, T>; 2],
     step: usize,
-    joining: &mut Joining<'_, N>,
-) -> Option<(usize, Row<N::Alone, T>)> {
+    joining: &mut J,
+) -> Option<(usize, Row<J::Alone, T>)> {
     let pivot = largest(constraint, |_| true)?;
     let Some(by) = solved(constraint, &pivot) else {
-        joining.failure = Some(Failure::Redundant(step));
+        joining.fail(Failure::Redundant(step));
         return None;
     };
-    substitute(&mut joining.front, pivot.variable, by.terms());
+    joining.substitute(pivot.variable, by.terms());
     for row in rows.into_iter().flatten().flatten() {
         *row = row.substituted(pivot.variable, &by);
     }
@@ -88,11 +82,11 @@ fn solved<N: Level<Word = f64, Alone = N>, const T: usize>(
 
 /// Eliminates the variables of a point that do not go on. As many go on as there are rows: a sum that goes on alone becomes a variable.
 #[inline(never)]
-pub(crate) fn go_on<N: Level>(
-    before: &PointRows<N::Alone>,
-    rows: &mut PointRows<N::Alone>,
+pub(crate) fn go_on<J: Join>(
+    before: &PointRows<J::Alone>,
+    rows: &mut PointRows<J::Alone>,
     step: usize,
-    joining: &mut Joining<'_, N>,
+    joining: &mut J,
 ) {
     let mut old = Variables::of(before);
     for index in 0..2 {
@@ -104,12 +98,12 @@ pub(crate) fn go_on<N: Level>(
         if let (true, Some(pivot)) = (all.count > count, alone) {
             let own = joining.enter();
             let mut constraint = row.widened::<JOINED>();
-            constraint.add(&Row::<N::Alone, 1>::of(own), Ball::of(-1.0));
+            constraint.add(&Row::<J::Alone, 1>::of(own), Ball::of(-1.0));
             let Some(by) = solved(&constraint, &pivot) else {
-                joining.failure = Some(Failure::Redundant(step));
+                joining.fail(Failure::Redundant(step));
                 return;
             };
-            substitute(&mut joining.front, pivot.variable, by.terms());
+            joining.substitute(pivot.variable, by.terms());
             old.remove(pivot.variable);
             rows[index] = Some(Row::of(own));
         }

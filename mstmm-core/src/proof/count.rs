@@ -1,17 +1,16 @@
 //! Bounds of the number of natural frequencies below a frequency: one run through the model.
 
-use crate::element::{Exact, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
-use crate::proof::frame::Nodes;
 use crate::proof::front::{Front, Total, Variable};
-use crate::proof::joining::{Failure, Joining};
+use crate::proof::join::Failure;
+use crate::proof::joining::Joining;
 use crate::proof::level::Level;
 use crate::proof::number::Number;
-use crate::proof::tree::{Path, Paths};
-use crate::proof::visit::{MemberEnd, NodeNumbers, Visited, Visitor};
+use crate::proof::run::join_all;
+use crate::proof::tree::Path;
+use crate::proof::visit::Visited;
 use crate::proof::word::{MOST_LANES, Word, load};
 use core::array::from_fn;
-use mstmm_plan::{Freedoms, Space, Support};
 
 /// Which bound of a count is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,74 +46,6 @@ pub(crate) struct Outcome {
 /// What a run tells of as many lanes as it had; nothing is said of others.
 pub(crate) type Outcomes = [Outcome; MOST_LANES];
 
-/// A run in progress.
-struct Run<'m, N: Level> {
-    model: &'m dyn Visited,
-    /// The frequency, as the sum of two words.
-    omega: [f64; 2],
-    joining: Joining<'m, N>,
-    paths: Paths<'m, N::Alone>,
-    nodes: Nodes,
-}
-
-impl<N: Level> Run<'_, N> {
-    /// An element that is not known in numbers, which is known at one frequency.
-    fn own_part(&self, place: usize, numbers: &MemberNumbers) -> Option<OwnPart> {
-        match numbers {
-            MemberNumbers::Other if N::Word::LANES == 1 => self.model.own_part(place, self.omega),
-            _ => None,
-        }
-    }
-}
-
-impl<N: Level> Visitor for Run<'_, N> {
-    fn tip(&mut self, step: usize, support: Support) {
-        self.paths.tip(step, support, &mut self.joining);
-    }
-
-    fn element(&mut self, step: usize, input: usize, space: Space, numbers: &MemberNumbers) {
-        self.joining.front.total.place = step;
-        if self.joining.failure.is_none() {
-            let own = self.own_part(step, numbers);
-            self.paths.element([step, input], space, (numbers, own), &mut self.joining);
-        }
-    }
-
-    fn connection(&mut self, step: usize, inputs: &[usize], output: Option<Space>) {
-        self.joining.front.total.place = step;
-        if self.joining.failure.is_none() {
-            self.paths.connection(step, inputs, output, &mut self.joining);
-        }
-    }
-
-    fn root(&mut self, input: usize, support: Support) {
-        self.joining.front.total.place = input;
-        if self.joining.failure.is_none() {
-            self.paths.root(input, support, &mut self.joining);
-        }
-    }
-
-    fn member(&mut self, member: (usize, Freedoms), numbers: &MemberNumbers, ends: &[MemberEnd; 2], next: usize) {
-        if self.joining.failure.is_none() {
-            let own = self.own_part(member.0, numbers);
-            self.nodes.member((numbers, own, member.1), ends, next, &mut self.joining);
-        }
-    }
-
-    fn body(&mut self, node: &NodeNumbers, mass: Exact, inertia: Exact, centre: [Exact; 2]) {
-        if self.joining.failure.is_none() {
-            self.nodes.body(node, [mass, inertia], centre, &mut self.joining);
-        }
-    }
-
-    fn leave(&mut self, node: usize) {
-        self.joining.front.total.place = node;
-        if self.joining.failure.is_none() {
-            self.nodes.leave(node, &mut self.joining);
-        }
-    }
-}
-
 /// Memory for a run.
 pub(crate) struct Room<'m, N: Level> {
     pub(crate) entries: &'m mut [N],
@@ -127,16 +58,10 @@ pub(crate) struct Room<'m, N: Level> {
 pub(crate) fn run<'m, N: Level>(model: &'m dyn Visited, memory: Room<'m, N>, at: At<N>) -> Result<Outcomes, Failure> {
     let At { square, toward, omega } = at;
     let front = Front::new(memory.entries, memory.variables, toward);
-    let mut run = Run {
-        model,
-        omega,
-        joining: Joining::new(front, square),
-        paths: Paths::new(memory.paths),
-        nodes: Nodes::new(),
-    };
-    model.visit(&mut run);
-    run.joining.leave_all();
-    let Joining { front, held, failure, .. } = run.joining;
+    let known_at = (N::Word::LANES == 1).then_some(omega);
+    let mut joining = join_all(model, known_at, Joining::new(front, square), memory.paths);
+    joining.leave_all();
+    let Joining { front, held, failure, .. } = joining;
     if let Some(failure) = failure {
         return Err(failure);
     }

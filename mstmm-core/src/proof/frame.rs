@@ -2,8 +2,7 @@
 
 use crate::element::{Exact, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
-use crate::proof::joining::{Failure, Joining, add_counted, add_force, add_line};
-use crate::proof::level::Level;
+use crate::proof::join::{Failure, Join};
 use crate::proof::row::{Row, TERMS, difference, direction};
 use crate::proof::visit::{MemberEnd, NodeNumbers};
 use mstmm_plan::Freedoms;
@@ -33,14 +32,10 @@ pub(crate) struct Nodes {
 const LOCAL: usize = 3;
 
 /// A displacement of an end: at most three variables of its node.
-type EndRow<N> = Row<<N as Level>::Alone, 3>;
-
-/// The stiffness that is added to a rigid joint, over the largest one of its displacements. Any number is valid, since the joint never stretches. A
-/// whole number would meet springs of the same size and the other sign, and leave a pivot of zero.
-const OF_NEIGHBOURS: f64 = 1.37;
+type EndRow<A> = Row<A, 3>;
 
 /// Cosine and sine of a direction.
-type Axis<N> = [Ball<<N as Level>::Alone>; 2];
+type Axis<A> = [Ball<A>; 2];
 
 impl Nodes {
     /// No node.
@@ -50,12 +45,12 @@ impl Nodes {
     }
 
     /// The variables of a node, which enter with the first part that knows it.
-    fn variables<N: Level>(&mut self, node: &NodeNumbers, joining: &mut Joining<'_, N>) -> [Option<usize>; 3] {
+    fn variables<J: Join>(&mut self, node: &NodeNumbers, joining: &mut J) -> [Option<usize>; 3] {
         if let Some(present) = self.present[..self.count].iter().find(|present| present.index == node.index) {
             return present.variables;
         }
         if self.count == MOST_NODES {
-            joining.failure = Some(Failure::Full);
+            joining.fail(Failure::Full);
             return [None; 3];
         }
         let mut enter = |is_there: bool| is_there.then(|| joining.enter());
@@ -73,13 +68,8 @@ impl Nodes {
 
     /// Displacements x and y and rotation of a place that is tied to a node.
     #[inline(never)]
-    fn motion<N: Level>(
-        &mut self,
-        node: &NodeNumbers,
-        place: [Exact; 2],
-        joining: &mut Joining<'_, N>,
-    ) -> [EndRow<N>; 3] {
-        let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<N::Alone, 1>::of));
+    fn motion<J: Join>(&mut self, node: &NodeNumbers, place: [Exact; 2], joining: &mut J) -> [EndRow<J::Alone>; 3] {
+        let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<J::Alone, 1>::of));
         let mut rows = [Row::none(); 3];
         match node.along {
             Some(along) => {
@@ -106,14 +96,14 @@ impl Nodes {
     /// not share with its node is a variable of its
     /// own, which leaves when the member has joined.
     #[inline(never)]
-    fn local<N: Level>(
+    fn local<J: Join>(
         &mut self,
         end: &MemberEnd,
-        axis: Axis<N>,
+        axis: Axis<J::Alone>,
         wanted: Freedoms,
         own: &mut Released,
-        joining: &mut Joining<'_, N>,
-    ) -> [EndRow<N>; LOCAL] {
+        joining: &mut J,
+    ) -> [EndRow<J::Alone>; LOCAL] {
         let [x, y, rotation] = self.motion(&end.node, end.place, joining);
         let turned = end.along.filter(|_| !wanted.is(Freedoms::RZ));
         let [c, s] = turned.map_or(axis, |along| direction(along.map(Ball::of_pair)).0);
@@ -135,92 +125,80 @@ impl Nodes {
 
     /// A member joins.
     #[inline(never)]
-    pub(crate) fn member<N: Level>(
+    pub(crate) fn member<J: Join>(
         &mut self,
         (numbers, own_part, freedoms): (&MemberNumbers, Option<OwnPart>, Freedoms),
         ends: &[MemberEnd; 2],
         next: usize,
-        joining: &mut Joining<'_, N>,
+        joining: &mut J,
     ) {
         let mut own = Released { list: [0; 2 * LOCAL], count: 0 };
         let wanted = if own_part.is_some() { freedoms } else { freedoms_of(numbers) };
         let has_axis = !wanted.is(Freedoms::RZ) && ends.iter().any(|end| end.along.is_none());
         let (axis, length) = if has_axis {
             let [from, to] = [ends[0].place, ends[1].place];
-            direction([difference::<N::Alone>(from[0], to[0]), difference(from[1], to[1])])
+            direction([difference::<J::Alone>(from[0], to[0]), difference(from[1], to[1])])
         } else {
             ([Ball::of(1.0), Ball::of(0.0)], Ball::of(0.0))
         };
         let first = self.local(&ends[0], axis, wanted, &mut own, joining);
         let second = self.local(&ends[1], axis, wanted, &mut own, joining);
-        match numbers {
+        let (numbers, damping) = numbers.parted();
+        match &numbers {
             MemberNumbers::Other if own_part.is_some() => {
                 let freedom = if freedoms.is(Freedoms::RZ) { 2 } else { 0 };
                 self.own(own_part, [&first[freedom], &second[freedom]], last_of(ends, next), joining);
             }
-            MemberNumbers::Other | MemberNumbers::Body(_) | MemberNumbers::Tapered(_) => {
-                joining.failure = Some(Failure::NotInNumbers)
-            }
             MemberNumbers::Beam(beam) => {
                 if let Some(line) = beam.longitudinal() {
-                    add_line(joining, &line, length, [first[0].terms(), second[0].terms()]);
+                    joining.add_line((&line, &damping), length, [first[0].terms(), second[0].terms()]);
                 }
                 let ends = [&first[1], &first[2], &second[1], &second[2]];
-                joining.add_bending(beam, length, ends.map(|row| row.terms()));
+                joining.add_bending((beam, &damping), length, ends.map(|row| row.terms()));
             }
             MemberNumbers::Line(freedom, line) => {
                 let ends = [first[*freedom].terms(), second[*freedom].terms()];
-                add_line(joining, line, Ball::of_pair(line.length), ends);
+                joining.add_line((line, &damping), Ball::of_pair(line.length), ends);
             }
             MemberNumbers::Spring(freedom, stiffness) => {
-                joining.add_spring(*stiffness, [&first[*freedom], &second[*freedom]]);
+                joining.add_spring((stiffness, &damping), [&first[*freedom], &second[*freedom]]);
             }
             MemberNumbers::Joint(rigid, elastic) => {
                 for (index, (freedom, stiffness)) in Freedoms::SINGLE.into_iter().zip(elastic).enumerate() {
                     if *stiffness != [0.0; 2] {
-                        joining.add_spring(*stiffness, [&first[index], &second[index]]);
+                        joining.add_spring((stiffness, &damping), [&first[index], &second[index]]);
                     }
                     if rigid.contains(freedom) {
-                        let gap = gap::<N>([&first[index], &second[index]], Ball::of(1.0));
+                        let gap = gap::<J>([&first[index], &second[index]], Ball::of(1.0));
                         self.tie(gap, last_of(ends, next), joining);
                     }
                 }
             }
+            _ => joining.fail(Failure::NotInNumbers),
         }
         own.list[..own.count].iter().for_each(|variable| joining.leave(*variable));
     }
 
     /// An element that is known by its stiffness at this frequency alone, over the displacements of its ends.
-    fn own<N: Level>(
-        &mut self,
-        part: Option<OwnPart>,
-        rows: [&EndRow<N>; 2],
-        last: usize,
-        joining: &mut Joining<'_, N>,
-    ) {
+    fn own<J: Join>(&mut self, part: Option<OwnPart>, rows: [&EndRow<J::Alone>; 2], last: usize, joining: &mut J) {
         match part {
             Some(OwnPart::Stiffness { stiffness, held }) => {
-                add_counted(joining, stiffness, held, rows.map(|row| row.terms()));
+                joining.add_counted(stiffness, held, rows.map(|row| row.terms()));
             }
             Some(OwnPart::Tie { ratio, stiffness }) => {
-                self.tie(gap::<N>(rows, Ball::of_pair(ratio)), last, joining);
+                self.tie(gap::<J>(rows, Ball::of_pair(ratio)), last, joining);
                 joining.add_term(Ball::of_pair(stiffness), rows[0].terms());
             }
             None => {}
         }
     }
 
-    /// A rigid joint: its force λ is a variable, `λ` times the gap, and one of the negative pivots. A stiffness of any size against what is zero
-    /// changes nothing and keeps pivots from vanishing.
+    /// A rigid joint: its force is a variable, which leaves with the last of its nodes.
     #[inline(never)]
-    fn tie<N: Level>(&mut self, gap: Row<N::Alone, TERMS>, last: usize, joining: &mut Joining<'_, N>) {
-        let size = gap.terms().iter().map(|term| joining.front.size(term.variable)).fold(0.0, f64::max);
-        let stiffness = if size > 0.0 && size < f64::INFINITY { size * OF_NEIGHBOURS } else { 1.0 };
-        joining.add_term(Ball::of(stiffness), gap.terms());
-        let force = joining.enter();
-        add_force(joining, force, 1.0 / stiffness, gap.terms());
+    fn tie<J: Join>(&mut self, gap: Row<J::Alone, TERMS>, last: usize, joining: &mut J) {
+        let force = joining.add_tie(gap.terms());
         if self.tie_count == MOST_NODES {
-            joining.failure = Some(Failure::Full);
+            joining.fail(Failure::Full);
             return;
         }
         self.ties[self.tie_count] = (force, last);
@@ -228,12 +206,12 @@ impl Nodes {
     }
 
     /// A body moves with a node.
-    pub(crate) fn body<N: Level>(
+    pub(crate) fn body<J: Join>(
         &mut self,
         node: &NodeNumbers,
         [mass, inertia]: [Exact; 2],
         centre: [Exact; 2],
-        joining: &mut Joining<'_, N>,
+        joining: &mut J,
     ) {
         let [x, y, rotation] = self.motion(node, centre, joining);
         for (parameter, row) in [(mass, &x), (mass, &y), (inertia, &rotation)] {
@@ -243,7 +221,7 @@ impl Nodes {
 
     /// The variables of a node leave, and what waits behind them.
     #[inline(never)]
-    pub(crate) fn leave<N: Level>(&mut self, node: usize, joining: &mut Joining<'_, N>) {
+    pub(crate) fn leave<J: Join>(&mut self, node: usize, joining: &mut J) {
         let place = self.present[..self.count].iter().position(|present| present.index == node);
         if let Some(place) = place {
             for variable in self.present[place].variables.into_iter().flatten() {
@@ -268,7 +246,7 @@ impl Nodes {
 }
 
 /// What a displacement is more than another one times a ratio.
-fn gap<N: Level>(rows: [&EndRow<N>; 2], ratio: Ball<N::Alone>) -> Row<N::Alone, TERMS> {
+fn gap<J: Join>(rows: [&EndRow<J::Alone>; 2], ratio: Ball<J::Alone>) -> Row<J::Alone, TERMS> {
     let mut gap = rows[1].widened::<{ TERMS }>();
     gap.add(rows[0], -ratio);
     gap
@@ -289,8 +267,7 @@ fn last_of(ends: &[MemberEnd; 2], next: usize) -> usize {
 
 /// The freedoms in which a member acts, in its own axes.
 fn freedoms_of(numbers: &MemberNumbers) -> Freedoms {
-    match numbers {
-        MemberNumbers::Other | MemberNumbers::Body(_) | MemberNumbers::Tapered(_) => Freedoms::ALL,
+    match &numbers.parted().0 {
         MemberNumbers::Beam(beam) if beam.axial_stiffness == [0.0; 2] => Freedoms::Y.union(Freedoms::RZ),
         MemberNumbers::Beam(_) => Freedoms::ALL,
         MemberNumbers::Line(freedom, _) | MemberNumbers::Spring(freedom, _) => Freedoms::SINGLE[*freedom],
@@ -298,5 +275,6 @@ fn freedoms_of(numbers: &MemberNumbers) -> Freedoms {
             let elastic = Freedoms::SINGLE.into_iter().zip(elastic).filter(|(_, stiffness)| **stiffness != [0.0; 2]);
             elastic.fold(*rigid, |sum, (freedom, _)| sum.union(freedom))
         }
+        _ => Freedoms::ALL,
     }
 }

@@ -18,7 +18,7 @@ use products::of_forms;
 
 mod equations;
 mod held;
-mod products;
+pub(crate) mod products;
 
 /// A general beam at a frequency.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,7 @@
 
 use crate::proof::count::{At, Outcomes, Place, Room, run};
 use crate::proof::front::Variable;
-use crate::proof::joining::Failure;
+use crate::proof::join::Failure;
 use crate::proof::level::Level;
 use crate::proof::tree::Path;
 use crate::proof::visit::Visited;

@@ -48,15 +48,18 @@
 //! | [`member`] | a stiffness in balls, its border, its count with held ends |
 //! | [`line`], [`bending`], [`general_bending`], [`tapered`] | these of lines, plain beams, general beams, tapered beams |
 //! | [`front`] | T1 and T2: parts are added, variables leave |
-//! | [`row`], [`joining`] | T5: displacements over variables; T3 and T6: parts join the front |
+//! | [`row`], [`joining`], [`joined`], [`adding`] | T5: displacements over variables; T3 and T6: parts join the front |
 //! | [`constraint`] | T5: what has to be zero makes a variable a combination of others; what does not go on leaves |
+//! | [`join`], [`run`] | what parts join: the front, or the matrix of a disc; a visit that joins them |
 //! | [`tree`], [`frame`] | which rows the parts of a tree and of a frame have, and when variables leave |
 //! | [`visit`] | how a model names its parts: all that a proof knows of it |
 //! | [`count`], [`memory`] | a run; memory for its front, and lanes |
 //! | [`prover`] | bounds of the count at a frequency, in two words and in four |
 //! | [`beside`], [`certificate`] | bounds beside estimates; T4: claims about these |
 //! | [`bisection`] | a frequency that nobody has proposed |
+//! | [`disc`] | T8: simple eigenvalues of damped systems |
 
+pub(crate) mod adding;
 pub(crate) mod ball;
 pub(crate) mod bending;
 pub(crate) mod beside;
@@ -65,11 +68,14 @@ pub(crate) mod certificate;
 pub(crate) mod constants;
 pub(crate) mod constraint;
 pub(crate) mod count;
+pub(crate) mod disc;
 pub(crate) mod four_words;
 pub(crate) mod frame;
 pub(crate) mod front;
 pub(crate) mod functions;
 pub(crate) mod general_bending;
+pub(crate) mod join;
+pub(crate) mod joined;
 pub(crate) mod joining;
 pub(crate) mod level;
 pub(crate) mod line;
@@ -78,6 +84,7 @@ pub(crate) mod memory;
 pub(crate) mod number;
 pub(crate) mod prover;
 pub(crate) mod row;
+pub(crate) mod run;
 pub(crate) mod series;
 pub(crate) mod tapered;
 pub(crate) mod tree;

@@ -4,7 +4,7 @@ use crate::model::Spot;
 use crate::number::{Real, Scalar};
 use crate::proof::count::{Outcome, Place, Side};
 use crate::proof::four_words::FourWords;
-use crate::proof::joining::Failure;
+use crate::proof::join::Failure;
 use crate::proof::memory::{Memory, Question};
 use crate::proof::number::TwoWords;
 use crate::proof::visit::Visited;

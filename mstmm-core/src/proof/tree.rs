@@ -1,12 +1,12 @@
 //! A tree step by step: each open path has at most two variables, of which displacement and rotation at its end are rows.
 
-use crate::element::{BodyNumbers, Exact, MemberNumbers, OwnPart};
+use crate::element::{BodyNumbers, DampingNumbers, Exact, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
 use crate::proof::constraint::{FREEDOMS, JOINED, PointRows, go_on, hold, satisfy};
-use crate::proof::joining::{Failure, Joining, Terms, add_counted, add_inertia, add_line};
+use crate::proof::join::{Failure, Join};
 use crate::proof::level::Level;
 use crate::proof::number::Number;
-use crate::proof::row::{Row, is_zero};
+use crate::proof::row::{Row, Term, is_zero};
 use mstmm_plan::{Freedoms, Space, Support};
 
 /// An open path.
@@ -39,9 +39,9 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
         Paths { paths, count: 0 }
     }
 
-    fn open<N: Level<Alone = A>>(&mut self, path: Path<A>, joining: &mut Joining<'_, N>) {
+    fn open<J: Join<Alone = A>>(&mut self, path: Path<A>, joining: &mut J) {
         if self.count == self.paths.len() {
-            joining.failure = Some(Failure::Full);
+            joining.fail(Failure::Full);
             return;
         }
         self.paths[self.count] = path;
@@ -58,18 +58,18 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
     }
 
     /// A path starts from a support.
-    pub(crate) fn tip<N: Level<Alone = A>>(&mut self, step: usize, support: Support, joining: &mut Joining<'_, N>) {
+    pub(crate) fn tip<J: Join<Alone = A>>(&mut self, step: usize, support: Support, joining: &mut J) {
         self.open(Path { step, support: Some(support), rows: [None; 2] }, joining);
     }
 
     /// A path goes through an element.
     #[inline(never)]
-    pub(crate) fn element<N: Level<Alone = A>>(
+    pub(crate) fn element<J: Join<Alone = A>>(
         &mut self,
         [step, input]: [usize; 2],
         space: Space,
         part: (&MemberNumbers, Option<OwnPart>),
-        joining: &mut Joining<'_, N>,
+        joining: &mut J,
     ) {
         let path = self.take(input);
         let rows = match path.support {
@@ -82,12 +82,12 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
 
     /// Paths are joined: their displacements and rotations are equal, supports hold them, and what does not go on leaves.
     #[inline(never)]
-    pub(crate) fn connection<N: Level<Alone = A>>(
+    pub(crate) fn connection<J: Join<Alone = A>>(
         &mut self,
         step: usize,
         inputs: &[usize],
         output: Option<Space>,
-        joining: &mut Joining<'_, N>,
+        joining: &mut J,
     ) {
         // while paths are joined a row may have the variables of both
         let mut rows: PointRows<A, JOINED> = [None; 2];
@@ -142,7 +142,7 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
     }
 
     /// The last path ends in the root.
-    pub(crate) fn root<N: Level<Alone = A>>(&mut self, input: usize, support: Support, joining: &mut Joining<'_, N>) {
+    pub(crate) fn root<J: Join<Alone = A>>(&mut self, input: usize, support: Support, joining: &mut J) {
         let Path { mut rows, .. } = self.take(input);
         hold(support.holds(), &mut rows, input, joining);
         go_on(&rows, &mut [None; 2], input, joining);
@@ -151,7 +151,7 @@ impl<'m, A: Level<Word = f64, Alone = A>> Paths<'m, A> {
 }
 
 /// What a support leaves of the freedoms of a space.
-fn of_support<N: Level>(support: Support, space: Space, joining: &mut Joining<'_, N>) -> PointRows<N::Alone> {
+fn of_support<J: Join>(support: Support, space: Space, joining: &mut J) -> PointRows<J::Alone> {
     FREEDOMS.map(|freedom| {
         space
             .contains(freedom)
@@ -161,15 +161,16 @@ fn of_support<N: Level>(support: Support, space: Space, joining: &mut Joining<'_
 
 /// Takes the rows of a point through an element.
 #[inline(never)]
-fn through<N: Level>(
-    rows: PointRows<N::Alone>,
+fn through<J: Join>(
+    rows: PointRows<J::Alone>,
     step: usize,
     (numbers, own_part): (&MemberNumbers, Option<OwnPart>),
-    joining: &mut Joining<'_, N>,
-) -> PointRows<N::Alone> {
+    joining: &mut J,
+) -> PointRows<J::Alone> {
     let [y, theta] = [0, 1].map(|index| rows[index].as_ref().map_or(&[][..], |row| row.terms()));
     let mut next = rows;
-    match numbers {
+    let (numbers, damping) = numbers.parted();
+    match &numbers {
         MemberNumbers::Other => {
             let index = usize::from(rows[0].is_none());
             let Some(own) = own_row(own_part, rows[index].as_ref(), joining) else { return next };
@@ -188,28 +189,28 @@ fn through<N: Level>(
         }
         MemberNumbers::Spring(freedom, stiffness) => {
             let index = usize::from(*freedom == 2);
-            next[index] = Some(spring(*stiffness, rows[index].as_ref(), joining));
+            next[index] = Some(spring((stiffness, &damping), rows[index].as_ref(), joining));
         }
         MemberNumbers::Joint(rigid, stiffnesses) => {
             for (index, freedom) in FREEDOMS.into_iter().enumerate() {
                 if !rigid.contains(freedom) {
-                    next[index] = Some(spring(stiffnesses[1 + index], rows[index].as_ref(), joining));
+                    next[index] = Some(spring((&stiffnesses[1 + index], &damping), rows[index].as_ref(), joining));
                 }
             }
         }
         MemberNumbers::Line(freedom, line) => {
             let index = usize::from(*freedom == 2);
             let own = Row::of(joining.enter());
-            add_line(joining, line, Ball::of_pair(line.length), [[y, theta][index], own.terms()]);
+            joining.add_line((line, &damping), Ball::of_pair(line.length), [[y, theta][index], own.terms()]);
             next[index] = Some(own);
         }
-        MemberNumbers::Tapered(_) | MemberNumbers::Beam(_) => {
+        _ => {
             let own = [joining.enter(), joining.enter()].map(Row::of);
             let ends = [y, theta, own[0].terms(), own[1].terms()];
-            match numbers {
+            match &numbers {
                 MemberNumbers::Tapered(beam) => joining.add_tapered(beam, ends),
-                MemberNumbers::Beam(beam) => joining.add_bending(beam, Ball::of_pair(beam.length), ends),
-                _ => {}
+                MemberNumbers::Beam(beam) => joining.add_bending((beam, &damping), Ball::of_pair(beam.length), ends),
+                _ => joining.fail(Failure::NotInNumbers),
             }
             next = own.map(Some);
         }
@@ -220,24 +221,24 @@ fn through<N: Level>(
 }
 
 /// Adds a spring behind a row. Returns the row of its other end.
-fn spring<N: Level>(
-    stiffness: Exact,
-    input: Option<&Row<N::Alone, 2>>,
-    joining: &mut Joining<'_, N>,
-) -> Row<N::Alone, 2> {
+fn spring<J: Join>(
+    spring: (&Exact, &DampingNumbers),
+    input: Option<&Row<J::Alone, 2>>,
+    joining: &mut J,
+) -> Row<J::Alone, 2> {
     let own = Row::of(joining.enter());
-    joining.add_spring(stiffness, [input.unwrap_or(&Row::none()), &own]);
+    joining.add_spring(spring, [input.unwrap_or(&Row::none()), &own]);
     own
 }
 
 /// Adds the inertia of a body, and the stiffness of an axial force against its rotation: where it turns by Θ its ends come closer by `|b| Θ²/2`.
-fn add_body<N: Level>(body: &BodyNumbers, rows: [Terms<'_, N>; 2], joining: &mut Joining<'_, N>) {
+fn add_body<J: Join>(body: &BodyNumbers, rows: [&[Term<J::Alone>]; 2], joining: &mut J) {
     let [mass, inertia, centre, output] =
-        [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::<N::Alone>::of_pair);
+        [body.mass, body.inertia, body.centre_x, body.output_x].map(Ball::<J::Alone>::of_pair);
     let moment = if is_zero(&centre) || is_zero(&mass) { Ball::of(0.0) } else { mass * centre };
     // Steiner's theorem
     let inertia = if body.is_central && !is_zero(&moment) { inertia + moment * centre } else { inertia };
-    add_inertia(joining, [mass, moment, inertia], rows);
+    joining.add_inertia([mass, moment, inertia], rows);
     if body.axial_force != [0.0; 2] {
         let length = if output.mid.leading() < 0.0 { -output } else { output };
         joining.add_term(Ball::of_pair(body.axial_force) * length, rows[1]);
@@ -245,13 +246,13 @@ fn add_body<N: Level>(body: &BodyNumbers, rows: [Terms<'_, N>; 2], joining: &mut
 }
 
 /// Adds an element that is known by its stiffness at this frequency alone. Returns what its output end is of the variables.
-fn own_row<N: Level>(
+fn own_row<J: Join>(
     part: Option<OwnPart>,
-    input: Option<&Row<N::Alone, 2>>,
-    joining: &mut Joining<'_, N>,
-) -> Option<Row<N::Alone, 2>> {
+    input: Option<&Row<J::Alone, 2>>,
+    joining: &mut J,
+) -> Option<Row<J::Alone, 2>> {
     let Some(part) = part else {
-        joining.failure = Some(Failure::NotInNumbers);
+        joining.fail(Failure::NotInNumbers);
         return None;
     };
     let nothing = Row::none();
@@ -265,7 +266,7 @@ fn own_row<N: Level>(
         }
         OwnPart::Stiffness { stiffness, held } => {
             let own = Row::of(joining.enter());
-            add_counted(joining, stiffness, held, [input.terms(), own.terms()]);
+            joining.add_counted(stiffness, held, [input.terms(), own.terms()]);
             Some(own)
         }
     }

@@ -60,6 +60,10 @@ struct Known<'a> {
 impl Known<'_> {
     /// Looks how much is known of an element.
     fn look_at(&mut self, place: usize, numbers: &MemberNumbers) {
+        if !numbers.parted().1.is_none() {
+            // a count is that of an undamped system
+            self.knowledge = Knowledge::Nothing;
+        }
         if !matches!(numbers, MemberNumbers::Other) || self.knowledge == Knowledge::Nothing {
             return;
         }

@@ -60,7 +60,7 @@ impl<T: Real> ProportionalDamping<T> {
             let [below, above] = [away(&ends[0]), away(&ends[1])];
             let rounding = modulus(lambda) * T::from_f64(8.0 * T::EPSILON);
             let error = if below > above { below } else { above } + rounding;
-            Eigenvalue { lambda, error, multiplicity: root.multiplicity }
+            Eigenvalue { lambda, error, multiplicity: root.multiplicity, is_proven: false }
         };
         let second = self.loss_factor.is_zero().then(|| eigenvalue(1));
         [Some(eigenvalue(0)), second]

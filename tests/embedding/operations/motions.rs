@@ -128,7 +128,7 @@ fn all_sensitivities_cost_four_evaluations_and_a_step_derivative_per_parameter()
     let one = || Counted::from(1.0);
     let (stiffness, mass) = (Spring { stiffness: one() }, Mass { mass: one() });
     for index in [0, 2, 5] {
-        let Eigenvalue { lambda, error, multiplicity } = damped[index];
+        let Eigenvalue { lambda, error, multiplicity, is_proven } = damped[index];
         let (lambda, error) = (Complex::new(lambda.re.into(), lambda.im.into()), error.into());
         let [tip, restrained] =
             [models::light_tip_body().bending_stiffness, models::restrained_beam().bending_stiffness];
@@ -158,7 +158,7 @@ fn all_sensitivities_cost_four_evaluations_and_a_step_derivative_per_parameter()
             ),
             sensitivities!(
                 models::damped_oscillator(),
-                Eigenvalue { lambda, error, multiplicity },
+                Eigenvalue { lambda, error, multiplicity, is_proven },
                 [(12, beam(0.2, 63476.0, 15.3)), (2, stiffness), (1, mass), (2, both)]
             ),
         ];

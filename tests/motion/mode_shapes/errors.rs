@@ -46,7 +46,7 @@ fn a_frequency_between_roots_is_none() {
     }
     let lambda = Complex::new(-0.1, f64::NAN);
     let system = Oscillator { k: 1.0, c: 0.1, m: 1.0 }.build().unwrap();
-    let root = Eigenvalue { lambda, error: 0.0, multiplicity: 1 };
+    let root = Eigenvalue { lambda, multiplicity: 1, ..Eigenvalue::default() };
     assert!(matches!(error(system.mode_shape(&root)), MotionError::NotFinite { .. }));
 }
 

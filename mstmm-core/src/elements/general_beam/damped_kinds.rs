@@ -2,7 +2,7 @@
 
 use crate::element::{
     BackTransfer, CarriesLoad, Charted, Element, Energies, Forms, Inside, MatrixOf, MemberEnds, MemberGradient,
-    MemberMotion, MemberWork, PlaneStep, TransferMatrix,
+    MemberMotion, MemberNumbers, MemberWork, PlaneStep, TransferMatrix,
 };
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::damped::BuiltDampedBeam;
@@ -76,6 +76,10 @@ macro_rules! damped_beams {
 
             fn extent(built: &BuiltDampedBeam<T>) -> Extent {
                 GeneralBeam::extent(&built.beam)
+            }
+
+            fn member_numbers(built: &BuiltDampedBeam<T>) -> MemberNumbers {
+                GeneralBeam::member_numbers(&built.beam).damped(built.dissipation.numbers())
             }
         }
 

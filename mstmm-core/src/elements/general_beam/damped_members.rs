@@ -1,7 +1,8 @@
 //! Beams with damping between points of the plane, where they stretch as well.
 
 use crate::element::{
-    Charted, Element, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberWork, TransferMatrix,
+    Charted, Element, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork,
+    TransferMatrix,
 };
 use crate::elements::general_beam::damped::BuiltDampedBeam;
 use crate::elements::general_beam::damped_kinds::{DampedBeam, DampedTimoshenkoBeam, DampedUniformBeam};
@@ -91,6 +92,11 @@ macro_rules! in_plane {
 
             fn extent(built: &BuiltPlanarDampedBeam<T>) -> Extent {
                 Extent::along(built.rod.line.section.length.to_f64())
+            }
+
+            fn member_numbers(built: &BuiltPlanarDampedBeam<T>) -> MemberNumbers {
+                let BuiltPlanarDampedBeam { bending, rod } = built;
+                MemberNumbers::Beam(bending.beam.numbers(rod.line.section.stiffness)).damped(rod.dissipation.numbers())
             }
         }
 

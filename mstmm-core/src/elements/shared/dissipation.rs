@@ -1,6 +1,6 @@
 //! What damps a member or a spring: the loss of its material, and a medium around it.
 
-use crate::element::Forms;
+use crate::element::{DampingNumbers, Forms};
 use crate::elements::shared::line_forms::half;
 use crate::model::{FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{ComplexFrequency, Oscillation, Parameter, Real};
@@ -32,6 +32,12 @@ impl<T: Parameter> Dissipation<T> {
         Requirement::NonNegative.check("loss_factor", self.loss_factor)?;
         Requirement::NonNegative.check("kelvin_voigt_time", self.time)?;
         Requirement::NonNegative.check("external_damping", self.external)
+    }
+
+    /// The damping as a proof knows it.
+    pub(crate) fn numbers(&self) -> DampingNumbers {
+        let Dissipation { loss_factor, time, external } = *self;
+        DampingNumbers { loss_factor: loss_factor.words(), time: time.words(), viscous: external.words() }
     }
 
     /// Adds what keeps searches of eigenvalues away to the estimates: the loss factor.

@@ -192,6 +192,6 @@ fn size_of<N: Level>(size: N::Word) -> Ball<N> {
 }
 
 /// Number of terms of the series of short waves: the first one that is left out is below the rounding of a number of `TERMS`.
-const fn short_terms(of_squares: usize) -> usize {
+pub(crate) const fn short_terms(of_squares: usize) -> usize {
     of_squares + of_squares / 3 + 1
 }

@@ -6,6 +6,7 @@ mod assembly;
 mod campaign;
 mod closed_forms;
 mod counts;
+mod discs;
 mod element_numbers;
 mod exact;
 mod functions;

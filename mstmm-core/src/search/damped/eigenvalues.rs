@@ -5,6 +5,7 @@ use crate::number::{Dual, List, Parameter, Real, Scalar, Store};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::searched::Spectrum;
 use crate::search::damped::found::{Eigenvalue, EigenvalueList, Found, Region, exactly};
+use crate::search::damped::proven::prove_all;
 use crate::search::damped::session::EigenvalueSearch;
 use crate::search::room::add;
 use num_complex::Complex;
@@ -150,7 +151,7 @@ where
 {
     let (found, asks_extended) = searched(system, plain);
     if !asks_extended {
-        return found;
+        return found.map(|found| proven(system, found));
     }
     let plain = found.map_or(0, |found| found.evaluations);
     let judged = searched(system, judge).0?;
@@ -158,9 +159,20 @@ where
     for root in judged.eigenvalues.iter() {
         let plainly = |x: ExtendedOf<Y>| <Y::Parameter as Scalar>::from_f64(x.to_f64());
         let lambda = Complex::new(plainly(root.lambda.re), plainly(root.lambda.im));
-        add(&mut eigenvalues, Eigenvalue { lambda, error: plainly(root.error), multiplicity: root.multiplicity })?;
+        let (error, multiplicity) = (plainly(root.error), root.multiplicity);
+        add(&mut eigenvalues, Eigenvalue { lambda, error, multiplicity, is_proven: false })?;
     }
-    Ok(Found { eigenvalues, evaluations: plain + judged.evaluations })
+    Ok(proven(system, Found { eigenvalues, evaluations: plain + judged.evaluations }))
+}
+
+/// What was found, proven as far as that can be.
+fn proven<Y, L>(system: &Y, mut found: Found<L>) -> Found<L>
+where
+    Y: System + ?Sized,
+    L: Store<Eigenvalue<Y::Parameter>>,
+{
+    prove_all(system, found.eigenvalues.values());
+    found
 }
 
 /// Runs a search, and tells whether it has to be repeated in extended precision. Not inlined, so that its memory is freed.
@@ -185,7 +197,7 @@ mod tests {
     use crate::number::assert_close;
 
     fn eigenvalue(re: f64, im: f64) -> Eigenvalue<f64> {
-        Eigenvalue { lambda: Complex::new(re, im), error: 0.0, multiplicity: 1 }
+        Eigenvalue { lambda: Complex::new(re, im), multiplicity: 1, ..Eigenvalue::default() }
     }
 
     /// Oracle: the motion `e^{λt}` itself, one period and one decay time later; and the textbook's `2πζ/sqrt(1 - ζ²)`.

@@ -27,16 +27,21 @@ pub(super) fn exactly<T: Real>(number: T) -> T::Extended {
     <T::Extended as Frequency<T>>::from_parameter(number)
 }
 
-/// An eigenvalue λ of a system, certified by the argument principle.
+/// An eigenvalue λ of a system, proven or counted by the argument principle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Eigenvalue<T = f64> {
     /// The eigenvalue [1/s].
     pub lambda: Complex<T>,
-    /// Radius [1/s] of a circle around λ that holds the root: along the circle of half this radius the argument of Δ turns once for
-    /// each of its roots, or for a simple root Δ and Δ' at two opposite points show one root near its centre.
+    /// Radius [1/s] of a circle around λ that holds the root. Where it is not proven, the argument of Δ turns once for each of its roots along
+    /// the circle of half this radius, or for a simple root Δ and Δ' at two opposite points show one root near its centre.
     pub error: T,
     /// Number of eigenvalues in that circle.
     pub multiplicity: u64,
+    /// Whether it is a theorem that the disc `|z - lambda| <= error` holds exactly one eigenvalue, with all rounding in its proof.
+    ///
+    /// Those of several eigenvalues are not proven, nor are systems with an element that is not known in numbers: a tapered beam, or one of the
+    /// user's own. Without the feature `judge` nothing is. That a list has all eigenvalues of a region is counted.
+    pub is_proven: bool,
 }
 
 impl<T: Real> Eigenvalue<T> {

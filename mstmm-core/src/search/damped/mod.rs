@@ -9,6 +9,7 @@ pub(crate) mod found;
 pub(crate) mod growth;
 pub(crate) mod newton;
 pub(crate) mod point;
+pub(crate) mod proven;
 pub(crate) mod reach;
 pub(crate) mod rectangle;
 pub(crate) mod search;

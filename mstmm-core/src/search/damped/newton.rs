@@ -265,7 +265,7 @@ where
                 let is_noisy = modulus(offsets[0] - offsets[1]) > radius * T::from_f64(NOISE);
                 let width = if is_noisy { UNPROVEN_WIDTH } else { 1.0 };
                 let error = (radius + radius) * T::from_f64(width);
-                return Ok(Some(Eigenvalue { lambda, error, multiplicity: 1 }));
+                return Ok(Some(Eigenvalue { lambda, error, multiplicity: 1, is_proven: false }));
             }
             if modulus(offsets[0] - offsets[1]) > radius * (bound + bound) {
                 return Ok(None);
@@ -287,7 +287,7 @@ where
             if let Traversal::Argument(argument) = self.traverse(&polygon, |_| ())?
                 && let Some(multiplicity @ 1..) = whole(argument / core::f64::consts::TAU)
             {
-                return Ok(Some(Eigenvalue { lambda, error: radius + radius, multiplicity }));
+                return Ok(Some(Eigenvalue { lambda, error: radius + radius, multiplicity, is_proven: false }));
             }
             radius *= T::from_f64(GROWTH);
         }

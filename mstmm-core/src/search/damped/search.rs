@@ -274,7 +274,7 @@ where
             }
             if self.is_tiny(rectangle) {
                 let (lambda, error) = (rectangle.centre(), rectangle.size());
-                let root = Eigenvalue { lambda, error, multiplicity };
+                let root = Eigenvalue { lambda, error, multiplicity, is_proven: false };
                 return self.known.push(root).map(|()| true);
             }
             if self.known.is_full() {

@@ -85,7 +85,7 @@ where
         let lambda = Complex::new(plainly(centre.re), plainly(centre.im));
         // with room for what the model's numbers round
         let error = plainly(radius + radius) + scale * T::from_f64(self.precision);
-        is_certified.then_some(Eigenvalue { lambda, error, multiplicity: 1 })
+        is_certified.then_some(Eigenvalue { lambda, error, multiplicity: 1, is_proven: false })
     }
 
     /// Newton's step in extended precision, negative; none where sums cancel.

@@ -8,7 +8,7 @@ use crate::proof::beside::{AT_ONCE, Beside, Evidence, ONE_ENTRY};
 use crate::proof::bisection::Refusal;
 use crate::proof::certificate::{Claim, Proven};
 use crate::proof::count::Side;
-use crate::proof::joining::Failure;
+use crate::proof::join::Failure;
 use crate::proof::prover::{Bound, Precision, Prover};
 use crate::proof::visit::{Knowledge, Visited, Visitor, knowledge_of};
 use crate::search::room::add;
