@@ -266,7 +266,9 @@ mod damped {
                 })
                 .sum();
             assert_eq!(root.multiplicity, 1, "{exact}");
-            assert!((root.lambda - exact).norm() <= root.error, "{exact}: {root:?}");
+            // the file has 18 digits, which are rounded here
+            let rounding = 0.5 * f64::EPSILON * exact.norm();
+            assert!((root.lambda - exact).norm() <= root.error + rounding, "{exact}: {root:?}");
             assert!(
                 2.0 * root.error <= DAMPED_WIDTH * condition.max(1.0) * exact.norm(),
                 "{exact}: {root:?}, {condition}"

@@ -10,9 +10,9 @@ use crate::structure::tape::Tape;
 #[cfg(feature = "std")]
 use crate::structure::triangle::row;
 
-/// Size of memory \[bytes\] beyond which it is taken from the heap, with `std`: threads may have stacks of little more than a megabyte.
+/// Size of memory \[bytes\] beyond which it is taken from the heap, with `std`: a quarter of a megabyte, since threads may have stacks of little more than one.
 #[cfg(feature = "std")]
-const LARGE: usize = 1 << 16;
+const LARGE: usize = 1 << 18;
 
 /// Memory for a structure of up to so many nodes, of whose unknowns up to `W` are there at once. At each node no more than these leave, and each
 /// has no more beside it.

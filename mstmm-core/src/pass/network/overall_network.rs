@@ -32,7 +32,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
     /// let nodes = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Node::at);
     /// let section = Section { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 };
     /// let members = [[0, 1], [1, 2], [2, 3], [3, 0]].map(|[from, to]| Member::<UndampedMember<f64>>::new(from, to, section));
-    /// let square = Network::<_, Arrays<15, 4, 4>>::in_arrays(&nodes, &members)?;
+    /// let square = Network::<_, Arrays<18, 4, 4>>::in_arrays(&nodes, &members)?;
     /// let equation = square.overall::<9>()?;
     /// let first = square.first_frequencies::<5>().unwrap()[1];
     /// let [below, above] = [0.99, 1.01].map(|part| equation.overall_determinant(part * first.omega).mantissa());
