@@ -1,11 +1,12 @@
 //! Sensitivities of frames: how a root moves with the parameters of members and bodies.
 
+use crate::answer::network::geometry::body_slopes;
 use crate::answer::network::shape::{PlaneShape, simple};
-use crate::answer::root::{Root, simple_root};
+use crate::answer::root::{Root, moved_by_work, simple_root};
 use crate::element::{MemberChart, MemberElement, MemberSlopes, MemberVisit, MemberWork};
 use crate::frame::{Body, Dimension, Framework, Member};
 use crate::model::MotionError;
-use crate::pass::network::{PerMember, Placed, PlaneFrequency, member_works};
+use crate::pass::network::{PerMember, Placed, PlaneFrequency, member_works, moved};
 
 /// The derivatives of a root with respect to the parameters of a frame, dω/dp or dλ/dp, by handles and names.
 #[derive(Debug)]
@@ -69,8 +70,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>, S: PlaneFrequency<f64>> Fr
     /// [`MotionError::NoSuchParameter`] where there is no derivative of this name; [`MotionError::OtherFrame`] for a handle of another frame.
     pub fn of(&self, item: impl Asked<D, E, S>, name: &str) -> Result<S, MotionError> {
         let slope = item.slope(self, name)?.ok_or(MotionError::NoSuchParameter)?;
-        // `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`, with `∂L/∂λ = (dλ²/dλ)/2` for a shape of unit modal mass
-        Ok(slope * S::from_f64(-2.0) / self.shape.x.slope_of_lambda_squared())
+        Ok(slope * moved_by_work(self.shape.x))
     }
 }
 
@@ -97,13 +97,11 @@ where
         let FrameSensitivities { frame, shape, .. } = sensitivities;
         let (node, centre) = frame.body(self)?;
         let position = Placed::node(*frame, node).0.position;
-        let [u, v, rotation] = shape.node(node)?;
-        let [x, y] = [0, 1].map(|k| S::from_f64(centre[k] - position[k]));
-        let [at_x, at_y] = [u - rotation * y, v + rotation * x];
-        let half = shape.x.lambda_squared() * S::from_f64(0.5);
+        let to_centre = [0, 1].map(|k| S::from_f64(centre[k] - position[k]));
+        let [by_mass, by_inertia] = body_slopes(shape.x.lambda_squared(), moved(shape.node(node)?, to_centre));
         Ok(match name {
-            "mass" => Some(half * (at_x * at_x + at_y * at_y)),
-            "inertia" => Some(half * rotation * rotation),
+            "mass" => Some(by_mass),
+            "inertia" => Some(by_inertia),
             _ => None,
         })
     }

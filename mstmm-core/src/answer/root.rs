@@ -77,3 +77,10 @@ pub(crate) fn simple_root<T: Real, R: Root<T>>(root: &R) -> Result<R::Frequency,
     }
     Ok(frequency)
 }
+
+/// What a root moves by where the dynamic work of its shape grows by 1: `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`, where `∂L/∂λ = (dλ²/dλ)/2` for a shape of unit modal
+/// mass.
+pub(crate) fn moved_by_work<T: Real, S: Oscillation<T>>(x: S) -> S {
+    let two = S::one() + S::one();
+    -two / x.slope_of_lambda_squared()
+}

@@ -1,6 +1,7 @@
 //! Sensitivities: how a root moves with each field of the model.
 
 use crate::answer::mode_shape::simple;
+use crate::answer::root::moved_by_work;
 use crate::element::ListElement;
 use crate::model::{Chain, Fields, MotionError, NamedFields};
 use crate::number::{Oscillation, Single};
@@ -50,7 +51,7 @@ impl<E: ListElement, S: Single, const STEPS: usize> Sensitivities<PlannedList<'_
     }
 }
 
-/// `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`, where `∂L/∂λ = (dλ²/dλ)/2` for a shape of unit modal mass.
+/// The derivatives of a root: of the dynamic work of its shape, times what that moves it by.
 pub(crate) fn sensitivities<Y, S>(system: &Y, x: S) -> Result<Sensitivities<Y, S>, MotionError>
 where
     Y: ExtendedTree<S> + Chain<S> + ?Sized,
@@ -61,8 +62,7 @@ where
     }
     let shape = simple(system, x)?;
     let mut values = system.chain(|step| shape.ends(step));
-    let two = S::one() + S::one();
-    let factor = -two / x.slope_of_lambda_squared();
+    let factor = moved_by_work::<<Y as System>::Parameter, S>(x);
     for value in values.as_mut() {
         *value *= factor;
     }

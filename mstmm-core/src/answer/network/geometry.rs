@@ -2,7 +2,7 @@
 
 use crate::answer::network::states::PlaneStates;
 use crate::number::{Frequency, Scalar};
-use crate::pass::network::{Axis, NetworkSketch, Placed, SketchedMember};
+use crate::pass::network::{Axis, NetworkSketch, Placed, SketchedMember, moved};
 
 /// `∂L/∂(number)` for the numbers of a sketch, in their order.
 pub(super) struct Geometry<'g, S> {
@@ -143,19 +143,24 @@ fn add_bodies<Y, S, const NODES: usize, const MEMBERS: usize>(
     S: Frequency<Y::Parameter>,
 {
     let square = states.x.lambda_squared();
-    let half = S::from_f64(0.5);
     let first = 2 * (sketch.places.len() + sketch.directions.len());
     for (index, body) in sketch.bodies.iter().enumerate() {
         let [mass, _, x, y] = [0, 1, 2, 3].map(|k| S::from_f64(numbers[first + 4 * index + k]));
-        let [u, v, rotation] = states.motion.nodes.as_ref()[body.node];
+        let node = states.motion.nodes.as_ref()[body.node];
         let place = sketch.nodes[body.node].place;
         let position = states.system.node(body.node).0.position.map(S::from_parameter);
         // a mass on a path has no place: it moves as its node does
-        let [to_x, to_y] = if place.is_some() { [x - position[0], y - position[1]] } else { [S::zero(); 2] };
-        let [at_x, at_y] = [u - rotation * to_y, v + rotation * to_x];
+        let to_centre = if place.is_some() { [x - position[0], y - position[1]] } else { [S::zero(); 2] };
+        let centre @ [at_x, at_y, rotation] = moved(node, to_centre);
         let slopes = [square * mass * rotation * at_y, -(square * mass * rotation * at_x)];
         geometry.move_apart(None, place, slopes);
-        geometry.bodies[index] =
-            [half * square * (at_x * at_x + at_y * at_y), half * square * rotation * rotation, slopes[0], slopes[1]];
+        let [by_mass, by_inertia] = body_slopes(square, centre);
+        geometry.bodies[index] = [by_mass, by_inertia, slopes[0], slopes[1]];
     }
+}
+
+/// `∂L/∂m` and `∂L/∂J` of a body, given λ² and the displacements of its mass centre.
+pub(crate) fn body_slopes<S: Scalar>(square: S, [x, y, rotation]: [S; 3]) -> [S; 2] {
+    let half = S::from_f64(0.5) * square;
+    [half * (x * x + y * y), half * rotation * rotation]
 }

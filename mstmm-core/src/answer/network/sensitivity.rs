@@ -2,6 +2,7 @@
 
 use crate::answer::network::shape::simple;
 use crate::answer::network::states::PlaneStates;
+use crate::answer::root::moved_by_work;
 use crate::answer::sensitivity::Sensitivities;
 use crate::element::MemberWork;
 use crate::model::{Fields, MotionError};
@@ -21,7 +22,7 @@ pub trait PlaneChain<S: PlaneFrequency<<Self as System>::Parameter>>: Fields + P
         Self: Sized;
 }
 
-/// `dλ/dp = -(∂L/∂p)/(∂L/∂λ)`, where `∂L/∂λ = (dλ²/dλ)/2` for a shape of unit modal mass.
+/// The derivatives of a root: of the dynamic work of its shape, times what that moves it by.
 pub(super) fn sensitivities<Y, S>(system: &Y, x: S) -> Result<Sensitivities<Y, S>, MotionError>
 where
     Y: MovingNetwork<S> + PlaneChain<S>,
@@ -33,8 +34,7 @@ where
     let shape = simple(system, x)?;
     let works = member_works(system, x, &shape.motion);
     let mut values = system.plane_chain(&shape, works.as_ref());
-    let two = S::one() + S::one();
-    let factor = -two / x.slope_of_lambda_squared();
+    let factor = moved_by_work::<<Y as System>::Parameter, S>(x);
     for value in values.as_mut() {
         *value *= factor;
     }
