@@ -1,7 +1,8 @@
 //! Numeric runtime of `mstmm`: scalars, state spaces, elements, the overall transfer equation and the searches.
 //!
-//! This crate is an implementation detail of `mstmm`, which re-exports what users need. It uses neither `std` nor
-//! `alloc`; the feature `std` (default) or `libm` only chooses where sine, cosine and exponential come from. The feature `judge`
+//! This crate is an implementation detail of `mstmm`, which re-exports what users need. Without
+//! the feature `std` (default) it uses neither `std` nor `alloc`, and `libm` has sine, cosine and exponential. With it large structures stand on the
+//! heap, and there are frames that the program describes. The feature `judge`
 //! (default) adds the extended precision, double-double, in which doubtful results are computed again.
 #![no_std]
 #![forbid(unsafe_code)]

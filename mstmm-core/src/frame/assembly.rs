@@ -8,7 +8,7 @@ use crate::frame::ends::{End, Seat};
 use crate::frame::entries::{Frame, MemberEntry};
 use crate::frame::error::{BuildError, Mistake};
 use crate::frame::paths::motions;
-use crate::model::{Hold, Tied, is_size_of_direction};
+use crate::model::{Hold, Tied};
 use crate::pass::network::{self, Node};
 use mstmm_plan::Freedoms;
 use std::format;
@@ -200,15 +200,10 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         // what acts along a direction has one at both ends, or leads from the one place to the other
         let between_places = [end, other].iter().all(|end| matches!(end.seat, Seat::Point(_)) && end.along.is_none());
         let along = match end.along.or_else(|| D::ACROSS.filter(|_| is_along)) {
-            Some(direction) if is_along || is_joint => {
-                let size = direction.into_iter().map(f64::abs).fold(0.0, f64::max);
-                if !(direction.iter().all(|part| part.is_finite()) && is_size_of_direction(size)) {
-                    return Err(Mistake::Direction);
-                }
-                Some(direction)
+            Some(direction) if !(is_along || is_joint) || !network::is_direction(direction) => {
+                return Err(Mistake::Direction);
             }
-            Some(_) => return Err(Mistake::Direction),
-            None => None,
+            along => along,
         };
         let own = match end.seat {
             Seat::Point(handle) => {

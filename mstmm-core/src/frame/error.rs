@@ -143,7 +143,11 @@ impl Mistake {
     pub(crate) fn of(error: NetworkError) -> Self {
         match error {
             NetworkError::InvalidNode { problem, .. } => Mistake::Number { problem },
-            NetworkError::Parameter { error, .. } => Mistake::Parameter(error),
+            NetworkError::Parameter { error, .. } => {
+                // frames say rz, as they say x and y
+                let parameter = if error.parameter == "stiffness_theta" { "stiffness_rz" } else { error.parameter };
+                Mistake::Parameter(InvalidParameter { parameter, ..error })
+            }
             NetworkError::SamePlace { .. } => Mistake::SamePlace,
             NetworkError::TwoPlaces { .. } => Mistake::TwoPlaces,
             NetworkError::Direction { .. } => Mistake::Direction,

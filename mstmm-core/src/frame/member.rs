@@ -3,9 +3,9 @@
 use crate::element::CarriesLoad;
 use crate::elements::any_member::{AnyMember, Section as PlainSection};
 use crate::elements::{
-    DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper, GeneralBeam,
-    PlanarDampedBeam, PlanarGeneralBeam, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring,
-    TorsionSpringDamper,
+    DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, DampedUniformBeam, Damper,
+    PlanarDampedUniformBeam, PlanarUniformBeam, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper,
+    TorsionSpring, TorsionSpringDamper, UniformBeam,
 };
 use crate::frame::dimension::{Dimension, Line, Plane};
 use crate::frame::error::Mistake;
@@ -62,7 +62,7 @@ pub trait FrameElement<D: Dimension> {
     fn member(self) -> FrameMember;
 }
 
-/// The parameters that select a general beam.
+/// The parameters that select a beam with more than bending and mass.
 const GENERAL: [Parameter; 5] = [
     Parameter::shear_stiffness,
     Parameter::rotary_inertia,
@@ -79,25 +79,10 @@ fn needed(section: &Section, parameter: Parameter) -> Result<f64, Mistake> {
     section.get(parameter).ok_or(Mistake::Missing { parameter: name_of(parameter) })
 }
 
-/// The general beam of a section, without a length.
-fn general(section: &Section) -> Result<GeneralBeam<f64>, Mistake> {
-    let [shear, rotary_inertia, axial_force, foundation_stiffness, foundation_shear_stiffness] =
-        GENERAL.map(|parameter| section.get(parameter));
-    let shear = shear.unwrap_or(f64::INFINITY);
-    // a negative or vanishing stiffness has no flexibility that could be checked
-    if shear.is_nan() || shear <= 0.0 {
-        return Err(Mistake::ShearStiffness { value: shear });
-    }
-    Ok(GeneralBeam {
-        length: 0.0,
-        bending_stiffness: needed(section, Parameter::bending_stiffness)?,
-        mass_per_length: needed(section, Parameter::mass_per_length)?,
-        shear_flexibility: 1.0 / shear,
-        rotary_inertia: rotary_inertia.unwrap_or(0.0),
-        axial_force: axial_force.unwrap_or(0.0),
-        foundation_stiffness: foundation_stiffness.unwrap_or(0.0),
-        foundation_shear_stiffness: foundation_shear_stiffness.unwrap_or(0.0),
-    })
+/// A parameter that may be left out: what is not named is rigid, or not there.
+fn or_neutral(section: &Section, parameter: Parameter) -> f64 {
+    let is_rigid = matches!(parameter, Parameter::shear_stiffness);
+    section.get(parameter).unwrap_or(if is_rigid { f64::INFINITY } else { 0.0 })
 }
 
 /// Whether a section names one of some parameters.
@@ -105,9 +90,38 @@ fn names(section: &Section, parameters: &[Parameter]) -> bool {
     parameters.iter().any(|parameter| section.get(*parameter).is_some())
 }
 
-/// The damping of a section.
-fn losses(section: &Section) -> [f64; 3] {
-    LOSSES.map(|parameter| section.get(parameter).unwrap_or(0.0))
+/// The beam of a section with all parameters of a type. Its length is that between its ends.
+macro_rules! beam {
+    ($beam:ident of $section:ident { $($needed:ident),* } { $($optional:ident),* }) => {
+        AnyMember::from($beam {
+            length: 0.0,
+            $($needed: needed($section, Parameter::$needed)?,)*
+            $($optional: or_neutral($section, Parameter::$optional),)*
+        })
+    };
+}
+
+/// The beam of a section with all parameters but those of damping, or with these, too.
+macro_rules! uniform {
+    ($beam:ident of $section:ident { $($needed:ident),* }) => {
+        beam!($beam of $section { $($needed),* } {
+            shear_stiffness, rotary_inertia, axial_force, foundation_stiffness, foundation_shear_stiffness
+        })
+    };
+    (damped $beam:ident of $section:ident { $($needed:ident),* }) => {
+        beam!($beam of $section { $($needed),* } {
+            shear_stiffness, rotary_inertia, axial_force, foundation_stiffness, foundation_shear_stiffness,
+            loss_factor, kelvin_voigt_time, external_damping
+        })
+    };
+}
+
+/// Checks that a shear stiffness is positive.
+fn check_shear(section: &Section) -> Result<(), Mistake> {
+    match or_neutral(section, Parameter::shear_stiffness) {
+        value if value > 0.0 => Ok(()),
+        value => Err(Mistake::ShearStiffness { value }),
+    }
 }
 
 /// The beam of a section along a line.
@@ -115,67 +129,27 @@ fn along_line(section: &Section) -> Result<AnyMember<f64>, Mistake> {
     if section.get(Parameter::axial_stiffness).is_some() {
         return Err(Mistake::AxialStiffness);
     }
-    let beam = general(section)?;
-    if !names(section, &LOSSES) {
-        return Ok(beam.into());
-    }
-    let GeneralBeam { length, bending_stiffness, mass_per_length, .. } = beam;
-    let GeneralBeam { shear_flexibility, rotary_inertia, axial_force, .. } = beam;
-    let GeneralBeam { foundation_stiffness, foundation_shear_stiffness, .. } = beam;
-    let [loss_factor, kelvin_voigt_time, external_damping] = losses(section);
-    Ok(AnyMember::from(DampedBeam {
-        length,
-        bending_stiffness,
-        mass_per_length,
-        shear_flexibility,
-        rotary_inertia,
-        axial_force,
-        foundation_stiffness,
-        foundation_shear_stiffness,
-        loss_factor,
-        kelvin_voigt_time,
-        external_damping,
-    }))
+    check_shear(section)?;
+    Ok(if names(section, &LOSSES) {
+        uniform!(damped DampedUniformBeam of section { bending_stiffness, mass_per_length })
+    } else {
+        uniform!(UniformBeam of section { bending_stiffness, mass_per_length })
+    })
 }
 
 /// The beam of a section in the plane.
 fn in_plane(section: &Section) -> Result<AnyMember<f64>, Mistake> {
     let axial_stiffness = needed(section, Parameter::axial_stiffness)?;
-    let beam = general(section)?;
-    let GeneralBeam { length, bending_stiffness, mass_per_length, .. } = beam;
-    let GeneralBeam { shear_flexibility, rotary_inertia, axial_force, .. } = beam;
-    let GeneralBeam { foundation_stiffness, foundation_shear_stiffness, .. } = beam;
-    if names(section, &LOSSES) {
-        let [loss_factor, kelvin_voigt_time, external_damping] = losses(section);
-        return Ok(AnyMember::from(PlanarDampedBeam {
-            length,
-            axial_stiffness,
-            bending_stiffness,
-            mass_per_length,
-            shear_flexibility,
-            rotary_inertia,
-            axial_force,
-            foundation_stiffness,
-            foundation_shear_stiffness,
-            loss_factor,
-            kelvin_voigt_time,
-            external_damping,
-        }));
-    }
-    if !names(section, &GENERAL) {
-        return Ok(AnyMember::from(PlainSection { axial_stiffness, bending_stiffness, mass_per_length }));
-    }
-    Ok(AnyMember::from(PlanarGeneralBeam {
-        length,
-        axial_stiffness,
-        bending_stiffness,
-        mass_per_length,
-        shear_flexibility,
-        rotary_inertia,
-        axial_force,
-        foundation_stiffness,
-        foundation_shear_stiffness,
-    }))
+    check_shear(section)?;
+    Ok(if names(section, &LOSSES) {
+        uniform!(damped PlanarDampedUniformBeam of section { axial_stiffness, bending_stiffness, mass_per_length })
+    } else if names(section, &GENERAL) {
+        uniform!(PlanarUniformBeam of section { axial_stiffness, bending_stiffness, mass_per_length })
+    } else {
+        let bending_stiffness = needed(section, Parameter::bending_stiffness)?;
+        let mass_per_length = needed(section, Parameter::mass_per_length)?;
+        PlainSection { axial_stiffness, bending_stiffness, mass_per_length }.into()
+    })
 }
 
 impl FrameElement<Line> for Section {

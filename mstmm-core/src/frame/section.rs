@@ -113,27 +113,12 @@ pub struct UnknownParameter {
 impl fmt::Display for UnknownParameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "a section has no parameter `{}`: ", self.name)?;
-        match NAMES.iter().min_by_key(|own| distance(own, &self.name)) {
-            Some(near) if 3 * distance(near, &self.name) <= near.len() => write!(f, "did you mean `{near}`?"),
+        let distances = NAMES.iter().map(|own| (strsim::levenshtein(own, &self.name), own));
+        match distances.min_by_key(|(distance, _)| *distance) {
+            Some((distance, near)) if 3 * distance <= near.len() => write!(f, "did you mean `{near}`?"),
             _ => write!(f, "it has `{}`", NAMES.join("`, `")),
         }
     }
 }
 
 impl core::error::Error for UnknownParameter {}
-
-/// The number of letters that are inserted, left out or replaced to make one word of another.
-fn distance(one: &str, other: &str) -> usize {
-    let mut row: std::vec::Vec<usize> = (0..=other.len()).collect();
-    for (place, letter) in one.bytes().enumerate() {
-        let (mut diagonal, mut left) = (row[0], place + 1);
-        row[0] = left;
-        for (column, of_other) in other.bytes().enumerate() {
-            let replaced = diagonal + usize::from(letter != of_other);
-            diagonal = row[column + 1];
-            left = replaced.min(left + 1).min(diagonal + 1);
-            row[column + 1] = left;
-        }
-    }
-    row[other.len()]
-}

@@ -9,7 +9,7 @@ use crate::frame::dimension::Dimension;
 use crate::frame::entries::{Body, Frame};
 use crate::frame::error::{BuildError, BuildErrors, Mistake};
 use crate::frame::point::InFrame;
-use crate::model::{FrequencyEstimates, Handle, InvalidParameter, MemberLabel, MotionError, PlanePoint, Spot, Tied};
+use crate::model::{FrequencyEstimates, Handle, MemberLabel, MotionError, PlanePoint, Spot, Tied};
 use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::{
@@ -36,8 +36,6 @@ pub struct Framework<D, E: MemberElement> {
     supports: Vec<(usize, Freedoms, Option<[f64; 2]>)>,
     /// The node and the mass centre of each body.
     bodies: Vec<(usize, [f64; 2])>,
-    /// The shear flexibility of each member \[1/N\]; zero of what has none.
-    flexibilities: Vec<f64>,
     /// Members of the frame; behind them there are those of supports and of masses in a direction.
     member_count: usize,
     of: PhantomData<fn() -> D>,
@@ -71,36 +69,44 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
     /// Builds a frame with what a function makes of its members.
     fn built(frame: &Frame<D>, element: impl Fn(AnyMember<f64>) -> Result<E, Mistake>) -> Result<Self, BuildErrors> {
         let mut assembly = Assembly::of(frame);
-        let mut members = Vec::new();
+        let (mut members, mut named) = (Vec::new(), Vec::new());
         for index in 0..assembly.members.len() {
             let NetworkMember { ends, element: any } = assembly.members[index];
-            match element(any).and_then(|element| checked(&assembly.nodes, &ends, element)) {
-                Ok(element) => members.push(network::Member { ends, element }),
-                Err(mistake) => assembly.fail(assembly.called[index].clone(), mistake),
+            let name = assembly.called[index].clone();
+            match element(any) {
+                Ok(element) => {
+                    members.push(network::Member { ends, element });
+                    named.push(name);
+                }
+                Err(mistake) => assembly.fail(name, mistake),
             }
         }
-        for node in 0..assembly.nodes.len() {
-            if let Err(error) = network::check_node(node, &assembly.nodes[node]) {
-                assembly.fail(assembly.names[node].clone(), Mistake::of(error));
-            }
+        let Assembly { nodes, names, is_of_path, points, bodies, mut errors, .. } = assembly;
+        let (mut of_nodes, mut of_whole) = (Vec::new(), Vec::new());
+        let network = Network::with_paths(
+            &nodes,
+            &members,
+            |node| is_of_path[node],
+            |error| {
+                let (list, part) = match error {
+                    NetworkError::Parameter { member, .. }
+                    | NetworkError::SamePlace { member, .. }
+                    | NetworkError::TwoPlaces { member, .. }
+                    | NetworkError::Direction { member }
+                    | NetworkError::NoSuchNode { member, .. } => (&mut errors, named[member].clone()),
+                    NetworkError::InvalidNode { node, .. } => (&mut of_nodes, names[node].clone()),
+                    NetworkError::Apart { node } => (&mut of_whole, names[node].clone()),
+                    _ => (&mut of_whole, String::from("the frame")),
+                };
+                list.push(BuildError { part, mistake: Mistake::of(error) });
+            },
+        );
+        errors.append(&mut of_nodes);
+        // what hangs together is known where all parts are right
+        if errors.is_empty() {
+            errors = of_whole;
         }
-        let flexibilities = assembly.members.iter().map(|member| shear_flexibility(&member.element)).collect();
-        let Assembly { nodes, names, is_of_path, called, points, bodies, errors, .. } = assembly;
-        if !errors.is_empty() {
-            return Err(BuildErrors(errors));
-        }
-        let network = Network::with_paths(&nodes, &members, |node| is_of_path[node]).map_err(|error| {
-            let part = match error {
-                NetworkError::Apart { node } | NetworkError::InvalidNode { node, .. } => names[node].clone(),
-                NetworkError::Parameter { member, .. }
-                | NetworkError::SamePlace { member, .. }
-                | NetworkError::TwoPlaces { member, .. }
-                | NetworkError::Direction { member }
-                | NetworkError::NoSuchNode { member, .. } => called[member].clone(),
-                _ => String::from("the frame"),
-            };
-            BuildErrors(std::vec![BuildError { part, mistake: Mistake::of(error) }])
-        })?;
+        let network = network.filter(|_| errors.is_empty()).ok_or(BuildErrors(errors))?;
         let places = frame.points.iter().map(|point| D::in_plane(point.place)).collect();
         let holds = frame
             .points
@@ -109,53 +115,8 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
             .flat_map(|(point, entry)| entry.holds.iter().map(move |hold| (point, hold)));
         let supports = holds.map(|(point, hold)| (point, hold.freedoms, hold.along)).collect();
         let (number, member_count) = (frame.number, frame.members.len());
-        Ok(Framework {
-            network,
-            number,
-            points,
-            places,
-            supports,
-            bodies,
-            flexibilities,
-            member_count,
-            of: PhantomData,
-        })
+        Ok(Framework { network, number, points, places, supports, bodies, member_count, of: PhantomData })
     }
-}
-
-/// The shear flexibility of a beam.
-fn shear_flexibility(element: &AnyMember<f64>) -> f64 {
-    match element {
-        AnyMember::PlanarGeneralBeam(beam) => beam.shear_flexibility,
-        AnyMember::GeneralBeam(beam) => beam.shear_flexibility,
-        AnyMember::PlanarDampedBeam(beam) => beam.shear_flexibility,
-        AnyMember::DampedBeam(beam) => beam.shear_flexibility,
-        _ => 0.0,
-    }
-}
-
-/// An element whose parameters are in their ranges, between two ends.
-fn checked<E: MemberElement<Parameter = f64>>(
-    nodes: &[Node<f64>],
-    ends: &[network::End<f64>; 2],
-    element: E,
-) -> Result<E, Mistake> {
-    let [[x, y], [to_x, to_y]] = ends.each_ref().map(|end| end.position.unwrap_or(nodes[end.node].position));
-    let length = (to_x - x).hypot(to_y - y);
-    let is_beam = element.freedoms().count() > 1 && !element.is_joint();
-    if is_beam && length == 0.0 {
-        return Err(Mistake::SamePlace);
-    }
-    if element.is_joint() && length > 0.0 {
-        return Err(Mistake::TwoPlaces);
-    }
-    let built = element.build(if is_beam { length } else { 1.0 });
-    built.map_err(|error| {
-        // frames say rz, as they say x and y
-        let parameter = if error.parameter == "stiffness_theta" { "stiffness_rz" } else { error.parameter };
-        Mistake::Parameter(InvalidParameter { parameter, ..error })
-    })?;
-    Ok(element)
 }
 
 impl<D: Dimension, E: MemberElement<Parameter = f64>> System for Framework<D, E> {
@@ -249,12 +210,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
             // the length of a beam is that between its points
             "length" if self.placement(member).freedoms.count() > 1 => None,
             "stiffness_rz" => of("stiffness_theta"),
-            "stiffness_theta" | "shear_flexibility" => None,
-            "shear_stiffness" => {
-                // of the inverse
-                let flexibility = self.flexibilities[member];
-                Some(of("shear_flexibility")? * S::from_f64(-flexibility * flexibility))
-            }
+            "stiffness_theta" => None,
             _ => of(name),
         }
     }

@@ -51,6 +51,6 @@ pub use sketch::{
 };
 pub use stiffness::StiffnessModel;
 #[cfg(feature = "std")]
-pub(crate) use structure::check_node;
+pub(crate) use structure::is_direction;
 pub use structure::{InNetwork, Network};
 pub use visit::visit_network;

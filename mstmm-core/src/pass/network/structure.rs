@@ -101,23 +101,30 @@ impl<E: MemberElement, const WIDTH: usize, const NODES: usize, const MEMBERS: us
 impl<E: MemberElement, M: Memory> Network<E, M> {
     /// Builds a network in memory that has room for it.
     fn build(nodes: &[Node<E::Parameter>], members: &[Member<E>]) -> Result<Self, NetworkError> {
-        Self::with_paths(nodes, members, |_| false)
+        let mut first = None;
+        let built = Self::with_paths(nodes, members, |_| false, |error| first = first.or(Some(error)));
+        built.ok_or(first.unwrap_or(NetworkError::Empty))
     }
 
-    /// Builds a network some of whose nodes are motions of paths.
+    /// Builds a network some of whose nodes are motions of paths. What is wrong with it is refused: each node, and each member whose nodes are right.
     pub(crate) fn with_paths(
         nodes: &[Node<E::Parameter>],
         members: &[Member<E>],
         is_of_path: impl Fn(usize) -> bool,
-    ) -> Result<Self, NetworkError> {
+        mut refuse: impl FnMut(NetworkError),
+    ) -> Option<Self> {
         if members.is_empty() {
-            return Err(NetworkError::Empty);
+            refuse(NetworkError::Empty);
         }
         let sizes @ [node_count, member_count] = [nodes.len(), members.len()];
         let mut motions = M::per_node(node_count, Motions::none());
         let mut stiffness = StiffnessRoom::new(sizes);
+        let mut wrong_nodes = M::per_node(node_count, false);
         for (index, (node, motions)) in nodes.iter().zip(motions.as_mut()).enumerate() {
-            check_node(index, node)?;
+            if let Err(error) = check_node(index, node) {
+                wrong_nodes.as_mut()[index] = true;
+                refuse(error);
+            }
             *motions = Motions::of(node);
             motions.is_of_path = is_of_path(index);
             stiffness.set_node(index, node, motions);
@@ -126,15 +133,28 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
         let mut kinds = M::per_member(member_count, "");
         let mut placements = M::per_member(member_count, Placement::nowhere());
         for (index, member) in members.iter().enumerate() {
-            let (element, placement) = build_placed(index, member, nodes, motions.as_ref())?;
-            stiffness.set_member(index, E::member_numbers(&element), &placement);
-            built.as_mut()[index] = Some(element);
-            placements.as_mut()[index] = placement;
-            kinds.as_mut()[index] = member.element.name();
+            // what is wrong with a node is said once
+            if member.ends.iter().any(|end| wrong_nodes.as_ref().get(end.node) == Some(&true)) {
+                continue;
+            }
+            match build_placed(index, member, nodes, motions.as_ref()) {
+                Ok((element, placement)) => {
+                    stiffness.set_member(index, E::member_numbers(&element), &placement);
+                    built.as_mut()[index] = Some(element);
+                    placements.as_mut()[index] = placement;
+                    kinds.as_mut()[index] = member.element.name();
+                }
+                Err(error) => refuse(error),
+            }
+        }
+        let all_built = built.as_ref()[..member_count].iter().all(Option::is_some);
+        if members.is_empty() || !all_built || wrong_nodes.as_ref().contains(&true) {
+            return None;
         }
         let rests = |node: usize| motions.as_ref()[node].count == 0;
         let order = Order::of(sizes, |member| members[member].ends.map(|end| end.node), rests)
-            .map_err(|node| NetworkError::Apart { node })?;
+            .map_err(|node| refuse(NetworkError::Apart { node }))
+            .ok()?;
         stiffness.arrange(&order.get());
         let mut own_nodes = M::per_node(node_count, Node::at([<E::Parameter as Scalar>::from_f64(0.0); 2]));
         own_nodes.as_mut()[..node_count].copy_from_slice(nodes);
@@ -143,7 +163,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
         let ends = of_members.as_mut().iter_mut().zip(placements.as_ref());
         ends.for_each(|(count, placement)| *count = placement.freedoms.count());
         let width = order.get().width(of_nodes.as_ref(), of_members.as_ref());
-        Ok(Network { sizes, nodes: own_nodes, motions, members: built, kinds, placements, stiffness, order, width })
+        Some(Network { sizes, nodes: own_nodes, motions, members: built, kinds, placements, stiffness, order, width })
     }
 
     /// The largest number of unknowns at once: motions of nodes, and what members have of their own.
@@ -177,7 +197,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
 }
 
 /// Checks the numbers of a node.
-pub(crate) fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkError> {
+fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkError> {
     let fail = |problem| Err(NetworkError::InvalidNode { node: index, problem });
     let is_valid = |inertia: T| inertia.to_f64() >= 0.0 && inertia.to_f64().is_finite();
     if !is_finite(node.position) {
@@ -196,7 +216,7 @@ pub(crate) fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(
 }
 
 /// Whether a vector has a direction.
-fn is_direction<T: Parameter>(vector: [T; 2]) -> bool {
+pub(crate) fn is_direction<T: Parameter>(vector: [T; 2]) -> bool {
     let size = vector.iter().map(|part| part.to_f64().abs()).fold(0.0, f64::max);
     is_finite(vector) && is_size_of_direction(size)
 }
