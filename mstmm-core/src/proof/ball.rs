@@ -13,10 +13,10 @@ pub(crate) struct Ball<N: Number> {
 }
 
 /// A bound is the rounded sum and product of some ten positive numbers, and takes leading words for numbers: each is a relative 2u at most.
-const ROUNDED: f64 = 1.0 + 1e-14;
+pub(crate) const ROUNDED: f64 = 1.0 + 1e-14;
 
 /// Below the size of a number by more than its leading word may be above it.
-const LOWERED: f64 = 1.0 - 1e-14;
+pub(crate) const LOWERED: f64 = 1.0 - 1e-14;
 
 impl<N: Number> Ball<N> {
     /// A number, exactly.

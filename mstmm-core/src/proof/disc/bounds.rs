@@ -7,12 +7,18 @@ use crate::proof::member::place;
 use crate::proof::number::U;
 use num_complex::Complex;
 
-/// Sums of positive numbers, some million of them, lose less than this.
+/// A sum of a million positive numbers, and a few operations more, lose a relative `1e6 u`, which is 1.2e-10.
 const ADDED_UP: f64 = 1.0 + 1e-9;
+
+/// What a sum loses where products underflow: a million times the least number is 5e-318, and factors are below 1e30 in the units of the matrix.
+const UNDERFLOWN: f64 = 1e-280;
+
+/// A few operations lose a relative 1e-12 at most.
+const FEW: f64 = 1.0 - 1e-12;
 
 /// A bound that is a rounded sum of products of positive numbers, with what underflows in it.
 pub(crate) fn inflated(bound: f64) -> f64 {
-    bound * ADDED_UP + 1e-280
+    bound * ADDED_UP + UNDERFLOWN
 }
 
 /// No less than the size of a number.
@@ -71,7 +77,8 @@ impl Bounds {
         self.set_sums(room);
         let step = self.step(room);
         let radius = self.on_disc(room).and_then(|OnDisc { value, slope, off }| {
-            let least = slope * (1.0 - 1e-12) - off;
+            let least = slope * FEW - off;
+            // larger than the quotient, which is no disc yet, and than its rounding
             let radius = value / least * ADDED_UP + self.most * 1e-9;
             (least > 0.0 && radius <= self.most).then_some(radius)
         });
@@ -127,7 +134,7 @@ impl Bounds {
             on_disc = larger(on_disc, moved);
             of_g = [of_row, residual];
         }
-        let rest = (1.0 - norm) * (1.0 - 1e-12);
+        let rest = (1.0 - norm) * FEW;
         if rest.is_nan() || rest <= 0.0 {
             return None;
         }

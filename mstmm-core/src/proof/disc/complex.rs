@@ -1,7 +1,7 @@
 //! Complex numbers with a bound of their distance from the exact ones: discs.
 
 use crate::number::Scalar;
-use crate::proof::ball::Ball;
+use crate::proof::ball::{Ball, LOWERED, ROUNDED};
 use crate::proof::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::level::Level;
 use crate::proof::number::UNDERFLOW;
@@ -16,13 +16,7 @@ pub(crate) struct ComplexBall<N> {
     pub(crate) rad: f64,
 }
 
-/// A bound is the rounded sum and product of some ten positive numbers, and takes leading words for numbers: each is a relative 2u at most.
-const ROUNDED: f64 = 1.0 + 1e-14;
-
-/// Below the size of a number by more than its leading words may be above it.
-const LOWERED: f64 = 1.0 - 1e-14;
-
-/// `e^δ - 1` is at most so many times δ up to 1.
+/// `e^δ - 1` is at most so many times δ up to 1, since it is convex: `e - 1`, rounded up.
 const GROWTH: f64 = 1.7183;
 
 /// The size of a complex number, rounded by a few u.

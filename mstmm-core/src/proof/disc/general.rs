@@ -8,7 +8,7 @@ use crate::proof::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::disc::bending::{Bending, symmetric};
 use crate::proof::disc::complex::ComplexBall;
 use crate::proof::disc::member::{Frequency, Member};
-use crate::proof::general_bending::products::short_terms;
+use crate::proof::general_bending::products::{FIRSTS, Summed, short_sums, short_terms};
 use crate::proof::level::Level;
 use crate::proof::number::UNDERFLOW;
 
@@ -33,6 +33,20 @@ const SHORT: [f64; 2] = [2.0, 1.0];
 
 /// Part of these bounds that is used, so that balls have room.
 const USED: f64 = 0.9;
+
+impl<N: Level<Word = f64>> Summed for ComplexBall<N> {
+    fn of(number: f64) -> Self {
+        ComplexBall::of(number)
+    }
+
+    fn doubled(self) -> Self {
+        self.scaled(2.0)
+    }
+
+    fn over_factorial(self, n: usize) -> Self {
+        self * Ball::reciprocal_factorial(n)
+    }
+}
 
 impl<N: Level<Word = f64>> Piece<N> {
     pub(crate) fn of(at: &Frequency<N>, (beam, damping): (&BeamNumbers, &DampingNumbers), length: Ball<N>) -> Self {
@@ -82,23 +96,11 @@ impl<N: Level<Word = f64>> Piece<N> {
     /// ask for the sizes of sum and product alone.
     pub(crate) fn stiffness(&self) -> Bending<N> {
         let Piece { sigma, tau, g, h, cut, sum: s, product: d, square, .. } = *self;
-        let (zero, one) = (ComplexBall::of(0.0), ComplexBall::of(1.0));
-        let terms = short_terms(N::TERMS);
-        let firsts = [1, 2, 3, 4, 2, 3, 5];
-        let (mut last, mut before) = ([one; 2], [zero; 2]);
-        let mut sums = [zero; 7];
-        for k in 0..terms {
-            let [big, small] = last;
-            let powers = [big - s * before[0], big, big, big, small, small, small];
-            for (sum, (power, first)) in sums.iter_mut().zip(powers.into_iter().zip(firsts)) {
-                *sum = *sum + power * Ball::reciprocal_factorial(2 * k + first);
-            }
-            let next = [s.scaled(2.0) * big - square * before[0], s * small - d * before[1]];
-            (before, last) = (last, next);
-        }
+        let (one, terms) = (ComplexBall::of(1.0), short_terms(N::TERMS));
+        let mut sums = short_sums([s, d, square], terms);
         let is_short = s.largest() <= SHORT[0] && d.largest() <= SHORT[1];
         let power = (0..terms).fold(2.0 * (terms as f64 + 1.0) * (1.0 + 1e-12), |power, _| 4.0 * power);
-        for (sum, first) in sums.iter_mut().zip(firsts) {
+        for (sum, first) in sums.iter_mut().zip(FIRSTS) {
             let rest = power * RECIPROCAL_FACTORIALS[2 * terms + first][0] + UNDERFLOW;
             *sum = sum.widened(if is_short { rest } else { f64::INFINITY });
         }

@@ -6,6 +6,7 @@ use crate::proof::general_bending::equations::{Equations, Roots, WavePair, eithe
 use crate::proof::level::Level;
 use crate::proof::member::any;
 use crate::proof::word::Word;
+use core::ops::{Add, Mul, Sub};
 
 /// With `C = cosh √κ` and `S = sinh √κ/√κ`: `W = (κ₁ S₁ C₂ - κ₂ C₁ S₂)/(κ₁ - κ₂)`, `R = S₁ S₂`, `V = (C₁ S₂ - S₁ C₂)/(2(κ₁ - κ₂))`,
 /// `E = (1 - C₁ C₂ + s R/2)/δ`, `D = R/2 - (g + τh) E`, `c₁ = (κ₁ S₂ - κ₂ S₁)/(κ₁ - κ₂)`, `c₂ = (C₁ - C₂)/(κ₁ - κ₂)` and
@@ -14,6 +15,56 @@ pub(crate) type Products<N> = [Ball<N>; 9];
 
 /// C and S, both times `e^-x`; x, which is √κ where that is real and not small, else 0; `e^-x`; the amplitudes of C and S.
 type Waves<N> = [Ball<N>; 6];
+
+/// Numbers with a bound of their error of which series are made: real or complex.
+pub(crate) trait Summed: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// A word, exactly.
+    fn of(number: f64) -> Self;
+
+    /// Twice the number.
+    fn doubled(self) -> Self;
+
+    /// The number over `n!`.
+    fn over_factorial(self, n: usize) -> Self;
+}
+
+impl<N: Level> Summed for Ball<N> {
+    #[inline(always)]
+    fn of(number: f64) -> Self {
+        Ball::of(number)
+    }
+
+    #[inline(always)]
+    fn doubled(self) -> Self {
+        self.scaled(2.0)
+    }
+
+    #[inline(always)]
+    fn over_factorial(self, n: usize) -> Self {
+        self * Ball::reciprocal_factorial(n)
+    }
+}
+
+/// The factorials over which the series of [`short_sums`] begin; from one term to the next they grow by two.
+pub(crate) const FIRSTS: [usize; 7] = [1, 2, 3, 4, 2, 3, 5];
+
+/// The series of W, R/2, V, E, c₂, c₃ and `(1 - c₁)/d`, up to so many terms, by s, d and δ: see [`Equations::short`].
+#[inline(always)]
+pub(crate) fn short_sums<X: Summed>([s, d, square]: [X; 3], terms: usize) -> [X; 7] {
+    let (zero, one) = (X::of(0.0), X::of(1.0));
+    let (mut last, mut before) = ([one; 2], [zero; 2]);
+    let mut sums = [zero; 7];
+    for k in 0..terms {
+        let [big, small] = last;
+        let powers = [big - s * before[0], big, big, big, small, small, small];
+        for (sum, (power, first)) in sums.iter_mut().zip(powers.into_iter().zip(FIRSTS)) {
+            *sum = *sum + power.over_factorial(2 * k + first);
+        }
+        let next = [s.doubled() * big - square * before[0], s * small - d * before[1]];
+        (before, last) = (last, next);
+    }
+    sums
+}
 
 impl<N: Level> Equations<N> {
     /// Series, where `|s| <= 2` and `|d| <= 1`.
@@ -24,23 +75,12 @@ impl<N: Level> Equations<N> {
     /// factorials fall by more than a half: the rest is twice the first one.
     #[inline(always)]
     pub(crate) fn short(&self, WavePair { sum: s, product: d, square }: WavePair<N>) -> Products<N> {
-        let (zero, one) = (Ball::of(0.0), Ball::of(1.0));
+        let one = Ball::of(1.0);
         let terms = short_terms(N::TERMS);
-        let firsts = [1, 2, 3, 4, 2, 3, 5];
-        let (mut last, mut before) = ([one; 2], [zero; 2]);
-        let mut sums = [zero; 7];
-        for k in 0..terms {
-            let [big, small] = last;
-            let powers = [big - s * before[0], big, big, big, small, small, small];
-            for (sum, (power, first)) in sums.iter_mut().zip(powers.into_iter().zip(firsts)) {
-                *sum = *sum + power * Ball::reciprocal_factorial(2 * k + first);
-            }
-            let next = [s.scaled(2.0) * big - square * before[0], s * small - d * before[1]];
-            (before, last) = (last, next);
-        }
+        let mut sums = short_sums([s, d, square], terms);
         let count = terms as f64;
         let power = N::Word::of(2.0 * count).power_of_two() * N::Word::of(2.0 * (count + 1.0) * (1.0 + 1e-12));
-        for (sum, first) in sums.iter_mut().zip(firsts) {
+        for (sum, first) in sums.iter_mut().zip(FIRSTS) {
             *sum = sum.widened(power * N::Word::of(RECIPROCAL_FACTORIALS[2 * terms + first][0]));
         }
         let [w, half_r, v, e, c2, c3, rest] = sums;
