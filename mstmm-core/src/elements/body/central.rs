@@ -1,8 +1,9 @@
 //! Rigid body that is given by its inertia about its mass centre.
 
-use crate::element::{BackTransfer, Element, Energies, MemberNumbers, PlaneStep, TransferMatrix};
-use crate::elements::body::{Body, BodyCoefficients, BuiltBody, Inertia};
+use crate::element::{BackTransfer, Element, Energies, MatrixOf, MemberNumbers, PlaneStep, TransferMatrix};
+use crate::elements::body::{Body, BuiltBody, Inertia};
 use crate::elements::shared::axial_force::{AxialForce, before_stiffness, stiffened, under_axial_force};
+use crate::elements::shared::same_built::{forms_as, steps_as};
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
@@ -57,67 +58,12 @@ impl<T: Parameter> Element for CentralBody<T> {
     }
 }
 
-impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for CentralBody<T> {
-    fn transfer_matrix(built: &BuiltBody<T>, x: S) -> Matrix4<S> {
-        Body::transfer_matrix(built, x)
-    }
-}
-
-impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for CentralBody<T> {
-    type Coefficients = BodyCoefficients<T, S>;
-
-    #[inline(always)]
-    fn coefficients(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> BodyCoefficients<T, S> {
-        Body::coefficients(built, at)
-    }
-
-    #[inline(always)]
-    fn step<C: RootCounter<S>>(coefficients: &Self::Coefficients, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
-        Body::<T>::step(coefficients, input, counter)
-    }
-
-    #[inline(always)]
-    fn root<C: RootCounter<S>>(
-        coefficients: &Self::Coefficients,
-        input: Subspace<S>,
-        support: Support,
-        counter: &mut C,
-    ) -> Scaled<S> {
-        Body::<T>::root(coefficients, input, support, counter)
-    }
-}
-
-impl<T: Real, S: Oscillation<T>> BackTransfer<S> for CentralBody<T> {
-    type BackCoefficients = BodyCoefficients<T, S>;
-    const SYMMETRIC: bool = false;
-
-    fn reversed(built: &BuiltBody<T>) -> BuiltBody<T> {
-        <Body<T> as BackTransfer<S>>::reversed(built)
-    }
-
-    fn back_coefficients(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> BodyCoefficients<T, S> {
-        Body::back_coefficients(built, at)
-    }
-
-    fn back_transfer(coefficients: &BodyCoefficients<T, S>, input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
-        Body::<T>::back_transfer(coefficients, input, covector)
-    }
-}
+steps_as!(CentralBody as Body);
 
 impl<T: Real, S: Oscillation<T>> Energies<S> for CentralBody<T> {
     type Gradient = CentralBody<S>;
 
-    fn units(built: &BuiltBody<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
-        <Body<T> as Energies<S>>::units(built, at)
-    }
-
-    fn mass_form(built: &BuiltBody<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        Body::mass_form(built, first, second)
-    }
-
-    fn stiffness_form(built: &BuiltBody<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        Body::stiffness_form(built, first, second)
-    }
+    forms_as!(Body);
 
     /// `J_I = J_C + m c²` follows the mass and its position.
     fn gradient(built: &BuiltBody<T>, ends: &Ends<S>) -> CentralBody<S> {

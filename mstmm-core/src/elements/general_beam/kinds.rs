@@ -5,6 +5,7 @@ use crate::element::{
 };
 use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::compliance::{compliance, is_rigid};
+use crate::elements::shared::same_built::{forms_as, steps_as};
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement, State};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
@@ -85,74 +86,14 @@ macro_rules! kinds {
             }
         }
 
-        impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for $kind<T> {
-            fn transfer_matrix(built: &BuiltGeneralBeam<T>, x: S) -> MatrixOf<Self, S> {
-                GeneralBeam::transfer_matrix(built, x)
-            }
-        }
-
-        impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for $kind<T> {
-            type Coefficients = <GeneralBeam<T> as PlaneStep<S>>::Coefficients;
-
-            fn coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> Self::Coefficients {
-                GeneralBeam::coefficients(built, at)
-            }
-
-            fn step<C: RootCounter<S>>(
-                coefficients: &Self::Coefficients,
-                input: Subspace<S>,
-                counter: &mut C,
-            ) -> Subspace<S> {
-                GeneralBeam::<T>::step(coefficients, input, counter)
-            }
-
-            fn root<C: RootCounter<S>>(
-                coefficients: &Self::Coefficients,
-                input: Subspace<S>,
-                support: Support,
-                counter: &mut C,
-            ) -> Scaled<S> {
-                GeneralBeam::<T>::root(coefficients, input, support, counter)
-            }
-        }
-
-        impl<T: Real, S: Oscillation<T>> BackTransfer<S> for $kind<T> {
-            type BackCoefficients = <GeneralBeam<T> as BackTransfer<S>>::BackCoefficients;
-            const SYMMETRIC: bool = true;
-
-            fn reversed(built: &BuiltGeneralBeam<T>) -> BuiltGeneralBeam<T> {
-                *built
-            }
-
-            fn back_coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> Self::BackCoefficients {
-                GeneralBeam::back_coefficients(built, at)
-            }
-
-            fn back_transfer(
-                coefficients: &Self::BackCoefficients,
-                input: &Subspace<S>,
-                covector: Covector<S>,
-            ) -> Covector<S> {
-                GeneralBeam::<T>::back_transfer(coefficients, input, covector)
-            }
-        }
+        steps_as!($kind as GeneralBeam);
 
         impl<T: Real> CarriesLoad for $kind<T> {}
 
         impl<T: Real, S: Oscillation<T>> Energies<S> for $kind<T> {
             type Gradient = $kind<S>;
 
-            fn units(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
-                <GeneralBeam<T> as Energies<S>>::units(built, at)
-            }
-
-            fn mass_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-                GeneralBeam::mass_form(built, first, second)
-            }
-
-            fn stiffness_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-                GeneralBeam::stiffness_form(built, first, second)
-            }
+            forms_as!(GeneralBeam);
 
             fn inside(built: &BuiltGeneralBeam<T>, x: S) -> Option<Inside> {
                 GeneralBeam::inside(built, x)

@@ -20,6 +20,7 @@ pub(crate) mod longitudinal_chart;
 pub(crate) mod massless;
 pub(crate) mod planar_matrix;
 pub(crate) mod rod_motion;
+pub(crate) mod same_built;
 pub(crate) mod section_gradient;
 pub(crate) mod uniform_line;
 pub(crate) mod uniform_load;
