@@ -46,9 +46,9 @@ pub trait MemberGradient<S: Scalar>: Element {
     fn member_gradient(built: &Self::Built, work: &MemberWork<S>) -> Self::Gradient;
 }
 
-/// Parameters by their names: those of an element, or the derivatives with respect to them.
+/// The parameters of an element by their names, or the derivatives with respect to each parameter.
 pub trait ByName<S> {
-    /// The one of a name.
+    /// The parameter of a name, or the derivative with respect to it.
     fn by_name(&self, name: &str) -> Option<S>;
 }
 

@@ -45,7 +45,7 @@ impl<T> Joint<T> {
         Joint { rigid: freedoms, elastic: [const { None }; 3] }
     }
 
-    /// A joint with springs in some freedoms, along x, along y and about z, and rigid in the others of those that are given.
+    /// A joint with springs along x, along y and about z where a stiffness is given. It is rigid in the other `freedoms`.
     pub fn hinge(freedoms: Freedoms, stiffness: [Option<T>; 3]) -> Self {
         let elastic = Freedoms::SINGLE.into_iter().zip(&stiffness).filter(|(_, stiffness)| stiffness.is_some());
         let rigid = elastic.fold(freedoms, |rigid, (freedom, _)| rigid.without(freedom));

@@ -192,7 +192,7 @@ impl<D: Dimension> Frame<D> {
         }
     }
 
-    /// The index of what a handle of this frame means, among so many.
+    /// The index that a handle of this frame means, if it is less than the number of entries.
     pub(crate) fn own(&self, handle: Handle, count: usize) -> Option<usize> {
         (handle.frame == self.number && handle.index < count).then_some(handle.index)
     }

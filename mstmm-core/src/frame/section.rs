@@ -1,4 +1,4 @@
-//! The section of a beam: parameters by name, of which those that are not named are absent.
+//! The section of a beam: parameters by name. A parameter that is not named is absent.
 
 use core::fmt;
 

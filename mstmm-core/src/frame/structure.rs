@@ -36,7 +36,7 @@ pub struct Framework<D, E: MemberElement> {
     supports: Vec<(usize, Freedoms, Option<[f64; 2]>)>,
     /// The node and the mass centre of each body.
     bodies: Vec<(usize, [f64; 2])>,
-    /// Members of the frame; behind them there are those of supports and of masses in a direction.
+    /// The number of members of the frame. In the network, members of supports and of masses in a direction follow.
     member_count: usize,
     of: PhantomData<fn() -> D>,
 }

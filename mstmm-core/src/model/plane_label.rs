@@ -10,7 +10,7 @@ pub struct PlanePoint<M> {
     of: PhantomData<fn() -> M>,
 }
 
-/// The number of a point or of a member among those of a list, a sketch or a frame.
+/// The number of a point or of a member of a list, a sketch or a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Handle {
     pub(crate) index: usize,

@@ -22,7 +22,7 @@ fn building(storeys: usize) -> (Vec<Node<f64>>, Vec<Frame>) {
     (feet.into_iter().chain(floors).collect(), members.collect())
 }
 
-/// Measures buildings of so many storeys.
+/// Measures a building for each number of storeys.
 pub(crate) fn over_storeys(storeys: &[usize]) -> Result<OverElements, ReportError> {
     let mut costs = OverElements::default();
     for &size in storeys {

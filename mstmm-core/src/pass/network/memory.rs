@@ -15,16 +15,16 @@ pub trait Memory: Copy + Debug {
     /// A value for each member.
     type PerMember<V: Copy + Debug>: AsRef<[V]> + AsMut<[V]> + Clone + Debug;
 
-    /// One value for so many nodes, if there is room for them.
+    /// The same value for each of `nodes` nodes. Arrays have their own size.
     fn per_node<V: Copy + Debug>(nodes: usize, value: V) -> Self::PerNode<V>;
 
-    /// One value for so many members, if there is room for them.
+    /// The same value for each of `members` members. Arrays have their own size.
     fn per_member<V: Copy + Debug>(members: usize, value: V) -> Self::PerMember<V>;
 
-    /// What a function does with a factor of up to so many unknowns at once. It keeps the rows of all that leave.
+    /// Calls `work` with a factor that holds up to `width` unknowns at once. The factor keeps the row of each unknown that is eliminated.
     fn in_factor<S: Scalar, R>(width: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R;
 
-    /// What a function does with a factor of up to so many unknowns at once. It keeps no rows.
+    /// Calls `work` with a factor that holds up to `width` unknowns at once. The factor keeps no row.
     fn in_front<S: Scalar, R>(width: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R;
 }
 
