@@ -22,8 +22,8 @@ system! {
 
     let half = 0.5 * height;
 
-    pinned -> beam_column 1 { length: half, bending_stiffness: ei, mass_per_length: m, axial_force: -load } -> conn middle
-        -> beam_column 2 { length: half, bending_stiffness: ei, mass_per_length: m, axial_force: -load } -> pinned;
+    pinned -> beam 1 { length: half, bending_stiffness: ei, mass_per_length: m, axial_force: -load } -> conn middle
+        -> beam 2 { length: half, bending_stiffness: ei, mass_per_length: m, axial_force: -load } -> pinned;
     conn middle <- spring 3 { stiffness: brace } <- fixed;
 }
 

@@ -30,11 +30,11 @@ system! {
     }
 
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (machine_x, height)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (machine_x, height)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
         -> pin 4 {}
-        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (span, 0.0)
+        -> beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (span, 0.0)
         <- pinned;
     conn girder -> rigid_body 6 { mass: machine, inertia, centre: (machine_x, height + 0.4) };
     conn b -> spring 7 { stiffness: brace } -> conn foot;
@@ -99,11 +99,8 @@ fn show_shape(system: &PortalSystem) -> Result<(), Box<dyn Error>> {
         let [x, y] = [shape.value(point.displacement_x())? / sway, shape.value(point.displacement_y())? / sway];
         println!("{name:6} {x:10.6} {y:10.6} {:10.6}", shape.value(point.rotation_z())? / sway);
     }
-    println!(
-        "moment at the foot of the first column: {:.0} N m",
-        shape.value(Portal::planar_beam_1.input().moment())? / sway
-    );
-    println!("in the corner b: {:.0} N m", shape.value(Portal::planar_beam_1.output().moment())? / sway);
+    println!("moment at the foot of the first column: {:.0} N m", shape.value(Portal::beam_1.input().moment())? / sway);
+    println!("in the corner b: {:.0} N m", shape.value(Portal::beam_1.output().moment())? / sway);
     Ok(())
 }
 

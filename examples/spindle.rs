@@ -41,8 +41,8 @@ system! {
     let rotary_inertia = shear * 7850.0 * second_moment;
 
     free -> conn rear
-        -> general_beam 1 { length: span, bending_stiffness: ei, mass_per_length: m, shear_flexibility, rotary_inertia } -> conn front
-        -> general_beam 2 { length: overhang, bending_stiffness: ei, mass_per_length: m, shear_flexibility, rotary_inertia }
+        -> beam 1 { length: span, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (shear_flexibility), rotary_inertia } -> conn front
+        -> beam 2 { length: overhang, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (shear_flexibility), rotary_inertia }
         -> point_mass 3 { mass: tool, inertia: 0.0 } -> free;
     conn rear <- spring 4 { stiffness: rear } <- fixed;
     conn front <- spring 5 { stiffness: front } <- fixed;

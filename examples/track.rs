@@ -22,8 +22,8 @@ system! {
         pub contact: f64,
     }
 
-    fixed -> foundation_beam 1 { length: half, bending_stiffness: ei, mass_per_length: m, foundation_stiffness: ballast } -> conn rail
-        -> foundation_beam 2 { length: half, bending_stiffness: ei, mass_per_length: m, foundation_stiffness: ballast } -> fixed;
+    fixed -> beam 1 { length: half, bending_stiffness: ei, mass_per_length: m, foundation_stiffness: ballast } -> conn rail
+        -> beam 2 { length: half, bending_stiffness: ei, mass_per_length: m, foundation_stiffness: ballast } -> fixed;
     conn rail <- spring 3 { stiffness: contact } <- mass 4 { mass: wheel } <- free;
 }
 
@@ -46,7 +46,7 @@ pub fn cut_on(track: &Track) -> f64 {
 fn main() -> Result<(), Box<dyn Error>> {
     let track = main_line();
     let system = track.build()?;
-    let (rail, wheel) = (Track::foundation_beam_1.output(), Track::mass_4.input());
+    let (rail, wheel) = (Track::beam_1.output(), Track::mass_4.input());
     let response = system.frequency_response(rail.force(), rail.deflection())?;
     println!("a wheel of 100 kN presses the rail down by {:.9} mm", 1e8 * response.at(0.0)?);
     println!("Winkler's rail without end goes down by    {:.9} mm", 1e8 * winkler(&track));

@@ -49,24 +49,24 @@ system! {
     pinned -> conn l0 at (0.0, 0.0);
     roller -> conn l3 at (3.0 * panel, 0.0);
 
-    conn l0 -> planar_beam l0l1 { axial_stiffness: ea_l, bending_stiffness: ei_l, mass_per_length: m_l }
+    conn l0 -> beam l0l1 { axial_stiffness: ea_l, bending_stiffness: ei_l, mass_per_length: m_l }
         -> pin 1 {} -> conn l1 at (panel, 0.0)
-        -> planar_beam l1l2 { axial_stiffness: ea_l, bending_stiffness: ei_l, mass_per_length: m_l }
+        -> beam l1l2 { axial_stiffness: ea_l, bending_stiffness: ei_l, mass_per_length: m_l }
         -> pin 2 {} -> conn l2 at (2.0 * panel, 0.0)
-        -> planar_beam l2l3 { axial_stiffness: ea_l, bending_stiffness: ei_l, mass_per_length: m_l } -> pin 3 {} -> conn l3;
+        -> beam l2l3 { axial_stiffness: ea_l, bending_stiffness: ei_l, mass_per_length: m_l } -> pin 3 {} -> conn l3;
 
     conn u1 at (half, height)
-        -> planar_beam u1u2 { axial_stiffness: ea_u, bending_stiffness: ei_u, mass_per_length: m_u }
+        -> beam u1u2 { axial_stiffness: ea_u, bending_stiffness: ei_u, mass_per_length: m_u }
         -> pin 4 {} -> conn u2 at (panel + half, height)
-        -> planar_beam u2u3 { axial_stiffness: ea_u, bending_stiffness: ei_u, mass_per_length: m_u }
+        -> beam u2u3 { axial_stiffness: ea_u, bending_stiffness: ei_u, mass_per_length: m_u }
         -> pin 5 {} -> conn u3 at (2.0 * panel + half, height);
 
-    conn l0 -> pin 6 {} -> planar_beam l0u1 { axial_stiffness: ea_p, bending_stiffness: ei_p, mass_per_length: m_p } -> pin 7 {} -> conn u1;
-    conn u1 -> pin 8 {} -> planar_beam u1l1 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> pin 9 {} -> conn l1;
-    conn l1 -> pin 10 {} -> planar_beam l1u2 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> pin 11 {} -> conn u2;
-    conn u2 -> pin 12 {} -> planar_beam u2l2 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> pin 13 {} -> conn l2;
-    conn l2 -> pin 14 {} -> planar_beam l2u3 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> conn u3;
-    conn u3 -> pin 15 {} -> planar_beam u3l3 { axial_stiffness: ea_p, bending_stiffness: ei_p, mass_per_length: m_p } -> conn l3;
+    conn l0 -> pin 6 {} -> beam l0u1 { axial_stiffness: ea_p, bending_stiffness: ei_p, mass_per_length: m_p } -> pin 7 {} -> conn u1;
+    conn u1 -> pin 8 {} -> beam u1l1 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> pin 9 {} -> conn l1;
+    conn l1 -> pin 10 {} -> beam l1u2 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> pin 11 {} -> conn u2;
+    conn u2 -> pin 12 {} -> beam u2l2 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> pin 13 {} -> conn l2;
+    conn l2 -> pin 14 {} -> beam l2u3 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> conn u3;
+    conn u3 -> pin 15 {} -> beam u3l3 { axial_stiffness: ea_p, bending_stiffness: ei_p, mass_per_length: m_p } -> conn l3;
 
     conn l1 -> point_mass 16 { mass: deck };
     conn l2 -> point_mass 17 { mass: deck };
@@ -129,7 +129,7 @@ fn show_shape(system: &TrussBridgeSystem) -> Result<(), Box<dyn Error>> {
 fn show_forces(bridge: &TrussBridge, system: &TrussBridgeSystem) -> Result<(), Box<dyn Error>> {
     println!("\nForces in bars under 1 N downwards at l1, tension positive");
     println!("bar                  found [N]   method of joints [N]   difference");
-    let bars = system.sketch().members().filter(|member| member.kind == "planar_beam");
+    let bars = system.sketch().members().filter(|member| member.kind == "PlanarBeam");
     for (bar, expected) in bars.zip(method_of_joints(bridge)) {
         let upwards = TrussBridge::conn_l1.force_y();
         let found = -system.frequency_response(upwards, bar.ends[0].label.axial_force())?.at(0.0)?;

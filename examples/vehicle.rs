@@ -38,12 +38,12 @@ system! {
 
     conn front at (0.0, 0.6) -> rigid_body 1 { mass, inertia, centre: (centre, 0.7) } <- conn rear at (wheelbase, 0.6);
     rigid_body 1 <- conn middle at (centre, 0.7) <- held(x);
-    conn road_front at (0.0, 0.0) -> spring_damper 2 { stiffness: tyre, damping: rubber } -> mass 3 { mass: axle }
-        -> spring_damper 4 { stiffness: spring, damping: shock_absorber } -> conn front;
-    conn road_rear at (wheelbase, 0.0) -> spring_damper 5 { stiffness: tyre, damping: rubber } -> mass 6 { mass: axle }
-        -> spring_damper 7 { stiffness: spring, damping: shock_absorber } -> conn rear;
+    conn road_front at (0.0, 0.0) -> spring 2 { stiffness: tyre, damping: rubber } -> mass 3 { mass: axle }
+        -> spring 4 { stiffness: spring, damping: shock_absorber } -> conn front;
+    conn road_rear at (wheelbase, 0.0) -> spring 5 { stiffness: tyre, damping: rubber } -> mass 6 { mass: axle }
+        -> spring 7 { stiffness: spring, damping: shock_absorber } -> conn rear;
     rigid_body 1 -> conn floor at (1.2, 0.5);
-    conn floor <- along (0.0, 1.0) <- spring_damper 8 { stiffness: seat, damping: cushion } <- mass 9 { mass: driver } <- free;
+    conn floor <- along (0.0, 1.0) <- spring 8 { stiffness: seat, damping: cushion } <- mass 9 { mass: driver } <- free;
     fixed -> conn road_front;
     fixed -> conn road_rear;
 }
@@ -87,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (amplitude, entry) in row.iter_mut().zip(entries) {
             *amplitude = over_waves(&vehicle, entry, wave)?.norm();
         }
-        row[3] = over_waves(&vehicle, Vehicle::spring_damper_2.output().axial_force(), wave)?.norm() / 1e3;
+        row[3] = over_waves(&vehicle, Vehicle::spring_2.output().axial_force(), wave)?.norm() / 1e3;
         let [bounce, pitch, floor, tyre] = row;
         println!("{wave:8} {hertz:8.3} {bounce:10.4} {pitch:13.4} {floor:11.4} {tyre:18.2}");
     }

@@ -105,7 +105,7 @@ pub mod search {
     ///
     /// system! {
     ///     struct Column { length: f64, ei: f64, force: f64 }
-    ///     fixed -> beam_column 1 { length, bending_stiffness: ei, mass_per_length: 1.0, axial_force: -force } -> free;
+    ///     fixed -> beam 1 { length, bending_stiffness: ei, mass_per_length: 1.0, axial_force: -force } -> free;
     /// }
     ///
     /// // Euler's first case: (n - ½)² π² EI/l²

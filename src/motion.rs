@@ -47,15 +47,15 @@ pub use mstmm_core::Load;
 ///     /// A portal with a machine on its girder.
 ///     struct Portal { height: f64, span: f64, ea: f64, ei: f64, m: f64, machine: f64 }
 ///     fixed at (0.0, 0.0)
-///         -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
-///         -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
-///         <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- conn d at (span, 0.0);
+///         -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+///         -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+///         <- beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- conn d at (span, 0.0);
 ///     conn d <- fixed;
 ///     conn c -> point_mass 4 { mass: machine };
 /// }
 ///
 /// let portal = Portal { height: 3.0, span: 4.0, ea: 1e12, ei: 1e6, m: 20.0, machine: 100.0 }.build()?;
-/// let girder = Portal::planar_beam_2;
+/// let girder = Portal::beam_2;
 /// let response = portal.frequency_response(girder.uniform_load_y(), girder.input().moment())?;
 ///
 /// // the moments at rest, for bars that do not stretch: q l²/(6 (2 + h/l)) at the corners, and q l²/8 less in the middle
@@ -180,9 +180,9 @@ pub use mstmm_core::ModalResponse;
 /// system! {
 ///     pub struct Portal { height: f64, span: f64, ea: f64, ei: f64, m: f64 }
 ///     fixed at (0.0, 0.0)
-///         -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
-///         -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
-///         <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (span, 0.0);
+///         -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+///         -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+///         <- beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (span, 0.0);
 /// }
 ///
 /// let portal = Portal { height: 2.0, span: 2.0, ea: 4e8, ei: 1e6, m: 20.0 }.build()?;
@@ -192,19 +192,19 @@ pub use mstmm_core::ModalResponse;
 /// // it sways: both corners go the same way, and the girder has no moment in its middle
 /// let [b, c] = [Portal::conn_b, Portal::conn_c].map(|point| shape.value(point.displacement_x()));
 /// assert!((b? - c?).abs() < 1e-13);
-/// let girder = Portal::planar_beam_2;
+/// let girder = Portal::beam_2;
 /// assert!((shape.value(girder.input().moment())? + shape.value(girder.output().moment())?).abs() < 1e-8);
 ///
 /// // inside of the girder the moment falls along a line, but for its inertia; most of the strain energy is in the columns
 /// let quarter = shape.along(girder, 0.5)?.moment / shape.value(girder.input().moment())?;
 /// assert!((quarter - 0.5).abs() < 0.1);
-/// assert!(2.0 * shape.energy_shares(Portal::planar_beam_1)?.strain > 0.5);
+/// assert!(2.0 * shape.energy_shares(Portal::beam_1)?.strain > 0.5);
 ///
 /// // its frequency follows the height of the columns, their feet being where they are
 /// let sensitivity = portal.sensitivity(&first)?;
 /// assert!(sensitivity.get("height").unwrap_or(0.0) < -100.0);
 ///
-/// let response = portal.frequency_response(Portal::conn_b.force_x(), Portal::planar_beam_1.input().moment())?;
+/// let response = portal.frequency_response(Portal::conn_b.force_x(), Portal::beam_1.input().moment())?;
 /// assert!(response.at(0.0)?.abs() < 1.0 && response.at(0.99 * first.omega)?.abs() > 10.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -218,15 +218,15 @@ pub use mstmm_core::PlaneShape;
 /// system! {
 ///     pub struct Portal { height: f64, span: f64, ea: f64, ei: f64, m: f64 }
 ///     fixed at (0.0, 0.0)
-///         -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
-///         -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
-///         <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (span, 0.0);
+///         -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+///         -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+///         <- beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (span, 0.0);
 /// }
 ///
 /// let portal = Portal { height: 2.0, span: 3.0, ea: 4e8, ei: 1e6, m: 20.0 }.build()?;
 /// let sketch = portal.sketch();
 /// let names: Vec<_> = sketch.points().map(|point| point.name.to_string()).collect();
-/// assert_eq!(names, ["fixed at planar_beam 1", "conn b", "conn c", "fixed at planar_beam 3"]);
+/// assert_eq!(names, ["fixed at beam 1", "conn b", "conn c", "fixed at beam 3"]);
 ///
 /// // its first mode, in which the corners move by half a metre
 /// let shape = portal.mode_shape(&portal.first_frequencies::<1>()?[0])?;

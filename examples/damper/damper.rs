@@ -26,7 +26,7 @@ system! {
            -> conn 2
            -> beam 3 { length: half, bending_stiffness: ei, mass_per_length: m }
            -> pinned;
-    conn 2 <- spring_damper 4 { stiffness, damping } <- mass 5 { mass } <- free;
+    conn 2 <- spring 4 { stiffness, damping } <- mass 5 { mass } <- free;
 }
 
 /// A bridge that walkers would excite, with a damper of 1 % of its mass.

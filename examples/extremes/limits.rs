@@ -19,7 +19,7 @@ system! {
     let (length, bending_stiffness, mass_per_length) = (1.0, unit, unit);
     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> conn 2
           -> beam 3 { length, bending_stiffness, mass_per_length } -> pinned;
-    conn 2 <- elastic_hinge 4 { stiffness_y: unit, stiffness_theta: unit } <- fixed;
+    conn 2 <- hinge 4 { stiffness_y: unit, stiffness_rz: unit } <- fixed;
     conn 2 <- mass 5 { mass: unit } <- free
 }
 

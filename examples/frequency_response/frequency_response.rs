@@ -26,7 +26,7 @@ system! {
            -> conn 9 -> beam 11 { length: 0.25 * length, bending_stiffness: ei, mass_per_length: m }
            -> pinned;
     conn 2 <- spring 3 { stiffness: 5.0 * k } <- fixed;
-    conn 5 <- spring_damper 6 { stiffness: 4.0 * k, damping } <- mass 7 { mass: 0.12 * mass } <- free;
+    conn 5 <- spring 6 { stiffness: 4.0 * k, damping } <- mass 7 { mass: 0.12 * mass } <- free;
     conn 9 <- torsion_spring 10 { stiffness: 10.0 * ei / length } <- fixed;
 }
 

@@ -1,4 +1,4 @@
-//! Which symbol stands for an element, by its keyword or by the name of its type.
+//! Which symbol stands for an element, by the name of its type or by the keyword of a joint.
 
 use crate::vector::Vector;
 
@@ -32,7 +32,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// The symbol behind a keyword, such as `planar_beam`, or the name of a type, such as `PlanarBeam`.
+    /// The symbol behind the name of a type, such as `PlanarBeam`, or the keyword of a joint.
     pub(crate) fn of(word: &str) -> Kind {
         let word = word.replace('_', "").to_lowercase();
         let has = |part: &str| word.contains(part);
@@ -48,7 +48,7 @@ impl Kind {
             "mass" => Kind::Mass,
             "inertia" => Kind::Inertia,
             "pointmass" => Kind::PointMass,
-            "lever" | "levercolumn" | "rigidlink" => Kind::Lever,
+            "lever" | "levercolumn" => Kind::Lever,
             _ if has("beam") => Kind::Beam { on_foundation: has("foundation") },
             _ if has("body") => Kind::Body,
             _ if has("hinge") => Kind::ElasticHinge,

@@ -5,7 +5,7 @@ mod coordinates;
 pub(crate) use coordinates::{Coordinates, place_of, tuple_parts};
 
 use crate::diagnostics::Place;
-use crate::keywords::{Dimension, Keyword, LocatedKeyword, TypeRow, element_of, located_of, neutral};
+use crate::keywords::{Dimension, Keyword, LocatedKeyword, RIGID_LINK, TypeRow, element_of, located_of, neutral};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
@@ -231,6 +231,16 @@ impl Element {
     /// Its type in `mstmm_core::elements`, which its parameters select; `None` for a type of the user and for a misspelt keyword.
     pub(crate) fn type_row(&self) -> Option<&'static TypeRow> {
         Some(self.known()?.type_with(|name| self.gives(name)))
+    }
+
+    /// The name of its type, or its keyword where it has none. A rigid link of the plane is a body without mass.
+    pub(crate) fn type_name(&self) -> String {
+        let keyword = self.kind.name().to_string();
+        match self.type_row() {
+            Some(_) if keyword == RIGID_LINK => "Lever".to_owned(),
+            Some(row) => row.name.to_owned(),
+            None => keyword,
+        }
     }
 
     /// The field of its type that a parameter is, at the user's token.

@@ -39,11 +39,11 @@ fn examples_of_the_paper() {
 system! {
     /// Hinges of one freedom, with stiffness and without, and levers that lead away and back.
     struct Jointed { crack: f64, slide: f64, arm: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.0 } -> rotational_hinge 2 { stiffness: crack }
-          -> lever 3 { output_x: arm } -> beam 4 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.5 } -> conn 5
-          -> shear_hinge 6 { stiffness: slide } -> lever 7 { output_x: -arm } -> lever 8 { output_x: arm }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.0 } -> hinge 2 { stiffness_rz: crack }
+          -> rigid_link 3 { output_x: arm } -> beam 4 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.5 } -> conn 5
+          -> hinge 6 { stiffness_y: slide } -> rigid_link 7 { output_x: -arm } -> rigid_link 8 { output_x: arm }
           -> beam 9 { length: 0.75, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
-    conn 5 <- lever 10 { output_x: arm } <- point_mass 11 { mass: 0.5, inertia: 0.1 } <- free;
+    conn 5 <- rigid_link 10 { output_x: arm } <- point_mass 11 { mass: 0.5, inertia: 0.1 } <- free;
 }
 
 #[test]

@@ -23,20 +23,20 @@ system! {
     /// A portal with a spring and a damper between its corners.
     #[derive(Clone, Copy, Debug)]
     pub struct Portal { length: f64, c: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (0.0, length)
-        -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (length, length)
-        <- planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } <- conn foot at (length, 0.0) <- pinned;
-    conn a -> spring_damper 4 { stiffness: 1.0, damping: c } -> conn b;
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (0.0, length)
+        -> beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (length, length)
+        <- beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } <- conn foot at (length, 0.0) <- pinned;
+    conn a -> spring 4 { stiffness: 1.0, damping: c } -> conn b;
 }
 
 system! {
     /// A square without supports.
     #[derive(Clone, Copy, Debug)]
     pub struct Square { length: f64 }
-    conn a at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (length, 0.0)
-        -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn c at (length, length)
-        -> planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (0.0, length)
-        -> planar_beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
+    conn a at (0.0, 0.0) -> beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (length, 0.0)
+        -> beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn c at (length, length)
+        -> beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (0.0, length)
+        -> beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
 }
 
 /// The system's allocator, counting what the current thread asks of it: other threads belong to the test harness.
@@ -238,18 +238,18 @@ fn motions_of_frames_allocate_nothing() {
     let roots = system.first_eigenvalues::<4>().unwrap();
     let (loads, entry) = ([Portal::conn_a.force_x(), Portal::conn_foot.motion_x()], Portal::conn_b.displacement_x());
     let x = Complex::new(-0.1, 3.0);
-    assert_motions_of_frames_allocate_nothing!(&system, roots, x, loads, entry, Portal::planar_beam_2);
+    assert_motions_of_frames_allocate_nothing!(&system, roots, x, loads, entry, Portal::beam_2);
     let system = Square { length: 1.0 }.build().unwrap();
     let roots = system.first_frequencies::<6>().unwrap();
     let (loads, entry) = ([Square::conn_a.force_x()], Square::conn_c.rotation_z());
-    assert_motions_of_frames_allocate_nothing!(&system, roots, 3.0, loads, entry, Square::planar_beam_2);
+    assert_motions_of_frames_allocate_nothing!(&system, roots, 3.0, loads, entry, Square::beam_2);
 }
 
 system! {
     /// A cantilever of the plane with a body at its tip and a spring.
     #[derive(Debug)]
     pub struct Lamp { height: f64, mass: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e6, bending_stiffness: 500.0, mass_per_length: 2.0 } -> conn top at (0.0, height)
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1e6, bending_stiffness: 500.0, mass_per_length: 2.0 } -> conn top at (0.0, height)
         -> rigid_body 2 { mass, inertia: 0.1, centre: (0.2, height) };
     conn top -> spring 3 { stiffness: 1e3 } -> pinned at (1.0, 0.0);
 }

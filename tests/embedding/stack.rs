@@ -21,35 +21,35 @@ system! {
     struct Absorber { c: f64 }
     pinned -> beam 1 { length: 0.4, bending_stiffness: 1.0, mass_per_length: 1.0 }
            -> conn 2 -> beam 3 { length: 0.6, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned;
-    conn 2 <- spring_damper 4 { stiffness: 4.0, damping: c } <- mass 5 { mass: 0.12 } <- free;
+    conn 2 <- spring 4 { stiffness: 4.0, damping: c } <- mass 5 { mass: 0.12 } <- free;
 }
 
 system! {
     /// Critically damped for c = 4: its double eigenvalue is judged.
     struct Oscillator { c: f64 }
-    fixed -> spring_damper 1 { stiffness: 4.0, damping: c } -> mass 2 { mass: 1.0 } -> free;
+    fixed -> spring 1 { stiffness: 4.0, damping: c } -> mass 2 { mass: 1.0 } -> free;
 }
 
 system! {
     /// A portal with a damper between its corners.
     struct Portal { l: f64, c: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (0.0, l)
-        -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (l, l)
-        <- planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } <- pinned at (l, 0.0);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (0.0, l)
+        -> beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (l, l)
+        <- beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } <- pinned at (l, 0.0);
     conn a -> damper 4 { damping: c } -> conn b;
 }
 
 system! {
     /// A square on four spokes, whose double roots are judged.
     struct Square { l: f64 }
-    conn m at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (l, 0.0);
-    conn m -> planar_beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, l);
-    conn m -> planar_beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (-l, 0.0);
-    conn m -> planar_beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (0.0, -l);
-    conn a -> planar_beam 5 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b;
-    conn b -> planar_beam 6 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d;
-    conn d -> planar_beam 7 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e;
-    conn e -> planar_beam 8 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
+    conn m at (0.0, 0.0) -> beam 1 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (l, 0.0);
+    conn m -> beam 2 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, l);
+    conn m -> beam 3 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d at (-l, 0.0);
+    conn m -> beam 4 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (0.0, -l);
+    conn a -> beam 5 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b;
+    conn b -> beam 6 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn d;
+    conn d -> beam 7 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e;
+    conn e -> beam 8 { axial_stiffness: 1e4, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a;
 }
 
 /// Runs a call on a thread of so many kB.

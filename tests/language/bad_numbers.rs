@@ -188,7 +188,7 @@ fn no_valid_parameter_panics() {
 system! {
     #[derive(Clone, Copy, Debug)]
     struct Dashpot { k: f64, c: f64, m: f64 }
-    fixed -> spring_damper 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free
+    fixed -> spring 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free
 }
 system! {
     #[derive(Clone, Copy, Debug)]

@@ -151,7 +151,7 @@ models! {
     TurningOld {
         section piece { axial_stiffness: 50.0 * ei, bending_stiffness: ei, mass_per_length: m }
         fixed at (0.0, 0.0) -> beam 1 { ..piece } -> conn a at (0.0, 1.0)
-            -> planar_hinge 2 { stiffness_x: stiff, stiffness_y: stiff, stiffness_theta: k }
+            -> hinge 2 { stiffness_x: stiff, stiffness_y: stiff, stiffness_rz: k }
             -> beam 3 { ..piece } -> free at (0.9, 1.2);
     }
     Sliding {
@@ -162,7 +162,7 @@ models! {
     SlidingOld {
         section piece { axial_stiffness: 50.0 * ei, bending_stiffness: ei, mass_per_length: m }
         fixed at (0.0, 0.0) -> beam 1 { ..piece } -> conn a at (0.0, 1.0)
-            -> planar_hinge 2 { stiffness_x: k, stiffness_y: 2.0 * k, stiffness_theta: stiff }
+            -> hinge 2 { stiffness_x: k, stiffness_y: 2.0 * k, stiffness_rz: stiff }
             -> beam 3 { ..piece } -> free at (0.9, 1.2);
     }
 }
@@ -194,10 +194,10 @@ models! {
             -> beam 4 { length: l, axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free;
     }
     NamedByType {
-        fixed -> planar_beam 1 { length: l, axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
-            -> planar_hinge 2 { stiffness_x: stiff, stiffness_y: stiff, stiffness_theta: k }
-            -> planar_body 3 { mass: 0.0, inertia: 0.0, output_x: 0.2 * l, output_y: 0.3 * l, centre_x: 0.0, centre_y: 0.0 }
-            -> planar_beam 4 { length: l, axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free;
+        fixed -> beam 1 { length: l, axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+            -> hinge 2 { stiffness_x: stiff, stiffness_y: stiff, stiffness_rz: k }
+            -> body 3 { mass: 0.0, inertia_about_input: 0.0, output_x: 0.2 * l, output_y: 0.3 * l, centre_x: 0.0, centre_y: 0.0 }
+            -> beam 4 { length: l, axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free;
     }
 }
 

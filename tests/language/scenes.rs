@@ -206,8 +206,8 @@ fn a_free_tip_widens_the_state_at_a_connection() {
 system! {
     #[derive(Clone, Copy, Debug)]
     struct EqualElements { k: f64, c: f64, m: f64 }
-    fixed -> spring_damper 1 { stiffness: k, damping: c } -> mass 2 { mass: m }
-          -> spring_damper 3 { damping: c, stiffness: k } -> mass 4 { mass: m } -> free
+    fixed -> spring 1 { stiffness: k, damping: c } -> mass 2 { mass: m }
+          -> spring 3 { damping: c, stiffness: k } -> mass 4 { mass: m } -> free
 }
 
 /// Closed form: two equal masses on equal springs have `Δ = (mλ²)² + 3 κ mλ² + κ²` with κ = k + cλ, where the

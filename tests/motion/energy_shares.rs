@@ -4,7 +4,7 @@ use mstmm::prelude::*;
 
 system! {
     struct Chain { k1: f64, m1: f64, k2: f64, c2: f64, m2: f64 }
-    fixed -> spring 1 { stiffness: k1 } -> mass 2 { mass: m1 } -> spring_damper 3 { stiffness: k2, damping: c2 }
+    fixed -> spring 1 { stiffness: k1 } -> mass 2 { mass: m1 } -> spring 3 { stiffness: k2, damping: c2 }
           -> mass 4 { mass: m2 } -> free;
 }
 
@@ -29,7 +29,7 @@ fn shares_of_a_damped_chain() {
         let [y1, y2] = [Chain::mass_2.output(), Chain::mass_4.output()].map(|point| shape.state(point).y);
         let [strain_1, strain_2] = [k1 * y1.norm_sqr(), k2 * (y2 - y1).norm_sqr()];
         let [kinetic_1, kinetic_2] = [m1 * y1.norm_sqr(), m2 * y2.norm_sqr()];
-        let (first, second) = (shape.energy_shares(Chain::spring_1), shape.energy_shares(Chain::spring_damper_3));
+        let (first, second) = (shape.energy_shares(Chain::spring_1), shape.energy_shares(Chain::spring_3));
         assert_close(first.strain, strain_1 / (strain_1 + strain_2));
         assert_close(second.strain, strain_2 / (strain_1 + strain_2));
         assert_eq!((first.dissipated, second.dissipated, first.kinetic), (0.0, 1.0, 0.0));

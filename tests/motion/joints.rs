@@ -25,8 +25,7 @@ fn the_slope_jumps_at_a_perfect_hinge() {
         let z = cantilever(k);
         let root = roots.iter().find(|root| (root.omega / (z * z) - 1.0).abs() < 1e-12).unwrap();
         let shape = system.mode_shape(root).unwrap();
-        let [before, after] =
-            [Gerber::rotational_hinge_2.input(), Gerber::rotational_hinge_2.output()].map(|point| shape.state(point));
+        let [before, after] = [Gerber::hinge_2.input(), Gerber::hinge_2.output()].map(|point| shape.state(point));
         let sigma = (z.cosh() + z.cos()) / (z.sinh() + z.sin());
         let deflection = z.cosh() - z.cos() - sigma * (z.sinh() - z.sin());
         let slope = z * (z.sinh() + z.sin() - sigma * (z.cosh() - z.cos()));
@@ -48,7 +47,7 @@ fn forces_of_hinges_are_stiffness_times_jump() {
         let system = Gerber { stiffness }.build().unwrap();
         for root in &system.first_frequencies::<6>().unwrap() {
             let shape = system.mode_shape(root).unwrap();
-            let hinge = Gerber::rotational_hinge_2;
+            let hinge = Gerber::hinge_2;
             let [before, after] = [hinge.input(), hinge.output()].map(|point| shape.state(point));
             let (jump, size) = (after.theta - before.theta, root.omega * (before.y.abs() + after.theta.abs()));
             assert_close(before.m, stiffness * jump, size);
@@ -61,7 +60,7 @@ fn forces_of_hinges_are_stiffness_times_jump() {
         let system = Sliding { stiffness }.build().unwrap();
         for root in &system.first_frequencies::<6>().unwrap() {
             let shape = system.mode_shape(root).unwrap();
-            let hinge = Sliding::shear_hinge_2;
+            let hinge = Sliding::hinge_2;
             let [before, after] = [hinge.input(), hinge.output()].map(|point| shape.state(point));
             let size = root.omega.powf(1.5) * (before.y.abs() + after.y.abs() + before.theta.abs());
             assert_close(before.q, stiffness * (before.y - after.y), size);
@@ -102,7 +101,7 @@ system! {
     /// A Gerber beam on three supports: the second beam rests on the end of the first.
     struct Spans { a: f64, b: f64, stiffness: f64 }
     fixed -> beam 1 { length: a, bending_stiffness: 2.0, mass_per_length: 1.0 }
-          -> rotational_hinge 2 { stiffness }
+          -> hinge 2 { stiffness_rz: stiffness }
           -> beam 3 { length: b, bending_stiffness: 2.0, mass_per_length: 1.0 } -> pinned;
 }
 
@@ -110,8 +109,8 @@ system! {
     /// A cantilever with a crack, a slide and a lever at its end.
     struct Jointed { a: f64, b: f64, crack: f64, slide: f64, lever: f64 }
     fixed -> beam 1 { length: a, bending_stiffness: 2.0, mass_per_length: 1.0 }
-          -> rotational_hinge 2 { stiffness: crack } -> shear_hinge 3 { stiffness: slide }
-          -> beam 4 { length: b, bending_stiffness: 2.0, mass_per_length: 1.0 } -> lever 5 { output_x: lever } -> free;
+          -> hinge 2 { stiffness_rz: crack } -> hinge 3 { stiffness_y: slide }
+          -> beam 4 { length: b, bending_stiffness: 2.0, mass_per_length: 1.0 } -> rigid_link 5 { output_x: lever } -> free;
 }
 
 /// Closed form: under a force at a perfect hinge the first beam is a cantilever, `δ = F a³/(3EI)`, and the second turns as a rod.
@@ -119,7 +118,7 @@ system! {
 fn a_gerber_beam_carries_a_force_at_its_hinge_alone() {
     let (a, b) = (1.5, 0.75);
     let system = Spans { a, b, stiffness: 0.0 }.build().unwrap();
-    let hinge = Spans::rotational_hinge_2;
+    let hinge = Spans::hinge_2;
     let value = |entry| system.frequency_response(hinge.output().force(), entry).unwrap().at(0.0).unwrap();
     let deflection = a * a * a / 6.0;
     assert_close(value(hinge.input().deflection()), deflection, deflection);
@@ -138,7 +137,7 @@ fn compliances_add_up() {
     let Jointed { a, b, crack, slide, lever } = Jointed { a: 0.75, b: 1.25, crack: 3.0, slide: 7.0, lever: 0.5 };
     for lever in [lever, 0.0, -lever] {
         let system = Jointed { a, b, crack, slide, lever }.build().unwrap();
-        let end = Jointed::lever_5.output();
+        let end = Jointed::rigid_link_5.output();
         let (length, ei) = (a + b, 2.0);
         let elastic = length * (length * length / 3.0 + lever * length + lever * lever) / ei;
         let expected = elastic + (b + lever).powi(2) / crack + 1.0 / slide;
@@ -153,7 +152,7 @@ fn compliances_add_up() {
 system! {
     /// A beam that hangs on a perfect hinge at a free end.
     struct Loose { length: f64 }
-    free -> rotational_hinge 1 { stiffness: 0.0 } -> beam 2 { length, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
+    free -> hinge 1 { stiffness_rz: 0.0 } -> beam 2 { length, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
 }
 
 /// What turns without stiffness or inertia has no response.

@@ -22,7 +22,7 @@ system! {
 system! {
     #[derive(Clone, Copy, Debug)]
     pub struct Damped { k: f64, c: f64, m: f64 }
-    fixed -> spring_damper 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
+    fixed -> spring 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
 }
 
 system! {
@@ -35,7 +35,7 @@ system! {
     /// Two masses that nothing holds.
     #[derive(Clone, Copy, Debug)]
     pub struct Pair { m: f64, n: f64, k: f64, c: f64 }
-    free -> mass 1 { mass: m } -> spring_damper 2 { stiffness: k, damping: c } -> mass 3 { mass: n } -> free;
+    free -> mass 1 { mass: m } -> spring 2 { stiffness: k, damping: c } -> mass 3 { mass: n } -> free;
 }
 
 system! {

@@ -27,7 +27,7 @@ system! {
 
     fixed -> beam 1 { length: short, bending_stiffness: ei, mass_per_length: line_mass } -> conn 2;
     fixed -> beam 3 { length: short, bending_stiffness: ei, mass_per_length: line_mass } -> conn 2;
-    fixed -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: k_theta }
+    fixed -> hinge 4 { stiffness_y: k, stiffness_rz: k_theta }
           -> beam 5 { length: short, bending_stiffness: ei, mass_per_length: line_mass } -> conn 2;
     conn 2 -> body 6 { mass, inertia_about_input: inertia + inertia, output_x: radius, centre_x: -radius * share }
            -> beam 7 { length, bending_stiffness: ei, mass_per_length: line_mass }

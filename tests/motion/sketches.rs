@@ -100,15 +100,15 @@ system! {
     /// One of each element with a length of its own, damped ones and those under axial force too.
     struct Lengths { l: f64 }
 
-    fixed -> rayleigh_beam 1 { length: 1.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, rotary_inertia: 0.1 }
-        -> timoshenko_beam 2 { length: 2.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 9.0, rotary_inertia: 0.1 }
-        -> beam_column 3 { length: 3.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: 0.1 }
-        -> foundation_beam 4 { length: 4.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, foundation_stiffness: 1.0 }
-        -> general_beam 5 { length: 5.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0 }
+    fixed -> beam 1 { length: 1.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, rotary_inertia: 0.1 }
+        -> beam 2 { length: 2.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 9.0, rotary_inertia: 0.1 }
+        -> beam 3 { length: 3.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: 0.1 }
+        -> beam 4 { length: 4.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, foundation_stiffness: 1.0 }
+        -> beam 5 { length: 5.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0 }
         -> tapered_beam 6 { length: 6.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, width_taper: 0.5 }
         -> beam 7 { length: 7.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, loss_factor: 0.1 }
-        -> timoshenko_beam 8 { length: 8.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 9.0, rotary_inertia: 0.1, kelvin_voigt_time: 0.1 }
-        -> lever 9 { output_x: 9.0 * l } -> lever 10 { output_x: -10.0 * l, axial_force: 1.0 }
+        -> beam 8 { length: 8.0 * l, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 9.0, rotary_inertia: 0.1, kelvin_voigt_time: 0.1 }
+        -> rigid_link 9 { output_x: 9.0 * l } -> rigid_link 10 { output_x: -10.0 * l, axial_force: 1.0 }
         -> body 11 { mass: 1.0, inertia_about_input: 500.0, output_x: 11.0 * l, centre_x: 5.0, axial_force: 1.0 } -> conn end;
     conn end <- string 12 { length: 12.0 * l, tension: 1.0, mass_per_length: 1.0 } <- rod 13 { length: 13.0 * l, axial_stiffness: 1.0, mass_per_length: 1.0 }
         <- string 14 { length: 14.0 * l, tension: 1.0, mass_per_length: 1.0, external_damping: 0.1 }
@@ -122,15 +122,15 @@ system! {
     /// One of each planar element.
     struct PlanarLengths { l: f64 }
 
-    fixed -> planar_beam 1 { length: 1.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-        -> planar_rayleigh_beam 2 { length: 2.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, rotary_inertia: 0.1 }
-        -> planar_timoshenko_beam 3 { length: 3.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 9.0, rotary_inertia: 0.1 }
-        -> planar_beam_column 4 { length: 4.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: 0.1 }
-        -> planar_foundation_beam 5 { length: 5.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, foundation_stiffness: 0.1 }
-        -> planar_general_beam 6 { length: 6.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-        -> planar_beam 7 { length: 7.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, loss_factor: 0.1 }
-        -> planar_timoshenko_beam 8 { length: 8.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 9.0, rotary_inertia: 0.1, loss_factor: 0.1 }
-        -> planar_body 9 { mass: 1.0, inertia: 500.0, output_x: 9.0 * l, output_y: 2.0, centre_x: 3.0, centre_y: 4.0 } -> free;
+    fixed -> beam 1 { length: 1.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
+        -> beam 2 { length: 2.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, rotary_inertia: 0.1 }
+        -> beam 3 { length: 3.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 9.0, rotary_inertia: 0.1 }
+        -> beam 4 { length: 4.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: 0.1 }
+        -> beam 5 { length: 5.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, foundation_stiffness: 0.1 }
+        -> beam 6 { length: 6.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
+        -> beam 7 { length: 7.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, loss_factor: 0.1 }
+        -> beam 8 { length: 8.0 * l, axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 9.0, rotary_inertia: 0.1, loss_factor: 0.1 }
+        -> body 9 { mass: 1.0, inertia_about_input: 500.0, output_x: 9.0 * l, output_y: 2.0, centre_x: 3.0, centre_y: 4.0 } -> free;
 }
 
 /// Each label is the length in units of l, so that none has that of another.
@@ -153,6 +153,6 @@ fn each_element_with_a_length_tells_it() {
     };
     check(steps(&Lengths { l: 0.5 }.build().unwrap()), 18);
     check(steps(&PlanarLengths { l: 0.5 }.build().unwrap()), 9);
-    let body = steps(&PlanarLengths { l: 0.5 }.build().unwrap()).into_iter().find(|step| step.0 == "planar_body 9");
+    let body = steps(&PlanarLengths { l: 0.5 }.build().unwrap()).into_iter().find(|step| step.0 == "body 9");
     assert_eq!(body.unwrap().2.unwrap().1, Extent { output: [4.5, 2.0], centre: Some([3.0, 4.0]) });
 }

@@ -11,9 +11,9 @@ type C = Complex<f64>;
 system! {
     /// `hysteretic_l_frame` of tests/data/frames.json.
     struct LFrame { loss: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e6, bending_stiffness: 100.0, mass_per_length: 1.0, loss_factor: loss }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1e6, bending_stiffness: 100.0, mass_per_length: 1.0, loss_factor: loss }
         -> conn 2 at (0.0, 1.0)
-        -> planar_beam 3 { axial_stiffness: 1e6, bending_stiffness: 100.0, mass_per_length: 1.0, loss_factor: loss } -> conn 4 at (1.5, 1.0);
+        -> beam 3 { axial_stiffness: 1e6, bending_stiffness: 100.0, mass_per_length: 1.0, loss_factor: loss } -> conn 4 at (1.5, 1.0);
     conn 4 <- along (0.0, 1.0) <- damper 5 { damping: 1.5 } <- fixed
 }
 
@@ -61,10 +61,10 @@ fn a_frame_with_a_loss_factor_and_a_dashpot_is_exact() {
 system! {
     /// A portal with a brace and a shear-soft girder.
     struct Portal {}
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0 } -> conn b at (0.2, 1.1)
-        -> planar_timoshenko_beam 2 { axial_stiffness: 3e3, bending_stiffness: 60.0, mass_per_length: 1.5, shear_stiffness: 2e3, rotary_inertia: 0.02 }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0 } -> conn b at (0.2, 1.1)
+        -> beam 2 { axial_stiffness: 3e3, bending_stiffness: 60.0, mass_per_length: 1.5, shear_stiffness: 2e3, rotary_inertia: 0.02 }
         -> conn c at (1.5, 1.0)
-        -> planar_rayleigh_beam 3 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, rotary_inertia: 0.05 } -> pinned at (1.6, 0.0);
+        -> beam 3 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, rotary_inertia: 0.05 } -> pinned at (1.6, 0.0);
     conn b -> spring 4 { stiffness: 800.0 } -> conn g at (0.9, 0.0) <- fixed;
     conn c <- along (1.0, 0.5) <- rod 5 { length: 0.8, axial_stiffness: 300.0, mass_per_length: 0.3 } <- fixed
 }
@@ -72,12 +72,12 @@ system! {
 system! {
     struct LossyPortal { eta: f64, c: f64 }
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, loss_factor: eta, kelvin_voigt_time: c }
+        -> beam 1 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, loss_factor: eta, kelvin_voigt_time: c }
         -> conn b at (0.2, 1.1)
-        -> planar_timoshenko_beam 2 { axial_stiffness: 3e3, bending_stiffness: 60.0, mass_per_length: 1.5, shear_stiffness: 2e3, rotary_inertia: 0.02,
+        -> beam 2 { axial_stiffness: 3e3, bending_stiffness: 60.0, mass_per_length: 1.5, shear_stiffness: 2e3, rotary_inertia: 0.02,
             loss_factor: eta, kelvin_voigt_time: c }
         -> conn c at (1.5, 1.0)
-        -> planar_rayleigh_beam 3 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, rotary_inertia: 0.05, loss_factor: eta,
+        -> beam 3 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, rotary_inertia: 0.05, loss_factor: eta,
             kelvin_voigt_time: c } -> pinned at (1.6, 0.0);
     conn b -> spring 4 { stiffness: 800.0, loss_factor: eta, kelvin_voigt_time: c } -> conn g at (0.9, 0.0) <- fixed;
     conn c <- along (1.0, 0.5)
@@ -102,18 +102,18 @@ fn one_loss_for_a_frame_is_damping_in_proportion() {
 system! {
     struct InMedium { alpha: f64 }
     fixed at (0.0, 0.0)
-        -> planar_beam_column 1 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, axial_force: -40.0, external_damping: 2.0 * alpha }
+        -> beam 1 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, axial_force: -40.0, external_damping: 2.0 * alpha }
         -> conn b at (0.2, 1.1)
-        -> planar_foundation_beam 2 { axial_stiffness: 3e3, bending_stiffness: 60.0, mass_per_length: 1.5, foundation_stiffness: 70.0,
+        -> beam 2 { axial_stiffness: 3e3, bending_stiffness: 60.0, mass_per_length: 1.5, foundation_stiffness: 70.0,
             external_damping: 1.5 * alpha } -> conn c at (1.5, 1.0);
     conn c <- along (1.0, 0.5) <- string 3 { length: 0.8, tension: 30.0, mass_per_length: 0.3, external_damping: 0.3 * alpha } <- fixed
 }
 
 system! {
     struct InVacuum {}
-    fixed at (0.0, 0.0) -> planar_beam_column 1 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, axial_force: -40.0 }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 4e3, bending_stiffness: 90.0, mass_per_length: 2.0, axial_force: -40.0 }
         -> conn b at (0.2, 1.1)
-        -> planar_foundation_beam 2 { axial_stiffness: 3e3, bending_stiffness: 60.0, mass_per_length: 1.5, foundation_stiffness: 70.0 }
+        -> beam 2 { axial_stiffness: 3e3, bending_stiffness: 60.0, mass_per_length: 1.5, foundation_stiffness: 70.0 }
         -> conn c at (1.5, 1.0);
     conn c <- along (1.0, 0.5) <- string 3 { length: 0.8, tension: 30.0, mass_per_length: 0.3 } <- fixed
 }
@@ -132,7 +132,7 @@ fn a_medium_resists_along_members_and_across() {
 
 system! {
     struct Tree { eta: f64, c: f64, medium: f64 }
-    fixed -> general_beam 1 { length: 1.0, bending_stiffness: 30.0, mass_per_length: 1.5, shear_flexibility: 4e-3, rotary_inertia: 0.02,
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 1.0 / (4e-3), rotary_inertia: 0.02,
             axial_force: -10.0, foundation_stiffness: 25.0, loss_factor: eta, external_damping: medium } -> conn 2
         -> beam 3 { length: 0.7, bending_stiffness: 20.0, mass_per_length: 1.0, kelvin_voigt_time: c } -> conn 4 -> free;
     conn 2 <- torsion_spring 6 { stiffness: 4.0, kelvin_voigt_time: c } <- fixed;
@@ -141,7 +141,7 @@ system! {
 
 system! {
     struct Line { eta: f64, c: f64, medium: f64 }
-    fixed at 0.0 -> general_beam 1 { bending_stiffness: 30.0, mass_per_length: 1.5, shear_flexibility: 4e-3, rotary_inertia: 0.02,
+    fixed at 0.0 -> beam 1 { bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 1.0 / (4e-3), rotary_inertia: 0.02,
             axial_force: -10.0, foundation_stiffness: 25.0, loss_factor: eta, external_damping: medium } -> conn 2 at 1.0
         -> beam 3 { bending_stiffness: 20.0, mass_per_length: 1.0, kelvin_voigt_time: c } -> conn 4 at 1.7;
     conn 2 <- torsion_spring 6 { stiffness: 4.0, kelvin_voigt_time: c } <- fixed;
@@ -162,8 +162,7 @@ fn trees_and_fronts_agree() {
                 assert!(difference <= 1e-10 * (value.norm() + root.frequency()), "{name}: {value} {:?}", two.get(name));
             }
             let (shape, plane) = (tree.mode_shape(root).unwrap(), line.mode_shape(other).unwrap());
-            let (share, plane_share) =
-                (shape.energy_shares(Tree::general_beam_1), plane.energy_shares(Line::general_beam_1).unwrap());
+            let (share, plane_share) = (shape.energy_shares(Tree::beam_1), plane.energy_shares(Line::beam_1).unwrap());
             for (a, b) in [
                 (share.strain, plane_share.strain),
                 (share.kinetic, plane_share.kinetic),
@@ -198,9 +197,9 @@ fn the_overall_matrix_of_damped_members_is_that_of_fronts() {
 system! {
     /// A portal of which one member has damping of all kinds, by fields.
     struct Detail { eta: f64, c: f64, medium: f64, span: f64, ea: f64, ei: f64, m: f64, shear: f64, k: f64 }
-    fixed at (0.0, 0.0) -> planar_timoshenko_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m, shear_stiffness: shear,
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m, shear_stiffness: shear,
             rotary_inertia: 0.03, loss_factor: eta, kelvin_voigt_time: c, external_damping: medium } -> conn b at (0.3, 1.0)
-        -> planar_general_beam 2 { axial_stiffness: 900.0, bending_stiffness: 40.0, mass_per_length: 1.0, axial_force: 15.0, foundation_stiffness: k,
+        -> beam 2 { axial_stiffness: 900.0, bending_stiffness: 40.0, mass_per_length: 1.0, axial_force: 15.0, foundation_stiffness: k,
             loss_factor: 0.5 * eta } -> pinned at (span, 1.2);
     conn b <- along (1.0, 0.4) <- spring 3 { stiffness: k, kelvin_voigt_time: 2.0 * c } <- fixed
 }
@@ -248,11 +247,11 @@ fn sensitivities_are_differences_of_roots() {
 system! {
     /// The first member of the same portal in two parts.
     struct InParts { part: f64, eta: f64, c: f64, medium: f64 }
-    fixed at (0.0, 0.0) -> planar_timoshenko_beam 1 { axial_stiffness: 700.0, bending_stiffness: 30.0, mass_per_length: 1.2, shear_stiffness: 500.0,
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 700.0, bending_stiffness: 30.0, mass_per_length: 1.2, shear_stiffness: 500.0,
             rotary_inertia: 0.03, loss_factor: eta, kelvin_voigt_time: c, external_damping: medium } -> conn a at (0.3 * part, 1.0 * part)
-        -> planar_timoshenko_beam 4 { axial_stiffness: 700.0, bending_stiffness: 30.0, mass_per_length: 1.2, shear_stiffness: 500.0,
+        -> beam 4 { axial_stiffness: 700.0, bending_stiffness: 30.0, mass_per_length: 1.2, shear_stiffness: 500.0,
             rotary_inertia: 0.03, loss_factor: eta, kelvin_voigt_time: c, external_damping: medium } -> conn b at (0.3, 1.0)
-        -> planar_general_beam 2 { axial_stiffness: 900.0, bending_stiffness: 40.0, mass_per_length: 1.0, axial_force: 15.0, foundation_stiffness: 20.0,
+        -> beam 2 { axial_stiffness: 900.0, bending_stiffness: 40.0, mass_per_length: 1.0, axial_force: 15.0, foundation_stiffness: 20.0,
             loss_factor: 0.5 * eta } -> pinned at (1.4, 1.2);
     conn b <- along (1.0, 0.4) <- spring 3 { stiffness: 20.0, kelvin_voigt_time: 2.0 * c } <- fixed
 }
@@ -267,7 +266,7 @@ fn motions_inside_of_members_are_those_of_points_there() {
     let other = parts.frequency_response(InParts::conn_b.force_x(), InParts::conn_b.displacement_y()).unwrap();
     for lambda in [C::new(0.0, 7.0), C::new(-1.0, 40.0), C::new(0.0, 200.0)] {
         let (states, others) = (load.states(lambda).unwrap(), other.states(lambda).unwrap());
-        let inside = states.along(Detail::planar_timoshenko_beam_1, part * length).unwrap();
+        let inside = states.along(Detail::beam_1, part * length).unwrap();
         let [x, y, rotation] =
             [InParts::conn_a.displacement_x(), InParts::conn_a.displacement_y(), InParts::conn_a.rotation_z()]
                 .map(|entry| others.value(entry).unwrap());
@@ -276,7 +275,7 @@ fn motions_inside_of_members_are_those_of_points_there() {
         for (found, exact) in found.into_iter().zip([x, y, rotation]) {
             assert!((found - exact).norm() <= 1e-11 * size, "{lambda}: {found} {exact}");
         }
-        let end = InParts::planar_timoshenko_beam_1.output();
+        let end = InParts::beam_1.output();
         for (found, entry) in
             [(inside.moment, end.moment()), (inside.shear, end.shear()), (inside.axial_force, end.axial_force())]
         {
@@ -290,7 +289,7 @@ system! {
     /// A lossy cantilever on rollers along its foundation, which nothing holds along x.
     struct Unheld { eta: f64 }
     guided at (0.0, 0.0) along (1.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: 1e3, bending_stiffness: 2.0, mass_per_length: 1.0, loss_factor: eta } -> conn a at (1.0, 0.0)
+        -> beam 1 { axial_stiffness: 1e3, bending_stiffness: 2.0, mass_per_length: 1.0, loss_factor: eta } -> conn a at (1.0, 0.0)
 }
 
 /// The response at rest is the limit from above, `(1 + iη) K`, whether or not something else moves off.

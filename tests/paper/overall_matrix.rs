@@ -242,12 +242,12 @@ mstmm::system! {
     fixed -> torsion_spring 21 { stiffness: 3.0 * unit } -> conn 2;
     fixed -> spring 22 { stiffness: 7.0 * unit } -> conn 2;
     free -> point_mass 23 { mass: 0.9 * unit, inertia: 0.3 * unit } -> conn 2
-         -> elastic_hinge 24 { stiffness_y: 11.0 * unit, stiffness_theta: 13.0 * unit } -> conn 3;
+         -> hinge 24 { stiffness_y: 11.0 * unit, stiffness_rz: 13.0 * unit } -> conn 3;
 
     fixed -> torsion_spring 31 { stiffness: 17.0 * unit } -> inertia 32 { inertia: 0.5 * unit }
           -> torsion_spring 33 { stiffness: 19.0 * unit } -> conn 3;
 
-    fixed -> elastic_hinge 41 { stiffness_y: 23.0 * unit, stiffness_theta: 29.0 * unit } -> conn 3;
+    fixed -> hinge 41 { stiffness_y: 23.0 * unit, stiffness_rz: 29.0 * unit } -> conn 3;
     conn 3 -> point_mass 42 { mass: 1.1 * unit, inertia: 0.6 * unit } -> free;
 }
 

@@ -10,7 +10,7 @@ macro_rules! columns {
     ($($model:ident = $tip:ident, $root:ident;)*) => {$(
         system! {
             struct $model { force: f64 }
-            $tip -> beam_column 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> $root
+            $tip -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> $root
         }
     )*};
 }
@@ -25,14 +25,14 @@ columns! {
 
 system! {
     struct Sheared { force: f64, flexibility: f64 }
-    pinned -> general_beam 1 {
-        length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force, shear_flexibility: flexibility
+    pinned -> beam 1 {
+        length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force, shear_stiffness: 1.0 / (flexibility)
     } -> pinned
 }
 
 system! {
     struct Founded { force: f64, k: f64 }
-    pinned -> general_beam 1 {
+    pinned -> beam 1 {
         length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force, foundation_stiffness: k
     } -> pinned
 }
@@ -40,14 +40,14 @@ system! {
 system! {
     /// A column with a spring at its middle.
     struct Braced { force: f64, stiffness: f64 }
-    pinned -> beam_column 1 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> conn 2
-        -> beam_column 3 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned;
+    pinned -> beam 1 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> conn 2
+        -> beam 3 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned;
     conn 2 <- spring 4 { stiffness } <- fixed
 }
 
 system! {
     struct Pulled { force: f64 }
-    pinned -> beam_column 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: force } -> pinned
+    pinned -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: force } -> pinned
 }
 
 fn loads<const N: usize, Y: mstmm::search::Undamped<Parameter = f64>>(
@@ -143,7 +143,7 @@ fn what_cannot_be_certified_is_refused() {
     let beyond = critical_loads::<1, _>(0.0..=5.0, |force| Sheared { force, flexibility: 0.5 }.build());
     assert!(matches!(beyond, Err(LoadError::Parameter { .. })), "{beyond:?}");
     let message = beyond.err().map(|error| error.to_string()).unwrap_or_default();
-    assert!(message.contains("at the load factor 5: general_beam 1: axial_force is -5"), "{message}");
+    assert!(message.contains("at the load factor 5: beam 1: axial_force is -5"), "{message}");
 }
 
 /// Beyond its critical load a column has as many motions that grow as there are loads below.

@@ -4,7 +4,7 @@
 use crate::complex_beam::{C, ComplexBeam, product, refined};
 use crate::support::random_tree::Random;
 use mstmm::element::Support;
-use mstmm::elements::{DampedBeam, DampedSpring, DampedTimoshenkoBeam, Mass};
+use mstmm::elements::{DampedBeam, DampedSpring, Mass};
 use mstmm::list::{AnyElement, ListStep, StepList};
 use mstmm::prelude::*;
 use mstmm::search::{EigenvalueList, ProportionalDamping};
@@ -13,8 +13,8 @@ system! {
     /// A shear-soft beam with a spring at its middle and a rod and a shaft at its end.
     struct Plain { l: f64 }
     fixed -> beam 1 { length: l, bending_stiffness: 40.0, mass_per_length: 2.0 } -> conn 2
-        -> timoshenko_beam 3 { length: 0.7 * l, bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 900.0, rotary_inertia: 0.02 }
-        -> conn 4 -> rayleigh_beam 5 { length: 0.2, bending_stiffness: 10.0, mass_per_length: 1.0, rotary_inertia: 0.03 } -> free;
+        -> beam 3 { length: 0.7 * l, bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 900.0, rotary_inertia: 0.02 }
+        -> conn 4 -> beam 5 { length: 0.2, bending_stiffness: 10.0, mass_per_length: 1.0, rotary_inertia: 0.03 } -> free;
     conn 2 <- spring 6 { stiffness: 70.0 } <- fixed;
     conn 4 <- rod 7 { length: 1.1, axial_stiffness: 60.0, mass_per_length: 0.4 } <- fixed;
     conn 4 <- shaft 8 { length: 0.6, torsional_stiffness: 3.0, inertia_per_length: 0.02 } <- fixed;
@@ -25,9 +25,9 @@ system! {
     /// The same with one loss for all of it.
     struct Lossy { l: f64, eta: f64, c: f64 }
     fixed -> beam 1 { length: l, bending_stiffness: 40.0, mass_per_length: 2.0, loss_factor: eta, kelvin_voigt_time: c } -> conn 2
-        -> timoshenko_beam 3 { length: 0.7 * l, bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 900.0, rotary_inertia: 0.02,
+        -> beam 3 { length: 0.7 * l, bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 900.0, rotary_inertia: 0.02,
             loss_factor: eta, kelvin_voigt_time: c }
-        -> conn 4 -> rayleigh_beam 5 { length: 0.2, bending_stiffness: 10.0, mass_per_length: 1.0, rotary_inertia: 0.03, loss_factor: eta,
+        -> conn 4 -> beam 5 { length: 0.2, bending_stiffness: 10.0, mass_per_length: 1.0, rotary_inertia: 0.03, loss_factor: eta,
             kelvin_voigt_time: c } -> free;
     conn 2 <- spring 6 { stiffness: 70.0, loss_factor: eta, kelvin_voigt_time: c } <- fixed;
     conn 4 <- rod 7 { length: 1.1, axial_stiffness: 60.0, mass_per_length: 0.4, loss_factor: eta, kelvin_voigt_time: c } <- fixed;
@@ -38,8 +38,8 @@ system! {
 system! {
     /// Columns, strings and beams on foundations in a medium that resists in proportion to their masses.
     struct InMedium { alpha: f64 }
-    fixed -> beam_column 1 { length: 1.0, bending_stiffness: 40.0, mass_per_length: 2.0, axial_force: -30.0, external_damping: 2.0 * alpha } -> conn 2
-        -> foundation_beam 3 { length: 0.7, bending_stiffness: 30.0, mass_per_length: 1.5, foundation_stiffness: 90.0,
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 40.0, mass_per_length: 2.0, axial_force: -30.0, external_damping: 2.0 * alpha } -> conn 2
+        -> beam 3 { length: 0.7, bending_stiffness: 30.0, mass_per_length: 1.5, foundation_stiffness: 90.0,
             external_damping: 1.5 * alpha } -> free;
     conn 2 <- string 4 { length: 0.9, tension: 25.0, mass_per_length: 0.3, foundation_stiffness: 4.0, external_damping: 0.3 * alpha } <- fixed;
     conn 2 <- shaft 5 { length: 0.6, torsional_stiffness: 3.0, inertia_per_length: 0.2, external_damping: 0.2 * alpha } <- fixed
@@ -47,8 +47,8 @@ system! {
 
 system! {
     struct InVacuum {}
-    fixed -> beam_column 1 { length: 1.0, bending_stiffness: 40.0, mass_per_length: 2.0, axial_force: -30.0 } -> conn 2
-        -> foundation_beam 3 { length: 0.7, bending_stiffness: 30.0, mass_per_length: 1.5, foundation_stiffness: 90.0 } -> free;
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 40.0, mass_per_length: 2.0, axial_force: -30.0 } -> conn 2
+        -> beam 3 { length: 0.7, bending_stiffness: 30.0, mass_per_length: 1.5, foundation_stiffness: 90.0 } -> free;
     conn 2 <- string 4 { length: 0.9, tension: 25.0, mass_per_length: 0.3, foundation_stiffness: 4.0 } <- fixed;
     conn 2 <- shaft 5 { length: 0.6, torsional_stiffness: 3.0, inertia_per_length: 0.2 } <- fixed
 }
@@ -123,24 +123,11 @@ fn damped(beam: &ComplexBeam) -> AnyElement<f64> {
     let ComplexBeam { length, bending_stiffness, mass_per_length, rotary_inertia, .. } = *beam;
     let (loss_factor, kelvin_voigt_time, external_damping) =
         (beam.loss_factor, beam.kelvin_voigt_time, beam.external_damping);
-    if let Some(shear_stiffness) = beam.shear_stiffness.filter(|_| beam.axial_force == 0.0) {
-        let beam = DampedTimoshenkoBeam {
-            length,
-            bending_stiffness,
-            mass_per_length,
-            shear_stiffness,
-            rotary_inertia,
-            loss_factor,
-            kelvin_voigt_time,
-            external_damping,
-        };
-        return beam.try_into().unwrap();
-    }
     let beam = DampedBeam {
         length,
         bending_stiffness,
         mass_per_length,
-        shear_flexibility: beam.shear_stiffness.map_or(0.0, |stiffness| 1.0 / stiffness),
+        shear_stiffness: beam.shear_stiffness.unwrap_or(f64::INFINITY),
         rotary_inertia,
         axial_force: beam.axial_force,
         foundation_stiffness: beam.foundation_stiffness,

@@ -165,7 +165,7 @@ fn a_slow_lever_is_no_rigid_body() {
 
 system! {
     struct Oscillator { k: f64, c: f64, m: f64 }
-    fixed -> spring_damper 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
+    fixed -> spring 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
 }
 
 /// Closed form: `λ = -ζω ± iω sqrt(1 - ζ²)`.
@@ -187,8 +187,8 @@ fn the_eigenvalue_of_an_oscillator_is_found_wherever_it_lies() {
 system! {
     /// A quarter of a car on its tyre.
     struct QuarterCar {}
-    fixed -> spring_damper tyre { stiffness: 142496.0, damping: 78.0 } -> mass wheel { mass: 29.46 }
-          -> spring_damper strut { stiffness: 21248.8, damping: 2937.5 } -> mass body { mass: 345.7 } -> free;
+    fixed -> spring tyre { stiffness: 142496.0, damping: 78.0 } -> mass wheel { mass: 29.46 }
+          -> spring strut { stiffness: 21248.8, damping: 2937.5 } -> mass body { mass: 345.7 } -> free;
 }
 
 /// The quartic `|K + λC + λ²M|`, and the eigenvalues to the digits known.

@@ -10,7 +10,7 @@ system! {
     /// Cantilever with a crack.
     struct Cracked { from_clamp: f64, from_tip: f64, stiffness: f64 }
     fixed -> beam 1 { length: from_clamp, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> rotational_hinge 2 { stiffness }
+          -> hinge 2 { stiffness_rz: stiffness }
           -> beam 3 { length: from_tip, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
 }
 
@@ -158,9 +158,9 @@ fn a_cracked_cantilever_has_the_zeros_of_its_determinant() {
 system! {
     /// A chain of beams with perfect hinges.
     struct Hinged { a: f64, b: f64, c: f64, k: f64 }
-    fixed -> beam 1 { length: a, bending_stiffness: 1.5, mass_per_length: 1.0 } -> rotational_hinge 2 { stiffness: 0.0 }
+    fixed -> beam 1 { length: a, bending_stiffness: 1.5, mass_per_length: 1.0 } -> hinge 2 { stiffness_rz: 0.0 }
           -> beam 3 { length: b, bending_stiffness: 1.0, mass_per_length: 0.5 } -> conn 4
-          -> beam 5 { length: c, bending_stiffness: 2.0, mass_per_length: 1.0 } -> shear_hinge 6 { stiffness: 0.0 }
+          -> beam 5 { length: c, bending_stiffness: 2.0, mass_per_length: 1.0 } -> hinge 6 { stiffness_y: 0.0 }
           -> beam 7 { length: a, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned;
     fixed -> spring 8 { stiffness: k } -> conn 4;
 }
@@ -227,7 +227,7 @@ fn the_determinant_is_that_of_the_overall_matrix() {
 system! {
     /// A beam that hangs on a hinge without stiffness at a free end turns as it likes at any frequency.
     struct Loose { length: f64 }
-    free -> rotational_hinge 1 { stiffness: 0.0 } -> beam 2 { length, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
+    free -> hinge 1 { stiffness_rz: 0.0 } -> beam 2 { length, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
 }
 
 /// What has neither stiffness nor inertia moves at every frequency: Δ vanishes there, which the search says.

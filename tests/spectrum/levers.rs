@@ -5,7 +5,7 @@ use mstmm::prelude::*;
 system! {
     /// A rigid pendulum on a spring.
     struct Pendulum { b: f64, k: f64, m: f64, j: f64 }
-    pinned -> lever 1 { output_x: b } -> conn 2 -> point_mass 3 { mass: m, inertia: j } -> free;
+    pinned -> rigid_link 1 { output_x: b } -> conn 2 -> point_mass 3 { mass: m, inertia: j } -> free;
     conn 2 <- spring 4 { stiffness: k } <- fixed;
 }
 
@@ -27,7 +27,7 @@ fn a_mass_on_a_lever_is_a_pendulum() {
 system! {
     /// A mass beside the end of a beam, on a lever.
     struct OnLever { b: f64, m: f64, j: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> lever 2 { output_x: b }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> rigid_link 2 { output_x: b }
           -> point_mass 3 { mass: m, inertia: j } -> free;
 }
 
@@ -70,7 +70,7 @@ system! {
     /// Levers that lead away and back between beams.
     struct ThereAndBack { b: f64 }
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> lever 2 { output_x: b } -> lever 3 { output_x: -b }
+          -> rigid_link 2 { output_x: b } -> rigid_link 3 { output_x: -b }
           -> beam 4 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
 }
 
@@ -94,7 +94,7 @@ fn levers_there_and_back_are_none() {
 system! {
     /// A body with three points, made of levers: its arms hold springs at places of their own.
     struct ThreePoints { m: f64, j: f64, a: f64, b: f64, k: f64 }
-    free -> conn 3 -> lever 4 { output_x: a } -> conn 2 -> lever 5 { output_x: b } -> conn 6 -> free;
+    free -> conn 3 -> rigid_link 4 { output_x: a } -> conn 2 -> rigid_link 5 { output_x: b } -> conn 6 -> free;
     free -> point_mass 7 { mass: m, inertia: j } -> conn 2;
     conn 3 <- spring 8 { stiffness: k } <- fixed;
     conn 6 <- spring 9 { stiffness: k } <- fixed;
@@ -115,8 +115,8 @@ fn a_body_with_several_points_is_made_of_levers() {
 system! {
     /// Two cantilevers whose tips a mass joins over levers.
     struct Joined { first: f64, second: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> lever 2 { output_x: first } -> conn 3;
-    fixed -> beam 4 { length: 0.8, bending_stiffness: 2.0, mass_per_length: 1.0 } -> lever 5 { output_x: second } -> conn 3
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> rigid_link 2 { output_x: first } -> conn 3;
+    fixed -> beam 4 { length: 0.8, bending_stiffness: 2.0, mass_per_length: 1.0 } -> rigid_link 5 { output_x: second } -> conn 3
         -> point_mass 6 { mass: 0.7, inertia: 0.2 } -> free;
 }
 

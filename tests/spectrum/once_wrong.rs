@@ -16,7 +16,7 @@ fn pi() -> DoubleDouble {
 system! {
     /// A strut on a foundation.
     struct Strut { foundation: f64, load: f64 }
-    pinned -> general_beam 1 {
+    pinned -> beam 1 {
         length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load, foundation_stiffness: foundation
     } -> pinned
 }
@@ -67,7 +67,7 @@ fn the_search_for_cantilevers_that_nothing_joins_ends() {
 
 system! {
     struct Column { length: f64, force: f64 }
-    pinned -> beam_column 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned
+    pinned -> beam 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned
 }
 
 /// Closed form: `ω² = κ² (κ² - P)` of a pinned column with `κ = π/l`, evaluated in two words.

@@ -18,12 +18,12 @@ system! {
         m_c: f64, j_c: f64, bx_c: f64, by_c: f64, cx_c: f64, cy_c: f64,
     }
 
-    fixed -> planar_hinge 1 { stiffness_x: kx_a, stiffness_y: ky_a, stiffness_theta: kt_a }
-          -> planar_body 2 { mass: m_a, inertia: j_a, output_x: bx_a, output_y: by_a, centre_x: cx_a, centre_y: cy_a }
-          -> planar_hinge 3 { stiffness_x: kx_b, stiffness_y: ky_b, stiffness_theta: kt_b }
-          -> planar_body 4 { mass: m_b, inertia: j_b, output_x: bx_b, output_y: by_b, centre_x: cx_b, centre_y: cy_b }
-          -> planar_hinge 5 { stiffness_x: kx_c, stiffness_y: ky_c, stiffness_theta: kt_c }
-          -> planar_body 6 { mass: m_c, inertia: j_c, output_x: bx_c, output_y: by_c, centre_x: cx_c, centre_y: cy_c }
+    fixed -> hinge 1 { stiffness_x: kx_a, stiffness_y: ky_a, stiffness_rz: kt_a }
+          -> body 2 { mass: m_a, inertia_about_input: j_a, output_x: bx_a, output_y: by_a, centre_x: cx_a, centre_y: cy_a }
+          -> hinge 3 { stiffness_x: kx_b, stiffness_y: ky_b, stiffness_rz: kt_b }
+          -> body 4 { mass: m_b, inertia_about_input: j_b, output_x: bx_b, output_y: by_b, centre_x: cx_b, centre_y: cy_b }
+          -> hinge 5 { stiffness_x: kx_c, stiffness_y: ky_c, stiffness_rz: kt_c }
+          -> body 6 { mass: m_c, inertia_about_input: j_c, output_x: bx_c, output_y: by_c, centre_x: cx_c, centre_y: cy_c }
           -> free;
 }
 
@@ -154,9 +154,9 @@ macro_rules! planar_beam_between {
             #[derive(Clone, Copy, Debug)]
             struct $model { length: f64, ea: f64, ei: f64, m: f64 }
 
-            $tip -> planar_beam 1 {
+            $tip -> beam 1 {
                 length: 0.3 * length, axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m,
-            } -> planar_beam 2 {
+            } -> beam 2 {
                 length: 0.7 * length, axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m,
             } -> $root
         }

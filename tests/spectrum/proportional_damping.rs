@@ -13,9 +13,9 @@ macro_rules! rows {
         }
         system! {
             struct $damped { k: f64, m: f64, alpha: f64, beta: f64 }
-            fixed -> spring_damper 1 { stiffness: k, damping: beta * k } -> conn a -> mass 2 { mass: m }
-                -> spring_damper 3 { stiffness: 2.0 * k, damping: 2.0 * beta * k } -> conn b -> mass 4 { mass: 0.5 * m }
-                -> spring_damper 5 { stiffness: 0.7 * k, damping: 0.7 * beta * k } -> conn c -> mass 6 { mass: 3.0 * m } -> free;
+            fixed -> spring 1 { stiffness: k, damping: beta * k } -> conn a -> mass 2 { mass: m }
+                -> spring 3 { stiffness: 2.0 * k, damping: 2.0 * beta * k } -> conn b -> mass 4 { mass: 0.5 * m }
+                -> spring 5 { stiffness: 0.7 * k, damping: 0.7 * beta * k } -> conn c -> mass 6 { mass: 3.0 * m } -> free;
             conn a <- damper 7 { damping: alpha * m } <- fixed;
             conn b <- damper 8 { damping: 0.5 * alpha * m } <- fixed;
             conn c <- damper 9 { damping: 3.0 * alpha * m } <- fixed

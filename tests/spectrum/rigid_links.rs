@@ -6,30 +6,30 @@ use mstmm::search::{SearchError, critical_loads};
 system! {
     /// A rigid column on a torsion spring at its foot, with a mass at its head.
     struct Pendulum { load: f64, k: f64, b: f64, mass: f64, inertia: f64 }
-    fixed -> rotational_hinge 1 { stiffness: k } -> lever 2 { output_x: b, axial_force: -load }
+    fixed -> hinge 1 { stiffness_rz: k } -> rigid_link 2 { output_x: b, axial_force: -load }
           -> point_mass 3 { mass, inertia } -> free;
 }
 
 system! {
     /// The same as a body that has the mass at its head.
     struct Tower { load: f64, k: f64, b: f64, mass: f64, inertia: f64 }
-    fixed -> rotational_hinge 1 { stiffness: k }
+    fixed -> hinge 1 { stiffness_rz: k }
           -> body 2 { mass, inertia_about_input: inertia + mass * b * b, output_x: b, centre_x: b, axial_force: -load } -> free;
 }
 
 system! {
     /// Two links with two equal torsion springs, the first of them at the foot.
     struct Links { load: f64, k: f64, b: f64 }
-    fixed -> rotational_hinge 1 { stiffness: k } -> lever 2 { output_x: b, axial_force: -load } -> point_mass 3 { mass: 2.0, inertia: 0.0 }
-          -> rotational_hinge 4 { stiffness: k } -> lever 5 { output_x: b, axial_force: -load } -> point_mass 6 { mass: 1.0, inertia: 0.0 }
+    fixed -> hinge 1 { stiffness_rz: k } -> rigid_link 2 { output_x: b, axial_force: -load } -> point_mass 3 { mass: 2.0, inertia: 0.0 }
+          -> hinge 4 { stiffness_rz: k } -> rigid_link 5 { output_x: b, axial_force: -load } -> point_mass 6 { mass: 1.0, inertia: 0.0 }
           -> free;
 }
 
 system! {
     /// Two links between pins, with a torsion spring or a spring to the ground at their joint.
     struct Knee { load: f64, k: f64, side: f64, b: f64, to_end: f64 }
-    pinned -> lever 1 { output_x: b, axial_force: -load } -> point_mass 2 { mass: 1.0, inertia: 0.0 } -> conn 3
-           -> rotational_hinge 4 { stiffness: k } -> lever 5 { output_x: to_end, axial_force: -load } -> pinned;
+    pinned -> rigid_link 1 { output_x: b, axial_force: -load } -> point_mass 2 { mass: 1.0, inertia: 0.0 } -> conn 3
+           -> hinge 4 { stiffness_rz: k } -> rigid_link 5 { output_x: to_end, axial_force: -load } -> pinned;
     conn 3 <- spring 6 { stiffness: side } <- fixed;
 }
 
@@ -88,15 +88,15 @@ fn two_links_buckle_in_their_two_ways() {
 
 system! {
     struct OnStrut { load: f64, stiff: f64 }
-    fixed -> beam_column 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.5, axial_force: -load }
-          -> beam_column 2 { length: 0.5, bending_stiffness: stiff, mass_per_length: 1.0 / stiff, axial_force: -load }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.5, axial_force: -load }
+          -> beam 2 { length: 0.5, bending_stiffness: stiff, mass_per_length: 1.0 / stiff, axial_force: -load }
           -> point_mass 3 { mass: 0.75, inertia: 0.125 } -> free;
 }
 
 system! {
     struct OnLever { load: f64 }
-    fixed -> beam_column 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.5, axial_force: -load }
-          -> lever 2 { output_x: 0.5, axial_force: -load } -> point_mass 3 { mass: 0.75, inertia: 0.125 } -> free;
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.5, axial_force: -load }
+          -> rigid_link 2 { output_x: 0.5, axial_force: -load } -> point_mass 3 { mass: 0.75, inertia: 0.125 } -> free;
 }
 
 /// The lever is the limit of a stiff strut, in frequencies and in critical loads.
@@ -131,13 +131,12 @@ fn motions_of_a_rigid_column_in_closed_form() {
         assert_close(change.get("load").unwrap(), -b.abs() / (2.0 * root.omega * about), 1e-11);
         let by_lever = (-load * b.signum() * about - net * 2.0 * mass * b) / (about * about);
         assert_close(change.get("b").unwrap(), by_lever / (2.0 * root.omega), 1e-11);
-        let head = Pendulum::lever_2.output();
+        let head = Pendulum::rigid_link_2.output();
         let response = system.frequency_response(head.force(), head.deflection()).unwrap();
         assert_close(response.at(0.0).unwrap(), b * b / net, 1e-12);
         assert_close(response.at(2.0 * root.omega).unwrap(), b * b / (-3.0 * net), 1e-12);
         let shape = system.mode_shape(&root).unwrap();
-        let [spring, lever] =
-            [shape.energy_shares(Pendulum::rotational_hinge_1), shape.energy_shares(Pendulum::lever_2)];
+        let [spring, lever] = [shape.energy_shares(Pendulum::hinge_1), shape.energy_shares(Pendulum::rigid_link_2)];
         assert_close(spring.strain, k / net, 1e-11);
         assert_close(lever.strain, -load * b.abs() / net, 1e-11);
     }

@@ -30,9 +30,9 @@ system! {
     #[derive(Debug)]
     struct Portal { stiff: f64, soft: f64, line: f64, ea: f64, brace: f64 }
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { bending_stiffness: stiff, mass_per_length: line, axial_stiffness: ea } -> conn b at (0.0, 1.0)
-        -> planar_beam 2 { bending_stiffness: soft, mass_per_length: 1.0, axial_stiffness: ea } -> conn c at (2.0, 1.0)
-        -> planar_beam 3 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_stiffness: ea } -> fixed at (2.0, 0.0);
+        -> beam 1 { bending_stiffness: stiff, mass_per_length: line, axial_stiffness: ea } -> conn b at (0.0, 1.0)
+        -> beam 2 { bending_stiffness: soft, mass_per_length: 1.0, axial_stiffness: ea } -> conn c at (2.0, 1.0)
+        -> beam 3 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_stiffness: ea } -> fixed at (2.0, 0.0);
     conn b -> spring 4 { stiffness: brace } -> fixed at (2.0, 0.0)
 }
 
@@ -176,12 +176,12 @@ fn paper(shares: &mut Shares) {
 
 system! {
     struct Timoshenko { length: f64, ei: f64, ga: f64, m: f64, r: f64 }
-    fixed -> timoshenko_beam 1 { length, bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r } -> free
+    fixed -> beam 1 { length, bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r } -> free
 }
 
 system! {
     struct Strut { length: f64, ei: f64, m: f64, force: f64, k: f64 }
-    pinned -> general_beam 1 { length, bending_stiffness: ei, mass_per_length: m, axial_force: force, foundation_stiffness: k } -> pinned
+    pinned -> beam 1 { length, bending_stiffness: ei, mass_per_length: m, axial_force: force, foundation_stiffness: k } -> pinned
 }
 
 /// The plane structures of frames.json whose beams are general ones, to their 24 digits; the others are rows of the tests of frames.

@@ -31,7 +31,7 @@ system! {
     #[derive(Clone, Copy, Debug)]
     struct Mixed { length: f64, hinge: f64, mass: f64, arm: f64, torsion: f64 }
     fixed -> beam 1 { length, bending_stiffness: 2.0, mass_per_length: 0.5 }
-          -> elastic_hinge 2 { stiffness_y: hinge, stiffness_theta: 3.0 * hinge }
+          -> hinge 2 { stiffness_y: hinge, stiffness_rz: 3.0 * hinge }
           -> body 3 { mass, inertia_about_input: mass * (0.01 + arm * arm), output_x: 2.0 * arm, centre_x: arm } -> conn 4
           -> point_mass 5 { mass: 0.3, inertia: 0.001 }
           -> beam 6 { length: 0.5 * length, bending_stiffness: 1.0, mass_per_length: 0.5 } -> free;
@@ -77,11 +77,11 @@ system! {
     /// Beams with hinges of one freedom, the last of them without stiffness, and a mass on a lever.
     #[derive(Clone, Copy, Debug)]
     struct Hinged { crack: f64, slide: f64, arm: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.0 } -> rotational_hinge 2 { stiffness: crack }
-          -> beam 3 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.5 } -> conn 4 -> shear_hinge 5 { stiffness: slide }
-          -> beam 6 { length: 0.75, bending_stiffness: 1.0, mass_per_length: 1.0 } -> rotational_hinge 7 { stiffness: 0.0 }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 2.0, mass_per_length: 1.0 } -> hinge 2 { stiffness_rz: crack }
+          -> beam 3 { length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.5 } -> conn 4 -> hinge 5 { stiffness_y: slide }
+          -> beam 6 { length: 0.75, bending_stiffness: 1.0, mass_per_length: 1.0 } -> hinge 7 { stiffness_rz: 0.0 }
           -> beam 8 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
-    conn 4 <- lever 9 { output_x: arm } <- point_mass 10 { mass: 0.5, inertia: 0.1 } <- free;
+    conn 4 <- rigid_link 9 { output_x: arm } <- point_mass 10 { mass: 0.5, inertia: 0.1 } <- free;
 }
 
 /// Random numbers, even in their logarithms over so many powers of ten to both sides of 1.

@@ -19,11 +19,11 @@ system! {
 system! {
     /// A frame with a brace, whose loops are closed.
     struct Braced { height: f64, ea: f64, ei: f64, m: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
-        -> conn a at (0.0, height) -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+        -> conn a at (0.0, height) -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         -> conn b at (1.5, height);
-    fixed at (1.5, 0.0) -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b;
-    conn a -> planar_beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pinned at (1.5, 0.5);
+    fixed at (1.5, 0.0) -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b;
+    conn a -> beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pinned at (1.5, 0.5);
 }
 
 system! {

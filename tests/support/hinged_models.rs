@@ -6,7 +6,7 @@ system! {
     /// Two beams, clamped at their outer ends, with a rotational hinge between.
     pub(crate) struct Gerber { pub(crate) stiffness: f64 }
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> rotational_hinge 2 { stiffness }
+          -> hinge 2 { stiffness_rz: stiffness }
           -> beam 3 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
 }
 
@@ -14,6 +14,6 @@ system! {
     /// The same with a shear hinge.
     pub(crate) struct Sliding { pub(crate) stiffness: f64 }
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> shear_hinge 2 { stiffness }
+          -> hinge 2 { stiffness_y: stiffness }
           -> beam 3 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> fixed;
 }

@@ -19,7 +19,7 @@ system! {
     pub(crate) struct Undamped6;
 
     fixed -> spring 1 { stiffness: 6.1 } -> spring 2 { stiffness: 2.5 } -> conn 10;
-    pinned -> elastic_hinge 4 { stiffness_y: 3.1, stiffness_theta: 0.61 } -> beam 5 { length: 0.7, bending_stiffness: 0.69, mass_per_length: 0.21 } -> conn 10;
+    pinned -> hinge 4 { stiffness_y: 3.1, stiffness_rz: 0.61 } -> beam 5 { length: 0.7, bending_stiffness: 0.69, mass_per_length: 0.21 } -> conn 10;
     fixed -> spring 7 { stiffness: 12.8 } -> spring 8 { stiffness: 13.3 } -> spring 9 { stiffness: 32.1 } -> conn 10;
     conn 10 -> point_mass 11 { mass: 2.34, inertia: 0.071 } -> conn 20;
     fixed -> torsion_spring 13 { stiffness: 0.29 } -> inertia 14 { inertia: 4.76 } -> conn 20;
@@ -87,7 +87,7 @@ system! {
 system! {
     pub(crate) struct Undamped18;
 
-    guided -> elastic_hinge 1 { stiffness_y: 11.399999999999999, stiffness_theta: 0.21 } -> conn 3;
+    guided -> hinge 1 { stiffness_y: 11.399999999999999, stiffness_rz: 0.21 } -> conn 3;
     free -> conn 3;
     conn 3 -> beam 4 { length: 0.28, bending_stiffness: 3.41, mass_per_length: 0.28 } -> beam 5 { length: 2.24, bending_stiffness: 0.39, mass_per_length: 0.51 } -> pinned;
 }
@@ -151,7 +151,7 @@ system! {
     conn 15 -> mass 16 { mass: 1.36 } -> conn 22;
     fixed -> torsion_spring 18 { stiffness: 0.21 } -> inertia 19 { inertia: 1.61 } -> inertia 20 { inertia: 3.48 } -> conn 22;
     fixed -> conn 22;
-    conn 7 -> elastic_hinge 8 { stiffness_y: 22.9, stiffness_theta: 0.51 } -> beam 9 { length: 3.02, bending_stiffness: 0.32, mass_per_length: 0.32 } -> conn 25;
+    conn 7 -> hinge 8 { stiffness_y: 22.9, stiffness_rz: 0.51 } -> beam 9 { length: 3.02, bending_stiffness: 0.32, mass_per_length: 0.32 } -> conn 25;
     conn 22 -> body 23 { mass: 3.93, inertia_about_input: 2.63340425, output_x: 1.88, centre_x: 0.815 } -> beam 24 { length: 1.87, bending_stiffness: 1.98, mass_per_length: 0.65 } -> conn 25;
     conn 25 -> point_mass 26 { mass: 0.24, inertia: 0.34400000000000003 } -> beam 27 { length: 1.28, bending_stiffness: 0.27, mass_per_length: 0.28 } -> fixed;
 }
@@ -197,9 +197,9 @@ system! {
 system! {
     pub(crate) struct Undamped53;
 
-    pinned -> elastic_hinge 1 { stiffness_y: 2.6, stiffness_theta: 0.22 } -> conn 5;
+    pinned -> hinge 1 { stiffness_y: 2.6, stiffness_rz: 0.22 } -> conn 5;
     fixed -> point_mass 3 { mass: 0.23, inertia: 0.095 } -> beam 4 { length: 4.14, bending_stiffness: 0.5, mass_per_length: 0.48 } -> conn 5;
-    pinned -> elastic_hinge 9 { stiffness_y: 2.6, stiffness_theta: 0.22 } -> conn 13;
+    pinned -> hinge 9 { stiffness_y: 2.6, stiffness_rz: 0.22 } -> conn 13;
     fixed -> point_mass 11 { mass: 0.23, inertia: 0.095 } -> beam 12 { length: 4.14, bending_stiffness: 0.5, mass_per_length: 0.48 } -> conn 13;
     conn 5 -> torsion_spring 6 { stiffness: 0.5 } -> inertia 7 { inertia: 3.75 } -> conn 17;
     conn 13 -> torsion_spring 14 { stiffness: 0.5 } -> inertia 15 { inertia: 3.75 } -> conn 17;

@@ -40,7 +40,7 @@ system! {
            -> conn 2
            -> beam 3 { length: (1.0 - place) * span, bending_stiffness: EI, mass_per_length: M, external_damping: air }
            -> pinned;
-    conn 2 <- spring_damper 4 { stiffness, damping } <- mass 5 { mass } <- free;
+    conn 2 <- spring 4 { stiffness, damping } <- mass 5 { mass } <- free;
 }
 
 system! {

@@ -35,10 +35,10 @@ system! {
     }
 
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: EA, bending_stiffness: columns * EI, mass_per_length: M } -> conn b at (0.0, height)
-        -> planar_beam 2 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn machine at (place * span, height)
-        -> planar_beam 3 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn c at (span, height)
-        -> planar_beam 4 { axial_stiffness: EA, bending_stiffness: columns * EI, mass_per_length: M } -> fixed at (span, 0.0);
+        -> beam 1 { axial_stiffness: EA, bending_stiffness: columns * EI, mass_per_length: M } -> conn b at (0.0, height)
+        -> beam 2 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn machine at (place * span, height)
+        -> beam 3 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn c at (span, height)
+        -> beam 4 { axial_stiffness: EA, bending_stiffness: columns * EI, mass_per_length: M } -> fixed at (span, 0.0);
     conn machine -> point_mass 5 { mass: machine };
 }
 
@@ -55,7 +55,7 @@ impl Portal {
     fn beams(&self) -> Beams {
         let Portal { height, span, place, .. } = *self;
         let points = [[0.0, 0.0], [0.0, height], [place * span, height], [span, height], [span, 0.0]];
-        let labels = [Portal::planar_beam_1, Portal::planar_beam_2, Portal::planar_beam_3, Portal::planar_beam_4];
+        let labels = [Portal::beam_1, Portal::beam_2, Portal::beam_3, Portal::beam_4];
         core::array::from_fn(|k| (labels[k], [points[k], points[k + 1]]))
     }
 

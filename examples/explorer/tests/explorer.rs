@@ -146,7 +146,7 @@ fn a_problem_is_told_and_leaves_nothing_to_show() {
     let shown = Shown::new();
     MODELS[1].show(&[], &shown).unwrap();
     let problem = MODELS[1].show(&[4.0, 35.0, 3.0, 200.0, -1.0], &shown).unwrap_err();
-    assert_eq!(problem.to_string(), "planar_beam 1: bending_stiffness is -1000000, but must be positive and finite");
+    assert_eq!(problem.to_string(), "beam 1: bending_stiffness is -1000000, but must be positive and finite");
     assert!(shown.tables().iter().all(|(_, _, table)| table.place().1 == 0));
     assert_eq!(Portal::at([]).machine, 200.0);
 }

@@ -52,8 +52,8 @@ system! {
     }
 
     free -> conn 2 -> beam 3 { length, bending_stiffness, mass_per_length } -> conn 4 -> free;
-    conn 2 <- elastic_hinge 1 { stiffness_y: left_stiffness, stiffness_theta: left_torsion } <- fixed;
-    conn 4 <- elastic_hinge 5 { stiffness_y: right_stiffness, stiffness_theta: right_torsion } <- fixed;
+    conn 2 <- hinge 1 { stiffness_y: left_stiffness, stiffness_rz: left_torsion } <- fixed;
+    conn 4 <- hinge 5 { stiffness_y: right_stiffness, stiffness_rz: right_torsion } <- fixed;
 }
 
 system! {
@@ -150,7 +150,7 @@ system! {
            -> conn 9 -> beam 11 { length: last_span, bending_stiffness, mass_per_length }
            -> pinned;
     conn 2 <- spring 3 { stiffness: spring_stiffness } <- fixed;
-    conn 5 <- spring_damper 6 { stiffness: oscillator_stiffness, damping } <- mass 7 { mass } <- free;
+    conn 5 <- spring 6 { stiffness: oscillator_stiffness, damping } <- mass 7 { mass } <- free;
     conn 9 <- torsion_spring 10 { stiffness: torsion_stiffness } <- fixed;
 }
 

@@ -62,9 +62,8 @@ fn frame(elements: usize) -> String {
     let mut paths = String::from("fixed -> conn a0 at (0.0, 0.0); fixed -> conn b0 at (length, 0.0);\n");
     for storey in 0..elements / 5 {
         let (first, above) = (5 * storey, storey + 1);
-        let beam = |label: usize| {
-            format!("planar_beam {label} {{ axial_stiffness: stiffness, bending_stiffness, mass_per_length }}")
-        };
+        let beam =
+            |label: usize| format!("beam {label} {{ axial_stiffness: stiffness, bending_stiffness, mass_per_length }}");
         let [left, right, girder] = [0, 1, 2].map(|k| beam(first + k));
         let _ = writeln!(
             paths,

@@ -24,19 +24,19 @@ system! {
     /// A clamped portal with legs of different lengths.
     struct Uneven { ea: f64, ei: f64, m: f64 }
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
-        <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (6.0, -1.0);
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
+        <- beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (6.0, -1.0);
 }
 
 system! {
     /// A ring of four beams on the ground by a pin and a spring: a closed loop.
     struct Ring { ea: f64, ei: f64, m: f64 }
     conn a
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn d at (6.0, 0.0)
-        -> planar_beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a;
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, 4.0)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (6.0, 4.0)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn d at (6.0, 0.0)
+        -> beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a;
     conn d <- spring 5 { stiffness: ea } <- fixed at (6.0, -1.0);
     pinned -> conn a at (0.0, 0.0);
 }
@@ -176,9 +176,9 @@ fn main() -> Result<(), Failure> {
     println!("| frame | mode | response | at speed | shape | all sensitivities | det U_all | first eight roots |");
     println!("|---|---|---|---|---|---|---|---|");
     let plain = Plain { ea: 1.26e9, ei: 5.25e6, m: 47.1 }.build()?;
-    rows!("plain", Plain, plain.clone(), Plain::conn_b.force_x(), Plain::planar_beam_1.input().moment());
+    rows!("plain", Plain, plain.clone(), Plain::conn_b.force_x(), Plain::beam_1.input().moment());
     let workshop = Workshop { ea: 4e8, ei: 1e6, m: 20.0, brace: 2e6, machine: 500.0 }.build()?;
-    rows!("workshop", Workshop, workshop, Workshop::conn_b.force_x(), Workshop::planar_beam_1.input().moment());
+    rows!("workshop", Workshop, workshop, Workshop::conn_b.force_x(), Workshop::beam_1.input().moment());
     println!("\n| Δ | sin, cos, exp [ns] | real | dual | complex | double-double |");
     println!("|---|---|---|---|---|---|");
     evaluations!("portal", plain.clone());

@@ -22,8 +22,8 @@ impl<'a, Y: DrawnTree + ?Sized> TreeSketch<'a, Y> {
                 Step::Tip(support) | Step::Root(_, support) => (DrawnPart::Support(support), None),
                 Step::Connection(_) => (DrawnPart::Connection, None),
                 Step::Element(input, _) => {
-                    let extent = system.extent(index).unwrap_or_default();
-                    (DrawnPart::Element { kind: system.kind(index), extent }, Some(Label::new(index, input)))
+                    let (kind, extent) = system.drawn(index).unwrap_or_default();
+                    (DrawnPart::Element { kind, extent }, Some(Label::new(index, input)))
                 }
             };
             DrawnStep {

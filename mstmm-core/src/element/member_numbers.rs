@@ -27,8 +27,7 @@ pub struct BeamNumbers {
     pub(crate) mass_per_length: Exact,
     /// Axial stiffness EA; zero without longitudinal vibration.
     pub(crate) axial_stiffness: Exact,
-    /// Shear flexibility f, or the shear stiffness that is its inverse; both zero without shear.
-    pub(crate) shear_flexibility: Exact,
+    /// Shear stiffness kGA; zero without shear.
     pub(crate) shear_stiffness: Exact,
     pub(crate) rotary_inertia: Exact,
     /// Axial force, and the shear layer of the foundation, which acts as one in tension.
@@ -40,9 +39,14 @@ pub struct BeamNumbers {
 impl BeamNumbers {
     /// Whether it has no shear, no rotary inertia, no axial force and no foundation.
     pub(crate) fn is_plain(&self) -> bool {
-        let shear = [self.shear_flexibility, self.shear_stiffness];
-        let others = [self.rotary_inertia, self.axial_force, self.shear_layer, self.foundation_stiffness];
-        shear.iter().chain(&others).all(|parameter| *parameter == [0.0; 2])
+        let others =
+            [self.shear_stiffness, self.rotary_inertia, self.axial_force, self.shear_layer, self.foundation_stiffness];
+        others.iter().all(|parameter| *parameter == [0.0; 2])
+    }
+
+    /// Whether it is sheared.
+    pub(crate) fn shears(&self) -> bool {
+        self.shear_stiffness != [0.0; 2]
     }
 
     /// Whether it has no shear, no rotary inertia, no axial force and no shear layer: its foundation acts as its mass does.

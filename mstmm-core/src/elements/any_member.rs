@@ -8,9 +8,9 @@ use crate::elements::joint::Joint;
 use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::{
-    DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, DampedUniformBeam, Damper,
-    PlanarDampedUniformBeam, PlanarUniformBeam, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper,
-    TorsionSpring, TorsionSpringDamper, UniformBeam,
+    DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper, GeneralBeam,
+    PlanarDampedBeam, PlanarGeneralBeam, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring,
+    TorsionSpringDamper,
 };
 use crate::model::{FrequencyEstimates, InvalidParameter};
 use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real, Single};
@@ -218,12 +218,12 @@ macro_rules! any_member {
 any_member!(
     /// Any member without damping.
     UndampedMember, BuiltUndampedMember, Frequency:
-    PlanarUniformBeam UniformBeam; Spring TorsionSpring TautString Rod Shaft
+    PlanarGeneralBeam GeneralBeam; Spring TorsionSpring TautString Rod Shaft
 );
 any_member!(
     /// Any member; a network with a damper has complex eigenvalues only.
     AnyMember, BuiltAnyMember, ComplexFrequency:
-    PlanarUniformBeam UniformBeam PlanarDampedUniformBeam DampedUniformBeam;
+    PlanarGeneralBeam GeneralBeam PlanarDampedBeam DampedBeam;
     Spring TorsionSpring Damper TorsionDamper SpringDamper TorsionSpringDamper TautString Rod Shaft
     DampedSpring DampedTorsionSpring DampedString DampedRod DampedShaft
 );
@@ -234,8 +234,8 @@ impl<T: Real> AnyMember<T> {
         Some(match self {
             AnyMember::Beam(section) => section.into(),
             AnyMember::Joint(joint) => joint.into(),
-            AnyMember::PlanarUniformBeam(beam) => beam.into(),
-            AnyMember::UniformBeam(beam) => beam.into(),
+            AnyMember::PlanarGeneralBeam(beam) => beam.into(),
+            AnyMember::GeneralBeam(beam) => beam.into(),
             AnyMember::Spring(spring) => spring.into(),
             AnyMember::TorsionSpring(spring) => spring.into(),
             AnyMember::TautString(string) => string.into(),

@@ -32,9 +32,8 @@ pub use damped_spring::{DampedSpring, DampedTorsionSpring};
 pub use damped_wave_line::{DampedRod, DampedShaft, DampedString};
 pub use elastic_hinge::ElasticHinge;
 pub use general_beam::{
-    BeamColumn, DampedBeam, DampedTimoshenkoBeam, DampedUniformBeam, FoundationBeam, GeneralBeam, PlanarBeamColumn,
-    PlanarDampedBeam, PlanarDampedTimoshenkoBeam, PlanarDampedUniformBeam, PlanarFoundationBeam, PlanarGeneralBeam,
-    PlanarRayleighBeam, PlanarTimoshenkoBeam, PlanarUniformBeam, RayleighBeam, TimoshenkoBeam, UniformBeam,
+    BeamColumn, DampedBeam, FoundationBeam, GeneralBeam, PlanarBeamColumn, PlanarDampedBeam, PlanarFoundationBeam,
+    PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam, RayleighBeam, TimoshenkoBeam,
 };
 pub use hinge::{RotationalHinge, ShearHinge};
 pub use lever::{Lever, LeverColumn};
@@ -153,10 +152,6 @@ elements! {
         BeamColumn { length, bending_stiffness, mass_per_length, axial_force }
         FoundationBeam { length, bending_stiffness, mass_per_length, foundation_stiffness, foundation_shear_stiffness }
         GeneralBeam {
-            length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force, foundation_stiffness,
-            foundation_shear_stiffness
-        }
-        UniformBeam {
             length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force, foundation_stiffness,
             foundation_shear_stiffness
         }
@@ -180,14 +175,6 @@ elements! {
         DampedSpring { stiffness, loss_factor, kelvin_voigt_time, damping }
         DampedTorsionSpring { stiffness, loss_factor, kelvin_voigt_time, damping }
         DampedBeam {
-            length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force, foundation_stiffness,
-            foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
-        }
-        DampedTimoshenkoBeam {
-            length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, loss_factor, kelvin_voigt_time,
-            external_damping
-        }
-        DampedUniformBeam {
             length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force, foundation_stiffness,
             foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
         }
@@ -213,26 +200,14 @@ elements! {
             length, axial_stiffness, bending_stiffness, mass_per_length, foundation_stiffness, foundation_shear_stiffness
         }
         PlanarGeneralBeam {
-            length, axial_stiffness, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force,
-            foundation_stiffness, foundation_shear_stiffness
-        }
-        PlanarUniformBeam {
             length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force,
             foundation_stiffness, foundation_shear_stiffness
         }
     }
     planar damped {
         PlanarDampedBeam {
-            length, axial_stiffness, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, axial_force,
-            foundation_stiffness, foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
-        }
-        PlanarDampedUniformBeam {
             length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force,
             foundation_stiffness, foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
-        }
-        PlanarDampedTimoshenkoBeam {
-            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, loss_factor,
-            kelvin_voigt_time, external_damping
         }
     }
 }

@@ -3,9 +3,9 @@
 use crate::element::CarriesLoad;
 use crate::elements::any_member::{AnyMember, Section as PlainSection};
 use crate::elements::{
-    DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, DampedUniformBeam, Damper,
-    PlanarDampedUniformBeam, PlanarUniformBeam, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper,
-    TorsionSpring, TorsionSpringDamper, UniformBeam,
+    DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper, GeneralBeam,
+    PlanarDampedBeam, PlanarGeneralBeam, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring,
+    TorsionSpringDamper,
 };
 use crate::frame::dimension::{Dimension, Line, Plane};
 use crate::frame::error::Mistake;
@@ -131,9 +131,9 @@ fn along_line(section: &Section) -> Result<AnyMember<f64>, Mistake> {
     }
     check_shear(section)?;
     Ok(if names(section, &LOSSES) {
-        uniform!(damped DampedUniformBeam of section { bending_stiffness, mass_per_length })
+        uniform!(damped DampedBeam of section { bending_stiffness, mass_per_length })
     } else {
-        uniform!(UniformBeam of section { bending_stiffness, mass_per_length })
+        uniform!(GeneralBeam of section { bending_stiffness, mass_per_length })
     })
 }
 
@@ -142,9 +142,9 @@ fn in_plane(section: &Section) -> Result<AnyMember<f64>, Mistake> {
     let axial_stiffness = needed(section, Parameter::axial_stiffness)?;
     check_shear(section)?;
     Ok(if names(section, &LOSSES) {
-        uniform!(damped PlanarDampedUniformBeam of section { axial_stiffness, bending_stiffness, mass_per_length })
+        uniform!(damped PlanarDampedBeam of section { axial_stiffness, bending_stiffness, mass_per_length })
     } else if names(section, &GENERAL) {
-        uniform!(PlanarUniformBeam of section { axial_stiffness, bending_stiffness, mass_per_length })
+        uniform!(PlanarGeneralBeam of section { axial_stiffness, bending_stiffness, mass_per_length })
     } else {
         let bending_stiffness = needed(section, Parameter::bending_stiffness)?;
         let mass_per_length = needed(section, Parameter::mass_per_length)?;

@@ -38,7 +38,7 @@ pub struct MemberEnd<M> {
     of: PhantomData<fn() -> M>,
 }
 
-/// The label of a member of type `E` of a plane model `M`, such as `Portal::planar_beam_1`.
+/// The label of a member of type `E` of a plane model `M`, such as `Portal::beam_1`.
 pub struct MemberLabel<M, E> {
     member: Handle,
     of: PhantomData<fn() -> (M, E)>,

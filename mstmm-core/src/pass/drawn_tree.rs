@@ -8,16 +8,8 @@ use mstmm_plan::{Space, Support};
 
 /// A built system of which a [`TreeSketch`](crate::TreeSketch) tells what stands in which path.
 pub trait DrawnTree: Planned {
-    /// The keyword of an element, of a list the name of its type.
-    fn kind(&self, step: usize) -> &'static str {
-        match self.spot_of(step) {
-            Spot::Named(name) => name.split_once(' ').map_or(name, |(keyword, _)| keyword),
-            _ => "",
-        }
-    }
-
-    /// The extent of an element; none where the step is none.
-    fn extent(&self, step: usize) -> Option<Extent>;
+    /// The name of the type of an element, and its extent; none where the step is none.
+    fn drawn(&self, step: usize) -> Option<(&'static str, Extent)>;
 }
 
 /// A step of a model `M`: a support from which a path starts, an element, a connection of paths, or the root.
@@ -43,7 +35,7 @@ pub enum DrawnPart {
     Support(Support),
     /// An element.
     Element {
-        /// Its keyword, such as `beam`; of a list the name of its type, of an element of one's own that of its path.
+        /// The name of its type, such as `FoundationBeam`; of an element of one's own that of its path.
         kind: &'static str,
         /// Where its ends are.
         extent: Extent,
@@ -55,11 +47,7 @@ pub enum DrawnPart {
 plain!(DrawnStep<'a, M>, name, inputs, space, part, label, point);
 
 impl<E: ListElement, const STEPS: usize> DrawnTree for PlannedList<'_, E, STEPS> {
-    fn kind(&self, step: usize) -> &'static str {
-        self.element(step).map_or("", ListElement::name)
-    }
-
-    fn extent(&self, step: usize) -> Option<Extent> {
-        self.element(step).map(ListElement::extent)
+    fn drawn(&self, step: usize) -> Option<(&'static str, Extent)> {
+        self.element(step).map(|element| (element.name(), element.extent()))
     }
 }

@@ -58,8 +58,7 @@ pub(crate) fn general_bending<N: Level>(beam: &BeamNumbers, length: Ball<N>, squ
         c3 * (tau * tau * h + variance) - tau * c1,
     ]
     .map(|entry| entry * inverse);
-    let shears = [beam.shear_flexibility, beam.shear_stiffness] != [[0.0; 2]; 2];
-    let (pinned, is_counted) = at.pinned(shears, is_short, roots);
+    let (pinned, is_counted) = at.pinned(beam.shears(), is_short, roots);
     let held = clamped(pinned, minor, rotation);
     let is_beside = (minor.mid.size() / terms.mid.size()).is_less(word(BESIDE_POLE));
     let has_sign = either::<N::Word>(minor.is_negative(), minor.is_positive());

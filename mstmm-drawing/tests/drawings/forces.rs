@@ -11,7 +11,7 @@ const DIGIT: f64 = 0.0101;
 system! {
     /// A beam on two supports.
     struct Simple { l: f64 }
-    pinned at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> roller at (l, 0.0);
+    pinned at (0.0, 0.0) -> beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> roller at (l, 0.0);
 }
 
 /// The ordinates of a member, at their feet, upwards and in its unit.
@@ -29,13 +29,13 @@ fn ordinates(picture: &Picture, name: &str) -> Vec<[f64; 2]> {
 fn diagrams_are_those_of_a_beam_on_two_supports() {
     let beam = Simple { l: 4.0 }.build().unwrap();
     let load = PlaneLoad::self_weight_y();
-    let middle = beam.frequency_response(load, Simple::planar_beam_1.input().rotation_z()).unwrap();
+    let middle = beam.frequency_response(load, Simple::beam_1.input().rotation_z()).unwrap();
     // per m/s² upwards
     let states = middle.states(0.0).unwrap();
     let q = -20.0;
     let picture = Picture::of(Drawing::of(&beam).unwrap().forces(&states, Force::Moment).unwrap());
     let unit = DIGIT / picture.number("data-force-scale");
-    let moments = ordinates(&picture, "planar_beam 1");
+    let moments = ordinates(&picture, "beam 1");
     assert!(moments.len() >= 25);
     for [x, upwards] in moments {
         let moment = 0.5 * q * x * (4.0 - x);
@@ -47,7 +47,7 @@ fn diagrams_are_those_of_a_beam_on_two_supports() {
     assert_eq!(written(&picture), ["−40.0"]);
     let picture = Picture::of(Drawing::of(&beam).unwrap().forces(&states, Force::Shear).unwrap());
     let unit = DIGIT / picture.number("data-force-scale");
-    for [x, upwards] in ordinates(&picture, "planar_beam 1") {
+    for [x, upwards] in ordinates(&picture, "beam 1") {
         assert!((upwards - q * (2.0 - x)).abs() < 2.0 * unit, "{x}: {upwards}");
     }
     assert_eq!(written(&picture), ["−40.0"]);

@@ -13,8 +13,8 @@ system! {
     /// A girder with a motor on it, whose end rolls on a slope.
     pub(crate) struct Girder { span: f64, motor: f64 }
 
-    pinned at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn m at (0.5 * span, 0.0)
-        -> planar_beam 2 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> roller at (span, 0.0) along (4.0, 3.0);
+    pinned at (0.0, 0.0) -> beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn m at (0.5 * span, 0.0)
+        -> beam 2 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> roller at (span, 0.0) along (4.0, 3.0);
     conn m -> rigid_body 3 { mass: motor, inertia: 2.0, centre: (0.5 * span, 0.25) };
 }
 
@@ -25,22 +25,22 @@ system! {
     let slant = 0.6 * arm;
     let rise = 0.8 * arm;
 
-    conn hub at (0.0, 0.0) -> planar_beam e { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> guided at (arm, 0.0);
-    conn hub -> planar_beam ne { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> guided at (slant, rise) along (3.0, 4.0);
-    conn hub -> planar_beam nw { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> held(x) at (-slant, rise);
-    conn hub -> planar_beam w { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> fixed at (-arm, 0.0);
-    conn hub -> planar_beam sw { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> held(rz) at (-slant, -rise);
-    conn hub -> planar_beam se { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> conn free_end at (slant, -rise);
+    conn hub at (0.0, 0.0) -> beam e { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> guided at (arm, 0.0);
+    conn hub -> beam ne { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> guided at (slant, rise) along (3.0, 4.0);
+    conn hub -> beam nw { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> held(x) at (-slant, rise);
+    conn hub -> beam w { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> fixed at (-arm, 0.0);
+    conn hub -> beam sw { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> held(rz) at (-slant, -rise);
+    conn hub -> beam se { axial_stiffness: 4e8, bending_stiffness: ei, mass_per_length: 20.0 } -> conn free_end at (slant, -rise);
 }
 
 system! {
     /// A cantilever with a slider, on which a mass hangs between springs, another stands, and a torsion spring holds.
     pub(crate) struct Attached { l: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn a at (l, 0.0)
-        -> planar_beam 2 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn b at (2.0 * l, 0.0)
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn a at (l, 0.0)
+        -> beam 2 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn b at (2.0 * l, 0.0)
         -> slider 3 { along: (0.0, 1.0) }
-        -> planar_beam 4 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn c at (3.0 * l, 0.5 * l);
+        -> beam 4 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn c at (3.0 * l, 0.5 * l);
     conn a -> spring 5 { stiffness: 1e5 } -> mass 6 { mass: 50.0 } -> spring 7 { stiffness: 1e5 } -> conn ground at (l, -l) <- fixed;
     conn b <- torsion_spring 8 { stiffness: 1e5 } <- fixed;
     conn c <- along (0.0, 1.0) <- spring 9 { stiffness: 1e4 } <- mass 10 { mass: 20.0 } <- free;
@@ -52,9 +52,9 @@ system! {
     /// A beam on a foundation beside one on springs, with one coordinate.
     pub(crate) struct Rail { l: f64 }
 
-    guided at 0.0 -> foundation_beam 1 { bending_stiffness: 1e6, mass_per_length: 60.0, foundation_stiffness: 1e5 } -> conn a at l
+    guided at 0.0 -> beam 1 { bending_stiffness: 1e6, mass_per_length: 60.0, foundation_stiffness: 1e5 } -> conn a at l
         -> beam 2 { bending_stiffness: 1e6, mass_per_length: 60.0 } -> conn b at 2.0 * l
-        -> elastic_hinge 3 { stiffness_y: 1e7, stiffness_theta: 1e5 }
+        -> hinge 3 { stiffness_y: 1e7, stiffness_rz: 1e5 }
         -> beam 4 { bending_stiffness: 1e6, mass_per_length: 60.0 } -> fixed at 3.5 * l;
     conn a -> spring 5 { stiffness: 1e5 } -> fixed;
     conn b -> spring 6 { stiffness: 1e5 } -> mass 7 { mass: 100.0 } -> free;
@@ -64,11 +64,11 @@ system! {
     /// A ring of four beams without any support.
     pub(crate) struct Ring { a: f64 }
 
-    conn p at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn q at (a, 0.2 * a)
-        -> planar_beam 2 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn r at (a, a)
-        -> planar_timoshenko_beam 3 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0, shear_stiffness: 1e8, rotary_inertia: 0.1 }
+    conn p at (0.0, 0.0) -> beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn q at (a, 0.2 * a)
+        -> beam 2 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn r at (a, a)
+        -> beam 3 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0, shear_stiffness: 1e8, rotary_inertia: 0.1 }
         -> conn s at (-0.1 * a, 0.8 * a)
-        -> planar_beam 4 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn p;
+        -> beam 4 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn p;
 }
 
 pub(crate) fn girder() -> GirderSystem {

@@ -47,7 +47,7 @@ fn lines_of_frames_are_the_shape_along_their_members() {
         let picture = Picture::of(Drawing::of(&portal).unwrap().mode(&shape).unwrap());
         let sketch = FrameAnalysis::sketch(&portal);
         let mut count = 0;
-        for member in sketch.members().filter(|member| member.kind == "planar_beam") {
+        for member in sketch.members().filter(|member| member.kind == "PlanarBeam") {
             let [from, to] = member.ends.map(|end| end.position.unwrap());
             let length = (to[0] - from[0]).hypot(to[1] - from[1]);
             check_line(&picture, &member.name.to_string(), |part| {
@@ -70,8 +70,8 @@ fn lines_of_frames_are_the_shape_along_their_members() {
         assert!((after[1] - before[1] + reach * y).abs() < DIGIT);
         // the brace ends where its points are
         let brace = &part(&mode, "spring 7").paths[0];
-        assert!((brace[0][0] - part(&mode, "planar_beam 2").paths[0][0][0]).abs() < DIGIT);
-        assert!((brace[0][1] - part(&mode, "planar_beam 2").paths[0][0][1]).abs() < DIGIT);
+        assert!((brace[0][0] - part(&mode, "beam 2").paths[0][0][0]).abs() < DIGIT);
+        assert!((brace[0][1] - part(&mode, "beam 2").paths[0][0][1]).abs() < DIGIT);
     }
 }
 
@@ -159,11 +159,11 @@ fn damped_modes_turn() {
 system! {
     /// A body on two supports, the second of which is a member for the core, with beams at both ends.
     struct Held { l: f64 }
-    conn a at (-1.0, 0.5) -> planar_beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn b at (0.0, 0.5);
+    conn a at (-1.0, 0.5) -> beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn b at (0.0, 0.5);
     conn b -> rigid_body 2 { mass: 10.0, inertia: 5.0, centre: (0.5 * l, 0.5) } <- pinned at (0.0, 0.0);
     rigid_body 2 <- roller at (l, 0.0) along (1.0, 1.0);
     rigid_body 2 -> conn c at (l, 0.5)
-        -> planar_beam 3 { axial_stiffness: 4e8, bending_stiffness: 1e5, mass_per_length: 20.0 } -> conn d at (2.5 * l, 0.7);
+        -> beam 3 { axial_stiffness: 4e8, bending_stiffness: 1e5, mass_per_length: 20.0 } -> conn d at (2.5 * l, 0.7);
 }
 
 /// Members that are not drawn leave no other in their place.
@@ -173,13 +173,13 @@ fn lines_are_those_of_their_own_members() {
     for root in &held.first_frequencies::<3>().unwrap() {
         let shape = held.mode_shape(root).unwrap();
         let picture = Picture::of(Drawing::of(&held).unwrap().mode(&shape).unwrap());
-        check_line(&picture, "planar_beam 1", |part| {
-            let state = shape.along(Held::planar_beam_1, part).unwrap();
+        check_line(&picture, "beam 1", |part| {
+            let state = shape.along(Held::beam_1, part).unwrap();
             [state.displacement_x, state.displacement_y]
         });
         let length = 1.5_f64.hypot(0.2);
-        check_line(&picture, "planar_beam 3", |part| {
-            let state = shape.along(Held::planar_beam_3, part * length).unwrap();
+        check_line(&picture, "beam 3", |part| {
+            let state = shape.along(Held::beam_3, part * length).unwrap();
             [state.displacement_x, state.displacement_y]
         });
     }
@@ -227,7 +227,7 @@ where
         let picture = Picture::of(Drawing::of(frame).unwrap().mode(&shape).unwrap());
         let (rest, still) = (picture.shown("rest"), picture.shown("still"));
         let mut largest = 0.0_f64;
-        for shown in still.iter().filter(|shown| shown.kind.contains("beam")) {
+        for shown in still.iter().filter(|shown| shown.kind.contains("Beam")) {
             let straight = &part(&rest, &shown.name).paths[0];
             let (from, to) = (straight[0], straight[straight.len() - 1]);
             let line = &shown.paths[0];

@@ -67,7 +67,7 @@ where
             continue;
         }
         // a spring that is doubled by its damper begins with its leads
-        if let ([Some(from), Some(to)], false) = (places, member.kind.contains("spring_damper")) {
+        if let ([Some(from), Some(to)], false) = (places, member.kind.contains("SpringDamper")) {
             let [start, end] = ends(drawn);
             at(start, from);
             at(end, to);
@@ -174,7 +174,7 @@ fn translation_paths_hang_across_the_beam() {
 fn paths_of_a_tree_lie_side_by_side() {
     let picture = Picture::of(Drawing::of(&crate::trees::fork()).unwrap());
     let shown = picture.shown("model");
-    let [one, five] = ["beam 1", "timoshenko_beam 5"].map(|name| ends(find(&shown, name)));
+    let [one, five] = ["beam 1", "beam 5"].map(|name| ends(find(&shown, name)));
     assert!((one[1][0] - five[1][0]).abs() < DIGIT, "{one:?} and {five:?}");
     assert!((one[1][1] - five[1][1]).abs() > 30.0);
     assert!((picture.in_model(five[1])[0] - picture.in_model(five[0])[0] - 1.4).abs() < 1e-4);
@@ -202,7 +202,7 @@ fn planar_trees_are_drawn_with_the_arms_of_bodies() {
     assert_eq!(behind.output, [1.0, 0.0]);
     let picture = Picture::of(Drawing::of(&system).unwrap());
     let shown = picture.shown("model");
-    let [start, end] = ends(find(&shown, "planar_beam 3"));
+    let [start, end] = ends(find(&shown, "beam 3"));
     assert!(close(&picture, start, [1.3, 0.5]) && close(&picture, end, [2.3, 0.5]));
 }
 

@@ -100,11 +100,11 @@ fn skew_supports_are_turned() {
         let ground = support.ground.unwrap();
         assert!((ground[0] - x).abs() < 1e-9 && (ground[1] - y).abs() < 1e-9, "{}: {ground:?}", support.name);
     };
-    is(of("planar_beam w"), [-1.0, 0.0]);
-    is(of("planar_beam e"), [1.0, 0.0]);
-    is(of("planar_beam ne"), [0.8, 0.6]);
-    is(of("planar_beam nw"), [-1.0, 0.0]);
-    is(of("planar_beam sw"), [-0.6, 0.8]);
+    is(of("beam w"), [-1.0, 0.0]);
+    is(of("beam e"), [1.0, 0.0]);
+    is(of("beam ne"), [0.8, 0.6]);
+    is(of("beam nw"), [-1.0, 0.0]);
+    is(of("beam sw"), [-0.6, 0.8]);
 }
 
 #[test]

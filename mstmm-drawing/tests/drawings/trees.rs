@@ -7,7 +7,7 @@ system! {
     pub(crate) struct Chain { k: f64 }
 
     fixed -> spring 1 { stiffness: k } -> mass 2 { mass: 1.0 } -> conn a -> spring 3 { stiffness: k } -> conn b -> mass 4 { mass: 2.0 }
-        -> spring_damper 5 { stiffness: k, damping: 1.0 } -> mass 6 { mass: 1.0 } -> free;
+        -> spring 5 { stiffness: k, damping: 1.0 } -> mass 6 { mass: 1.0 } -> free;
     fixed -> damper 7 { damping: 0.5 } -> conn a;
     fixed -> spring 8 { stiffness: k } -> mass 9 { mass: 1.0 } -> spring 10 { stiffness: k } -> conn b;
 }
@@ -17,10 +17,10 @@ system! {
     pub(crate) struct Fork { l: f64 }
 
     fixed -> beam 1 { length: l, bending_stiffness: 1e4, mass_per_length: 2.0 } -> conn a
-          -> beam 2 { length: l, bending_stiffness: 1e4, mass_per_length: 2.0 } -> rotational_hinge 3 { stiffness: 0.0 }
+          -> beam 2 { length: l, bending_stiffness: 1e4, mass_per_length: 2.0 } -> hinge 3 { stiffness_rz: 0.0 }
           -> beam 4 { length: 0.5 * l, bending_stiffness: 1e4, mass_per_length: 2.0 } -> conn b -> guided;
-    free -> timoshenko_beam 5 { length: 0.7 * l, bending_stiffness: 1e4, mass_per_length: 2.0, shear_stiffness: 1e6, rotary_inertia: 0.01 } -> conn a;
-    free -> point_mass 6 { mass: 3.0, inertia: 0.1 } -> lever 7 { output_x: -0.4 * l } -> conn b;
+    free -> beam 5 { length: 0.7 * l, bending_stiffness: 1e4, mass_per_length: 2.0, shear_stiffness: 1e6, rotary_inertia: 0.01 } -> conn a;
+    free -> point_mass 6 { mass: 3.0, inertia: 0.1 } -> rigid_link 7 { output_x: -0.4 * l } -> conn b;
 }
 
 system! {
@@ -43,9 +43,9 @@ system! {
     /// A planar path with a body aside, on a roller.
     pub(crate) struct Plane { l: f64 }
 
-    fixed -> planar_beam 1 { length: l, axial_stiffness: 1e6, bending_stiffness: 1e4, mass_per_length: 2.0 }
-        -> planar_body 2 { mass: 1.0, inertia: 2.0, output_x: 0.3 * l, output_y: 0.5 * l, centre_x: 0.2 * l, centre_y: 0.2 * l }
-        -> planar_beam 3 { length: l, axial_stiffness: 1e6, bending_stiffness: 1e4, mass_per_length: 2.0 } -> roller;
+    fixed -> beam 1 { length: l, axial_stiffness: 1e6, bending_stiffness: 1e4, mass_per_length: 2.0 }
+        -> body 2 { mass: 1.0, inertia_about_input: 2.0, output_x: 0.3 * l, output_y: 0.5 * l, centre_x: 0.2 * l, centre_y: 0.2 * l }
+        -> beam 3 { length: l, axial_stiffness: 1e6, bending_stiffness: 1e4, mass_per_length: 2.0 } -> roller;
 }
 
 pub(crate) fn chain() -> ChainSystem {

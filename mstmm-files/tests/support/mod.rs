@@ -8,7 +8,7 @@ system! {
     /// A mass on a spring and a dashpot.
     #[derive(Clone, Copy)]
     pub(crate) struct Oscillator { pub(crate) k: f64, pub(crate) c: f64, pub(crate) m: f64 }
-    fixed -> spring_damper 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
+    fixed -> spring 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
 }
 
 pub(crate) const MODEL: Oscillator = Oscillator { k: 400.0, c: 2.0, m: 1.0 };

@@ -6,8 +6,8 @@ use quote::ToTokens;
 use syn::Expr;
 use syn::ext::IdentExt;
 
-/// An element in the word that stands for its own, with the expressions of the user for what that has, and what it lacks. Its parameters are
-/// those that must be named, and those that may be.
+/// What an old word is answered with: the element in the word that stands for it, with the expressions of the user for what that has, and
+/// what it lacks. The parameters of that word are those that must be named, and those that may be.
 pub(super) fn in_new_words(element: &Element, word: &OldWord, known: &[Vec<&'static str>; 2]) -> String {
     let name_of = |parameter: &str| parameter.split_once(':').map_or(parameter, |(name, _)| name).to_owned();
     let given = element.parameters().filter_map(|parameter| {
@@ -20,7 +20,7 @@ pub(super) fn in_new_words(element: &Element, word: &OldWord, known: &[Vec<&'sta
     let missing = known[0].iter().filter(|name| !named.iter().any(|other| other == *name));
     parameters.extend(missing.map(|name| format!("{name}: ..")));
     let braces = if parameters.is_empty() { "{}".to_owned() } else { format!("{{ {} }}", parameters.join(", ")) };
-    format!("{} {} {braces}", word.new, element.label)
+    format!("`{}` is `{}` now: write `{} {} {braces}`", word.name, word.new, word.new, element.label)
 }
 
 /// An expression as it is usually written.

@@ -28,8 +28,10 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
         if !is_unknown(&name) || parameter.is_told {
             continue;
         }
-        let candidates = missing.iter().chain(optional).copied();
-        let meant = nearest(candidates, &name).or(missing.first().copied().filter(|_| is_only_one));
+        let candidates = || missing.iter().chain(optional).copied();
+        let meant = candidates().find(|known| known.starts_with(&format!("{name}_")));
+        let meant = meant.or_else(|| nearest(candidates(), &name));
+        let meant = meant.or(missing.first().copied().filter(|_| is_only_one));
         let hint = match meant {
             _ if DAMPING.contains(&name.as_str()) => advice_on_damping(optional),
             _ if parameter.section.is_some() => format!("it has {}", listed(required.iter().chain(optional).copied())),

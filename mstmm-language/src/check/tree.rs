@@ -115,10 +115,10 @@ fn loop_fault(graph: &Graph<'_>, outputs: &[usize]) -> &'static str {
     };
     let are_beside = |[one, other]: [&str; 2]| sides(one).is_some_and(|end| sides(other) == Some(end));
     if are_beside(["spring", "damper"]) {
-        return "leads by a spring and a dashpot to the same connection: write both as one, `spring_damper`";
+        return "leads by a spring and a dashpot to the same connection: write both as one, `spring` with `damping`";
     }
     if are_beside(["torsion_spring", "torsion_damper"]) {
-        return "leads by a spring and a dashpot to the same connection: write both as one, `torsion_spring_damper`";
+        return "leads by a spring and a dashpot to the same connection: write both as one, `torsion_spring` with `damping`";
     }
     "has two outputs, and this one is part of a closed loop: a model without places is a tree of paths; cut the loop open, or give its \
      connections and supports places, `at (x, y)`"

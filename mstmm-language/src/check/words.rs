@@ -1,11 +1,12 @@
 //! Rules that need no graph: keywords, labels, and the parts of an element.
 
+use super::new_words::in_new_words;
 use super::{fields, listed, parameters, selves};
 use crate::ast::{Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, is_element, located_of, meant_element, meant_support, nearest,
-    support_of,
+    ALONG, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, element_of, is_element, located_of, meant_element,
+    meant_support, nearest, old_word, support_of,
 };
 use crate::topology::Vertex;
 use syn::Ident;
@@ -98,9 +99,15 @@ fn check_label(label: &Label, errors: &mut Errors) {
 fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
     if !is_known(element) {
         let text = element.kind.name().to_string();
-        let message = match located_of(&text) {
-            Some(_) => format!("`{text}` {NEEDS_PLACES}"),
-            None => unknown_keyword(&text, &ELEMENTS.iter().map(|element| element.name).collect::<Vec<_>>()),
+        let message = match (located_of(&text), old_word(&text)) {
+            (Some(_), _) => format!("`{text}` {NEEDS_PLACES}"),
+            (None, Some(word)) => {
+                let row = element_of(word.new, element.dimension);
+                let parameters =
+                    row.map(|row| [row.required.to_vec(), [row.optional, row.one_of].concat()]).unwrap_or_default();
+                in_new_words(element, word, &parameters)
+            }
+            (None, None) => unknown_keyword(&text, &ELEMENTS.iter().map(|element| element.name).collect::<Vec<_>>()),
         };
         errors.push(element.kind.place(), message);
     } else if element.parameters.is_none() {
@@ -129,7 +136,9 @@ pub(super) fn unknown_keyword(text: &str, elements: &[&str]) -> String {
     }
     let meant = meant_element(text, elements);
     let elements = || elements.iter().copied();
-    let hint = match meant.or_else(|| nearest(elements().chain([CONNECTION]), text)) {
+    // `spatial_beam` is a beam of some kind
+    let kind = || elements().find(|name| text.strip_suffix(name).is_some_and(|rest| rest.ends_with('_')));
+    let hint = match meant.or_else(|| nearest(elements().chain([CONNECTION]), text)).or_else(kind) {
         Some(name) => format!("did you mean `{name}`?"),
         None => format!("the elements are {}, or a type of your own by a path with `::`", listed(elements())),
     };

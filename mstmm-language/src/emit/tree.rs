@@ -64,25 +64,28 @@ pub(super) fn planned(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStr
     }
 }
 
-/// `impl DrawnTree`: the extents of the elements.
+/// `impl DrawnTree`: the types and the extents of the elements.
 pub(super) fn drawn(plan: &Plan<'_>, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     // what is no element is told elsewhere
     let bounds = bounds("Element", plan, names);
     let extents = plan.elements.iter().enumerate().map(|(index, element)| {
         let (steps, field) = (plan.steps_of(index), element_field(element, names));
-        let kind = names.element_as(element, "Element");
-        quote_spanned!(names.here=> #(#steps)|* => #kind::extent(&self.#field),)
+        let (name, kind) = (element.type_name(), names.element_as(element, "Element"));
+        quote_spanned!(names.here=> #(#steps)|* => (#name, #kind::extent(&self.#field)),)
     });
-    let (index, some) =
-        (quote_spanned!(names.here=> ::core::primitive::usize), quote_spanned!(names.here=> ::core::option::Option));
+    let [index, text] = ["usize", "str"].map(|name| {
+        let name = format_ident!("{name}");
+        quote_spanned!(names.here=> ::core::primitive::#name)
+    });
+    let some = quote_spanned!(names.here=> ::core::option::Option);
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::DrawnTree for #system<#parameter>
         where
             #(#bounds),*
         {
-            fn extent(&self, step: #index) -> #some<#private::Extent> {
+            fn drawn(&self, step: #index) -> #some<(&'static #text, #private::Extent)> {
                 #some::Some(match step {
                     #(#extents)*
                     _ => return #some::None,

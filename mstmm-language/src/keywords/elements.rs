@@ -77,20 +77,6 @@ const UNDAMPED: &[&str] =
 const SHEAR: &[&str] = &["shear_stiffness", "rotary_inertia"];
 const FOUNDATION: &[&str] = &["foundation_stiffness", "foundation_shear_stiffness"];
 
-/// The optional parameters of the general beam that is given by its shear flexibility, and with damping.
-const FLEXIBLE: &[&str] =
-    &["shear_flexibility", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"];
-const DAMPED_FLEXIBLE: &[&str] = &[
-    "shear_flexibility",
-    "rotary_inertia",
-    "axial_force",
-    "foundation_stiffness",
-    "foundation_shear_stiffness",
-    "loss_factor",
-    "kelvin_voigt_time",
-    "external_damping",
-];
-
 const BENDING: &[&str] = &["length", "bending_stiffness", "mass_per_length"];
 const STRETCHING: &[&str] = &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"];
 
@@ -127,16 +113,6 @@ const fn about_input(name: &'static str, parameters: &'static [&'static str]) ->
     TypeRow { name, parameters, renamed: &[("inertia_about_input", "inertia")] }
 }
 
-/// A word for beams of one kind, whose damping makes a general beam of it.
-const fn beam_of_a_kind(
-    name: &'static str,
-    space: Space,
-    required: &'static [&'static str],
-    types: &'static [TypeRow],
-) -> Keyword {
-    keyword(name, space, required, DAMPING, types)
-}
-
 #[rustfmt::skip]
 pub(crate) const ELEMENTS: &[Keyword] = &[
     keyword("beam", Space::Bending, BENDING, OF_BEAM, &[
@@ -145,8 +121,8 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
         row("BeamColumn", &["axial_force"]),
         row("FoundationBeam", FOUNDATION),
         row("TimoshenkoBeam", SHEAR),
-        row("UniformBeam", UNDAMPED),
-        row("DampedUniformBeam", OF_BEAM),
+        row("GeneralBeam", UNDAMPED),
+        row("DampedBeam", OF_BEAM),
     ]),
     keyword("beam", Space::Planar, STRETCHING, OF_BEAM, &[
         row("PlanarBeam", &[]),
@@ -154,8 +130,8 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
         row("PlanarBeamColumn", &["axial_force"]),
         row("PlanarFoundationBeam", FOUNDATION),
         row("PlanarTimoshenkoBeam", SHEAR),
-        row("PlanarUniformBeam", UNDAMPED),
-        row("PlanarDampedUniformBeam", OF_BEAM),
+        row("PlanarGeneralBeam", UNDAMPED),
+        row("PlanarDampedBeam", OF_BEAM),
     ]),
     keyword("tapered_beam", Space::Bending, BENDING, TAPERS, &[row("TaperedBeam", TAPERS)]),
     keyword("string", Space::Translation, &["length", "tension", "mass_per_length"], &["foundation_stiffness", "external_damping"], &[
@@ -209,62 +185,6 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     ]),
     keyword("hinge", Space::Planar, &[], &["stiffness_x", "stiffness_y", "stiffness_rz"], &[
         TypeRow { renamed: TURNING, ..row("PlanarHinge", &["stiffness_x", "stiffness_y", "stiffness_rz"]) },
-    ]),
-    // words of one type each, beside those above
-    keyword("spring_damper", Space::Translation, &["stiffness", "damping"], &[], &[row("SpringDamper", &[])]),
-    keyword("torsion_spring_damper", Space::Rotation, &["stiffness", "damping"], &[], &[row("TorsionSpringDamper", &[])]),
-    keyword("elastic_hinge", Space::Bending, &["stiffness_y", "stiffness_theta"], &[], &[row("ElasticHinge", &[])]),
-    keyword("rotational_hinge", Space::Bending, &["stiffness"], &[], &[row("RotationalHinge", &[])]),
-    keyword("shear_hinge", Space::Bending, &["stiffness"], &[], &[row("ShearHinge", &[])]),
-    keyword("planar_hinge", Space::Planar, &["stiffness_x", "stiffness_y", "stiffness_theta"], &[], &[row("PlanarHinge", &[])]),
-    keyword("lever", Space::Bending, &["output_x"], &["axial_force"], &[
-        row("Lever", &[]),
-        row("LeverColumn", &["axial_force"]),
-    ]),
-    keyword("planar_body", Space::Planar, &["mass", "inertia", "output_x", "output_y", "centre_x", "centre_y"], &[], &[row("PlanarBody", &[])]),
-    beam_of_a_kind("rayleigh_beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "rotary_inertia"], &[
-        row("RayleighBeam", &[]),
-        row("DampedBeam", DAMPED_FLEXIBLE),
-    ]),
-    beam_of_a_kind("timoshenko_beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[
-        row("TimoshenkoBeam", &[]),
-        row("DampedTimoshenkoBeam", DAMPING),
-    ]),
-    beam_of_a_kind("beam_column", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "axial_force"], &[
-        row("BeamColumn", &[]),
-        row("DampedBeam", DAMPED_FLEXIBLE),
-    ]),
-    keyword("foundation_beam", Space::Bending, &["length", "bending_stiffness", "mass_per_length", "foundation_stiffness"], &["foundation_shear_stiffness", "loss_factor", "kelvin_voigt_time", "external_damping"], &[
-        row("FoundationBeam", &["foundation_shear_stiffness"]),
-        row("DampedBeam", DAMPED_FLEXIBLE),
-    ]),
-    keyword("general_beam", Space::Bending, BENDING, DAMPED_FLEXIBLE, &[
-        row("GeneralBeam", FLEXIBLE),
-        row("DampedBeam", DAMPED_FLEXIBLE),
-    ]),
-    beam_of_a_kind("planar_beam", Space::Planar, STRETCHING, &[
-        row("PlanarBeam", &[]),
-        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
-    ]),
-    beam_of_a_kind("planar_rayleigh_beam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "rotary_inertia"], &[
-        row("PlanarRayleighBeam", &[]),
-        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
-    ]),
-    beam_of_a_kind("planar_timoshenko_beam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "shear_stiffness", "rotary_inertia"], &[
-        row("PlanarTimoshenkoBeam", &[]),
-        row("PlanarDampedTimoshenkoBeam", DAMPING),
-    ]),
-    beam_of_a_kind("planar_beam_column", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "axial_force"], &[
-        row("PlanarBeamColumn", &[]),
-        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
-    ]),
-    keyword("planar_foundation_beam", Space::Planar, &["length", "axial_stiffness", "bending_stiffness", "mass_per_length", "foundation_stiffness"], &["foundation_shear_stiffness", "loss_factor", "kelvin_voigt_time", "external_damping"], &[
-        row("PlanarFoundationBeam", &["foundation_shear_stiffness"]),
-        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
-    ]),
-    keyword("planar_general_beam", Space::Planar, STRETCHING, DAMPED_FLEXIBLE, &[
-        row("PlanarGeneralBeam", FLEXIBLE),
-        row("PlanarDampedBeam", DAMPED_FLEXIBLE),
     ]),
 ];
 

@@ -80,11 +80,6 @@ const fn refused(name: &'static str, instead: [&'static str; 2]) -> LocatedKeywo
     LocatedKeyword { instead: [Some(line), Some(plane)], ..keyword(name, Role::Unknown, Freedoms::NONE) }
 }
 
-/// A beam, with the keyword to take instead of it along a line or in the plane.
-const fn beam(name: &'static str, instead: [Option<&'static str>; 2]) -> LocatedKeyword {
-    LocatedKeyword { instead, ..keyword(name, Role::Member, Freedoms::ALL) }
-}
-
 /// What ties points that have places in place of offsets, with mass and without.
 pub(crate) const RIGID_BODY: &str = "rigid_body";
 pub(crate) const RIGID_LINK: &str = "rigid_link";
@@ -95,8 +90,6 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("torsion_spring", Role::Path, Freedoms::RZ),
     keyword("damper", Role::Path, XY),
     keyword("torsion_damper", Role::Path, Freedoms::RZ),
-    keyword("spring_damper", Role::Path, XY),
-    keyword("torsion_spring_damper", Role::Path, Freedoms::RZ),
     keyword("mass", Role::Path, XY),
     keyword("inertia", Role::Path, Freedoms::RZ),
     keyword("string", Role::Path, XY),
@@ -104,22 +97,8 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("shaft", Role::Path, Freedoms::RZ),
     keyword("point_mass", Role::PointMass, XY),
     keyword("hinge", Role::Joint, Freedoms::ALL),
-    LocatedKeyword { instead: [None, Some("hinge")], ..keyword("elastic_hinge", Role::Joint, Freedoms::ALL) },
     refused("body", [RIGID_BODY; 2]),
-    beam("beam", [None, None]),
-    beam("rayleigh_beam", [None, Some("beam")]),
-    beam("timoshenko_beam", [None, Some("beam")]),
-    beam("beam_column", [None, Some("beam")]),
-    beam("foundation_beam", [None, Some("beam")]),
-    beam("general_beam", [None, Some("beam")]),
-    refused("planar_body", [RIGID_BODY; 2]),
-    beam("planar_beam", [Some("beam"), None]),
-    beam("planar_rayleigh_beam", [Some("beam"), None]),
-    beam("planar_timoshenko_beam", [Some("beam"), None]),
-    beam("planar_beam_column", [Some("beam"), None]),
-    beam("planar_foundation_beam", [Some("beam"), None]),
-    beam("planar_general_beam", [Some("beam"), None]),
-    LocatedKeyword { instead: [Some("hinge"), None], ..keyword("planar_hinge", Role::Joint, Freedoms::ALL) },
+    keyword("beam", Role::Member, Freedoms::ALL),
     LocatedKeyword {
         vector: Some("centre"),
         own: Some(&["mass", "inertia", "centre"]),
@@ -133,9 +112,6 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
         instead: [Some("hinge"), None],
         ..keyword("slider", Role::Joint, Freedoms::ALL)
     },
-    refused("rotational_hinge", ["hinge"; 2]),
-    refused("shear_hinge", ["hinge"; 2]),
-    refused("lever", [RIGID_LINK; 2]),
     refused("tapered_beam", ["beam"; 2]),
 ];
 

@@ -7,12 +7,12 @@ pub(crate) struct OldWord {
     /// The word that stands for it.
     pub(crate) new: &'static str,
     /// Its parameters that have another name there.
-    renamed: &'static [(&'static str, Renamed)],
+    pub(super) renamed: &'static [(&'static str, Renamed)],
 }
 
 /// What becomes of a parameter.
 #[derive(Clone, Copy, Debug)]
-enum Renamed {
+pub(super) enum Renamed {
     /// It has another name.
     To(&'static str),
     /// Its reciprocal has another name; a zero is left out, which is rigid.

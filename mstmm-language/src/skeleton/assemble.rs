@@ -124,11 +124,11 @@ impl<'a> Assembly<'a> {
         let freedoms = FreedomSet::known(ties.intersection(self.network.dimension.freedoms()));
         // a hinge has its stiffnesses, other joints are rigid
         let what = if joint.element.known().is_some() { What::Hinge(joint.element) } else { What::Rigid };
-        self.skeleton.members.push(Member { what, name, kind: Some(keyword), freedoms, ends });
+        self.skeleton.members.push(Member { what, name, kind: Some(joint.element.type_name()), freedoms, ends });
     }
 
     pub(super) fn element(&mut self, element: &'a Element, freedoms: FreedomSet<'a>, ends: [End; 2]) {
-        let (name, kind) = (element.to_string(), Some(element.kind.name().to_string()));
+        let (name, kind) = (element.to_string(), Some(element.type_name()));
         self.skeleton.members.push(Member { what: What::Element(element), name, kind, freedoms, ends });
     }
 

@@ -20,12 +20,12 @@ fn loops_and_the_members_that_close_them() {
     check(
         "
         struct Tower { k: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (0.0, 1.0)
-            -> planar_beam 2 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn b at (0.0, 2.0)
-            -> planar_beam 3 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn c at (1.0, 2.0)
-            <- planar_beam 4 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } <- conn d at (1.0, 1.0)
-            <- planar_beam 5 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } <- pinned at (1.0, 0.0);
-        conn a -> planar_beam 6 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn d;
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (0.0, 1.0)
+            -> beam 2 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn b at (0.0, 2.0)
+            -> beam 3 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn c at (1.0, 2.0)
+            <- beam 4 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } <- conn d at (1.0, 1.0)
+            <- beam 5 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } <- pinned at (1.0, 0.0);
+        conn a -> beam 6 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn d;
         conn a -> spring brace { stiffness: k } -> conn c;
         ",
         expect![[r#"
@@ -33,8 +33,8 @@ fn loops_and_the_members_that_close_them() {
 
             ```text
             nodes 6, members 7, unknowns at once 21
-            closed loops 2, cut at planar_beam 6, spring brace
-            unknowns of the overall transfer equation 14, root pinned at planar_beam 5
+            closed loops 2, cut at beam 6, spring brace
+            unknowns of the overall transfer equation 14, root pinned at beam 5
             ```
 
             # Nodes
@@ -43,11 +43,11 @@ fn loops_and_the_members_that_close_them() {
             and the number of variables that are left behind each. Points at rest leave with their members.
 
             ```text
-            pinned at planar_beam 5   rz         3   planar_beam 5
-            conn d                    x y rz     6   planar_beam 4, planar_beam 6
-            conn a                    x y rz     7   planar_beam 1, planar_beam 2, spring brace
-            conn c                    x y rz     6   planar_beam 3
-            conn b                    x y rz     0
+            pinned at beam 5   rz         3   beam 5
+            conn d             x y rz     6   beam 4, beam 6
+            conn a             x y rz     7   beam 1, beam 2, spring brace
+            conn c             x y rz     6   beam 3
+            conn b             x y rz     0
             ```"#]],
     );
 }
@@ -58,11 +58,11 @@ fn nodes_that_are_no_points() {
     check(
         "
         struct M { k: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (1.0, 0.0)
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (1.0, 0.0)
             -> rigid_body 2 { mass: k, inertia: k, centre: (1.5, 0.0) } -> conn b at (2.0, 0.0) <- held(x);
         rigid_body 2 <- conn c at (1.5, -1.0) <- roller along (1.0, 1.0);
         conn b -> slider 3 { along: (1.0, 0.0) } -> pin 4 {}
-            -> planar_beam 5 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> guided at (3.0, 0.0) along (0.0, 1.0);
+            -> beam 5 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> guided at (3.0, 0.0) along (0.0, 1.0);
         conn a <- along (0.0, 1.0) <- spring 6 { stiffness: k } <- mass 7 { mass: k } <- conn u <- damper 8 { damping: k } <- fixed;
         conn u -> along (1.0, 0.0) -> conn b;
         ",
@@ -81,11 +81,11 @@ fn nodes_that_are_no_points() {
             and the number of variables that are left behind each. Points at rest leave with their members.
 
             ```text
-            guided at planar_beam 5      along      3   planar_beam 5
-            the point at planar_beam 5   x y rz     2   pin 4
-            the point at slider 3        x y rz     2   slider 3
-            rigid_body 2                 y rz       2   roller at conn c, planar_beam 1, conn u, spring 6
-            conn u                       x          0   damper 8
+            guided at beam 5        along      3   beam 5
+            the point at beam 5     x y rz     2   pin 4
+            the point at slider 3   x y rz     2   slider 3
+            rigid_body 2            y rz       2   roller at conn c, beam 1, conn u, spring 6
+            conn u                  x          0   damper 8
             ```"#]],
     );
 }

@@ -109,7 +109,7 @@ fn a_model_may_be_long() {
     let fields: String = (0..500).map(|field| format!("/// A field\n pub(crate) f{field}: f64,")).collect();
     let model = format!("/// Documented\n struct M {{ {fields} length: f64 }} fixed {chain} -> free;");
     assert!(expand_checked(input(&model)).is_ok());
-    let beam = |label| format!("-> planar_beam {label} {{ a, b: c::D }} -> conn c{label} at (length * {label}.0, 0.0)");
+    let beam = |label| format!("-> beam {label} {{ a, b: c::D }} -> conn c{label} at (length * {label}.0, 0.0)");
     let chain: String = (0..500).map(beam).collect();
     let model = format!("struct M {{ length: f64 }} fixed at (0.0, 0.0) {chain}");
     assert!(!super::messages(&model).contains("too deeply"));

@@ -240,10 +240,10 @@ fn a_parameter_is_written_with_a_colon() {
         fixed -> spring 4 { 1.0 } -> free;
                             ^^^ expected a parameter, `name: value`, or `name` alone for the value of that
                             | name
-        fixed -> spring_damper 5 { stiffness: 1.0 damping: 2.0 } -> free;
-                                                  ^^^^^^^ expected `,` between parameters
-        fixed -> spring_damper 6 { stiffness: 1.0; damping: 2.0 } -> free;
-                                                 ^ expected `,` between parameters
+        fixed -> spring 5 { stiffness: 1.0 damping: 2.0 } -> free;
+                                           ^^^^^^^ expected `,` between parameters
+        fixed -> spring 6 { stiffness: 1.0; damping: 2.0 } -> free;
+                                          ^ expected `,` between parameters
         ",
     );
 }

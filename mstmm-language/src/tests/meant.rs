@@ -80,8 +80,8 @@ fn a_spring_and_a_dashpot_side_by_side_are_one_element() {
         struct M { k: f64 }
         fixed -> spring 1 { stiffness: k } -> conn 2 -> spring 3 { stiffness: k } -> conn 4 -> free;
         conn 2 -> damper 5 { damping: k } -> conn 4;
-               ^^ `conn 2` leads by a spring and a dashpot to the same connection: write both as one,
-               | `spring_damper`
+               ^^ `conn 2` leads by a spring and a dashpot to the same connection: write both as one, `spring`
+               | with `damping`
         ",
     );
     assert_refused(
@@ -90,7 +90,7 @@ fn a_spring_and_a_dashpot_side_by_side_are_one_element() {
         fixed -> torsion_spring 1 { stiffness: k } -> conn 2 -> torsion_damper 3 { damping: k } -> conn 4 -> free;
         conn 2 -> torsion_spring 5 { stiffness: k } -> conn 4;
                ^^ `conn 2` leads by a spring and a dashpot to the same connection: write both as one,
-               | `torsion_spring_damper`
+               | `torsion_spring` with `damping`
         ",
     );
 }

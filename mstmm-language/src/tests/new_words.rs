@@ -143,11 +143,10 @@ fn old_words_are_answered_with_the_new_form() {
         "
         struct M { l: f64, k: f64 }
         fixed at 0.0 -> planar_beam 1 { axial_stiffness: l, bending_stiffness: 2.0 * k.sqrt(), mass_per_length } -> conn a at l
-                        ^^^^^^^^^^^ `planar_beam` moves in the plane, but points have one coordinate here:
-                        | write `beam 1 { bending_stiffness: 2.0 * k.sqrt(), mass_per_length }`
+                        ^^^^^^^^^^^ `planar_beam` is `beam` now: write `beam 1 { bending_stiffness: 2.0 *
+                        | k.sqrt(), mass_per_length }`
             -> planar_hinge 2 { stiffness_x: l, stiffness_y: l, stiffness_theta: l } -> fixed;
-               ^^^^^^^^^^^^ `planar_hinge` moves in the plane, but points have one coordinate here: write
-               | `hinge 2 { stiffness_y: l, stiffness_rz: l }`
+               ^^^^^^^^^^^^ `planar_hinge` is `hinge` now: write `hinge 2 { stiffness_y: l, stiffness_rz: l }`
         ",
     );
 }

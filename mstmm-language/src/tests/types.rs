@@ -19,8 +19,8 @@ fn naming_a_parameter_of_a_beam_selects_its_type() {
         ("", "Beam"),
         (", rotary_inertia: k", "RayleighBeam"),
         (", shear_stiffness: k", "TimoshenkoBeam"),
-        (", axial_force: k, foundation_stiffness: k", "UniformBeam"),
-        (", external_damping: k", "DampedUniformBeam"),
+        (", axial_force: k, foundation_stiffness: k", "GeneralBeam"),
+        (", external_damping: k", "DampedBeam"),
     ] {
         assert_eq!(types(&format!("fixed -> beam 1 {{ {line}{more} }} -> free")), [name]);
         let planar = format!("fixed -> beam 1 {{ {line}, axial_stiffness: k{more} }} -> free");

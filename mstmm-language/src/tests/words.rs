@@ -173,17 +173,16 @@ fn an_element_has_its_parameters_and_no_others() {
                                                                  | `loss_factor`, `kelvin_voigt_time` and
                                                                  | `external_damping`
                  ^^^^^^ `beam 1` lacks `mass_per_length`
-        conn 2 <- spring_damper 3 { stiffness: 1.0, stiffness: 2.0 } <- fixed;
-                                                    ^^^^^^^^^ `spring_damper 3` gives `stiffness` a second
-                                                    | time: remove one of the two
-                  ^^^^^^^^^^^^^^^ `spring_damper 3` lacks `damping`
-        free -> mass 4 { r#mass: 1.0 } -> conn 2 -> elastic_hinge five { } -> fixed;
-                                                    ^^^^^^^^^^^^^^^^^^ `elastic_hinge five` lacks
-                                                    | `stiffness_y` and `stiffness_theta`
-                                                                              ^^^^^ `fixed` is a second root:
-                                                                              | no path joins this part of the
-                                                                              | model to the first; a model is
-                                                                              | one tree
+        conn 2 <- spring 3 { stiffness: 1.0, stiffness: 2.0 } <- fixed;
+                                             ^^^^^^^^^ `spring 3` gives `stiffness` a second time: remove one
+                                             | of the two
+        free -> mass 4 { r#mass: 1.0 } -> conn 2 -> hinge five { } -> fixed;
+                                                    ^^^^^^^^^^ `hinge five` names no freedom that gives way,
+                                                    | so it would be rigid: write `stiffness_rz: 0.0`, which
+                                                    | lets the rotation go, or another stiffness
+                                                                      ^^^^^ `fixed` is a second root: no path
+                                                                      | joins this part of the model to the
+                                                                      | first; a model is one tree
         ",
     );
 }

@@ -589,26 +589,37 @@ const _: () = {
         mstmm::__private::elements::Mass<T>: mstmm::__private::Element,
         mstmm::__private::elements::Spring<T>: mstmm::__private::Element,
     {
-        fn extent(
+        fn drawn(
             &self,
             step: ::core::primitive::usize,
-        ) -> ::core::option::Option<mstmm::__private::Extent> {
+        ) -> ::core::option::Option<
+            (&'static ::core::primitive::str, mstmm::__private::Extent),
+        > {
             ::core::option::Option::Some(
                 match step {
                     1usize => {
-                        <mstmm::__private::elements::Spring<
-                            T,
-                        > as mstmm::__private::Element>::extent(&self.element_1)
+                        (
+                            "Spring",
+                            <mstmm::__private::elements::Spring<
+                                T,
+                            > as mstmm::__private::Element>::extent(&self.element_1),
+                        )
                     }
                     3usize => {
-                        <mstmm::__private::elements::Damper<
-                            T,
-                        > as mstmm::__private::Element>::extent(&self.element_3)
+                        (
+                            "Damper",
+                            <mstmm::__private::elements::Damper<
+                                T,
+                            > as mstmm::__private::Element>::extent(&self.element_3),
+                        )
                     }
                     5usize => {
-                        <mstmm::__private::elements::Mass<
-                            T,
-                        > as mstmm::__private::Element>::extent(&self.element_4)
+                        (
+                            "Mass",
+                            <mstmm::__private::elements::Mass<
+                                T,
+                            > as mstmm::__private::Element>::extent(&self.element_4),
+                        )
                     }
                     _ => return ::core::option::Option::None,
                 },

@@ -15,7 +15,7 @@ pub struct Mast {
 /// ```text
 /// nodes 3, members 2, unknowns at once 7
 /// closed loops 0
-/// unknowns of the overall transfer equation 8, root fixed at planar_beam 1
+/// unknowns of the overall transfer equation 8, root fixed at beam 1
 /// ```
 ///
 /// # Nodes
@@ -24,12 +24,12 @@ pub struct Mast {
 /// and the number of variables that are left behind each. Points at rest leave with their members.
 ///
 /// ```text
-/// conn top                 x y rz     0   planar_beam 1, spring guy
+/// conn top          x y rz     0   beam 1, spring guy
 /// ```
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct MastSystem<T: mstmm::__private::Parameter = f64> {
     skeleton: mstmm::__private::Skeleton<T, 3usize, 2usize>,
-    /// `planar_beam 1`
+    /// `beam 1`
     member_0: <mstmm::__private::elements::PlanarBeam<
         T,
     > as mstmm::__private::Element>::Built,
@@ -143,8 +143,8 @@ const _: () = {
         pub const conn_top: mstmm::__private::PlanePoint<Mast> = SKETCH.label(1usize);
         /// `conn anchor`
         pub const conn_anchor: mstmm::__private::PlanePoint<Mast> = SKETCH.label(2usize);
-        /// `planar_beam 1`
-        pub const planar_beam_1: mstmm::__private::MemberLabel<
+        /// `beam 1`
+        pub const beam_1: mstmm::__private::MemberLabel<
             Mast,
             mstmm::__private::elements::PlanarBeam<f64>,
         > = mstmm::__private::MemberLabel::member(0usize);
@@ -155,7 +155,7 @@ const _: () = {
         > = mstmm::__private::MemberLabel::member(1usize);
     }
     const SKETCH: mstmm::__private::NetworkSketch<3usize, 2usize> = mstmm::__private::NetworkSketch {
-        places: &["fixed at planar_beam 1", "conn top", "conn anchor"],
+        places: &["fixed at beam 1", "conn top", "conn anchor"],
         directions: &[],
         bodies: &[
             mstmm::__private::SketchedBody {
@@ -165,7 +165,7 @@ const _: () = {
         ],
         points: &[
             mstmm::__private::SketchedPoint {
-                name: "fixed at planar_beam 1",
+                name: "fixed at beam 1",
                 node: 0usize,
                 place: 0usize,
                 freedoms: mstmm::__private::Freedoms::ALL,
@@ -187,7 +187,7 @@ const _: () = {
         ],
         supports: &[
             mstmm::__private::SketchedSupport {
-                name: "fixed at planar_beam 1",
+                name: "fixed at beam 1",
                 point: 0usize,
                 node: 0usize,
                 held: mstmm::__private::Freedoms::ALL,
@@ -227,8 +227,8 @@ const _: () = {
         ],
         members: [
             mstmm::__private::SketchedMember {
-                name: "planar_beam 1",
-                kind: ::core::option::Option::Some("planar_beam"),
+                name: "beam 1",
+                kind: ::core::option::Option::Some("PlanarBeam"),
                 freedoms: mstmm::__private::Freedoms::ALL,
                 ends: [
                     mstmm::__private::SketchedEnd {
@@ -243,7 +243,7 @@ const _: () = {
             },
             mstmm::__private::SketchedMember {
                 name: "spring guy",
-                kind: ::core::option::Option::Some("spring"),
+                kind: ::core::option::Option::Some("Spring"),
                 freedoms: mstmm::__private::Freedoms::NONE
                     .union(mstmm::__private::Freedoms::X),
                 ends: [
@@ -295,7 +295,7 @@ const _: () = {
                         bending_stiffness: number(11usize),
                         mass_per_length: number(12usize),
                     },
-                    "planar_beam 1",
+                    "beam 1",
                 )?,
                 member_1: mstmm::__private::build_member::<
                     mstmm::__private::elements::Spring<T>,

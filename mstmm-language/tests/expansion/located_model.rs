@@ -15,7 +15,7 @@ system! {
     }
 
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: 1e6, bending_stiffness: 500.0, mass_per_length: 2.0 }
+        -> beam 1 { axial_stiffness: 1e6, bending_stiffness: 500.0, mass_per_length: 2.0 }
         -> conn top at (0.0, height);
     conn top -> spring guy { stiffness } -> conn anchor at (0.5 * height, 0.0) <- fixed;
     conn top <- point_mass 3 { mass: lamp };

@@ -44,7 +44,7 @@ fn a_response_costs_at_most_four_evaluations() {
             [TipBody::beam_1.input(), TipBody::beam_1.output(), TipBody::body_2.output()]
         }),
         dearest_response!(models::restrained_beam(), RestrainedBeam, Counted::from(1000.0), {
-            [RestrainedBeam::conn_2, RestrainedBeam::conn_4, RestrainedBeam::elastic_hinge_1.input()]
+            [RestrainedBeam::conn_2, RestrainedBeam::conn_4, RestrainedBeam::hinge_1.input()]
         }),
         dearest_response!(models::spring_and_mass(), SpringAndMass, Counted::from(2000.0), {
             let ends = [SpringAndMass::beam_1.input(), SpringAndMass::beam_7.output(), SpringAndMass::mass_6.input()];

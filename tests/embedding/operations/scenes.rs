@@ -18,7 +18,7 @@ system! {
 
 system! {
     pub(crate) struct DampedOscillator;
-    fixed -> spring_damper 1 { stiffness: 2.0, damping: 0.1 } -> mass 2 { mass: 1.0 } -> free;
+    fixed -> spring 1 { stiffness: 2.0, damping: 0.1 } -> mass 2 { mass: 1.0 } -> free;
 }
 
 system! {
@@ -82,14 +82,14 @@ between_pins_with! {
 
 system! {
     pub(crate) struct HingeAtTip;
-    fixed -> elastic_hinge 1 { stiffness_y: 2.0, stiffness_theta: 3.0 }
+    fixed -> hinge 1 { stiffness_y: 2.0, stiffness_rz: 3.0 }
           -> beam 2 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
 }
 
 system! {
     pub(crate) struct HingeAtRoot;
     fixed -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
-          -> elastic_hinge 2 { stiffness_y: 2.0, stiffness_theta: 3.0 } -> fixed;
+          -> hinge 2 { stiffness_y: 2.0, stiffness_rz: 3.0 } -> fixed;
 }
 
 system! {

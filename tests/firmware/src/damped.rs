@@ -24,7 +24,7 @@ system! {
            -> conn 9 -> beam 11 { length: 0.25, bending_stiffness: 1.0, mass_per_length: 1.0 }
            -> pinned;
     conn 2 <- spring 3 { stiffness: 5.0 } <- fixed;
-    conn 5 <- spring_damper 6 { stiffness, damping } <- mass 7 { mass } <- free;
+    conn 5 <- spring 6 { stiffness, damping } <- mass 7 { mass } <- free;
     conn 9 <- torsion_spring 10 { stiffness: 10.0 } <- fixed;
 }
 

@@ -183,11 +183,6 @@ scenes! {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame,
         foundation_stiffness: TameOrZero, foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
-    GeneralBeam = fixed -> general_beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_flexibility: TameOrZero,
-        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
-        foundation_shear_stiffness: TameOrZero,
-    } -> free undamped;
     PlanarRayleighBeam = fixed -> beam {
         length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, rotary_inertia: TameOrZero,
     } -> free undamped;
@@ -201,11 +196,6 @@ scenes! {
     PlanarFoundationBeam = fixed -> beam {
         length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame,
         foundation_stiffness: TameOrZero, foundation_shear_stiffness: TameOrZero,
-    } -> free undamped;
-    PlanarGeneralBeam = fixed -> planar_general_beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame,
-        shear_flexibility: TameOrZero, rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
-        foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
     PlanarBody = free -> body {
         mass: NonNegative, inertia_about_input: NonNegative,
@@ -236,40 +226,22 @@ scenes! {
         length: Moderate, torsional_stiffness: Moderate, inertia_per_length: Moderate, loss_factor: NonNegative, kelvin_voigt_time: NonNegative,
         external_damping: NonNegative,
     } -> free;
-    DampedBeam = fixed -> general_beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_flexibility: TameOrZero,
-        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
-        foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
-    } -> free;
-    DampedTimoshenkoBeam = fixed -> timoshenko_beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid, rotary_inertia: TameOrZero,
-        loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
-    } -> free;
-    PlanarDampedBeam = fixed -> planar_general_beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame,
-        shear_flexibility: TameOrZero, rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
-        foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
-    } -> free;
-    PlanarDampedTimoshenkoBeam = fixed -> planar_timoshenko_beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
-        rotary_inertia: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
-    } -> free;
-    UniformBeam = fixed -> beam {
+    GeneralBeam = fixed -> beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
-    PlanarUniformBeam = fixed -> beam {
+    PlanarGeneralBeam = fixed -> beam {
         length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
-    DampedUniformBeam = fixed -> beam {
+    DampedBeam = fixed -> beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
     } -> free;
-    PlanarDampedUniformBeam = fixed -> beam {
+    PlanarDampedBeam = fixed -> beam {
         length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,

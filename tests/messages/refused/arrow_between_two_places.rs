@@ -2,10 +2,10 @@ use mstmm::prelude::*;
 
 system! {
     struct M { l: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
         -> conn a at (l, 0.0) -> conn b at (l, l)
 //                            ^^ put an element between them
-        <- planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } <- fixed at (0.0, l);
+        <- beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } <- fixed at (0.0, l);
 }
 
 fn main() {}

@@ -3,7 +3,7 @@ use mstmm::prelude::*;
 system! {
     struct Frame { length: f64, ea: f64, ei: f64, m: f64 }
 
-    fixed -> planar_beam 1 { length, axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free;
+    fixed -> beam 1 { length, axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free;
 }
 
 fn main() {

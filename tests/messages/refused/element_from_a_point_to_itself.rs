@@ -2,9 +2,9 @@ use mstmm::prelude::*;
 
 system! {
     struct M { l: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
         -> conn a at (l, 0.0);
-    conn a -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn b;
+    conn a -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn b;
 //            ^^^^^^^^^^^^^ lead it from one point to another
     conn a -> pin 3 {} -> conn b;
     conn a -> slider 4 { along: (1.0, 0.0) } -> conn a;

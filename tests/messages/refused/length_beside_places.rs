@@ -2,9 +2,9 @@ use mstmm::prelude::*;
 
 system! {
     struct M { length: f64, ea: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { length, axial_stiffness: ea, bending_stiffness: ea, mass_per_length: ea }
+    fixed at (0.0, 0.0) -> beam 1 { length, axial_stiffness: ea, bending_stiffness: ea, mass_per_length: ea }
 //                                         ^^^^^^ remove it
-        -> conn a at (length, 0.0) -> planar_beam 2 { axial: ea, bending_stiffness: ea, mass_per_length: ea }
+        -> conn a at (length, 0.0) -> beam 2 { axial: ea, bending_stiffness: ea, mass_per_length: ea }
 //                                                    ^^^^^ did you mean `axial_stiffness`?
         -> conn b at (length, ea) -> point_mass 3 { inertia: ea } -> pin 4 -> fixed;
 //                                   ^^^^^^^^^^^^ `point_mass 3` lacks `mass`

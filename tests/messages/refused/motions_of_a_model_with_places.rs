@@ -2,13 +2,13 @@ use mstmm::prelude::*;
 
 system! {
     struct Bar { length: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
         -> conn a at (length, 0.0);
 }
 
 system! {
     struct Damped { c: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
         -> conn a at (1.0, 0.0);
     conn a <- along (0.0, 1.0) <- damper 2 { damping: c } <- fixed;
 }

@@ -25,7 +25,7 @@ impl<T: Parameter, S: Frequency<T>> Charted<S> for Pad<T> {
 system! {
     struct Padded { stiffness: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (3.0, 4.0);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn a at (3.0, 4.0);
     conn a <- along (0.0, 1.0) <- self::Pad 2 { stiffness } <- fixed;
 }
 

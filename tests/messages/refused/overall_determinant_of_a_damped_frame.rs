@@ -2,7 +2,7 @@ use mstmm::prelude::*;
 
 system! {
     struct Frame { length: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 }
         -> conn a at (length, 0.0) -> damper 2 { damping: 1.0 } -> pinned at (length, 1.0);
 }
 

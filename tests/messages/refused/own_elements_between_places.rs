@@ -14,7 +14,7 @@ system! {
 system! {
     struct Undirected { k: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (k, 0.0);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (k, 0.0);
     conn a -> own::Spring 2 { stiffness: k } -> fixed;
 //         ^^ the direction of `Spring 2` is unknown, since its path meets one point with a place: say it
     conn a <- along (1.0, 0.0) <- own::TorsionSpring 3 { stiffness: k } <- fixed;
@@ -24,7 +24,7 @@ system! {
 system! {
     struct Mixed { k: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (k, 0.0);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn a at (k, 0.0);
     conn a <- along (1.0, 0.0) <- spring 2 { stiffness: k } <- own::TorsionSpring 3 { stiffness: k } <- fixed;
 //                                                             ^^^^^^^^^^^^^^^^^^^^ `TorsionSpring 3` turns and `spring 2` moves
     conn a <- own::TorsionSpring 4 { stiffness: k } <- own::Spring 5 { stiffness: k } <- fixed;

@@ -2,10 +2,10 @@ use mstmm::prelude::*;
 
 system! {
     struct M { l: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-        -> conn a at (l, 0.0) -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        -> conn a at (l, 0.0) -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
         -> conn b at (l, l) -> pin 3 {}
-        -> planar_beam 4 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn c at (0.0, l);
+        -> beam 4 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn c at (0.0, l);
     conn a -> spring 5 { stiffness: l } -> fixed;
 //         ^^ say it, `conn a <- along (dx, dy) <- ..`
     conn a -> mass 6 { mass: l } -> free;

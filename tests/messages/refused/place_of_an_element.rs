@@ -2,7 +2,7 @@ use mstmm::prelude::*;
 
 system! {
     struct M { l: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 
+    fixed at (0.0, 0.0) -> beam 1 
         { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } at (l, 0.0) -> conn a at (l, 0.0);
 //                                                                       ^^ points have places, so write `at` behind the connections around it
 }

@@ -2,7 +2,7 @@ use mstmm::prelude::*;
 
 system! {
     struct M { l: f64 }
-    fixed at -> planar_beam 1 { } -> conn a at (l, 0.0);
+    fixed at -> beam 1 { } -> conn a at (l, 0.0);
 //        ^^ write its coordinates behind, `at (x, y)`
     conn a <- along <- spring 2 { stiffness: l } <- fixed;
 //            ^^^^^ write its parts behind, `along (dx, dy)`

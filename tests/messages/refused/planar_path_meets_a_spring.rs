@@ -5,7 +5,7 @@ system! {
 
     fixed -> spring 1 { stiffness: k } -> conn 2;
 //                                        ^^^^^^ join all planar elements here, or none
-    fixed -> planar_hinge 3 { stiffness_x: k, stiffness_y: k, stiffness_theta: k } -> conn 2 -> pinned;
+    fixed -> hinge 3 { stiffness_x: k, stiffness_y: k, stiffness_rz: k } -> conn 2 -> pinned;
 }
 
 fn main() {}

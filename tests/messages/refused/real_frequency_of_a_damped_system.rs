@@ -3,7 +3,7 @@ use mstmm::prelude::*;
 system! {
     struct Oscillator { k: f64, c: f64, m: f64 }
 
-    fixed -> spring_damper 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
+    fixed -> spring 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
 }
 
 fn main() {

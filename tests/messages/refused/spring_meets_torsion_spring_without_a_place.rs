@@ -2,7 +2,7 @@ use mstmm::prelude::*;
 
 system! {
     struct M { l: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
         -> conn a at (l, 0.0);
     conn a -> spring 2 { stiffness: l } -> conn u -> torsion_spring 3 { stiffness: l } -> fixed;
 //                                                   ^^^^^^^^^^^^^^^^ join them at a connection with a place

@@ -2,7 +2,7 @@ use mstmm::prelude::*;
 
 system! {
     struct M { l: f64 }
-    fixed -> planar_beam 1 { length: l, axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+    fixed -> beam 1 { length: l, axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
         -> rigid_body 2 { } -> pin 3 { } -> roller along (1.0, 0.0);
 //         ^^^^^^^^^^ say where they are, `conn a at (x, y)`
 //                             ^^^ say where they are, `conn a at (x, y)`

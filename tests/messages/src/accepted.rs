@@ -47,7 +47,7 @@ mod named_like_a_sketch {
 
     mstmm::system! {
         pub(super) struct Skeleton { pub(super) number: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e3, bending_stiffness: ORDER, mass_per_length: number }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1e3, bending_stiffness: ORDER, mass_per_length: number }
             -> free at (SKETCH::WIDTH, 0.0)
     }
 }

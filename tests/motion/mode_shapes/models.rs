@@ -75,7 +75,7 @@ system! {
     pub(crate) struct Behind { pub(crate) a: f64, pub(crate) b: f64, pub(crate) ky: f64, pub(crate) kt: f64 }
 
     fixed -> beam 1 { length: a, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn 2 -> conn 3
-          -> elastic_hinge 4 { stiffness_y: ky, stiffness_theta: kt } -> conn 5
+          -> hinge 4 { stiffness_y: ky, stiffness_rz: kt } -> conn 5
           -> beam 6 { length: b, bending_stiffness: 2.0, mass_per_length: 0.5 } -> guided;
     free -> beam 7 { length: b, bending_stiffness: 1.5, mass_per_length: 0.8 } -> conn 2;
     free -> inertia 8 { inertia: 0.1 } -> torsion_spring 9 { stiffness: kt } -> conn 3;
@@ -101,7 +101,7 @@ system! {
     free -> inertia 14 { inertia: 0.1 * m } -> conn 0;
     free -> body 15 { mass: m, inertia_about_input: m, output_x: 0.3, centre_x: -0.2 } -> conn 0;
     free -> point_mass 16 { mass: 0.1 * m, inertia: 0.1 * m } -> conn 0;
-    fixed -> elastic_hinge 17 { stiffness_y: k, stiffness_theta: kt } -> conn 0;
+    fixed -> hinge 17 { stiffness_y: k, stiffness_rz: kt } -> conn 0;
     fixed -> spring 18 { stiffness: k } -> mass 19 { mass: m } -> spring 20 { stiffness: 3.0 * k } -> conn 0;
     fixed -> torsion_spring 21 { stiffness: kt } -> inertia 22 { inertia: m } -> torsion_spring 23 { stiffness: kt } -> conn 0;
     conn 0 -> beam 24 { length: 0.9 * l, bending_stiffness: 0.6, mass_per_length: 0.6 } -> free;
@@ -115,7 +115,7 @@ system! {
     free -> body 1 { mass: m, inertia_about_input: m + m * c * c, output_x: b, centre_x: c }
          -> beam 2 { length: l, bending_stiffness: 1.0, mass_per_length: 0.4 }
          -> body 3 { mass: 2.0 * m, inertia_about_input: m + 2.0 * m * c * c, output_x: -b, centre_x: 0.5 * c }
-         -> elastic_hinge 4 { stiffness_y: 7.0, stiffness_theta: 2.0 }
+         -> hinge 4 { stiffness_y: 7.0, stiffness_rz: 2.0 }
          -> body 5 { mass: m, inertia_about_input: m * c * c, output_x: 0.4, centre_x: -c }
          -> point_mass 6 { mass: m, inertia: 0.1 }
          -> beam 7 { length: 0.5 * l, bending_stiffness: 1.0, mass_per_length: 0.4 } -> pinned;
@@ -150,9 +150,9 @@ system! {
     fixed -> beam 1 { length: l, bending_stiffness: 3.0, mass_per_length: 1.0 } -> conn 2
           -> beam 3 { length: 0.7 * l, bending_stiffness: 3.0, mass_per_length: 1.0 } -> conn 4 -> free;
     fixed -> damper 5 { damping: c } -> conn 2;
-    free -> mass 6 { mass: 0.3 } -> spring_damper 7 { stiffness: k, damping: c } -> conn 4;
+    free -> mass 6 { mass: 0.3 } -> spring 7 { stiffness: k, damping: c } -> conn 4;
     fixed -> torsion_damper 8 { damping: ct } -> conn 4;
-    free -> inertia 9 { inertia: 0.2 } -> torsion_spring_damper 10 { stiffness: k, damping: ct } -> conn 2;
+    free -> inertia 9 { inertia: 0.2 } -> torsion_spring 10 { stiffness: k, damping: ct } -> conn 2;
     free -> mass 11 { mass: 0.2 } -> spring 12 { stiffness: k } -> damper 13 { damping: c } -> conn 2;
 }
 
@@ -161,7 +161,7 @@ system! {
     #[derive(Clone, Copy, Debug)]
     pub(crate) struct Oscillator { pub(crate) k: f64, pub(crate) c: f64, pub(crate) m: f64 }
 
-    fixed -> spring_damper 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
+    fixed -> spring 1 { stiffness: k, damping: c } -> mass 2 { mass: m } -> free;
 }
 
 recordable! { in include_str!("models.rs");
@@ -172,16 +172,16 @@ recordable! { in include_str!("models.rs");
     Mixture MixtureSystem [beam_1 beam_3 mass_5 mass_6 spring_7] [conn_2 conn_4];
     Narrowing NarrowingSystem [beam_1 spring_3 mass_4 spring_5 beam_7 torsion_spring_9 inertia_10 beam_12 mass_13]
         [conn_2 conn_6 conn_8 conn_11];
-    Behind BehindSystem [beam_1 elastic_hinge_4 beam_6 beam_7 inertia_8 torsion_spring_9 mass_10 spring_11 spring_13]
+    Behind BehindSystem [beam_1 hinge_4 beam_6 beam_7 inertia_8 torsion_spring_9 mass_10 spring_11 spring_13]
         [conn_2 conn_3 conn_5 conn_12];
     Hub HubSystem [beam_1 beam_2 beam_3 beam_4 spring_5 mass_6 spring_7 mass_8 spring_9 mass_10 torsion_spring_11
-        inertia_12 torsion_spring_13 inertia_14 body_15 point_mass_16 elastic_hinge_17 spring_18 mass_19 spring_20
+        inertia_12 torsion_spring_13 inertia_14 body_15 point_mass_16 hinge_17 spring_18 mass_19 spring_20
         torsion_spring_21 inertia_22 torsion_spring_23 beam_24] [conn_0];
-    Bodies BodiesSystem [body_1 beam_2 body_3 elastic_hinge_4 body_5 point_mass_6 beam_7] [];
+    Bodies BodiesSystem [body_1 beam_2 body_3 hinge_4 body_5 point_mass_6 beam_7] [];
     MassLine MassLineSystem [mass_1 spring_2 mass_3 mass_5 spring_6 spring_7 spring_8 mass_9 spring_10] [conn_4];
     TorsionLine TorsionLineSystem [inertia_1 torsion_spring_2 inertia_3 inertia_5 torsion_spring_6 torsion_spring_7
         inertia_8] [conn_4];
-    Dampers DampersSystem [beam_1 beam_3 damper_5 mass_6 spring_damper_7 torsion_damper_8 inertia_9
-        torsion_spring_damper_10 mass_11 spring_12 damper_13] [conn_2 conn_4];
-    Oscillator OscillatorSystem [spring_damper_1 mass_2] [];
+    Dampers DampersSystem [beam_1 beam_3 damper_5 mass_6 spring_7 torsion_damper_8 inertia_9
+        torsion_spring_10 mass_11 spring_12 damper_13] [conn_2 conn_4];
+    Oscillator OscillatorSystem [spring_1 mass_2] [];
 }

@@ -7,11 +7,11 @@ use mstmm::prelude::*;
 
 recordable! { in include_str!("../../../examples/paper/src/models.rs");
     TipBody TipBodySystem [beam_1 body_2] [];
-    RestrainedBeam RestrainedBeamSystem [elastic_hinge_1 beam_3 elastic_hinge_5] [conn_2 conn_4];
+    RestrainedBeam RestrainedBeamSystem [hinge_1 beam_3 hinge_5] [conn_2 conn_4];
     SpringAndMass SpringAndMassSystem [beam_1 spring_3 beam_4 mass_6 beam_7] [conn_2 conn_5];
     TwoSpans TwoSpansSystem [beam_1 beam_3 spring_5 mass_6 beam_7] [conn_2 conn_4];
     DampedOscillator DampedOscillatorSystem
-        [beam_1 spring_3 beam_4 spring_damper_6 mass_7 beam_8 torsion_spring_10 beam_11] [conn_2 conn_5 conn_9];
+        [beam_1 spring_3 beam_4 spring_6 mass_7 beam_8 torsion_spring_10 beam_11] [conn_2 conn_5 conn_9];
 }
 
 /// All checks of an undamped example: laws of modes 1 to 1000, the rest of fewer.

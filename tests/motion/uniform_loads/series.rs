@@ -7,11 +7,11 @@ use std::f64::consts::PI;
 system! {
     #[derive(Clone, Copy, Debug)]
     struct General { f: f64, r: f64, n: f64, k: f64, g: f64 }
-    pinned -> general_beam 1 {
-        length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, shear_flexibility: f, rotary_inertia: r, axial_force: n,
+    pinned -> beam 1 {
+        length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
         foundation_stiffness: k, foundation_shear_stiffness: g
-    } -> general_beam 3 {
-        length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, shear_flexibility: f, rotary_inertia: r, axial_force: n,
+    } -> beam 3 {
+        length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
         foundation_stiffness: k, foundation_shear_stiffness: g
     } -> pinned
 }
@@ -55,8 +55,8 @@ fn general_beams_are_their_series() {
     ];
     for beam in beams {
         let system = beam.build().unwrap();
-        let middle = General::general_beam_1.output().deflection();
-        let loads = [General::general_beam_1.uniform_load(), General::general_beam_3.uniform_load()];
+        let middle = General::beam_1.output().deflection();
+        let loads = [General::beam_1.uniform_load(), General::beam_3.uniform_load()];
         let responses = loads.map(|load| system.frequency_response(load, middle).unwrap());
         // the last one is beside the cut-off of the last beam, where its sections shear without deflection
         for omega in [1e-3, 0.3, 1.0, 3.9, 4.1, 24.0, 100.0, 700.0, 1.01e4] {

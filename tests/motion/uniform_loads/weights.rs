@@ -8,9 +8,9 @@ system! {
     /// Everything that has a mass, in the air.
     pub(super) struct Flying { pub(super) l: f64, pub(super) mass: f64, pub(super) c: f64 }
     free -> beam 1 { length: l, bending_stiffness: 2.0, mass_per_length: 0.8 } -> conn 2
-         -> body 3 { mass: 0.5, inertia_about_input: 0.1, output_x: 0.3, centre_x: c } -> lever 4 { output_x: -0.2 } -> timoshenko_beam 5 {
+         -> body 3 { mass: 0.5, inertia_about_input: 0.1, output_x: 0.3, centre_x: c } -> rigid_link 4 { output_x: -0.2 } -> beam 5 {
              length: 0.7, bending_stiffness: 1.0, mass_per_length: 0.5, shear_stiffness: 30.0, rotary_inertia: 0.02
-         } -> point_mass 6 { mass, inertia: 0.3 } -> elastic_hinge 7 { stiffness_y: 3.0, stiffness_theta: 2.0 } -> conn 8 -> free;
+         } -> point_mass 6 { mass, inertia: 0.3 } -> hinge 7 { stiffness_y: 3.0, stiffness_rz: 2.0 } -> conn 8 -> free;
     conn 2 <- spring 9 { stiffness: 3.0 } <- mass 10 { mass: 0.2 } <- free;
     conn 8 <- string 11 { length: 0.5, tension: 2.0, mass_per_length: 0.4 } <- mass 12 { mass: 0.1 } <- free;
 }
@@ -41,7 +41,7 @@ system! {
     struct Bridge { span: f64, m: f64, machine: f64, tank: f64 }
     pinned -> beam 1 { length: 0.3 * span, bending_stiffness: 5.0, mass_per_length: m } -> conn 2
            -> body 3 { mass: machine, inertia_about_input: machine, output_x: 0.2, centre_x: 0.1 }
-           -> rayleigh_beam 4 { length: 0.5 * span, bending_stiffness: 4.0, mass_per_length: 2.0 * m, rotary_inertia: 0.1 } -> pinned;
+           -> beam 4 { length: 0.5 * span, bending_stiffness: 4.0, mass_per_length: 2.0 * m, rotary_inertia: 0.1 } -> pinned;
     conn 2 <- spring 5 { stiffness: 3.0 } <- mass 6 { mass: tank } <- free;
 }
 
@@ -51,7 +51,7 @@ fn supports_carry_the_weight() {
     let (span, m, machine, tank) = (2.0, 0.6, 1.5, 0.8);
     let system = Bridge { span, m, machine, tank }.build().unwrap();
     let at = |entry| system.frequency_response(Load::self_weight(), entry).unwrap().at(0.0).unwrap();
-    let (first, last) = (at(Bridge::beam_1.input().shear()), at(Bridge::rayleigh_beam_4.output().shear()));
+    let (first, last) = (at(Bridge::beam_1.input().shear()), at(Bridge::beam_4.output().shear()));
     let (left, right) = (0.3 * span, 0.5 * span);
     let weights =
         [(m * left, 0.5 * left), (machine, left + 0.1), (2.0 * m * right, left + 0.2 + 0.5 * right), (tank, left)];

@@ -9,7 +9,7 @@ system! {
     struct Tree { a: f64, b: f64, c: f64, ei: f64, m: f64, k: f64, turn: f64, mass: f64, inertia: f64 }
     fixed -> beam 1 { length: a, bending_stiffness: ei, mass_per_length: m } -> conn 2
         -> beam 3 { length: b, bending_stiffness: 2.0 * ei, mass_per_length: m }
-        -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: turn }
+        -> hinge 4 { stiffness_y: k, stiffness_rz: turn }
         -> beam 5 { length: c, bending_stiffness: ei, mass_per_length: 3.0 * m }
         -> point_mass 6 { mass, inertia } -> free;
     conn 2 <- spring 7 { stiffness: k } <- fixed;
@@ -21,7 +21,7 @@ system! {
     struct Line { a: f64, b: f64, c: f64, ei: f64, m: f64, k: f64, turn: f64, mass: f64, inertia: f64 }
     fixed at 0.0 -> beam 1 { bending_stiffness: ei, mass_per_length: m } -> conn 2 at a
         -> beam 3 { bending_stiffness: 2.0 * ei, mass_per_length: m } -> conn p at a + b
-        -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: turn } -> conn q
+        -> hinge 4 { stiffness_y: k, stiffness_rz: turn } -> conn q
         -> beam 5 { bending_stiffness: ei, mass_per_length: 3.0 * m } -> conn tip at a + b + c;
     conn tip -> point_mass 6 { mass, inertia };
     conn 2 <- spring 7 { stiffness: k } <- fixed;

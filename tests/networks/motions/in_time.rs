@@ -96,9 +96,9 @@ system! {
     /// A portal frame.
     struct Portal { height: f64, span: f64, ea: f64, ei: f64, m: f64 }
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
-        <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- conn foot at (span, 0.0) <- fixed;
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+        <- beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- conn foot at (span, 0.0) <- fixed;
 }
 
 const PORTAL: Portal = Portal { height: 2.0, span: 3.0, ea: 4e8, ei: 1e6, m: 20.0 };
@@ -107,7 +107,7 @@ const PORTAL: Portal = Portal { height: 2.0, span: 3.0, ea: 4e8, ei: 1e6, m: 20.
 fn superposed_modes_are_at_rest_what_the_frame_is_at_rest() {
     let system = PORTAL.build().unwrap();
     let roots = system.first_frequencies::<40>().unwrap();
-    let girder = Portal::planar_beam_2;
+    let girder = Portal::beam_2;
     let loads: [PlaneLoad<Portal>; 3] =
         [Portal::conn_b.force_x(), girder.input().torque_z(), Portal::conn_foot.motion_y()];
     let entries: [PlaneEntry<Portal>; 2] = [Portal::conn_c.displacement_x(), girder.output().moment()];
@@ -130,7 +130,7 @@ system! {
 
 system! {
     struct Inclined { length: f64, ei: f64, m: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 1e9 * ei, bending_stiffness: ei, mass_per_length: m }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 1e9 * ei, bending_stiffness: ei, mass_per_length: m }
         -> conn tip at (0.6 * length, 0.8 * length) <- free;
 }
 
@@ -180,9 +180,9 @@ system! {
     /// The same frame without supports.
     struct Free { height: f64, span: f64, ea: f64, ei: f64, m: f64 }
     free at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
-        <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- free at (span, 0.0);
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+        <- beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- free at (span, 0.0);
 }
 
 /// A force along x on the middle of a straight free beam takes half of its mass on each side: the axial force beside it is a half.
@@ -190,7 +190,7 @@ system! {
 fn forces_at_rest_of_a_free_frame_are_those_of_its_inertia() {
     let Portal { height, span, ea, ei, m } = PORTAL;
     let system = Free { height, span, ea, ei, m }.build().unwrap();
-    let girder = Free::planar_beam_2;
+    let girder = Free::beam_2;
     let response = system.frequency_response(Free::conn_b.force_y(), Free::conn_b.displacement_y()).unwrap();
     assert_eq!(response.at(0.0), Err(MotionError::Resonance { frequency: 0.0 }));
     // a frame that accelerates along x and turns about its mass centre

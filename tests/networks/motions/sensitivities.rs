@@ -20,17 +20,17 @@ system! {
     }
     let half = 0.5 * ei;
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (machine_x, height)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (machine_x, height)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
         -> pin 4 {}
-        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (span, 0.125 * height)
+        -> beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (span, 0.125 * height)
         <- roller along (1.0, slope);
     conn girder -> rigid_body 6 { mass: machine, inertia, centre: (machine_x + 0.25, height + offset) };
     conn b -> spring 7 { stiffness: brace } -> conn foot;
     conn c <- along (1.0, 2.0 * slope) <- spring 8 { stiffness: k_absorber } <- mass 9 { mass: absorber } <- free;
-    conn b -> planar_hinge 10 { stiffness_x: k, stiffness_y: k, stiffness_theta: hinge }
-        -> planar_beam 11 { axial_stiffness: ea, bending_stiffness: half, mass_per_length: m } -> conn tip at (-1.0, 1.25 * height);
+    conn b -> hinge 10 { stiffness_x: k, stiffness_y: k, stiffness_rz: hinge }
+        -> beam 11 { axial_stiffness: ea, bending_stiffness: half, mass_per_length: m } -> conn tip at (-1.0, 1.25 * height);
     conn tip <- torsion_spring 12 { stiffness: k_turn } <- fixed;
 }
 

@@ -11,7 +11,7 @@ system! {
     conn a at (0.0, 0.0) -> rigid_body 1 { mass: 3.0, inertia: 0.5, centre: (1.0, 0.2) } <- conn b at (2.0, 0.0) <- roller;
     pinned -> conn a;
     rigid_body 1 -> conn foot at (1.0, 0.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn top at (1.0, 3.0) <- free;
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn top at (1.0, 3.0) <- free;
 }
 
 /// Statics of the plate: both supports share a moment as a couple, and move it as a lever.
@@ -51,7 +51,7 @@ system! {
     /// A mass on a spring and a damper.
     struct Oscillator { k: f64, c: f64 }
     fixed -> conn ground at (0.0, 0.0);
-    conn ground <- along (0.0, 1.0) <- spring_damper 1 { stiffness: k, damping: c } <- mass 2 { mass: 1.0 } <- free;
+    conn ground <- along (0.0, 1.0) <- spring 1 { stiffness: k, damping: c } <- mass 2 { mass: 1.0 } <- free;
 }
 
 /// At critical damping a double eigenvalue has one shape, and beside it two roots nearly share it.
@@ -90,8 +90,8 @@ fn a_mass_on_a_path_has_its_motion_and_its_share() {
 system! {
     /// A bar that stretches, and a last part of it.
     struct Bar { ea: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: 1e9, mass_per_length: 1.0 } -> conn a at (0.9, 0.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: 1e9, mass_per_length: 1.0 } -> free at (1.0, 0.0);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: 1e9, mass_per_length: 1.0 } -> conn a at (0.9, 0.0)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: 1e9, mass_per_length: 1.0 } -> free at (1.0, 0.0);
 }
 
 #[test]
@@ -99,18 +99,18 @@ fn rounding_has_no_nodes_and_lengths_no_last_bit() {
     let bar = Bar { ea: 1.0 }.build().unwrap();
     for root in &bar.first_frequencies::<4>().unwrap() {
         let shape = bar.mode_shape(root).unwrap();
-        assert_eq!([shape.nodes(Bar::planar_beam_1), shape.nodes(Bar::planar_beam_2)], [Ok(0), Ok(0)]);
+        assert_eq!([shape.nodes(Bar::beam_1), shape.nodes(Bar::beam_2)], [Ok(0), Ok(0)]);
         // 1.0 - 0.9 is less than 0.1
-        let end = shape.along(Bar::planar_beam_2, 0.1).unwrap().displacement_x;
-        assert!((end - shape.value(Bar::planar_beam_2.output().displacement_x()).unwrap()).abs() < 1e-13);
+        let end = shape.along(Bar::beam_2, 0.1).unwrap().displacement_x;
+        assert!((end - shape.value(Bar::beam_2.output().displacement_x()).unwrap()).abs() < 1e-13);
     }
 }
 
 system! {
     /// A bent cantilever on a hinge, with a mass and a damper at its tip.
     struct Arm { c: f64 }
-    fixed at (0.0, 0.0) -> planar_hinge 1 { stiffness_x: 3e3, stiffness_y: 2e3, stiffness_theta: 7.0 }
-        -> planar_beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn tip at (0.6, 0.8)
+    fixed at (0.0, 0.0) -> hinge 1 { stiffness_x: 3e3, stiffness_y: 2e3, stiffness_rz: 7.0 }
+        -> beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn tip at (0.6, 0.8)
         -> damper 3 { damping: c } -> conn wall at (2.0, 0.0) <- fixed;
     conn tip -> point_mass 4 { mass: 0.75 };
 }
@@ -129,12 +129,12 @@ fn a_damped_beam_has_the_kinetic_energy_of_its_motion() {
             .map(|k| {
                 let weight = if k == 0 || k == pieces { 1.0 } else { 2.0 + 2.0 * f64::from(k % 2) };
                 let distance = f64::from(k) / f64::from(pieces);
-                weight * square(shape.along(Arm::planar_beam_2, distance).unwrap())
+                weight * square(shape.along(Arm::beam_2, distance).unwrap())
             })
             .sum();
         let of_beam = 1.5 * sum / f64::from(pieces) / 3.0;
-        let of_mass = 0.75 * square(shape.along(Arm::planar_beam_2, 1.0).unwrap());
-        let found = shape.energy_shares(Arm::planar_beam_2).unwrap().kinetic;
+        let of_mass = 0.75 * square(shape.along(Arm::beam_2, 1.0).unwrap());
+        let found = shape.energy_shares(Arm::beam_2).unwrap().kinetic;
         let expected = of_beam / (of_beam + of_mass);
         assert!((found - expected).abs() < 1e-9, "{root:?}: {found} {expected}");
         assert!((shape.energy_shares(Arm::damper_3).unwrap().dissipated - 1.0).abs() < 1e-12);
@@ -149,13 +149,13 @@ fn a_hinge_has_its_share_of_the_strain_energy() {
         let shape = arm.mode_shape(root).unwrap();
         let part = shape.modal_stiffness() / root.omega.powi(2);
         assert!((part - 1.0).abs() < 1e-11, "{root:?}: {part}");
-        assert!(shape.energy_shares(Hinged::planar_hinge_1).unwrap().strain > 1e-6);
+        assert!(shape.energy_shares(Hinged::hinge_1).unwrap().strain > 1e-6);
     }
 }
 
 system! {
     /// A beam on an elastic hinge.
     struct Hinged { k: f64 }
-    fixed at (0.0, 0.0) -> planar_hinge 1 { stiffness_x: 3e3, stiffness_y: 2e3, stiffness_theta: k }
-        -> planar_beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> free at (0.6, 0.8);
+    fixed at (0.0, 0.0) -> hinge 1 { stiffness_x: 3e3, stiffness_y: 2e3, stiffness_rz: k }
+        -> beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> free at (0.6, 0.8);
 }

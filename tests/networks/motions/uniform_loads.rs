@@ -15,7 +15,7 @@ fn assert_close(actual: f64, expected: f64, size: f64) {
 system! {
     /// A cantilever that leads up a slope.
     struct Slope { l: f64, angle: f64, ea: f64, ei: f64, m: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         -> conn 2 at (l * angle.cos(), l * angle.sin());
 }
 
@@ -25,7 +25,7 @@ fn a_cantilever_on_a_slope() {
     let (l, ea, ei, m) = (1.4, 30.0, 2.0, 0.6);
     for angle in [0.0, 0.7, 1.9, -2.3] {
         let system = Slope { l, angle, ea, ei, m }.build().unwrap();
-        let beam = Slope::planar_beam_1;
+        let beam = Slope::beam_1;
         for omega in [0.0, 1e-8, 0.3, 2.5, 17.0, 400.0, 2e5] {
             let (c, s) = (angle.cos(), angle.sin());
             let z = (m * omega * omega / ei).powf(0.25) * l;
@@ -58,8 +58,8 @@ fn a_cantilever_on_a_slope() {
 system! {
     /// A frame between clamps, with a bar that has no free end.
     struct Clamped { l: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 5.0, bending_stiffness: 2.0, mass_per_length: 0.5 } -> conn e at (l, 0.0)
-        -> planar_beam 2 { axial_stiffness: 5.0, bending_stiffness: 2.0, mass_per_length: 0.5 } -> conn a at (l, 1.0);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 5.0, bending_stiffness: 2.0, mass_per_length: 0.5 } -> conn e at (l, 0.0)
+        -> beam 2 { axial_stiffness: 5.0, bending_stiffness: 2.0, mass_per_length: 0.5 } -> conn a at (l, 1.0);
     conn e <- fixed;
 }
 
@@ -68,7 +68,7 @@ system! {
 fn a_bar_between_clamps() {
     let l = 3.0;
     let system = Clamped { l }.build().unwrap();
-    let beam = Clamped::planar_beam_1;
+    let beam = Clamped::beam_1;
     let response = system.frequency_response(beam.uniform_load_y(), beam.input().moment()).unwrap();
     assert_close(response.at(0.0).unwrap(), l * l / 12.0, 1e-14);
     let at_rest = response.states(0.0).unwrap();
@@ -84,7 +84,7 @@ fn a_bar_between_clamps() {
 #[test]
 fn modes_of_a_frame_under_a_load_along_a_member() {
     let system = Slope { l: 1.4, angle: 0.7, ea: 30.0, ei: 2.0, m: 0.6 }.build().unwrap();
-    let (load, entry) = (Slope::planar_beam_1.uniform_load_y(), Slope::conn_2.displacement_y());
+    let (load, entry) = (Slope::beam_1.uniform_load_y(), Slope::conn_2.displacement_y());
     let response = system.frequency_response(load, entry).unwrap();
     let roots = system.first_frequencies::<20>().unwrap();
     let modes = system.modal_response::<20, _>(&roots, load, entry).unwrap();
@@ -93,7 +93,7 @@ fn modes_of_a_frame_under_a_load_along_a_member() {
     assert_close(modes.static_value().unwrap(), at_rest, 1e-13 * at_rest);
     let lacking = (modes.to_step(1e-9) / at_rest).abs();
     assert!(lacking < 1e-3, "{lacking}");
-    for mass_only in [Slope::planar_beam_1.uniform_load_x(), load] {
+    for mass_only in [Slope::beam_1.uniform_load_x(), load] {
         let modes = system.modal_response::<20, _>(&roots, mass_only, entry).unwrap();
         let exact = system.frequency_response(mass_only, entry).unwrap().at(0.0).unwrap();
         assert_close(modes.static_value().unwrap(), exact, 1e-13 * at_rest);

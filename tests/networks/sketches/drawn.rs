@@ -44,19 +44,19 @@ fn named<T>(list: Vec<(&str, T)>) -> Vec<(String, T)> {
 fn the_portal_is_as_it_is_written() {
     let portal = portal::steel().build().unwrap();
     let expected = vec![
-        ("fixed at planar_beam 1", [0.0, 0.0]),
+        ("fixed at beam 1", [0.0, 0.0]),
         ("conn b", [0.0, 3.0]),
         ("conn girder", [2.0, 3.0]),
         ("conn c", [4.0, 3.0]),
         ("conn foot", [4.0, 0.0]),
-        ("the point at planar_beam 5", [4.0, 3.0]),
+        ("the point at beam 5", [4.0, 3.0]),
     ];
     assert_eq!(points(&portal), named(expected));
     let expected = [
-        ("planar_beam 1", "planar_beam", [0, 1]),
-        ("planar_beam 2", "planar_beam", [1, 2]),
-        ("planar_beam 3", "planar_beam", [2, 3]),
-        ("planar_beam 5", "planar_beam", [5, 4]),
+        ("beam 1", "beam", [0, 1]),
+        ("beam 2", "beam", [1, 2]),
+        ("beam 3", "beam", [2, 3]),
+        ("beam 5", "beam", [5, 4]),
         ("pin 4", "pin", [3, 5]),
         ("spring 7", "spring", [1, 4]),
     ];
@@ -67,7 +67,7 @@ fn the_portal_is_as_it_is_written() {
         let at_points = [from, to].map(|end| points(&portal)[end.point.unwrap()].1 == end.position.unwrap());
         at_points == [true; 2] && (member.kind == "pin" || from.along.is_none() && to.along.is_none())
     }));
-    let expected = [("fixed at planar_beam 1", 0, Freedoms::ALL, None), ("pinned at conn foot", 4, XY, None)];
+    let expected = [("fixed at beam 1", 0, Freedoms::ALL, None), ("pinned at conn foot", 4, XY, None)];
     assert_eq!(supports(&portal), expected.map(|(name, point, held, along)| (name.to_owned(), point, held, along)));
     let bodies: Vec<_> = portal.sketch().bodies().collect();
     assert_eq!(bodies.len(), 1);
@@ -95,7 +95,7 @@ fn a_body_ties_its_ports() {
 fn a_skew_roller_has_its_direction() {
     let system = InclinedRoller { length: 2.0, ea: 3e6, ei: 500.0, m: 2.0 }.build().unwrap();
     let roller = system.sketch().supports().nth(1).unwrap();
-    assert_eq!((roller.name.to_string().as_str(), roller.position), ("roller at planar_beam 1", [2.0, 0.0]));
+    assert_eq!((roller.name.to_string().as_str(), roller.position), ("roller at beam 1", [2.0, 0.0]));
     assert_eq!((roller.held, roller.along), (Freedoms::NONE, Some([12.0, 5.0])));
 }
 

@@ -7,11 +7,11 @@ system! {
     pub(crate) struct NafemsCross { pub(crate) length: f64, pub(crate) ea: f64, pub(crate) ei: f64, pub(crate) m: f64 }
 
     pinned at (length, 0.0)
-        <- planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- conn c at (0.0, 0.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pinned at (0.0, length);
+        <- beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- conn c at (0.0, 0.0)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pinned at (0.0, length);
     pinned at (-length, 0.0)
-        <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- conn c
-        -> planar_beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pinned at (0.0, -length);
+        <- beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- conn c
+        -> beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pinned at (0.0, -length);
 }
 
 system! {
@@ -19,10 +19,10 @@ system! {
     pub(crate) struct NafemsSquare { pub(crate) side: f64, pub(crate) ea: f64, pub(crate) ei: f64, pub(crate) m: f64 }
 
     conn a at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (side, 0.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (side, side)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn d at (0.0, side)
-        -> planar_beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a;
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (side, 0.0)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (side, side)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn d at (0.0, side)
+        -> beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a;
 }
 
 system! {
@@ -30,8 +30,8 @@ system! {
     pub(crate) struct LFrame { pub(crate) height: f64, pub(crate) width: f64, pub(crate) ea: f64, pub(crate) ei: f64, pub(crate) m: f64 }
 
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn corner at (0.0, height)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free at (width, height);
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn corner at (0.0, height)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free at (width, height);
 }
 
 system! {
@@ -39,9 +39,9 @@ system! {
     pub(crate) struct Portal { pub(crate) side: f64, pub(crate) ea: f64, pub(crate) ei: f64, pub(crate) m: f64 }
 
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, side)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (side, side)
-        <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (side, 0.0);
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, side)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (side, side)
+        <- beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } <- fixed at (side, 0.0);
 }
 
 system! {
@@ -49,8 +49,8 @@ system! {
     pub(crate) struct HingedFrame { pub(crate) height: f64, pub(crate) ea: f64, pub(crate) ei: f64, pub(crate) m: f64 }
 
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn top at (0.75 * height, height)
-        <- pin 2 {} <- planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn top at (0.75 * height, height)
+        <- pin 2 {} <- beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         <- pinned at (1.5 * height, 0.0);
 }
 
@@ -58,7 +58,7 @@ system! {
     /// A beam whose right end rolls on an incline.
     pub(crate) struct InclinedRoller { pub(crate) length: f64, pub(crate) ea: f64, pub(crate) ei: f64, pub(crate) m: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         -> roller at (length, 0.0) along (12.0, 5.0);
 }
 
@@ -66,9 +66,9 @@ system! {
     /// A rigid body with three ports: two beams and a spring.
     pub(crate) struct ThreePorts { pub(crate) ea: f64, pub(crate) ei: f64, pub(crate) m: f64, pub(crate) stiffness: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         -> conn a at (1.0, 0.0) -> rigid_body 2 { mass: 4.0, inertia: 0.2, centre: (1.2, 0.05) } -> conn b at (1.4, 0.3)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free at (2.4, 0.9);
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> free at (2.4, 0.9);
     rigid_body 2 <- conn c at (1.2, -0.2) <- along (0.0, 1.0) <- spring 4 { stiffness } <- fixed;
 }
 

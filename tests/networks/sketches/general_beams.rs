@@ -11,13 +11,13 @@ mod trees {
         /// A beam with shear under tension, one on a foundation, a strut, with an oscillator.
         pub(super) struct Chain { pub(super) l: f64, pub(super) ei: f64, pub(super) m: f64, pub(super) ga: f64, pub(super) r: f64, pub(super) n: f64, pub(super) k: f64 }
 
-        fixed -> timoshenko_beam 1 { length: l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r } -> conn 2
-            -> general_beam 3 {
-                length: 1.5 * l, bending_stiffness: ei, mass_per_length: m, shear_flexibility: 1.0 / ga, rotary_inertia: r,
+        fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r } -> conn 2
+            -> beam 3 {
+                length: 1.5 * l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (1.0 / ga), rotary_inertia: r,
                 axial_force: n, foundation_stiffness: k
             }
-            -> beam_column 5 { length: l, bending_stiffness: 2.0 * ei, mass_per_length: m, axial_force: -0.1 * n }
-            -> foundation_beam 7 { length: l, bending_stiffness: ei, mass_per_length: m, foundation_stiffness: k } -> pinned;
+            -> beam 5 { length: l, bending_stiffness: 2.0 * ei, mass_per_length: m, axial_force: -0.1 * n }
+            -> beam 7 { length: l, bending_stiffness: ei, mass_per_length: m, foundation_stiffness: k } -> pinned;
         conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass: m } <- free;
     }
 }
@@ -28,13 +28,13 @@ mod sketches {
     system! {
         pub(super) struct Chain { pub(super) l: f64, pub(super) ei: f64, pub(super) m: f64, pub(super) ga: f64, pub(super) r: f64, pub(super) n: f64, pub(super) k: f64 }
 
-        fixed at 0.0 -> timoshenko_beam 1 { bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r } -> conn 2 at l
-            -> general_beam 3 {
-                bending_stiffness: ei, mass_per_length: m, shear_flexibility: 1.0 / ga, rotary_inertia: r, axial_force: n,
+        fixed at 0.0 -> beam 1 { bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r } -> conn 2 at l
+            -> beam 3 {
+                bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (1.0 / ga), rotary_inertia: r, axial_force: n,
                 foundation_stiffness: k
             } -> conn 4 at 2.5 * l
-            -> beam_column 5 { bending_stiffness: 2.0 * ei, mass_per_length: m, axial_force: -0.1 * n } -> conn 6 at 3.5 * l
-            -> foundation_beam 7 { bending_stiffness: ei, mass_per_length: m, foundation_stiffness: k } -> pinned at 4.5 * l;
+            -> beam 5 { bending_stiffness: 2.0 * ei, mass_per_length: m, axial_force: -0.1 * n } -> conn 6 at 3.5 * l
+            -> beam 7 { bending_stiffness: ei, mass_per_length: m, foundation_stiffness: k } -> pinned at 4.5 * l;
         conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass: m } <- free;
     }
 
@@ -42,11 +42,11 @@ mod sketches {
         /// A cantilever of general beams in a direction, nearly rigid along it.
         pub(super) struct Turned { pub(super) x: f64, pub(super) y: f64, pub(super) ea: f64, pub(super) f: f64, pub(super) r: f64, pub(super) n: f64, pub(super) k: f64 }
 
-        fixed at (0.0, 0.0) -> planar_general_beam 1 {
-            axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_flexibility: f, rotary_inertia: r, axial_force: n,
+        fixed at (0.0, 0.0) -> beam 1 {
+            axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
             foundation_stiffness: k
-        } -> conn 2 at (0.4 * x, 0.4 * y) <- planar_general_beam 3 {
-            axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_flexibility: f, rotary_inertia: r, axial_force: n,
+        } -> conn 2 at (0.4 * x, 0.4 * y) <- beam 3 {
+            axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
             foundation_stiffness: k
         } <- free at (x, y);
     }
@@ -54,24 +54,24 @@ mod sketches {
 
 system! {
     struct Cantilever { f: f64, r: f64, n: f64, k: f64 }
-    fixed -> general_beam 1 {
-        length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, shear_flexibility: f, rotary_inertia: r, axial_force: n,
+    fixed -> beam 1 {
+        length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
         foundation_stiffness: k
     } -> free
 }
 
 system! {
     struct PlainPortal { ea: f64 }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, 1.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn c at (1.5, 1.0)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned at (1.5, 0.0)
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, 1.0)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn c at (1.5, 1.0)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned at (1.5, 0.0)
 }
 
 system! {
     struct GeneralPortal { ea: f64 }
-    fixed at (0.0, 0.0) -> planar_general_beam 1 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, 1.0)
-        -> planar_foundation_beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, foundation_stiffness: 0.0 } -> conn c at (1.5, 1.0)
-        -> planar_rayleigh_beam 3 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, rotary_inertia: 0.0 } -> pinned at (1.5, 0.0)
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (0.0, 1.0)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0} -> conn c at (1.5, 1.0)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0} -> pinned at (1.5, 0.0)
 }
 
 /// Declares square portals whose columns are under a load each.
@@ -80,9 +80,9 @@ macro_rules! swaying {
         system! {
             struct $model { load: f64, ea: f64 }
             $foot at (0.0, 0.0)
-                -> planar_beam_column 1 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> conn b at (0.0, 1.0)
-                -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn c at (1.0, 1.0);
-            conn c <- planar_beam_column 3 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } <- $foot at (1.0, 0.0);
+                -> beam 1 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> conn b at (0.0, 1.0)
+                -> beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn c at (1.0, 1.0);
+            conn c <- beam 3 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } <- $foot at (1.0, 0.0);
         }
     )*};
 }
@@ -130,11 +130,11 @@ fn a_line_of_general_beams_is_their_tree() {
             }
             let shapes = (tree.mode_shape(&roots.0).unwrap(), sketch.mode_shape(&roots.1).unwrap());
             let ratio = shapes.1.value(sketches::Chain::conn_4.rotation_z()).unwrap()
-                / shapes.0.state(trees::Chain::general_beam_3.output()).theta;
+                / shapes.0.state(trees::Chain::beam_3.output()).theta;
             for part in [0.1, 0.5, 0.93] {
                 let length = 1.5 * l;
-                let one = shapes.0.along(trees::Chain::general_beam_3, part * length).unwrap();
-                let other = shapes.1.along(sketches::Chain::general_beam_3, part * length).unwrap();
+                let one = shapes.0.along(trees::Chain::beam_3, part * length).unwrap();
+                let other = shapes.1.along(sketches::Chain::beam_3, part * length).unwrap();
                 let size = one.y.abs() + one.theta.abs() * l;
                 assert!(
                     (other.displacement_y - ratio * one.y).abs() <= 1e-9 * size * ratio.abs(),

@@ -14,7 +14,7 @@ mod trees {
 
         fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m } -> conn 2
             -> beam 3 { length: 2.0 * l, bending_stiffness: ei, mass_per_length: 2.0 * m }
-            -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: 0.3 * k } -> beam 5 { length: l, bending_stiffness: ei, mass_per_length: m }
+            -> hinge 4 { stiffness_y: k, stiffness_rz: 0.3 * k } -> beam 5 { length: l, bending_stiffness: ei, mass_per_length: m }
             -> body 6 { mass, inertia_about_input: 0.125 + mass * 0.0625, output_x: 0.5, centre_x: 0.25 } -> conn 7 -> free;
         conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass } <- spring 10 { stiffness: 0.5 * k } <- fixed;
         conn 2 <- torsion_spring 11 { stiffness: k } <- inertia 12 { inertia: 0.2 * mass } <- free;
@@ -29,7 +29,7 @@ mod trees {
             -> beam 3 { length: 0.5 * l, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn 4
             -> beam 5 { length: l, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned;
         conn 2 <- damper 6 { damping: c } <- fixed;
-        conn 4 <- spring_damper 7 { stiffness: k, damping: c } <- mass 8 { mass: 0.3 } <- free;
+        conn 4 <- spring 7 { stiffness: k, damping: c } <- mass 8 { mass: 0.3 } <- free;
     }
 }
 
@@ -41,7 +41,7 @@ mod sketches {
 
         fixed at 0.0 -> beam 1 { bending_stiffness: ei, mass_per_length: m } -> conn 2 at l
             -> beam 3 { bending_stiffness: ei, mass_per_length: 2.0 * m }
-            -> conn h at 3.0 * l -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: 0.3 * k }
+            -> conn h at 3.0 * l -> hinge 4 { stiffness_y: k, stiffness_rz: 0.3 * k }
             -> beam 5 { bending_stiffness: ei, mass_per_length: m } -> conn e at 4.0 * l
             -> rigid_body 6 { mass, inertia: 0.125, centre: 4.0 * l + 0.25 } -> conn 7 at 4.0 * l + 0.5;
         conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass } <- spring 10 { stiffness: 0.5 * k } <- fixed;
@@ -57,7 +57,7 @@ mod sketches {
             <- beam 3 { bending_stiffness: 1.0, mass_per_length: 1.0 } <- conn 4 at 1.5 * l;
         conn 4 -> beam 5 { bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned at 2.5 * l;
         conn 2 <- damper 6 { damping: c } <- fixed;
-        conn 4 <- spring_damper 7 { stiffness: k, damping: c } <- mass 8 { mass: 0.3 } <- free;
+        conn 4 <- spring 7 { stiffness: k, damping: c } <- mass 8 { mass: 0.3 } <- free;
     }
 }
 

@@ -28,7 +28,7 @@ system! {
     /// A cantilever with a chain of springs and masses along a slope to its tip, a spring to the ground, and a turning inertia.
     pub(super) struct Chain { pub(super) k: f64, pub(super) mass: f64, pub(super) x: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (x, 0.5);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (x, 0.5);
     conn a <- along (x, 1.0) <- spring 2 { stiffness: k } <- mass 3 { mass } <- spring 4 { stiffness: 2.0 * k }
         <- mass 5 { mass: 0.5 * mass } <- conn u <- spring 6 { stiffness: 3.0 * k } <- fixed;
     conn a -> spring 7 { stiffness: k } -> conn g at (2.0, 2.0) <- fixed;
@@ -65,8 +65,8 @@ system! {
     /// A mass that stands at a contact, a motion with two contacts, and one that is held.
     struct Contacts { mass: f64, k: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
-        -> planar_beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn b at (2.0, 0.0);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
+        -> beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn b at (2.0, 0.0);
     conn a <- along (1.0, 1.0) <- mass 3 { mass } <- spring 4 { stiffness: k } <- fixed;
     conn u <- spring 5 { stiffness: k } <- fixed;
     conn a <- along (0.0, 1.0) <- conn u -> along (1.0, 3.0) -> conn b;
@@ -103,12 +103,12 @@ system! {
     /// A body on two supports between beams, with masses at it, joints in series, and a skew support.
     pub(super) struct Bodies { pub(super) mass: f64, pub(super) k: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
         -> rigid_body hub { mass, inertia: 0.2, centre: (1.5, 0.25) } -> conn b at (2.0, 0.5)
-        -> planar_hinge 2 { stiffness_x: k, stiffness_y: 2.0 * k, stiffness_theta: 0.1 * k }
-        -> planar_beam 3 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn c at (3.0, 1.0)
+        -> hinge 2 { stiffness_x: k, stiffness_y: 2.0 * k, stiffness_rz: 0.1 * k }
+        -> beam 3 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn c at (3.0, 1.0)
         -> slider 4 { along: (1.0, 2.0) } -> pin 5 {}
-        -> planar_beam 6 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 }
+        -> beam 6 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 }
         -> roller at (4.0, 0.0) along (3.0, 1.0);
     rigid_body hub <- conn d at (1.5, -0.5) <- held(y);
     rigid_body hub <- conn e at (1.75, -0.25) <- roller along (1.0, 5.0);
@@ -157,8 +157,8 @@ system! {
     /// A frame on a damper in its plane.
     pub(super) struct DampedFrame { pub(super) c: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
-        -> planar_beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn b at (2.0, 1.0);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
+        -> beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn b at (2.0, 1.0);
     fixed at (2.0, 0.0) -> damper 3 { damping: c } -> conn b;
 }
 

@@ -14,13 +14,13 @@ system! {
     /// A pinned truss whose bars cross: a loop of bars, whose ends turn.
     struct Truss { ea: f64, ei: f64, m: f64 }
 
-    pinned at (0.0, 0.0) -> pin a {} -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+    pinned at (0.0, 0.0) -> pin a {} -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         -> pin b {} -> conn top at (1.0, 1.0)
-        <- pin c {} <- planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+        <- pin c {} <- beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         <- pin d {} <- pinned at (2.0, 0.0);
-    conn top -> pin e {} -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+    conn top -> pin e {} -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         -> pin f {} -> conn side at (2.5, 1.2) <- point_mass 4 { mass: 0.3 };
-    conn side -> pin g {} -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+    conn side -> pin g {} -> beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         -> pin h {} -> pinned at (3.0, 0.0);
     conn side -> spring 6 { stiffness: ea } -> conn foot at (1.0, -0.5) <- pinned;
     conn top -> spring 7 { stiffness: 0.5 * ea } -> conn foot;
@@ -30,9 +30,9 @@ system! {
     /// Two beams side by side with a spring and a torsion spring between the same points.
     struct Parallel { ea: f64, ei: f64, m: f64, k: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (1.0, 0.2)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (2.0, 1.0);
-    conn b -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: 2.0 * ei, mass_per_length: m } -> conn a;
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (1.0, 0.2)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (2.0, 1.0);
+    conn b -> beam 3 { axial_stiffness: ea, bending_stiffness: 2.0 * ei, mass_per_length: m } -> conn a;
     conn a -> spring 4 { stiffness: k } -> conn b;
     conn b <- torsion_spring 5 { stiffness: k } <- conn a;
 }
@@ -41,8 +41,8 @@ system! {
     /// Paths of masses between directions, of one motion that two points share, of rotation, and one to the ground.
     struct Paths { mass: f64, k: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
-        -> planar_beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn b at (2.0, 0.5);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
+        -> beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn b at (2.0, 0.5);
     conn a <- along (1.0, 1.0) <- mass 3 { mass } <- spring 4 { stiffness: k } <- fixed;
     conn a <- along (0.0, 1.0) <- conn u -> along (1.0, 3.0) -> conn b;
     conn u <- spring 5 { stiffness: 2.0 * k } <- mass 6 { mass } <- free;
@@ -54,11 +54,11 @@ system! {
     /// A body on three supports between beams, with joints in series, a hinge, a slider and a skew support.
     struct Bodies { mass: f64, k: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
         -> rigid_body hub { mass, inertia: 0.2, centre: (1.5, 0.25) } -> conn b at (2.0, 0.5)
-        -> planar_hinge 2 { stiffness_x: k, stiffness_y: 2.0 * k, stiffness_theta: 0.1 * k }
-        -> planar_beam 3 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn c at (3.0, 1.0)
-        -> slider 4 { along: (1.0, 2.0) } -> pin 5 {} -> planar_beam 6 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 }
+        -> hinge 2 { stiffness_x: k, stiffness_y: 2.0 * k, stiffness_rz: 0.1 * k }
+        -> beam 3 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn c at (3.0, 1.0)
+        -> slider 4 { along: (1.0, 2.0) } -> pin 5 {} -> beam 6 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 }
         -> roller at (4.0, 0.0) along (3.0, 1.0);
     rigid_body hub <- conn d at (1.5, -0.5) <- held(y);
     rigid_body hub <- conn e at (1.75, -0.25) <- roller along (1.0, 5.0);
@@ -70,13 +70,13 @@ system! {
     /// A damped frame: dashpots at an angle, about z, beside a spring, and in a path with a mass.
     struct Damped { c: f64 }
 
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
-        -> planar_beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn b at (2.0, 1.0)
-        -> planar_beam 3 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> pinned at (3.0, 0.0);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at (1.0, 0.0)
+        -> beam 2 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn b at (2.0, 1.0)
+        -> beam 3 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5 } -> pinned at (3.0, 0.0);
     fixed at (2.0, 0.0) -> damper 4 { damping: c } -> conn b;
     conn a -> torsion_damper 5 { damping: 0.1 * c } -> conn b;
-    conn a -> spring_damper 6 { stiffness: 30.0, damping: c } -> conn b;
-    conn b <- along (0.0, 1.0) <- spring_damper 7 { stiffness: 5.0, damping: c } <- mass 8 { mass: 0.4 } <- free;
+    conn a -> spring 6 { stiffness: 30.0, damping: c } -> conn b;
+    conn b <- along (0.0, 1.0) <- spring 7 { stiffness: 5.0, damping: c } <- mass 8 { mass: 0.4 } <- free;
 }
 
 system! {
@@ -86,7 +86,7 @@ system! {
     pinned at 0.0 -> beam 1 { bending_stiffness: ei, mass_per_length: 1.0 } -> conn a at 1.0
         -> beam 2 { bending_stiffness: ei, mass_per_length: 1.0 } -> conn b at 2.5
         -> pin 3 {} -> beam 4 { bending_stiffness: 2.0 * ei, mass_per_length: 2.0 } -> conn a;
-    conn b -> elastic_hinge 5 { stiffness_y: k, stiffness_theta: 0.2 * k } -> conn c
+    conn b -> hinge 5 { stiffness_y: k, stiffness_rz: 0.2 * k } -> conn c
         -> rigid_body 6 { mass: 0.3, inertia: 0.1, centre: 2.7 } -> conn d at 3.0 <- guided;
     rigid_body 6 <- conn e at 3.2 <- pinned;
     conn a <- spring 7 { stiffness: k } <- mass 8 { mass: 0.2 } <- spring 9 { stiffness: k } <- conn b;

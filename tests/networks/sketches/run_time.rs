@@ -118,7 +118,7 @@ fn a_body_on_two_supports_moves_as_that_of_its_sketch() {
         }
     }
     let inside = frame.frequency_response(b.force_y(), column.output().moment()).unwrap().at(0.0).unwrap();
-    let of_sketch = Bodies::planar_beam_1.output().moment();
+    let of_sketch = Bodies::beam_1.output().moment();
     let of_sketch = sketch.frequency_response(Bodies::conn_b.force_y(), of_sketch).unwrap().at(0.0).unwrap();
     assert!((inside / of_sketch - 1.0).abs() < 1e-13);
     // the tip moves along its roller alone
@@ -149,8 +149,8 @@ system! {
     struct Girder { l: f64, k: f64 }
 
     fixed at 0.0 -> beam 1 { bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at l -> pin 2 {}
-        -> general_beam 3 {
-            bending_stiffness: 2.0, mass_per_length: 1.5, shear_flexibility: 0.0625, rotary_inertia: 0.1, axial_force: -0.25,
+        -> beam 3 {
+            bending_stiffness: 2.0, mass_per_length: 1.5, shear_stiffness: 1.0 / (0.0625), rotary_inertia: 0.1, axial_force: -0.25,
             foundation_stiffness: 3.0, foundation_shear_stiffness: 0.5
         } -> conn b at 2.5 * l <- pinned;
     conn a <- spring 4 { stiffness: k } <- mass 5 { mass: 0.7 } <- spring 6 { stiffness: 2.0 * k } <- fixed;

@@ -7,7 +7,7 @@ use mstmm::prelude::*;
 
 system! {
     struct Column { length: f64, force: f64 }
-    pinned -> beam_column 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned
+    pinned -> beam 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned
 }
 
 /// Columns beside buckling: estimates, some of whose intervals miss, claim nothing; lists claim what they prove, and hold the closed form.

@@ -69,13 +69,13 @@ fn parts(random: &mut Random) -> Vec<f64> {
 
 system! {
     struct Pinned { length: f64, force: f64 }
-    pinned -> beam_column 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned
+    pinned -> beam 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned
 }
 
 system! {
     struct TwoSpans { length: f64, force: f64 }
-    pinned -> beam_column 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> conn 2
-        -> beam_column 3 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned;
+    pinned -> beam 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> conn 2
+        -> beam 3 { length, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force } -> pinned;
     conn 2 <- pinned
 }
 
@@ -129,7 +129,7 @@ const KINDS: [Kind; 6] = [
     ("clamped columns", |column, _| chain(Support::Fixed, vec![Link::Beam(column)], Support::Fixed)),
     ("columns on a foundation, with shear", |column, number| {
         let other = GeneralBeam {
-            shear_flexibility: 0.01 * number,
+            shear_stiffness: 100.0 / number,
             rotary_inertia: 0.002,
             foundation_stiffness: 50.0 * number,
             ..column

@@ -28,9 +28,10 @@ fn between(tip: Support, links: Vec<Link>, root: Support) -> Chain {
 /// The exact count of a pinned beam: in each number of half waves the energy is a form of two numbers, `(Y' - Θ)²/f + EI Θ'² + N Y'² + k Y²`
 /// less `ω² (m Y² + r Θ²)`. With none the sections turn as one. None where two words do not tell a sign.
 fn of_sines(beam: &GeneralBeam<f64>, omega: f64) -> Option<u64> {
-    let [f, r, n, k] =
-        [beam.shear_flexibility, beam.rotary_inertia, beam.axial_force, beam.foundation_stiffness].map(double);
+    let [ga, r, n, k] =
+        [beam.shear_stiffness, beam.rotary_inertia, beam.axial_force, beam.foundation_stiffness].map(double);
     let (omega, one) = (square(omega), double(1.0));
+    let f = one / ga;
     let sure = |value: Double, size: Double| (value.abs() > size.abs() * double(1e-27)).then_some(value < double(0.0));
     let mut count = u64::from(sure(one - omega * r * f, one)?);
     for waves in 1..40 {
@@ -58,7 +59,7 @@ fn stocky(m: u32, n: u32, share: f64) -> Vec<(GeneralBeam<f64>, f64)> {
     let beam = |square: f64| {
         let r = sum / square - f;
         (r > 0.0 && r < 10.0)
-            .then_some((GeneralBeam { shear_flexibility: f, rotary_inertia: r, ..PLAIN }, square.sqrt()))
+            .then_some((GeneralBeam { shear_stiffness: 1.0 / f, rotary_inertia: r, ..PLAIN }, square.sqrt()))
     };
     [middle - rest, middle + rest].into_iter().filter_map(|twice| beam(twice / (2.0 * f * f))).collect()
 }
@@ -74,7 +75,7 @@ fn two_waves(shares: usize) {
                     [(0, 0), (random.pick(MOVES), random.pick(MOVES)), (random.pick(MOVES), random.pick(MOVES))]
                 {
                     let beam = GeneralBeam {
-                        shear_flexibility: moved(point.shear_flexibility, df),
+                        shear_stiffness: moved(point.shear_stiffness, df),
                         rotary_inertia: moved(point.rotary_inertia, dr),
                         ..point
                     };
@@ -192,7 +193,7 @@ fn double_columns(models: usize) {
 
 system! {
     struct Clamped { foundation: f64, load: f64 }
-    fixed -> general_beam 1 {
+    fixed -> beam 1 {
         length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load, foundation_stiffness: foundation
     } -> fixed
 }

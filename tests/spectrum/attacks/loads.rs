@@ -8,7 +8,7 @@ use mstmm::search::{CriticalLoad, critical_loads};
 
 system! {
     struct Strut { foundation: f64, load: f64 }
-    pinned -> general_beam 1 {
+    pinned -> beam 1 {
         length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load, foundation_stiffness: foundation
     } -> pinned
 }
@@ -69,10 +69,10 @@ fn coincident_loads(ranges: usize) {
 
 system! {
     struct Twins { one: f64, other: f64, spring: f64, load: f64 }
-    pinned at 0.0 -> beam_column 1 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> conn a at 0.5 * one
-        -> beam_column 2 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> pinned at one;
-    pinned at 0.0 -> beam_column 3 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> conn b at 0.5 * other
-        -> beam_column 4 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> pinned at other;
+    pinned at 0.0 -> beam 1 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> conn a at 0.5 * one
+        -> beam 2 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> pinned at one;
+    pinned at 0.0 -> beam 3 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> conn b at 0.5 * other
+        -> beam 4 { bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -load } -> pinned at other;
     conn a -> spring 5 { stiffness: spring } -> conn b
 }
 

@@ -45,7 +45,7 @@ fn loaded(random: &mut Random) -> Chain {
         if random.chance(share) {
             let force = decade(random, 0.0, 2.5) * beam.bending_stiffness / (beam.length * beam.length);
             beam.axial_force =
-                -if beam.shear_flexibility > 0.0 { force.min(0.7 / beam.shear_flexibility) } else { force };
+                -if beam.shear_stiffness < f64::INFINITY { force.min(0.7 * beam.shear_stiffness) } else { force };
         }
     }
     chain

@@ -85,7 +85,7 @@ impl Chain {
                     &mut beam.length,
                     &mut beam.bending_stiffness,
                     &mut beam.mass_per_length,
-                    &mut beam.shear_flexibility,
+                    &mut beam.shear_stiffness,
                     &mut beam.rotary_inertia,
                     &mut beam.axial_force,
                     &mut beam.foundation_stiffness,

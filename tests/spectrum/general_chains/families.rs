@@ -13,7 +13,7 @@ pub(crate) const PLAIN: GeneralBeam<f64> = GeneralBeam {
     length: 1.0,
     bending_stiffness: 1.0,
     mass_per_length: 1.0,
-    shear_flexibility: 0.0,
+    shear_stiffness: f64::INFINITY,
     rotary_inertia: 0.0,
     axial_force: 0.0,
     foundation_stiffness: 0.0,
@@ -50,7 +50,7 @@ fn slender(random: &mut Random, slenderness: f64) -> GeneralBeam<f64> {
         length,
         bending_stiffness,
         mass_per_length,
-        shear_flexibility: 1.0 / (bending_stiffness * square * (0.2 + 0.2 * random.unit())),
+        shear_stiffness: bending_stiffness * square * (0.2 + 0.2 * random.unit()),
         rotary_inertia: mass_per_length / square,
         ..PLAIN
     }
@@ -73,15 +73,15 @@ fn any(random: &mut Random) -> GeneralBeam<f64> {
     let mut beam = any_slender(random);
     let scale = beam.bending_stiffness / (beam.length * beam.length);
     if random.chance(0.3) {
-        beam.shear_flexibility = 0.0;
+        beam.shear_stiffness = f64::INFINITY;
     }
     if random.chance(0.3) {
         beam.rotary_inertia = 0.0;
     }
     if random.chance(0.5) {
         beam.axial_force = scale * if random.chance(0.6) { -random.unit() } else { decade(random, -2.0, 4.0) };
-        if beam.shear_flexibility > 0.0 {
-            beam.axial_force = beam.axial_force.max(-0.3 / beam.shear_flexibility);
+        if beam.shear_stiffness < f64::INFINITY {
+            beam.axial_force = beam.axial_force.max(-0.3 * beam.shear_stiffness);
         }
     }
     if random.chance(0.4) {
@@ -140,12 +140,12 @@ pub(crate) fn slender_and_stocky(random: &mut Random) -> Named {
 pub(crate) fn beside_buckling(random: &mut Random) -> Named {
     let mut beam = slender_as(random, [1.0, 5.0, 1e3]);
     if random.chance(0.4) {
-        beam.shear_flexibility = 0.0;
+        beam.shear_stiffness = f64::INFINITY;
     }
     if random.chance(0.4) {
         beam.foundation_stiffness = decade(random, -1.0, 7.0) * beam.bending_stiffness / beam.length.powi(4);
     }
-    let (ei, f, k) = (beam.bending_stiffness, beam.shear_flexibility, beam.foundation_stiffness);
+    let (ei, f, k) = (beam.bending_stiffness, 1.0 / beam.shear_stiffness, beam.foundation_stiffness);
     let load = |n: f64| {
         let wave = (n * PI / beam.length).powi(2);
         let bending = ei * wave;
@@ -175,12 +175,12 @@ pub(crate) fn stiff_foundations(random: &mut Random) -> Named {
         let unit = beam.bending_stiffness / beam.length.powi(4);
         beam.foundation_stiffness = unit * random.pick([0.0, 1e-3, 1.0, 1e4, 1e8, 1e12]);
         if random.chance(0.5) {
-            beam.shear_flexibility = 0.0;
+            beam.shear_stiffness = f64::INFINITY;
         }
         if random.chance(0.3) {
             beam.axial_force = -1.9 * random.unit() * (beam.foundation_stiffness * beam.bending_stiffness).sqrt();
-            if beam.shear_flexibility > 0.0 {
-                beam.axial_force = beam.axial_force.max(-0.5 / beam.shear_flexibility);
+            if beam.shear_stiffness < f64::INFINITY {
+                beam.axial_force = beam.axial_force.max(-0.5 * beam.shear_stiffness);
             }
         }
         links.push(Link::Beam(beam));
@@ -203,9 +203,9 @@ pub(crate) fn at_cut_off(random: &mut Random) -> Named {
         beam.foundation_stiffness = decade(random, -1.0, 4.0);
     }
     if random.chance(0.4) {
-        beam.axial_force = random.unit() * 0.5 / beam.shear_flexibility;
+        beam.axial_force = random.unit() * 0.5 * beam.shear_stiffness;
     }
-    let mut at = vec![(1.0 / (beam.shear_flexibility * beam.rotary_inertia)).sqrt()];
+    let mut at = vec![(beam.shear_stiffness / beam.rotary_inertia).sqrt()];
     if beam.foundation_stiffness > 0.0 {
         at.push((beam.foundation_stiffness / beam.mass_per_length).sqrt());
     }
@@ -219,7 +219,7 @@ pub(crate) fn at_cut_off(random: &mut Random) -> Named {
 /// Compression next to where a section has no stiffness left, on a foundation that holds it.
 pub(crate) fn next_to_no_shear(random: &mut Random) -> Named {
     let mut beam = slender_as(random, [1.0, 2.0]);
-    let ga = 1.0 / beam.shear_flexibility;
+    let ga = beam.shear_stiffness;
     beam.axial_force = -ga * (1.0 - 10f64.powi(-1 - random.below(12) as i32));
     beam.foundation_stiffness = ga * ga / beam.bending_stiffness * decade(random, 0.1, 2.0);
     Named::of(random.pick(SUPPORTS), vec![Link::Beam(beam)], random.pick(SUPPORTS))
@@ -229,7 +229,7 @@ pub(crate) fn next_to_no_shear(random: &mut Random) -> Named {
 pub(crate) fn free_beams(random: &mut Random) -> Named {
     let mut beam = any_slender(random);
     if random.chance(0.5) {
-        beam.shear_flexibility = 0.0;
+        beam.shear_stiffness = f64::INFINITY;
     }
     if random.chance(0.5) {
         beam.rotary_inertia = 0.0;

@@ -51,13 +51,15 @@ impl Case {
             length,
             bending_stiffness,
             mass_per_length,
-            shear_flexibility,
+            shear_stiffness,
             rotary_inertia,
             axial_force,
             foundation_stiffness,
             foundation_shear_stiffness,
         } = self.beam;
-        let [l, ei, m, f] = [length, bending_stiffness, mass_per_length, shear_flexibility].map(number);
+        let [l, ei, m] = [length, bending_stiffness, mass_per_length].map(number);
+        let is_sheared = shear_stiffness < f64::INFINITY;
+        let f = if is_sheared { number(1.0) / number(shear_stiffness) } else { number(0.0) };
         let tension = number(axial_force) + number(foundation_shear_stiffness);
         let square = omega * omega;
         let sigma = number(1.0) / (number(1.0) + &tension * &f);
@@ -103,7 +105,7 @@ impl Case {
             GeneralBeam { length: more(beam.length), ..beam },
             GeneralBeam { bending_stiffness: more(beam.bending_stiffness), ..beam },
             GeneralBeam { mass_per_length: more(beam.mass_per_length), ..beam },
-            GeneralBeam { shear_flexibility: more(beam.shear_flexibility), ..beam },
+            GeneralBeam { shear_stiffness: more(beam.shear_stiffness), ..beam },
             GeneralBeam { rotary_inertia: more(beam.rotary_inertia), ..beam },
             GeneralBeam { axial_force: more(beam.axial_force), ..beam },
             GeneralBeam { foundation_stiffness: more(beam.foundation_stiffness), ..beam },
@@ -119,7 +121,7 @@ impl Case {
         let tension = self.beam.axial_force + self.beam.foundation_shear_stiffness;
         let h = (m * omega * omega + self.beam.foundation_stiffness) * scale * l * l;
         let g = (tension.abs() + self.beam.rotary_inertia * omega * omega) * scale;
-        let tau = self.beam.shear_flexibility / scale;
+        let tau = 1.0 / self.beam.shear_stiffness / scale;
         let wave = (h.sqrt() + g + tau * h).sqrt();
         (3.0 * wave) as usize + 400
     }

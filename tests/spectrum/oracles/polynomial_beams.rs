@@ -95,11 +95,10 @@ fn element(
     to: Option<[Form; 2]>,
 ) -> [Form; 2] {
     let to = to.unwrap_or_else(|| [matrix.freedom(), matrix.freedom()]);
-    let [length, ei, m, r, f] =
-        [beam.length, beam.bending_stiffness, beam.mass_per_length, beam.rotary_inertia, beam.shear_flexibility]
-            .map(number);
+    let [length, ei, m, r] =
+        [beam.length, beam.bending_stiffness, beam.mass_per_length, beam.rotary_inertia].map(number);
     let half = length * number(0.5);
-    let is_sheared = beam.shear_flexibility > 0.0;
+    let is_sheared = beam.shear_stiffness < f64::INFINITY;
     let Motion { y, slope, theta, curvature } = Motion::between([from, to.clone()], is_sheared, degree, &half, matrix);
     let mut add = |series: &[Form], density: Exact| add_square(matrix, series, &(density * &half));
     add(&curvature, ei);
@@ -108,14 +107,14 @@ fn element(
     add(&theta, -(r * square));
     if is_sheared {
         let shear: Series = slope.iter().zip(&theta).map(|(slope, theta)| sum(slope, &number(-1.0), theta)).collect();
-        add(&shear, number(1.0) / f);
+        add(&shear, number(beam.shear_stiffness));
     }
     to
 }
 
 /// About the largest wave number of a beam times its length, of waves that travel or decay.
 fn largest_wave(beam: &GeneralBeam<f64>, square: f64) -> f64 {
-    let (ei, f) = (beam.bending_stiffness, beam.shear_flexibility);
+    let (ei, f) = (beam.bending_stiffness, 1.0 / beam.shear_stiffness);
     let tension = beam.axial_force + beam.foundation_shear_stiffness;
     let sigma = 1.0 / (1.0 + tension * f);
     let h = (beam.mass_per_length * square).abs() + beam.foundation_stiffness;

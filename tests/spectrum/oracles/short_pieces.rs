@@ -23,7 +23,7 @@ const WAVE: f64 = 12.0;
 /// Length, in that of a beam, of equal pieces that do not vibrate.
 fn pieces(beam: &GeneralBeam<f64>, square: f64) -> Option<usize> {
     let tension = beam.axial_force + beam.foundation_shear_stiffness;
-    let (ei, f) = (beam.bending_stiffness, beam.shear_flexibility);
+    let (ei, f) = (beam.bending_stiffness, 1.0 / beam.shear_stiffness);
     let left = exact_share(beam);
     let sigma = 1.0 / left;
     let h = (beam.mass_per_length * square - beam.foundation_stiffness).max(0.0);
@@ -41,7 +41,7 @@ fn pieces(beam: &GeneralBeam<f64>, square: f64) -> Option<usize> {
 
 /// The number of pieces that do not vibrate pinned, whose shapes are sines, with `1 + T f`; a clamped piece has less.
 fn by_sines(beam: &GeneralBeam<f64>, square: f64, left: f64) -> f64 {
-    let (ei, f) = (beam.bending_stiffness, beam.shear_flexibility);
+    let (ei, f) = (beam.bending_stiffness, 1.0 / beam.shear_stiffness);
     if f == 0.0 {
         return f64::INFINITY;
     }
@@ -59,10 +59,15 @@ fn by_sines(beam: &GeneralBeam<f64>, square: f64, left: f64) -> f64 {
     beam.length * (1.1 * least).sqrt() / PI
 }
 
+/// `1/kGA`; nothing without shear.
+fn flexibility(beam: &GeneralBeam<f64>) -> Exact {
+    if beam.shear_stiffness < f64::INFINITY { number(1.0) / number(beam.shear_stiffness) } else { number(0.0) }
+}
+
 /// `1 + T f`.
 fn exact_share(beam: &GeneralBeam<f64>) -> f64 {
     let tension = number(beam.axial_force) + number(beam.foundation_shear_stiffness);
-    (number(1.0) + tension * number(beam.shear_flexibility)).to_f64().value()
+    (number(1.0) + tension * flexibility(beam)).to_f64().value()
 }
 
 /// `exp A` of the equations with σ, τ, g, h, by its power series, column by column.
@@ -84,7 +89,8 @@ fn exponential([sigma, tau, g, h]: &[Exact; 4]) -> [[Exact; 4]; 4] {
 
 /// The stiffness of a piece against deflection and rotation of both ends.
 fn stiffness(beam: &GeneralBeam<f64>, square: &Exact, count: usize) -> [[Exact; 4]; 4] {
-    let [l, ei, m, f] = [beam.length, beam.bending_stiffness, beam.mass_per_length, beam.shear_flexibility].map(number);
+    let [l, ei, m] = [beam.length, beam.bending_stiffness, beam.mass_per_length].map(number);
+    let f = flexibility(beam);
     let l = l / number(count as f64);
     let tension = number(beam.axial_force) + number(beam.foundation_shear_stiffness);
     let sigma = number(1.0) / (number(1.0) + &tension * &f);

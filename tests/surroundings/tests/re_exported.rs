@@ -5,7 +5,7 @@ use surroundings::methods::prelude::*;
 surroundings::methods::system! {
     struct Oscillator { k: f64, c: f64, m: f64 }
     let stiffness = 2.0 * k;
-    fixed -> spring_damper 1 { stiffness, damping: c } -> surroundings::methods::elements::Mass 2 { mass: m } -> free
+    fixed -> spring 1 { stiffness, damping: c } -> surroundings::methods::elements::Mass 2 { mass: m } -> free
 }
 
 /// Closed form: `λ² + 2λ + 10 = 0`.

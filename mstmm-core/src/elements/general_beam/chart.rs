@@ -1,9 +1,10 @@
 //! The chart of a general beam between two points.
 
+use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::constants::{Constants, SectionAt};
+use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::Transfer;
-use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::bending_chart::Impedances;
 use crate::elements::shared::chart_form::{Factors, Form};
 use crate::elements::shared::compound::Units;
@@ -185,7 +186,7 @@ fn replaced(mut pair: [usize; 2], place: usize, by: usize) -> [usize; 2] {
     pair
 }
 
-impl<S: Scalar> GeneralBeam<S> {
+impl<S: Scalar> BeamParameters<S> {
     /// The relation of both ends at λ², and the factors of its entries, from the parameters alone.
     pub(crate) fn relation(&self, lambda_squared: S) -> (Relation<S>, Factors<S>) {
         let units = Units::new(self.bending_stiffness, S::one() / self.length);
@@ -193,7 +194,7 @@ impl<S: Scalar> GeneralBeam<S> {
     }
 
     fn relation_of(&self, section: SectionAt<S>, units: Units<S>) -> (Relation<S>, Factors<S>) {
-        let GeneralBeam { length, bending_stiffness, .. } = *self;
+        let BeamParameters { length, bending_stiffness, .. } = *self;
         let waves = section.waves.in_form();
         let compound = GeneralCompound::of_products(section, waves.products(), units);
         let transfer = Transfer::of_functions(&section, waves.functions());
@@ -204,7 +205,7 @@ impl<S: Scalar> GeneralBeam<S> {
 impl<T: Parameter> BuiltGeneralBeam<T> {
     /// The relation of both ends at a frequency, of a beam of a length, and the factors of its entries.
     pub(crate) fn relation<S: Frequency<T>>(&self, at: &FrequencyPowers<S>, length: S) -> (Relation<S>, Factors<S>) {
-        let beam = GeneralBeam { length, ..self.parameters.map(S::from_parameter) };
+        let beam = BeamParameters { length, ..self.parameters_in() };
         if S::IS_EXTENDED {
             return beam.relation(at.lambda_squared);
         }
@@ -213,7 +214,7 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
 
     /// The impedances by which the units of a chart are found.
     pub(crate) fn impedances<S: Frequency<T>>(&self, lambda_squared: S, axial: f64) -> Impedances {
-        let GeneralBeam { length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, .. } =
+        let BeamParameters { length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, .. } =
             self.parameters;
         let [l, ei, m, f, r] =
             [length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia].map(T::to_f64);

@@ -1,6 +1,6 @@
 //! The constants of a general beam in units of its length and its bending stiffness.
 
-use crate::elements::general_beam::GeneralBeam;
+use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::wave_pair::WavePair;
 use crate::number::{Parameter, Scalar, Size, Truth};
 
@@ -37,8 +37,8 @@ pub(crate) struct SectionAt<S> {
 
 impl<S: Scalar> Constants<S> {
     /// The constants of a beam.
-    pub(crate) fn of(beam: GeneralBeam<S>) -> Self {
-        let GeneralBeam { length, bending_stiffness, mass_per_length, shear_flexibility, .. } = beam;
+    pub(crate) fn of(beam: BeamParameters<S>) -> Self {
+        let BeamParameters { length, bending_stiffness, mass_per_length, shear_flexibility, .. } = beam;
         let tension = beam.axial_force + beam.foundation_shear_stiffness;
         let square = length * length;
         let scale = square / bending_stiffness;
@@ -97,11 +97,11 @@ impl<T: Parameter> Constants<T> {
         }
     }
 
-    /// The parameter of a beam whose constant is beyond the range, with its value.
-    pub(crate) fn out_of_range(&self, beam: &GeneralBeam<T>) -> Option<(&'static str, f64)> {
+    /// The parameter of a beam of a shear stiffness whose constant is beyond the range, with its value.
+    pub(crate) fn out_of_range(&self, beam: &BeamParameters<T>, shear_stiffness: T) -> Option<(&'static str, f64)> {
         let Constants { sigma, tau, tension, rotary, mass, foundation } = *self;
         let origins = [
-            (sigma + tau, "shear_flexibility", beam.shear_flexibility),
+            (sigma + tau, "shear_stiffness", shear_stiffness),
             (tension, "axial_force", beam.axial_force),
             (rotary, "rotary_inertia", beam.rotary_inertia),
             (mass, "mass_per_length", beam.mass_per_length),

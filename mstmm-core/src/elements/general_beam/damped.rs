@@ -1,11 +1,12 @@
 //! A general beam with damping of its material and of a medium around it.
 
-use crate::element::{Element, Forms, Inside};
+use crate::element::{Forms, Inside};
+use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::constants::{Constants, SectionAt};
 use crate::elements::general_beam::inside::BeamMotion;
+use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
-use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
 use crate::elements::shared::bending_chart::{BendingWaves, units_of_waves};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::compound::Units;
@@ -26,9 +27,9 @@ pub struct BuiltDampedBeam<T> {
 
 impl<T: Parameter> BuiltDampedBeam<T> {
     /// The beam at λ, given `e` and `c_e λ`.
-    fn with<S: ComplexFrequency<T>>(&self, factor: S, external: S) -> GeneralBeam<S> {
-        let beam = self.beam.parameters.map(S::from_parameter);
-        GeneralBeam {
+    fn with<S: ComplexFrequency<T>>(&self, factor: S, external: S) -> BeamParameters<S> {
+        let beam = self.beam.parameters_in::<S>();
+        BeamParameters {
             bending_stiffness: beam.bending_stiffness * factor,
             shear_flexibility: beam.shear_flexibility / factor,
             foundation_stiffness: beam.foundation_stiffness + external,
@@ -37,13 +38,13 @@ impl<T: Parameter> BuiltDampedBeam<T> {
     }
 
     /// The beam at λ.
-    fn at<S: ComplexFrequency<T>>(&self, lambda: S) -> GeneralBeam<S> {
+    fn at<S: ComplexFrequency<T>>(&self, lambda: S) -> BeamParameters<S> {
         self.with(self.dissipation.factor(lambda), self.dissipation.external(lambda))
     }
 
     pub(super) fn estimate(&self, estimates: &mut FrequencyEstimates) {
-        GeneralBeam::estimate(&self.beam, estimates);
-        let GeneralBeam { shear_flexibility, .. } = self.beam.parameters;
+        self.beam.estimate(estimates);
+        let BeamParameters { shear_flexibility, .. } = self.beam.parameters;
         // where kGA e + T vanishes
         let share = T::one() + shear_flexibility * self.beam.parameters.tension();
         self.dissipation.estimate_waves(estimates, share.to_f64());
@@ -78,7 +79,7 @@ impl<T: Parameter> BuiltDampedBeam<T> {
     ) -> Chart<S> {
         let units = units_of_waves(&self.beam.impedances(at.lambda_squared, axial), at.lambda_squared);
         let mut chart = Chart::empty(freedoms, units);
-        let beam = GeneralBeam { length, ..self.at(at.x) };
+        let beam = BeamParameters { length, ..self.at(at.x) };
         if self.beam.parameters.bends_only() {
             S::enter_bending(&beam.bending_waves(at.lambda_squared), &mut chart, places);
             return chart;
@@ -89,7 +90,7 @@ impl<T: Parameter> BuiltDampedBeam<T> {
     }
 }
 
-impl<S: Scalar> GeneralBeam<S> {
+impl<S: Scalar> BeamParameters<S> {
     /// Its waves at λ², without shear, rotary inertia or axial force: `z⁴ = -(mλ² + k) l⁴/EI`, of which any root will do.
     fn bending_waves(&self, lambda_squared: S) -> BendingWaves<S> {
         let square = self.length * self.length;
@@ -146,7 +147,10 @@ impl<T: Real> BuiltDampedBeam<T> {
 
     /// The derivatives of the dynamic work with respect to the parameters of the beam without damping, and to those of damping: of EI and f
     /// by what `EI e` and `f/e` do.
-    pub(super) fn gradient<S: ComplexFrequency<T> + Oscillation<T>>(&self, ends: &Ends<S>) -> (GeneralBeam<S>, [S; 3]) {
+    pub(super) fn gradient<S: ComplexFrequency<T> + Oscillation<T>>(
+        &self,
+        ends: &Ends<S>,
+    ) -> (BeamParameters<S>, [S; 3]) {
         let motion = self.motion(ends.x);
         let parts = motion.forms(ends, (&motion, ends));
         let gradient = motion.gradient(ends);

@@ -1,7 +1,7 @@
 //! States of a general beam between its ends.
 
-use crate::elements::general_beam::GeneralBeam;
 use crate::elements::general_beam::constants::SectionAt;
+use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::units_of_states;
 use crate::elements::general_beam::wave_pair::{Form, WavePair, larger_sum};
 use crate::model::{Ends, State};
@@ -13,7 +13,7 @@ use num_traits::{One, Zero};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BeamMotion<T: Real, S> {
     /// Its parameters without damping.
-    pub(super) beam: GeneralBeam<T>,
+    pub(super) beam: BeamParameters<T>,
     pub(super) x: S,
     pub(super) section: SectionAt<Complex<T>>,
     /// The factor e by which damping multiplies EI and kGA.

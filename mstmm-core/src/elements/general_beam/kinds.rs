@@ -3,9 +3,13 @@
 use crate::element::{
     BackTransfer, CarriesLoad, Element, Energies, Inside, MatrixOf, MemberNumbers, PlaneStep, TransferMatrix,
 };
-use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
+use crate::elements::general_beam::BuiltGeneralBeam;
+use crate::elements::general_beam::compound::GeneralCompound;
+#[cfg(test)]
+use crate::elements::general_beam::constants::Constants;
+use crate::elements::general_beam::parameters::BeamParameters;
+use crate::elements::general_beam::transfer::BackThrough;
 use crate::elements::shared::compliance::{compliance, is_rigid};
-use crate::elements::shared::same_built::{forms_as, steps_as};
 use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, Requirement, State};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
@@ -44,11 +48,11 @@ macro_rules! kinds {
         }
 
         impl<T: Parameter> $kind<T> {
-            /// The general beam that it is.
-            fn general(self) -> GeneralBeam<T> {
+            /// Its parameters as the equations have them.
+            fn parameters(self) -> BeamParameters<T> {
                 let $kind { length, bending_stiffness, mass_per_length, .. } = self;
                 let $beam = self;
-                let plain = GeneralBeam {
+                let plain = BeamParameters {
                     length,
                     bending_stiffness,
                     mass_per_length,
@@ -58,7 +62,7 @@ macro_rules! kinds {
                     foundation_stiffness: T::zero(),
                     foundation_shear_stiffness: T::zero(),
                 };
-                GeneralBeam { $($parameter: $value,)* ..plain }
+                BeamParameters { $($parameter: $value,)* ..plain }
             }
         }
 
@@ -70,45 +74,101 @@ macro_rules! kinds {
 
             fn build(self) -> Result<BuiltGeneralBeam<T>, InvalidParameter> {
                 $(Requirement::$range.check(stringify!($checked), self.$checked)?;)*
-                Ok(BuiltGeneralBeam { shear_stiffness: shear_stiffness!(self $($field)*), ..self.general().build()? })
-            }
-
-            fn member_numbers(built: &BuiltGeneralBeam<T>) -> MemberNumbers {
-                GeneralBeam::member_numbers(built)
+                BuiltGeneralBeam::new(self.parameters(), shear_stiffness!(self $($field)*))
             }
 
             fn estimate(built: &BuiltGeneralBeam<T>, estimates: &mut FrequencyEstimates) {
-                GeneralBeam::estimate(built, estimates);
+                built.estimate(estimates);
             }
 
             fn extent(built: &BuiltGeneralBeam<T>) -> Extent {
-                GeneralBeam::extent(built)
+                built.extent()
+            }
+
+            fn member_numbers(built: &BuiltGeneralBeam<T>) -> MemberNumbers {
+                MemberNumbers::Beam(built.numbers(T::zero()))
             }
         }
 
-        steps_as!($kind as GeneralBeam);
+        impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for $kind<T> {
+            fn transfer_matrix(built: &BuiltGeneralBeam<T>, x: S) -> MatrixOf<Self, S> {
+                built.transfer_matrix(x)
+            }
+        }
+
+        impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for $kind<T> {
+            type Coefficients = GeneralCompound<S>;
+
+            fn coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> GeneralCompound<S> {
+                GeneralCompound::new(built.at(at.lambda_squared), built.units())
+            }
+
+            fn step<C: RootCounter<S>>(
+                compound: &GeneralCompound<S>,
+                input: Subspace<S>,
+                counter: &mut C,
+            ) -> Subspace<S> {
+                compound.step(input, counter)
+            }
+
+            fn root<C: RootCounter<S>>(
+                compound: &GeneralCompound<S>,
+                input: Subspace<S>,
+                support: Support,
+                counter: &mut C,
+            ) -> Scaled<S> {
+                compound.root(input, support, counter)
+            }
+        }
+
+        impl<T: Real, S: Oscillation<T>> BackTransfer<S> for $kind<T> {
+            type BackCoefficients = BackThrough<S>;
+            const SYMMETRIC: bool = true;
+
+            fn reversed(built: &BuiltGeneralBeam<T>) -> BuiltGeneralBeam<T> {
+                *built
+            }
+
+            fn back_coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> BackThrough<S> {
+                built.back_through(at)
+            }
+
+            fn back_transfer(through: &BackThrough<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
+                through.back_transfer(covector)
+            }
+        }
 
         impl<T: Real> CarriesLoad for $kind<T> {}
 
         impl<T: Real, S: Oscillation<T>> Energies<S> for $kind<T> {
             type Gradient = $kind<S>;
 
-            forms_as!(GeneralBeam);
+            fn units(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
+                built.motion(at.x).units()
+            }
+
+            fn mass_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
+                built.forms(first, second).mass
+            }
+
+            fn stiffness_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
+                built.forms(first, second).stiffness
+            }
 
             fn inside(built: &BuiltGeneralBeam<T>, x: S) -> Option<Inside> {
-                GeneralBeam::inside(built, x)
+                Some(built.motion(x).interior())
             }
 
             fn state_at(built: &BuiltGeneralBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
-                GeneralBeam::state_at(built, ends, distance)
+                built.motion(ends.x).state_at(ends, T::from_f64(distance))
             }
 
             fn load_work(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> Option<S> {
-                <GeneralBeam<T> as Energies<S>>::load_work(built, ends)
+                Some(built.motion(ends.x).load_work(ends))
             }
 
             fn mass_per_length(built: &BuiltGeneralBeam<T>) -> S {
-                <GeneralBeam<T> as Energies<S>>::mass_per_length(built)
+                S::from_parameter(built.parameters.mass_per_length)
             }
 
             fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> $kind<S> {
@@ -118,7 +178,7 @@ macro_rules! kinds {
 
         impl<S: Scalar> $kind<S> {
             /// The derivatives with respect to its parameters, given those of the general beam.
-            pub(super) fn of_gradient<T: Real>($gradient: GeneralBeam<S>, $built: &GeneralBeam<T>) -> Self
+            pub(super) fn of_gradient<T: Real>($gradient: BeamParameters<S>, $built: &BeamParameters<T>) -> Self
             where
                 S: Frequency<T>,
             {
@@ -147,7 +207,10 @@ macro_rules! kinds {
             }
 
             fn phase(&self, s: f64) -> f64 {
-                self.general().phase(s)
+                let constants = Constants::of(self.parameters());
+                let h = constants.mass * s.powi(4) + constants.foundation;
+                let g = constants.rotary * s.powi(4) + constants.tension.abs();
+                h.sqrt().max(g).max(constants.tau * h).sqrt()
             }
 
             fn untied(self) -> Self {
@@ -232,9 +295,23 @@ kinds! {
 
     /// Uniform beam with shear, rotary inertia, axial force and an elastic foundation, exact at every frequency.
     ///
+    /// Θ is the rotation of the cross section. With `f = 1/(k G A)`, `T = N + G`, `σ = 1/(1 + T f)`, `τ = f σ`, `g = σ T + r λ²` and
+    /// `h = -m λ² - k` the state obeys
+    ///
+    /// ```text
+    /// Y' = σ Θ - τ Q     Θ' = M/EI     M' = g Θ + σ Q     Q' = h Y
+    /// ```
+    ///
+    /// Q does work on Y: `-Q = (Y' - Θ)/f + T Y'` contains the slope times the axial force, so that joints, springs and supports need no other
+    /// formulas, and at a free end `Q = 0` is the condition of a load that keeps its direction. The transfer matrix is `exp(A l)` of these four
+    /// equations, in functions of two squared wave numbers that are entire in both.
+    ///
+    /// The axial force is that of the element alone: whether the forces of elements at a point are in equilibrium is not checked.
+    ///
     /// # Source
-    /// A [`GeneralBeam`] with `f = 1/(k G A)`.
-    UniformBeam {
+    /// Timoshenko's beam with axial force after Engesser, on a foundation of Winkler and Pasternak: `V = ½ ∫ EI Θ'² + (Y' - Θ)²/f + T Y'² + k Y²`,
+    /// with the kinetic energy `½ ∫ m Ẏ² + r Θ̇²`.
+    GeneralBeam {
         /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
         shear_stiffness,
         /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.

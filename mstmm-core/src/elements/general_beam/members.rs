@@ -4,8 +4,9 @@ use crate::element::{
     CarriesLoad, Charted, Element, Forms, Inside, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
     MemberWork, TransferMatrix,
 };
-use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, RayleighBeam, TimoshenkoBeam, UniformBeam};
-use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
+use crate::elements::general_beam::BuiltGeneralBeam;
+use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
+use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::shared::bending_chart::units_of_waves;
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
@@ -51,14 +52,14 @@ impl<T: Real> BuiltGeneralBeam<T> {
         EndMotion::bent(self.motion(motion.x).state_at(&motion.bending(), T::from_f64(distance)))
     }
 
-    fn work_gradient<S: Oscillation<T>>(&self, work: &MemberWork<S>) -> GeneralBeam<S> {
+    fn work_gradient<S: Oscillation<T>>(&self, work: &MemberWork<S>) -> BeamParameters<S> {
         self.motion(work.x).gradient(&MemberEnds { x: work.x, ends: work.ends }.bending())
     }
 }
 
 impl<T: Parameter> BuiltPlanarGeneralBeam<T> {
     pub(super) fn new(bending: BuiltGeneralBeam<T>, axial_stiffness: T) -> Result<Self, InvalidParameter> {
-        let GeneralBeam { length, mass_per_length, .. } = bending.parameters;
+        let BeamParameters { length, mass_per_length, .. } = bending.parameters;
         let foundation = T::zero();
         let section = LineSection { length, stiffness: axial_stiffness, inertia: mass_per_length, foundation };
         let rod = section.build(["length", "axial_stiffness", "mass_per_length", "foundation_stiffness"])?;
@@ -66,7 +67,7 @@ impl<T: Parameter> BuiltPlanarGeneralBeam<T> {
     }
 
     fn estimate(&self, estimates: &mut FrequencyEstimates) {
-        GeneralBeam::estimate(&self.bending, estimates);
+        self.bending.estimate(estimates);
         estimates.translational_stiffness((self.rod.section.stiffness / self.rod.section.length).to_f64());
     }
 
@@ -136,7 +137,7 @@ macro_rules! along_line {
         }
     )*};
 }
-along_line!(GeneralBeam, RayleighBeam, TimoshenkoBeam, BeamColumn, FoundationBeam, UniformBeam);
+along_line!(RayleighBeam, TimoshenkoBeam, BeamColumn, FoundationBeam, GeneralBeam);
 
 /// Declares beams of the plane by what they are in bending and by the parameters beside length, stiffnesses and mass.
 macro_rules! in_plane {
@@ -176,7 +177,7 @@ macro_rules! in_plane {
             }
 
             fn extent(built: &BuiltPlanarGeneralBeam<T>) -> Extent {
-                GeneralBeam::extent(&built.bending)
+                built.bending.extent()
             }
 
             fn member_numbers(built: &BuiltPlanarGeneralBeam<T>) -> MemberNumbers {
@@ -186,7 +187,7 @@ macro_rules! in_plane {
 
         impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for $planar<T> {
             fn transfer_matrix(built: &BuiltPlanarGeneralBeam<T>, x: S) -> MatrixOf<Self, S> {
-                planar_matrix(&GeneralBeam::transfer_matrix(&built.bending, x), &built.rod.transfer_matrix(x, false))
+                planar_matrix(&built.bending.transfer_matrix(x), &built.rod.transfer_matrix(x, false))
             }
         }
 
@@ -325,23 +326,6 @@ in_plane! {
     /// # Source
     /// That of the beam; along it `EA X'' = mλ² X`, as in [`PlanarBeam`](crate::elements::PlanarBeam).
     PlanarGeneralBeam of GeneralBeam {
-        /// Shear flexibility `f = 1/(k G A)` [1/N], zero or positive; zero is a beam without shear.
-        shear_flexibility,
-        /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.
-        rotary_inertia,
-        /// Axial force N \[N\], positive in tension; greater than `-1/f - G` where f is not zero.
-        axial_force,
-        /// Stiffness k of the foundation per length [N/m²], zero or positive.
-        foundation_stiffness,
-        /// Stiffness G of the shear layer of the foundation \[N\], zero or positive.
-        foundation_shear_stiffness,
-    }
-
-    /// [`UniformBeam`] between two points of the plane, with exact longitudinal vibration; the foundation acts across it.
-    ///
-    /// # Source
-    /// That of the beam; along it `EA X'' = mλ² X`, as in [`PlanarBeam`](crate::elements::PlanarBeam).
-    PlanarUniformBeam of UniformBeam {
         /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
         shear_stiffness,
         /// Rotary inertia per length `r = ρ I` [kg m], zero or positive.

@@ -1,72 +1,15 @@
-//! The motion of a general beam: its back transfer, its energies and their derivatives with respect to its parameters.
+//! The motion of a general beam: its energies and their derivatives with respect to its parameters.
 
-use crate::element::{BackTransfer, CarriesLoad, Energies, Forms, Inside as Interior};
+use crate::element::{Forms, Inside as Interior};
+use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::inside::{BeamMotion, Inside};
-use crate::elements::general_beam::transfer::{BackThrough, Transfer};
-use crate::elements::general_beam::{BuiltGeneralBeam, GeneralBeam};
+use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::shared::dissipation::UndampedForms;
 use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::line_forms::{half, smaller_sum};
 use crate::model::{Ends, State};
-use crate::number::{FrequencyPowers, Oscillation, Real};
-use crate::subspace::{Covector, Subspace};
+use crate::number::{Oscillation, Real};
 use num_complex::Complex;
-
-impl<T: Real, S: Oscillation<T>> BackTransfer<S> for GeneralBeam<T> {
-    type BackCoefficients = BackThrough<S>;
-    const SYMMETRIC: bool = true;
-
-    fn reversed(built: &BuiltGeneralBeam<T>) -> BuiltGeneralBeam<T> {
-        *built
-    }
-
-    fn back_coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> BackThrough<S> {
-        let transfer = Transfer::new(&built.at(at.lambda_squared));
-        BackThrough::new(transfer, &built.parameters.map(S::from_parameter))
-    }
-
-    fn back_transfer(coefficients: &BackThrough<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
-        coefficients.back_transfer(covector)
-    }
-}
-
-impl<T: Real> CarriesLoad for GeneralBeam<T> {}
-
-impl<T: Real, S: Oscillation<T>> Energies<S> for GeneralBeam<T> {
-    type Gradient = GeneralBeam<S>;
-
-    fn units(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
-        built.motion(at.x).units()
-    }
-
-    fn mass_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        built.forms(first, second).mass
-    }
-
-    fn stiffness_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        built.forms(first, second).stiffness
-    }
-
-    fn inside(built: &BuiltGeneralBeam<T>, x: S) -> Option<Interior> {
-        Some(built.motion(x).interior())
-    }
-
-    fn state_at(built: &BuiltGeneralBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
-        built.motion(ends.x).state_at(ends, T::from_f64(distance))
-    }
-
-    fn load_work(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> Option<S> {
-        Some(built.motion(ends.x).load_work(ends))
-    }
-
-    fn mass_per_length(built: &BuiltGeneralBeam<T>) -> S {
-        S::from_parameter(built.parameters.mass_per_length)
-    }
-
-    fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> GeneralBeam<S> {
-        built.motion(ends.x).gradient(ends)
-    }
-}
 
 /// The integrals along a beam of products of two motions.
 #[derive(Clone, Copy, Debug)]
@@ -141,11 +84,11 @@ impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
 
     /// `∂L/∂EI = ½ e ∫ Θ'²`, `∂L/∂f = -½ ∫ (kGA)² e (Y' - Θ)²`, `∂L/∂T = ½ ∫ Y'²`, `∂L/∂k = ½ ∫ Y²`, `∂L/∂m = ½ λ² ∫ Y²`,
     /// `∂L/∂r = ½ λ² ∫ Θ²`; e is 1 without damping.
-    pub(super) fn gradient(&self, ends: &Ends<S>) -> GeneralBeam<S> {
+    pub(super) fn gradient(&self, ends: &Ends<S>) -> BeamParameters<S> {
         let Products { deflection, rotation, moment, shear, slope } = self.products(ends, (self, ends)).map(half);
         let square = self.x.lambda_squared();
         let flexibility = T::one() / self.beam.bending_stiffness;
-        GeneralBeam {
+        BeamParameters {
             length: self.flow(ends),
             bending_stiffness: moment * (flexibility * flexibility) / self.loss,
             mass_per_length: square * deflection,

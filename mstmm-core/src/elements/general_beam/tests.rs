@@ -1,6 +1,7 @@
 //! The general beam beside the exponential of its equations, in twice the digits, and limit cases.
 
 use super::chart::Relation;
+use super::compound::GeneralCompound;
 use super::*;
 use crate::element::Charted;
 use crate::number::{DoubleDouble, Scalar};
@@ -46,7 +47,7 @@ fn compound(u: &Rows) -> [[D; 5]; 5] {
 }
 
 /// Beams in all regimes: each number from a table of decades.
-fn beams() -> Vec<(GeneralBeam<f64>, f64)> {
+fn beams() -> Vec<(BeamParameters<f64>, f64)> {
     let mut all = Vec::new();
     let mut seed = 7_u64;
     let mut next = || {
@@ -56,7 +57,7 @@ fn beams() -> Vec<(GeneralBeam<f64>, f64)> {
     for _ in 0..600 {
         let mut decade = |from: f64, to: f64| 10f64.powf(from + (to - from) * next());
         let shear_flexibility = decade(-6.0, 0.0);
-        let beam = GeneralBeam {
+        let beam = BeamParameters {
             length: 1.0,
             bending_stiffness: 1.0,
             mass_per_length: 1.0,
@@ -69,10 +70,10 @@ fn beams() -> Vec<(GeneralBeam<f64>, f64)> {
         let omega = decade(-1.0, 2.3);
         let kind = all.len() % 6;
         let beam = match kind {
-            0 => GeneralBeam { axial_force: 0.0, foundation_stiffness: 0.0, ..beam },
-            1 => GeneralBeam { shear_flexibility: 0.0, rotary_inertia: 0.0, ..beam },
-            2 => GeneralBeam { shear_flexibility: 0.0, axial_force: -beam.axial_force, ..beam },
-            3 => GeneralBeam { axial_force: -(0.5 / shear_flexibility).min(beam.axial_force), ..beam },
+            0 => BeamParameters { axial_force: 0.0, foundation_stiffness: 0.0, ..beam },
+            1 => BeamParameters { shear_flexibility: 0.0, rotary_inertia: 0.0, ..beam },
+            2 => BeamParameters { shear_flexibility: 0.0, axial_force: -beam.axial_force, ..beam },
+            3 => BeamParameters { axial_force: -(0.5 / shear_flexibility).min(beam.axial_force), ..beam },
             _ => beam,
         };
         all.push((beam, omega));
@@ -82,8 +83,8 @@ fn beams() -> Vec<(GeneralBeam<f64>, f64)> {
 }
 
 /// Beams beside the loads and frequencies at which two wave numbers coincide or one of them vanishes.
-fn where_waves_meet() -> Vec<(GeneralBeam<f64>, f64)> {
-    let plain = GeneralBeam {
+fn where_waves_meet() -> Vec<(BeamParameters<f64>, f64)> {
+    let plain = BeamParameters {
         length: 1.0,
         bending_stiffness: 1.0,
         mass_per_length: 1.0,
@@ -98,18 +99,24 @@ fn where_waves_meet() -> Vec<(GeneralBeam<f64>, f64)> {
         for force in [-30.0, 30.0, 300.0_f64] {
             // T² = 4 (k - m ω²): both decay or both travel with one number
             let foundation_stiffness = force * force / 4.0 * part + 1.0;
-            all.push((GeneralBeam { axial_force: force, foundation_stiffness, ..plain }, 1.0));
+            all.push((BeamParameters { axial_force: force, foundation_stiffness, ..plain }, 1.0));
         }
         // the cut-on, ω² = k/m, and the cut-off, ω² = kGA/r
-        all.push((GeneralBeam { foundation_stiffness: 900.0 * part, ..plain }, 30.0));
-        all.push((GeneralBeam { shear_flexibility: 0.01 * part, rotary_inertia: 0.01, ..plain }, 100.0));
+        all.push((BeamParameters { foundation_stiffness: 900.0 * part, ..plain }, 30.0));
+        all.push((BeamParameters { shear_flexibility: 0.01 * part, rotary_inertia: 0.01, ..plain }, 100.0));
     }
     all
 }
 
+/// A beam that is built of its parameters as the equations have them.
+fn built(beam: BeamParameters<f64>) -> BuiltGeneralBeam<f64> {
+    let shear_stiffness = if beam.shear_flexibility > 0.0 { 1.0 / beam.shear_flexibility } else { 0.0 };
+    BuiltGeneralBeam::new(beam, shear_stiffness).unwrap()
+}
+
 /// The constants at ω, rounded, and beside them the exponential of these: the rounding of constants is another matter.
-fn rounded(beam: GeneralBeam<f64>, omega: f64) -> (SectionAt<f64>, Rows) {
-    let section = beam.build().unwrap().constants.at(-omega * omega);
+fn rounded(beam: BeamParameters<f64>, omega: f64) -> (SectionAt<f64>, Rows) {
+    let section = built(beam).constants.at(-omega * omega);
     let wide = D::from_f64;
     let [sigma, tau, g, h] = [section.sigma, section.tau, section.g, section.h].map(wide);
     let constants = Constants { sigma, tau, tension: g, rotary: D::zero(), mass: D::zero(), foundation: -h };
@@ -117,14 +124,14 @@ fn rounded(beam: GeneralBeam<f64>, omega: f64) -> (SectionAt<f64>, Rows) {
 }
 
 /// The relation of both ends at ω.
-fn relation(beam: GeneralBeam<f64>, omega: f64) -> Relation<f64> {
-    beam.build().unwrap().relation(&FrequencyPowers::new(omega, false), beam.length).0
+fn relation(beam: BeamParameters<f64>, omega: f64) -> Relation<f64> {
+    built(beam).relation(&FrequencyPowers::new(omega, false), beam.length).0
 }
 
 /// Each choice of variables has a minor, whose sign changes at each frequency of a beam that is held so: as many as are counted.
 #[test]
 fn counts_for_all_kinds_are_roots_of_their_minors() {
-    let plain = GeneralBeam {
+    let plain = BeamParameters {
         length: 1.0,
         bending_stiffness: 1.0,
         mass_per_length: 1.0,
@@ -134,8 +141,8 @@ fn counts_for_all_kinds_are_roots_of_their_minors() {
         foundation_stiffness: 20.0,
         foundation_shear_stiffness: 1.0,
     };
-    let softer = GeneralBeam { shear_flexibility: 0.2, rotary_inertia: 0.03, ..plain };
-    let compressed = GeneralBeam { axial_force: -8.0, foundation_stiffness: 0.0, ..plain };
+    let softer = BeamParameters { shear_flexibility: 0.2, rotary_inertia: 0.03, ..plain };
+    let compressed = BeamParameters { axial_force: -8.0, foundation_stiffness: 0.0, ..plain };
     for beam in [plain, softer, compressed] {
         let near_zero = relation(beam, 1e-3);
         // above the frequency of thickness shear of the softer beam, 12.9
@@ -158,7 +165,7 @@ fn counts_for_all_kinds_are_roots_of_their_minors() {
 fn entries_of_charts_are_bounded() {
     for (beam, omega) in beams() {
         let at = FrequencyPowers::new(omega, false);
-        let chart: Chart<f64> = GeneralBeam::chart(&beam.build().unwrap(), &at, beam.length);
+        let chart: Chart<f64> = GeneralBeam::chart(&built(beam), &at, beam.length);
         let largest =
             (0..4).flat_map(|i| (0..4).map(move |j| (i, j))).map(|(i, j)| chart.entry(i, j).abs()).fold(0.0, f64::max);
         assert!(largest < 3.0, "{beam:?} at {omega}: {largest}");
@@ -177,7 +184,7 @@ fn the_transfer_matrix_is_the_exponential_of_the_equations() {
     for (beam, omega) in beams() {
         let (section, exact) = rounded(beam, omega);
         let wave = wave(&section);
-        let unit = GeneralBeam { length: 1.0, bending_stiffness: 1.0, ..beam };
+        let unit = BeamParameters { length: 1.0, bending_stiffness: 1.0, ..beam };
         let matrix = Transfer::new(&section).matrix(&unit);
         let powers = [1.0, wave, wave * wave, wave * wave * wave];
         let balanced = |i: usize, j: usize, entry: f64| entry * powers[j] / powers[i];

@@ -1,7 +1,7 @@
 //! The transfer matrix of a general beam, and the way of covectors back through it.
 
-use crate::elements::general_beam::GeneralBeam;
 use crate::elements::general_beam::constants::SectionAt;
+use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::wave_pair::PairFunctions;
 use crate::number::Scalar;
 use crate::subspace::Covector;
@@ -44,7 +44,7 @@ impl<S: Scalar> Transfer<S> {
     }
 
     /// The matrix in the units of a beam.
-    pub(crate) fn matrix(&self, beam: &GeneralBeam<S>) -> Matrix4<S> {
+    pub(crate) fn matrix(&self, beam: &BeamParameters<S>) -> Matrix4<S> {
         let units = units_of_states(beam);
         Matrix4::from_fn(|row, column| {
             (self.rows[row][column] * units[row] / units[column]).times_power_of_two(self.exponent)
@@ -53,7 +53,7 @@ impl<S: Scalar> Transfer<S> {
 }
 
 /// Units of Y, Θ, M, Q: `l, 1, EI/l, EI/l²`.
-pub(super) fn units_of_states<S: Scalar>(beam: &GeneralBeam<S>) -> [S; 4] {
+pub(super) fn units_of_states<S: Scalar>(beam: &BeamParameters<S>) -> [S; 4] {
     let stiffness = beam.bending_stiffness / beam.length;
     [beam.length, S::one(), stiffness, stiffness / beam.length]
 }
@@ -68,7 +68,7 @@ pub struct BackThrough<S> {
 }
 
 impl<S: Scalar> BackThrough<S> {
-    pub(crate) fn new(transfer: Transfer<S>, beam: &GeneralBeam<S>) -> Self {
+    pub(crate) fn new(transfer: Transfer<S>, beam: &BeamParameters<S>) -> Self {
         let units = units_of_states(beam);
         BackThrough { transfer, units, inverses: units.map(|unit| S::one() / unit) }
     }

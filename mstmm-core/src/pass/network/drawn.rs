@@ -44,8 +44,8 @@ pub struct DrawnPoint<M, T> {
 pub struct DrawnMember<M, T> {
     /// What errors call it.
     pub name: Spot,
-    /// Its keyword, such as `planar_beam` or `pin`, and `tie` where the motion of a path is that of a point in a direction; of a list
-    /// what errors call its element.
+    /// The name of its type, such as `PlanarBeam`, or the keyword of a joint that has none, such as `pin`; `tie` where the motion of a path is
+    /// that of a point in a direction; of a list what errors call its element.
     pub kind: &'static str,
     /// Its input end and its output end.
     pub ends: [DrawnEnd<M, T>; 2],

@@ -80,7 +80,7 @@ pub struct SketchedNode {
 pub struct SketchedMember {
     /// Its name.
     pub name: &'static str,
-    /// Its keyword, or `tie` where a path acts on a point; none of a second support of a body.
+    /// The name of its type, or its keyword where it has none; `tie` where a path acts on a point; none of a second support of a body.
     pub kind: Option<&'static str>,
     /// The freedoms of its ends.
     pub freedoms: Freedoms,

@@ -54,11 +54,8 @@ impl<N: Level<Word = f64>> Piece<N> {
         let parameter = ComplexBall::parameter;
         let loss = at.factor(damping);
         let stiffness = loss * Ball::of_pair(beam.bending_stiffness);
-        let flexibility = if beam.shear_stiffness == [0.0; 2] {
-            parameter(&beam.shear_flexibility) * loss.inverse()
-        } else {
-            (loss * Ball::of_pair(beam.shear_stiffness)).inverse()
-        };
+        let flexibility =
+            if beam.shears() { (loss * Ball::of_pair(beam.shear_stiffness)).inverse() } else { ComplexBall::of(0.0) };
         let tension = parameter(&beam.axial_force) + parameter(&beam.shear_layer);
         let inertia = at.square * Ball::of_pair(beam.rotary_inertia);
         let square = length * length;

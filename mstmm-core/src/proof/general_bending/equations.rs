@@ -41,18 +41,16 @@ pub(crate) type Roots<N> = [Ball<N>; 3];
 impl<N: Level> Equations<N> {
     #[inline(always)]
     pub(crate) fn of(beam: &BeamNumbers, length: Ball<N>, square: Ball<N>) -> Self {
-        let [stiffness, mass, flexibility, rotary, axial, layer, foundation] = [
+        let [stiffness, mass, rotary, axial, layer, foundation] = [
             beam.bending_stiffness,
             beam.mass_per_length,
-            beam.shear_flexibility,
             beam.rotary_inertia,
             beam.axial_force,
             beam.shear_layer,
             beam.foundation_stiffness,
         ]
         .map(Ball::<N>::of_pair);
-        let flexibility =
-            if beam.shear_stiffness == [0.0; 2] { flexibility } else { Ball::of_pair(beam.shear_stiffness).inverse() };
+        let flexibility = if beam.shears() { Ball::of_pair(beam.shear_stiffness).inverse() } else { Ball::of(0.0) };
         let (one, tension, inertia) = (Ball::of(1.0), axial + layer, rotary * square);
         let length_squared = length * length;
         let scale = length_squared * stiffness.inverse();

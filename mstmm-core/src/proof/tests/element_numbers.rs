@@ -157,11 +157,6 @@ fn beams(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
         }
         GeneralBeam of length => {
             length: beam!(p: length), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
-            shear_flexibility: beam!(p: small), rotary_inertia: beam!(p: small), axial_force: p.any(),
-            foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
-        }
-        UniformBeam of length => {
-            length: beam!(p: length), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
             shear_stiffness: DoubleDouble::from_f64(10.0) + p.size(0.5), rotary_inertia: beam!(p: small), axial_force: p.any(),
             foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
         }
@@ -195,11 +190,6 @@ fn planar_beams(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
             foundation_stiffness: p.size(0.5), foundation_shear_stiffness: p.size(0.5),
         }
         PlanarGeneralBeam of length => {
-            length: beam!(p: length), axial_stiffness: p.size(1.0), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
-            shear_flexibility: beam!(p: small), rotary_inertia: beam!(p: small), axial_force: p.any(),
-            foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),
-        }
-        PlanarUniformBeam of length => {
             length: beam!(p: length), axial_stiffness: p.size(1.0), bending_stiffness: p.size(0.5), mass_per_length: p.size(0.5),
             shear_stiffness: DoubleDouble::from_f64(10.0) + p.size(0.5), rotary_inertia: beam!(p: small), axial_force: p.any(),
             foundation_stiffness: p.maybe(), foundation_shear_stiffness: p.maybe(),

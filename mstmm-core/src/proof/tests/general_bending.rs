@@ -107,7 +107,7 @@ impl Random {
         let section = BeamNumbers {
             bending_stiffness: tail(bending, self),
             mass_per_length: tail(mass, self),
-            shear_flexibility: tail(f, self),
+            shear_stiffness: if f > 0.0 { tail(1.0 / f, self) } else { [0.0; 2] },
             rotary_inertia: tail(r, self),
             axial_force: tail(n, self),
             shear_layer: if kind.is_multiple_of(3) { tail(0.3 * n.abs(), self) } else { [0.0; 2] },
@@ -151,7 +151,7 @@ fn words(number: &Exact) -> [f64; 2] {
 
 /// Thick beams above the frequency of thickness shear whose two waves reach mπ and nπ together, within some 30 ulps of one word, or of two.
 ///
-/// With `l = EI = ω = 1` and no axial force, `rω² = (m² - c (m² - n²))π²` and `fmω⁴ = (n² + c (m² - n²))π²` have the right sum, and
+/// With `l = EI = ω = 1` and no axial force, `rω² = (m² - c (m² - n²))π²` and `mω⁴/kGA = (n² + c (m² - n²))π²` have the right sum, and
 /// `mω² = c (1 - c) (m² - n²)²π⁴` the right product.
 fn waves_that_meet(seed: u64, count: usize) -> [Seen; 2] {
     let mut random = Random(seed);
@@ -171,7 +171,7 @@ fn waves_that_meet(seed: u64, count: usize) -> [Seen; 2] {
         let mass = &c * (exact(1.0) - &c) * &gap * &gap * &square * &square;
         let section = BeamNumbers {
             bending_stiffness: [1.0, 0.0],
-            shear_flexibility: moved((&short + &c * &gap) * &square / &mass),
+            shear_stiffness: moved(&mass / ((&short + &c * &gap) * &square)),
             rotary_inertia: moved((&long - &c * &gap) * &square),
             mass_per_length: moved(mass),
             axial_force: [0.0; 2],
@@ -210,7 +210,7 @@ fn of_waves(sum: f64, product: f64) -> Case {
     let section = BeamNumbers {
         bending_stiffness: [1.0, 0.0],
         mass_per_length: [mass, 0.0],
-        shear_flexibility: [0.0; 2],
+        shear_stiffness: [0.0; 2],
         rotary_inertia: [0.0; 2],
         axial_force: [sum, 0.0],
         shear_layer: [0.0; 2],

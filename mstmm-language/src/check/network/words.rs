@@ -100,18 +100,19 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
             None => errors.push(element.place(), without_parameters(element, model)),
         };
     }
-    let Some(row) = element.kind.located() else {
+    let old = old_word(&text).and_then(|word| Some((word, located_of(word.new)?)));
+    if let Some((word, new)) = old.filter(|(_, new)| new.instead(dimension).is_none()) {
+        let message = in_new_words(element, word, &new.parameters(dimension));
+        return errors.push(element.kind.place(), message);
+    }
+    // what was a body of paths is what bodies of paths are
+    let Some(row) = element.kind.located().or(old.map(|(_, new)| new)) else {
         let known = LOCATED.iter().filter(|row| row.instead(dimension).is_none());
         let message = unknown_keyword(&text, &known.map(|row| row.name).collect::<Vec<_>>());
         return errors.push(element.kind.place(), message);
     };
     if let Some(instead) = row.instead(dimension) {
-        let known = located_of(instead).map_or([const { Vec::new() }; 2], |row| row.parameters(dimension));
-        let advice = match old_word(&text).filter(|word| word.new == instead) {
-            Some(word) => format!("write `{}`", in_new_words(element, word, &known)),
-            None => format!("take `{instead}`"),
-        };
-        return errors.push(element.kind.place(), format!("`{text}` {}: {advice}", reason(row, dimension)));
+        return errors.push(element.kind.place(), format!("`{text}` {}: take `{instead}`", reason(row, instead)));
     }
     let [required, optional] = row.parameters(dimension);
     if element.parameters.is_some() {
@@ -126,15 +127,11 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
 }
 
 /// Why a keyword has no place in a model.
-fn reason(row: &LocatedKeyword, dimension: Dimension) -> &'static str {
-    match (row.role, dimension) {
-        (Role::Unknown, _) if matches!(row.instead(dimension), Some(RIGID_BODY | RIGID_LINK)) => {
-            "has its points by offsets, which places replace"
-        }
-        (Role::Unknown, _) => "stands in models without places",
-        (Role::Member, Dimension::Plane) => "does not say what happens along it, which counts in the plane",
-        (_, Dimension::Plane) => "does not say what happens along x, which counts in the plane",
-        (_, Dimension::Line) => "moves in the plane, but points have one coordinate here",
+fn reason(row: &LocatedKeyword, instead: &str) -> &'static str {
+    match row.role {
+        Role::Unknown if instead == RIGID_BODY => "has its points by offsets, which places replace",
+        Role::Unknown => "stands in models without places",
+        _ => "moves in the plane, but points have one coordinate here",
     }
 }
 

@@ -9,7 +9,7 @@ use quote::{format_ident, quote_spanned};
 use std::collections::BTreeSet;
 use std::fmt::Display;
 
-/// `Model::conn_b`, `Model::planar_beam_1`: a value per label.
+/// `Model::conn_b`, `Model::beam_1`: a value per label.
 pub(super) fn points(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let name = &model.parameters.ident;
     let mut named = BTreeSet::new();

@@ -15,11 +15,11 @@ fn portal_frame() {
         "
         struct Portal { height: f64, span: f64, ea: f64, ei: f64, m: f64, brace: f64, machine: f64, inertia: f64 }
         fixed at (0.0, 0.0)
-            -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
-            -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+            -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+            -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
             -> conn m at (0.5 * span, height)
-            -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
-            -> pin 4 {} -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+            -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+            -> pin 4 {} -> beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
             -> pinned at (span, 0.0);
         conn b -> spring 6 { stiffness: brace } -> conn g at (0.4 * span, 0.0) <- fixed;
         conn m -> rigid_body 7 { mass: machine, inertia, centre: (0.5 * span, height + 0.3) };
@@ -42,10 +42,10 @@ fn portal_frame() {
             fixed of point 0: holds x y rz
             pinned of point 4: holds x y
             fixed of point 5: holds x y
-            planar_beam 1: from point 0 to point 1
-            planar_beam 2: from point 1 to point 2
-            planar_beam 3: from point 2 to point 3
-            planar_beam 5: from point 6 to point 4
+            beam 1: from point 0 to point 1
+            beam 2: from point 1 to point 2
+            beam 3: from point 2 to point 3
+            beam 5: from point 6 to point 4
             pin 4: from point 3 to point 6 
             rigid_body 7: centre 0.5 * span, height + 0.3, ties points [2]
             path of translation
@@ -64,12 +64,12 @@ fn loops_and_bodies() {
     check(
         "
         struct M { a: f64 }
-        conn a -> planar_beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (a, 0.0);
-        conn a -> planar_beam 2 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b;
-        conn b <- planar_beam 3 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } <- free at (a, a);
+        conn a -> beam 1 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b at (a, 0.0);
+        conn a -> beam 2 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn b;
+        conn b <- beam 3 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } <- free at (a, a);
         conn b -> rigid_body hub { mass: 1.0, inertia: 0.1, centre: (a, -0.1) } <- conn c at (1.5 * a, 0.0);
         rigid_body hub <- pin 5 {} <- conn d at (a, -a);
-        conn c -> planar_beam 6 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (2.0, 0.0);
+        conn c -> beam 6 { axial_stiffness: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn e at (2.0, 0.0);
         conn d -> point_mass 7 { mass: 1.0 } <- roller along (1.0, a);
         conn a at (0.0, 0.0) <- held(x, rz);
         ",
@@ -91,10 +91,10 @@ fn loops_and_bodies() {
             free of point 2: holds nothing
             roller of point 4: holds across 1.0, a, and nothing
             held of point 0: holds x rz
-            planar_beam 1: from point 0 to point 1
-            planar_beam 2: from point 0 to point 1
-            planar_beam 3: from point 2 to point 1
-            planar_beam 6: from point 3 to point 5
+            beam 1: from point 0 to point 1
+            beam 2: from point 0 to point 1
+            beam 3: from point 2 to point 1
+            beam 6: from point 3 to point 5
             pin 5: from point 4 to point 6 
             rigid_body hub: centre a, - 0.1, ties points [1, 3, 6]
             point_mass 7: at point 4
@@ -108,9 +108,9 @@ fn paths_of_one_motion() {
     check(
         "
         struct M { k: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k }
             -> conn a at (1.0, 0.0) -> pin 2 {} -> slider 3 { along: (0.0, 1.0) } -> conn b
-            -> planar_beam 4 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn c at (2.0, 0.0);
+            -> beam 4 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> conn c at (2.0, 0.0);
         conn a <- along (0.0, 1.0) <- spring 5 { stiffness: k } <- mass 6 { mass: k } <- conn u;
         conn u <- spring 7 { stiffness: k } <- along (1.0, 0.0) <- conn c;
         conn u <- along (k, 1.0) <- conn b;
@@ -128,8 +128,8 @@ fn paths_of_one_motion() {
             point 3: conn c, place 2, moves x y rz
             point 4: place 1, moves x y rz
             fixed of point 0: holds x y rz
-            planar_beam 1: from point 0 to point 1
-            planar_beam 4: from point 2 to point 3
+            beam 1: from point 0 to point 1
+            beam 4: from point 2 to point 3
             pin 2: from point 1 to point 4 
             slider 3: from point 4 to point 2 0.0, 1.0
             path of translation

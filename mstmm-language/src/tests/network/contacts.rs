@@ -7,10 +7,10 @@ fn the_direction_of_a_path_is_known() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-            -> conn a at (l, 0.0) -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+            -> conn a at (l, 0.0) -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn b at (l, l) -> pin 3 {}
-            -> planar_beam 4 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn c at (0.0, l);
+            -> beam 4 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn c at (0.0, l);
         conn a -> spring 5 { stiffness: l } -> fixed;
                ^^ the direction of `spring 5` is unknown, since its path meets one point with a place: say it,
                | `conn a <- along (dx, dy) <- ..`
@@ -38,7 +38,7 @@ fn a_direction_stands_at_a_contact() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> along (1.0, 0.0) -> planar_beam 1
+        fixed at (0.0, 0.0) -> along (1.0, 0.0) -> beam 1
                                ^^^^^ `along` stands where a path of springs, dampers or masses meets a point
                                | with a place: this arrow joins no such two, so remove it
             { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at (l, 0.0);
@@ -69,7 +69,7 @@ fn a_path_has_one_motion() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0);
         conn a -> spring 2 { stiffness: l } -> conn u -> torsion_spring 3 { stiffness: l } -> fixed;
                                                          ^^^^^^^^^^^^^^^^ `torsion_spring 3` turns and `spring
@@ -84,7 +84,7 @@ fn a_point_mass_stands_at_a_place_and_a_mass_in_a_path() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0);
         conn a <- along (1.0, 0.0) <- spring 2 { stiffness: l } <- point_mass 3 { mass: l };
                                                                    ^^^^^^^^^^^^ `point_mass 3` stands in a
@@ -99,7 +99,7 @@ fn a_point_is_held_across_its_path() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0);
         conn a -> spring 2 { stiffness: l } -> conn b at (l, l);
                                                ^^^^^^ nothing holds `conn b` across the path of `spring 2`:

@@ -7,7 +7,7 @@ fn a_place_and_a_direction_have_coordinates() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at -> planar_beam 1 { } -> conn a at (l, 0.0);
+        fixed at -> beam 1 { } -> conn a at (l, 0.0);
               ^^ `at` says where a point is: write its coordinates behind, `at (x, y)`
         conn a <- along <- spring 2 { stiffness: l } <- fixed;
                   ^^^^^ `along` says in which direction: write its parts behind, `along (dx, dy)`
@@ -87,9 +87,9 @@ fn an_arrow_is_missing_behind_a_place() {
     assert_refused(
         "
         struct M { l: f64 }
-        conn a at (0.0, 0.0) planar_beam 1 { } -> conn b at (l, 0.0);
-                             ^^^^^^^^^^^ expected an arrow, `->` or `<-`; where a new path begins, end the one
-                             | before it with `;`
+        conn a at (0.0, 0.0) beam 1 { } -> conn b at (l, 0.0);
+                             ^^^^ expected an arrow, `->` or `<-`; where a new path begins, end the one before
+                             | it with `;`
         conn a at l < -l -> spring 2 { stiffness: l } -> fixed
         conn b at (l, 0.0) -> spring 3 { stiffness: l } -> fixed;
         ^^^^ expected an arrow, `->` or `<-`; where a new path begins, end the one before it with `;`

@@ -29,7 +29,7 @@ fn rustc_alone_knows_the_motion_of_a_path_of_own_elements() {
     check(
         "
         struct M { k: f64 }
-        fixed at (0.0, 0.0) -> own::Cable 1 { k } -> conn a at (1.0, 0.0) -> planar_beam 2 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k }
+        fixed at (0.0, 0.0) -> own::Cable 1 { k } -> conn a at (1.0, 0.0) -> beam 2 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k }
             -> fixed at (2.0, 0.0);
         conn a <- own::Cable 3 { k } <- conn u <- own::Cable 4 { k } <- fixed;
         conn a -> spring 5 { stiffness: k } -> own::Cable 6 { k } -> conn b at (1.0, 1.0) -> pinned;
@@ -48,9 +48,9 @@ fn rustc_alone_knows_the_motion_of_a_path_of_own_elements() {
             and the number of variables that are left behind each. Points at rest leave with their members.
 
             ```text
-            conn u                   ?          ?   Cable 3, Cable 4
-            conn a                   x y rz     ?   planar_beam 2, Cable 1, spring 5
-            the end of spring 5      x          ?   Cable 6
+            conn u                ?          ?   Cable 3, Cable 4
+            conn a                x y rz     ?   beam 2, Cable 1, spring 5
+            the end of spring 5   x          ?   Cable 6
             ```
             Cable 3 of rotation, Cable 4 of translation: `Cable 3` turns and `Cable 4` moves, so they share no motion: join them at a connection with a place
             Cable 3 of translation, Cable 4 of rotation: `Cable 4` turns and `Cable 3` moves, so they share no motion: join them at a connection with a place

@@ -7,8 +7,8 @@ fn all_points_have_equally_many_coordinates() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-            -> conn a at l -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+            -> conn a at l -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                          ^ the place of `conn a` has one coordinate, that of `fixed` two: all points of a
                          | model have equally many
             -> fixed at (l, l, l);
@@ -32,7 +32,7 @@ fn a_place_has_one_or_two_coordinates() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                  ^^^^^^^^^^^^^^^ space is not supported yet: a model has places with one coordinate, or with
                  | two, `at (x, y)`
             -> conn a at (l, 0.0, 0.0);
@@ -41,10 +41,10 @@ fn a_place_has_one_or_two_coordinates() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0,) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0,) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                  ^^^^^^ a tuple of one is no place: a point of the plane has two, `at (x, y)`, and one
                  | coordinate is written without parentheses, `at x`
-            -> conn a at (l, 0.0, 0.0, l) -> planar_beam 2
+            -> conn a at (l, 0.0, 0.0, l) -> beam 2
                          ^^^^^^^^^^^^^^^^ a tuple of four is no place: a point of the plane has two, `at (x,
                          | y)`, and one coordinate is written without parentheses, `at x`
             { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
@@ -60,7 +60,7 @@ fn a_place_is_said_once() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0);
                       ^^ the place of `conn a` is said here first
         conn a at (l, 0.0) -> spring 2 { stiffness: l } -> conn b at (l, l) <- fixed;
@@ -75,7 +75,7 @@ fn a_support_takes_the_place_of_its_connection() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> conn a -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> conn a -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
               ^^ `fixed` is at the place of `conn a`, which it holds: write `at` behind `conn a` alone
             -> conn b at (l, 0.0) <- pinned at (l, 0.0);
                                             ^^ `pinned` is at the place of `conn b`, which it holds: write
@@ -89,11 +89,11 @@ fn a_joint_has_no_extent() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0) -> pin 2 {} -> conn b at (l, 0.0)
                                                         ^^ `conn b` is at the place of `conn a`, since `pin 2`
                                                         | has no extent: remove this `at`
-            -> planar_beam 3 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> fixed at (l, l);
+            -> beam 3 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> fixed at (l, l);
         ",
     );
 }
@@ -103,11 +103,11 @@ fn an_element_with_extent_has_places_at_both_ends() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at (l, 0.0);
-        ^^^^^ `fixed` has no place, which `planar_beam 1` needs there: write `fixed at (x, y)`
-        conn a -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at (l, 0.0);
+        ^^^^^ `fixed` has no place, which `beam 1` needs there: write `fixed at (x, y)`
+        conn a -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn b;
-               ^^^^^^ `conn b` has no place, which `planar_beam 2` needs there: write `conn b at (x, y)`
+               ^^^^^^ `conn b` has no place, which `beam 2` needs there: write `conn b at (x, y)`
         conn b -> spring 3 { stiffness: l } -> conn c at (0.0, l) <- fixed;
         conn c -> rigid_body 4 { mass: l, inertia: l, centre: (l, l) } <- conn d;
                                                                           ^^^^^^ `conn d` has no place, which
@@ -119,10 +119,10 @@ fn an_element_with_extent_has_places_at_both_ends() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-            -> pin 2 {} -> planar_beam 3 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+            -> pin 2 {} -> beam 3 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                ^^^^^ `pin 2` stands at no place: put a connection beside it, `-> conn a at (x, y) -> pin 2`
-            -> point_mass 4 { mass: l } -> planar_beam 5
+            -> point_mass 4 { mass: l } -> beam 5
                ^^^^^^^^^^^^ `point_mass 4` stands at no place: put a connection beside it, `-> conn a at (x,
                | y) -> point_mass 4`
             { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> fixed at (l, l);
@@ -135,13 +135,13 @@ fn elements_with_extent_meet_at_a_connection() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-            -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-            ^^ `planar_beam 1` and `planar_beam 2` meet at a point that has no place: put a connection between
-            | them, `-> conn a at (x, y) ->`
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+            -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+            ^^ `beam 1` and `beam 2` meet at a point that has no place: put a connection between them, `->
+            | conn a at (x, y) ->`
             -> rigid_body 3 { mass: l, inertia: l, centre: (l, l) } -> spring 4 { stiffness: l } -> conn a at (l, l) <- fixed;
-            ^^ `planar_beam 2` and `rigid_body 3` meet at a point that has no place: put a connection between
-            | them, `-> conn a at (x, y) ->`
+            ^^ `beam 2` and `rigid_body 3` meet at a point that has no place: put a connection between them,
+            | `-> conn a at (x, y) ->`
                                                                     ^^ `rigid_body 3` and `spring 4` meet at a
                                                                     | point that has no place: put a
                                                                     | connection between them, `-> conn a at
@@ -155,11 +155,11 @@ fn an_arrow_has_no_extent() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0) -> conn b at (l, l)
                                   ^^ `conn a` and `conn b` have a place each, and an arrow has no extent: put
                                   | an element between them
-            <- planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } <- fixed at (0.0, l);
+            <- beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } <- fixed at (0.0, l);
         ",
     );
 }
@@ -169,11 +169,10 @@ fn an_element_leads_from_one_point_to_another() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0);
-        conn a -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn b;
-                  ^^^^^^^^^^^^^ `planar_beam 2` begins and ends at one place: lead it from one point to
-                  | another
+        conn a -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn b;
+                  ^^^^^^ `beam 2` begins and ends at one place: lead it from one point to another
         conn a -> pin 3 {} -> conn b;
         conn a -> slider 4 { along: (1.0, 0.0) } -> conn a;
                   ^^^^^^^^ `slider 4` joins a point to itself: give its other side a connection of its own
@@ -191,11 +190,11 @@ fn an_arrow_to_a_point_with_a_place_is_that_point() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0) -> conn b
                                      ^^^^^^ `conn b` is at the place of `conn a`, since an arrow has no
                                      | extent: write `conn a` in both paths
-            -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> fixed at (l, l);
+            -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> fixed at (l, l);
         conn a <- along (1.0, 0.0) <- conn u -> spring 3 { stiffness: l } -> fixed;
         conn a -> spring 4 { stiffness: l };
                   ^^^^^^^^ `spring 4` has no output: end its path with a support or a connection
@@ -210,11 +209,11 @@ fn an_element_has_no_place() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 
+        fixed at (0.0, 0.0) -> beam 1 
             { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } at (l, 0.0) -> conn a at (l, 0.0);
-                                                                             ^^ `planar_beam 1` has no place
-                                                                             | of its own: points have places,
-                                                                             | so write `at` behind the
+                                                                             ^^ `beam 1` has no place of its
+                                                                             | own: points have places, so
+                                                                             | write `at` behind the
                                                                              | connections around it
         ",
     );
@@ -225,11 +224,11 @@ fn a_model_is_one_structure() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0);
-        fixed at (0.0, l) -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-                             ^^^^^^^^^^^^^ no path joins `planar_beam 2` to what is written before it: a model
-                             | is one structure, so name a connection of it here
+        fixed at (0.0, l) -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+                             ^^^^^^ no path joins `beam 2` to what is written before it: a model is one
+                             | structure, so name a connection of it here
             -> conn b at (l, l);
         conn c at (0.0, 2.0);
         ^^^^^^ `conn c` is joined to nothing: let the path of an element end in it
@@ -242,16 +241,16 @@ fn arrows_say_input_and_output() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             <- conn a at (l, 0.0) <- pin 2 {} -> conn b;
-            ^^ `planar_beam 1` has two inputs, but one end of an element is its input and the other its
-            | output: turn one of the arrows round
+            ^^ `beam 1` has two inputs, but one end of an element is its input and the other its output: turn
+            | one of the arrows round
                                               ^^ `pin 2` has two outputs, but one end of an element is its
                                               | input and the other its output: turn one of the arrows round
                                      ^^^^^ `pin 2` joins a point to itself: give its other side a connection
                                      | of its own
-        conn b -> planar_beam 3 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l };
-                  ^^^^^^^^^^^^^ `planar_beam 3` has no output: end its path with a support or a connection
+        conn b -> beam 3 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l };
+                  ^^^^^^ `beam 3` has no output: end its path with a support or a connection
         rigid_body 4 { mass: l, inertia: l, centre: (l, l) };
         ^^^^^^^^^^^^ `rigid_body 4` is joined to nothing: lead an arrow to it from a connection with a place
         conn b -> conn b;

@@ -7,7 +7,7 @@ fn a_point_has_one_support() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0) <- roller;
         conn a <- held(rz);
                   ^^^^ `held` is a second support of `conn a`, which `roller` holds: one support says all that
@@ -23,12 +23,12 @@ fn held_names_freedoms_that_there_are() {
     assert_refused(
         "
         struct M { l: f64 }
-        held(x, y, z) at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        held(x, y, z) at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                    ^ `z` is no freedom of this model: a point has `x`, `y` and `rz`
             -> conn c at (l, 0.0) <- held(x, y, x);
                                                 ^ `x` is held already: remove one of the two
-        conn c -> planar_beam 4 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a;
-        held() at (0.0, l) -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a;
+        conn c -> beam 4 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a;
+        held() at (0.0, l) -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a;
         ^^^^ `held()` holds nothing: name its freedoms, or write `free`
         conn a at (l, l) -> spring 3 { stiffness: l } -> conn b at (l, 0.0);
         held(x, rz) along (1.0, 0.0) -> conn a;
@@ -54,15 +54,15 @@ fn some_supports_have_directions() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) along (1.0, 0.0) -> planar_beam 1
+        fixed at (0.0, 0.0) along (1.0, 0.0) -> beam 1
                             ^^^^^ `fixed` is alike in all directions: remove `along`, which `roller` and
                             | `guided` take
             { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at (l, 0.0);
         pinned along (1.0, 0.0) -> conn a;
                ^^^^^ `pinned` is alike in all directions: remove `along`, which `roller` and `guided` take
-        roller at (0.0, l) along l -> planar_beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        roller at (0.0, l) along l -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                                  ^ a direction of the plane has two parts, `along (dx, dy)`
-            -> conn a -> planar_beam 3 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+            -> conn a -> beam 3 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> guided at (l, l) along (1.0, 0.0, 0.0);
                                       ^^^^^^^^^^^^^^^ a direction of the plane has two parts, `along (dx, dy)`
         ",
@@ -74,7 +74,7 @@ fn a_path_of_one_motion_is_held_or_free() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (l, 0.0);
         conn a <- along (1.0, 0.0) <- spring 2 { stiffness: l } <- pinned;
                                                                    ^^^^^^ `pinned` is no support of a path of
@@ -94,7 +94,7 @@ fn supports_have_known_names() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixd at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixd at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
         ^^^^ `fixd` is not a support: did you mean `fixed`?
             -> wall at (l, 0.0);
                ^^^^ `wall` is not a support: the supports are `fixed`, `pinned`, `free`, `guided`, `roller`

@@ -13,13 +13,13 @@ fn each_dimension_has_its_keywords() {
             -> body 2 { mass: l, inertia: l, output_x: l, centre_x: l } -> conn b at (l, l)
                ^^^^ `body` has its points by offsets, which places replace: take `rigid_body`
             -> elastic_hinge 3 { stiffness_y: l, stiffness_theta: l } -> fixed;
-               ^^^^^^^^^^^^^ `elastic_hinge` does not say what happens along x, which counts in the plane:
-               | write `hinge 3 { stiffness_y: l, stiffness_rz: l }`
+               ^^^^^^^^^^^^^ `elastic_hinge` is `hinge` now: write `hinge 3 { stiffness_y: l, stiffness_rz: l
+               | }`
         conn b -> planar_body 4 { } -> fixed;
                   ^^^^^^^^^^^ `planar_body` has its points by offsets, which places replace: take `rigid_body`
         conn a -> spatial_beam 5 { } -> plnar_beam 7 { } -> pin8 -> conn b;
-                  ^^^^^^^^^^^^ `spatial_beam` is not an element: did you mean `planar_beam`?
-                                        ^^^^^^^^^^ `plnar_beam` is not an element: did you mean `planar_beam`?
+                  ^^^^^^^^^^^^ `spatial_beam` is not an element: did you mean `beam`?
+                                        ^^^^^^^^^^ `plnar_beam` is not an element: did you mean `beam`?
                                                             ^^^^ `pin8` is not a support: put a space before
                                                             | the label, `pin 8`
         ",
@@ -28,11 +28,10 @@ fn each_dimension_has_its_keywords() {
         "
         struct M { l: f64 }
         fixed at 0.0 -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at l
-                        ^^^^^^^^^^^ `planar_beam` moves in the plane, but points have one coordinate here:
-                        | write `beam 1 { bending_stiffness: l, mass_per_length: l }`
+                        ^^^^^^^^^^^ `planar_beam` is `beam` now: write `beam 1 { bending_stiffness: l,
+                        | mass_per_length: l }`
             -> planar_hinge 2 { stiffness_x: l, stiffness_y: l, stiffness_theta: l } -> fixed;
-               ^^^^^^^^^^^^ `planar_hinge` moves in the plane, but points have one coordinate here: write
-               | `hinge 2 { stiffness_y: l, stiffness_rz: l }`
+               ^^^^^^^^^^^^ `planar_hinge` is `hinge` now: write `hinge 2 { stiffness_y: l, stiffness_rz: l }`
         ",
     );
 }
@@ -42,12 +41,12 @@ fn a_length_follows_from_places() {
     assert_refused(
         "
         struct M { length: f64, ea: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { length, axial_stiffness: ea, bending_stiffness: ea, mass_per_length: ea }
-                                               ^^^^^^ `planar_beam 1` takes no `length`, which follows from
-                                               | the places of its ends: remove it
-            -> conn a at (length, 0.0) -> planar_beam 2 { axial: ea, bending_stiffness: ea, mass_per_length: ea }
-                                                          ^^^^^ `planar_beam` has no parameter `axial`: did
-                                                          | you mean `axial_stiffness`?
+        fixed at (0.0, 0.0) -> beam 1 { length, axial_stiffness: ea, bending_stiffness: ea, mass_per_length: ea }
+                                        ^^^^^^ `beam 1` takes no `length`, which follows from the places of
+                                        | its ends: remove it
+            -> conn a at (length, 0.0) -> beam 2 { axial: ea, bending_stiffness: ea, mass_per_length: ea }
+                                                   ^^^^^ `beam` has no parameter `axial`: did you mean
+                                                   | `axial_stiffness`?
             -> conn b at (length, ea) -> point_mass 3 { inertia: ea } -> pin 4 -> fixed;
                                          ^^^^^^^^^^^^ `point_mass 3` lacks `mass`
                                                                          ^^^^^ `pin 4` lacks its braces, `pin
@@ -61,14 +60,14 @@ fn labels_are_checked() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-                               ^^^^^^^^^^^^^ label `1` is first used here
-            -> conn 1 at (l, 0.0) -> planar_beam 02 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-                                                 ^^ `02` is not a label: a label is a name or a decimal number
-                                                 | without leading zero or suffix, such as `arm` or `12`
-            -> conn b at (l, l) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-                                               ^ label `1` is taken by `planar_beam 1`: elements share one set
-                                               | of labels, and an element is written once
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+                               ^^^^^^ label `1` is first used here
+            -> conn 1 at (l, 0.0) -> beam 02 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+                                          ^^ `02` is not a label: a label is a name or a decimal number
+                                          | without leading zero or suffix, such as `arm` or `12`
+            -> conn b at (l, l) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+                                        ^ label `1` is taken by `beam 1`: elements share one set of labels,
+                                        | and an element is written once
             -> fixed at (0.0, l);
         ",
     );
@@ -80,9 +79,9 @@ fn words_are_shown_beside_lines_that_cannot_be_read() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { length: l } -> conn a;
-                                               ^^^^^^ `planar_beam 1` takes no `length`, which follows from
-                                               | the places of its ends: remove it
+        fixed at (0.0, 0.0) -> beam 1 { length: l } -> conn a;
+                                        ^^^^^^ `beam 1` takes no `length`, which follows from the places of
+                                        | its ends: remove it
         conn a at -> conn b;
                ^^ `at` says where a point is: write its coordinates behind, `at (x, y)`
         ",
@@ -95,7 +94,7 @@ fn words_of_models_with_places_need_places() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed -> planar_beam 1 { length: l, axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed -> beam 1 { length: l, axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> rigid_body 2 { } -> pin 3 { } -> roller along (1.0, 0.0);
                ^^^^^^^^^^ `rigid_body` stands in models whose points have places: say where they are, `conn a
                | at (x, y)`
@@ -118,7 +117,7 @@ fn places_have_derivatives() {
     assert_refused(
         "
         struct M { l: f64 }
-        fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
+        fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at (table(l), 0.0) <- roller along (1.0, l as f32 as f64);
                           ^^^^^ `table` has no derivative that mstmm knows: write the formula here, or mark
                           | `l` with `#[no_sensitivity]`
@@ -136,19 +135,18 @@ fn places_have_derivatives() {
     );
 }
 
-/// Hinges of one freedom and levers stand in trees of paths.
+/// Words of one type have others in their place between places, too.
 #[test]
 fn joints_of_paths_have_others_instead() {
     assert_refused(
         "
         struct M { l: f64 }
         fixed at (0.0, 0.0) -> rotational_hinge 1 { stiffness: l } -> conn a at (l, 0.0)
-                               ^^^^^^^^^^^^^^^^ `rotational_hinge` stands in models without places: write
-                               | `hinge 1 { stiffness_rz: l }`
+                               ^^^^^^^^^^^^^^^^ `rotational_hinge` is `hinge` now: write `hinge 1 {
+                               | stiffness_rz: l }`
             -> shear_hinge 2 { stiffness: l } -> lever 3 { output_x: l } -> fixed;
-               ^^^^^^^^^^^ `shear_hinge` stands in models without places: write `hinge 2 { stiffness_y: l }`
-                                                 ^^^^^ `lever` has its points by offsets, which places
-                                                 | replace: write `rigid_link 3 {}`
+               ^^^^^^^^^^^ `shear_hinge` is `hinge` now: write `hinge 2 { stiffness_y: l }`
+                                                 ^^^^^ `lever` is `rigid_link` now: write `rigid_link 3 {}`
         ",
     );
 }

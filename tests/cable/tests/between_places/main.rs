@@ -19,9 +19,9 @@ macro_rules! portals {
         system! {
             struct $name { span: f64, height: f64, length: f64, tension: f64, mass_per_length: f64 }
             fixed at (0.0, 0.0)
-                -> planar_beam 1 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn b at (0.0, height)
-                -> planar_beam 2 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn c at (span, height)
-                <- planar_beam 3 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } <- conn d at (span, 0.0);
+                -> beam 1 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn b at (0.0, height)
+                -> beam 2 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn c at (span, height)
+                <- beam 3 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } <- conn d at (span, 0.0);
             conn d <- pinned;
             conn b -> $($string)+ brace { length, tension, mass_per_length } -> conn d;
         }
@@ -206,7 +206,7 @@ macro_rules! hangers {
     ($($name:ident { $($first:tt)+ } { $($second:tt)+ })*) => {$(
         system! {
             struct $name { mass: f64 }
-            fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn a at (2.0, 1.0);
+            fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn a at (2.0, 1.0);
             conn a <- along (1.0, -2.0) <- $($first)+ 2 { length: 1.5, tension: 70.0, mass_per_length: 0.3 } <- mass 3 { mass }
                 <- $($second)+ 4 { length: 0.7, tension: 70.0, mass_per_length: 0.3 } <- conn e <- fixed;
         }
@@ -234,8 +234,8 @@ macro_rules! joints {
     ($($name:ident { $($coil:tt)+ })*) => {$(
         system! {
             struct $name { stiffness: f64 }
-            fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn a at (1.0, 1.0)
-                -> pin 2 {} -> conn b -> planar_beam 3 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn c at (3.0, 1.0);
+            fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn a at (1.0, 1.0)
+                -> pin 2 {} -> conn b -> beam 3 { axial_stiffness: EA, bending_stiffness: EI, mass_per_length: M } -> conn c at (3.0, 1.0);
             conn c <- pinned;
             conn a -> $($coil)+ 4 { stiffness } -> conn b;
             conn c -> $($coil)+ 5 { stiffness: 2.0 * stiffness } -> fixed;

@@ -10,13 +10,13 @@ system! {
         dx: f64, dy: f64,
     }
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (place, height)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (0.0, height)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn girder at (place, height)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (span, height)
         -> pin 4 {} -> conn d
-        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (span, 0.0) <- pinned;
-    conn b -> spring_damper 6 { stiffness: brace, damping: c_brace } -> conn foot;
-    conn girder <- along (dx, dy) <- spring_damper 7 { stiffness: k, damping: c } <- mass 8 { mass } <- free;
+        -> beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn foot at (span, 0.0) <- pinned;
+    conn b -> spring 6 { stiffness: brace, damping: c_brace } -> conn foot;
+    conn girder <- along (dx, dy) <- spring 7 { stiffness: k, damping: c } <- mass 8 { mass } <- free;
     conn c -> torsion_damper 9 { damping: friction } -> conn d;
 }
 
@@ -33,13 +33,13 @@ system! {
         tyre: f64, arm: f64, ea: f64, ei: f64, m: f64, turn: f64, friction: f64,
     }
     conn rear at (rear, sill) -> rigid_body 1 { mass, inertia, centre: (centre_x, centre_y) } -> conn front at (front, sill);
-    conn rear <- along (lean, 1.0) <- spring_damper 2 { stiffness: k, damping: c } <- fixed;
-    conn front <- along (-0.25, 1.0) <- spring_damper 3 { stiffness: k, damping: 0.5 * c } <- mass 4 { mass: wheel }
+    conn rear <- along (lean, 1.0) <- spring 2 { stiffness: k, damping: c } <- fixed;
+    conn front <- along (-0.25, 1.0) <- spring 3 { stiffness: k, damping: 0.5 * c } <- mass 4 { mass: wheel }
         <- spring 5 { stiffness: tyre } <- fixed;
     conn rear <- along (1.0, lean) <- spring 6 { stiffness: tyre } <- fixed;
-    conn front -> planar_beam 7 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn tip at (arm, sill + 0.25);
+    conn front -> beam 7 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn tip at (arm, sill + 0.25);
     conn tip <- along (lean, 1.0) <- damper 8 { damping: c } <- fixed;
-    conn tip <- torsion_spring_damper 9 { stiffness: turn, damping: friction } <- fixed;
+    conn tip <- torsion_spring 9 { stiffness: turn, damping: friction } <- fixed;
 }
 
 damped!(Suspension, {
@@ -58,8 +58,8 @@ system! {
         -> beam 3 { bending_stiffness: ei, mass_per_length: 2.0 * m } -> conn 4 at second
         -> beam 5 { bending_stiffness: ei, mass_per_length: m } -> conn 6 at end;
     conn 2 <- damper 7 { damping: ground } <- fixed;
-    conn 4 <- spring_damper 8 { stiffness: k, damping: c } <- mass 9 { mass } <- free;
-    conn 6 <- torsion_spring_damper 10 { stiffness: turn, damping: friction } <- fixed;
+    conn 4 <- spring 8 { stiffness: k, damping: c } <- mass 9 { mass } <- free;
+    conn 6 <- torsion_spring 10 { stiffness: turn, damping: friction } <- fixed;
     conn 6 <- spring 11 { stiffness: 2.0 * k } <- fixed;
 }
 

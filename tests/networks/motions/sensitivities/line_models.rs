@@ -10,7 +10,7 @@ system! {
     }
     fixed at 0.0 -> beam 1 { bending_stiffness: ei, mass_per_length: m } -> conn 2 at first
         -> beam 3 { bending_stiffness: ei, mass_per_length: 2.0 * m } -> conn h at second
-        -> elastic_hinge 4 { stiffness_y: k, stiffness_theta: turn }
+        -> hinge 4 { stiffness_y: k, stiffness_rz: turn }
         -> beam 5 { bending_stiffness: ei, mass_per_length: m } -> conn e at third
         -> rigid_body 6 { mass, inertia, centre } -> conn 7 at third + 0.5;
     conn 2 <- spring 8 { stiffness: k } <- mass 9 { mass } <- spring 10 { stiffness: 0.5 * k } <- fixed;

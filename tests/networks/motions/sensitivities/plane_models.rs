@@ -24,16 +24,16 @@ system! {
     }
     let half = 0.5 * lean;
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (half, first)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (lean, second)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (lean, third);
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (half, first)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (lean, second)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (lean, third);
     fixed at (width, 0.0)
-        -> planar_beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn d at (width + half, first)
-        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn e at (width + lean, second)
-        -> planar_beam 6 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn f at (width, third);
-    conn a -> planar_beam 7 { axial_stiffness: ea, bending_stiffness: rung_ei, mass_per_length: rung_m } -> conn d;
-    conn b -> planar_beam 8 { axial_stiffness: ea, bending_stiffness: rung_ei, mass_per_length: rung_m } -> conn e;
-    conn c -> planar_beam 9 { axial_stiffness: ea, bending_stiffness: rung_ei, mass_per_length: rung_m } -> conn f;
+        -> beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn d at (width + half, first)
+        -> beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn e at (width + lean, second)
+        -> beam 6 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn f at (width, third);
+    conn a -> beam 7 { axial_stiffness: ea, bending_stiffness: rung_ei, mass_per_length: rung_m } -> conn d;
+    conn b -> beam 8 { axial_stiffness: ea, bending_stiffness: rung_ei, mass_per_length: rung_m } -> conn e;
+    conn c -> beam 9 { axial_stiffness: ea, bending_stiffness: rung_ei, mass_per_length: rung_m } -> conn f;
     conn a -> spring 10 { stiffness: brace } -> conn e;
 }
 
@@ -49,18 +49,18 @@ system! {
         span: f64, sag: f64, top: f64, lead: f64, ea: f64, ei: f64, m: f64, light: f64, mass: f64, run: f64, rise: f64,
     }
     pinned at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pin 2 {}
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pin 2 {}
         -> conn b at (0.5 * span, sag) -> pin 3 {}
-        -> planar_beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
+        -> beam 4 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
         -> conn c at (span, 0.0) <- roller along (run, rise);
     pinned at (-0.125, 0.0)
-        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pin 6 {}
+        -> beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pin 6 {}
         -> conn d at (lead, top) -> pin 7 {}
-        -> planar_beam 8 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: light } -> pin 9 {} -> conn b;
-    conn b -> pin 10 {} -> planar_beam 11 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: light } -> pin 12 {}
+        -> beam 8 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: light } -> pin 9 {} -> conn b;
+    conn b -> pin 10 {} -> beam 11 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: light } -> pin 12 {}
         -> conn e at (span, top);
-    conn e -> pin 13 {} -> planar_beam 14 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pin 15 {} -> conn c;
-    conn d -> pin 16 {} -> planar_beam 17 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pin 18 {} -> conn e;
+    conn e -> pin 13 {} -> beam 14 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pin 15 {} -> conn c;
+    conn d -> pin 16 {} -> beam 17 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pin 18 {} -> conn e;
     conn d -> point_mass 19 { mass };
     conn b -> point_mass 20 { mass: 2.0 * mass };
 }
@@ -77,13 +77,13 @@ system! {
         reach: f64, arm: f64, drop: f64, centre_x: f64, centre_y: f64, tip_x: f64, tip_y: f64, overhang: f64, ea: f64, ei: f64, m: f64,
         mass: f64, inertia: f64, tip_mass: f64, tip_inertia: f64, k: f64, dx: f64, dy: f64,
     }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (reach, 0.0)
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (reach, 0.0)
         -> rigid_body 2 { mass, inertia, centre: (centre_x, centre_y) } -> conn b at (reach + arm, 0.25)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn tip at (tip_x, tip_y)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn tip at (tip_x, tip_y)
         -> rigid_body 4 { mass: tip_mass, inertia: tip_inertia, centre: (tip_x + overhang, tip_y - overhang) };
     rigid_body 2 <- conn c at (reach, drop) <- along (dx, dy) <- spring 5 { stiffness: k } <- fixed;
     rigid_body 2 -> conn d at (reach + 0.25, 0.125)
-        -> planar_beam 6 { axial_stiffness: ea, bending_stiffness: 0.5 * ei, mass_per_length: m } -> free at (0.5, 1.5);
+        -> beam 6 { axial_stiffness: ea, bending_stiffness: 0.5 * ei, mass_per_length: m } -> free at (0.5, 1.5);
 }
 
 undamped!(ThreePorts, {
@@ -99,14 +99,14 @@ system! {
         knee_x: f64, knee_y: f64, end_x: f64, end_y: f64, low_x: f64, low_y: f64, run: f64, rise: f64, guide: f64, side: f64, up: f64,
         ea: f64, ei: f64, m: f64, k: f64, mass: f64, inertia: f64, turn: f64,
     }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn knee at (knee_x, knee_y)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> roller at (end_x, end_y) along (run, rise);
-    conn knee -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: 2.0 * ei, mass_per_length: m }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn knee at (knee_x, knee_y)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> roller at (end_x, end_y) along (run, rise);
+    conn knee -> beam 3 { axial_stiffness: ea, bending_stiffness: 2.0 * ei, mass_per_length: m }
         -> guided at (low_x, low_y) along (guide, -0.5);
     conn knee -> point_mass 4 { mass, inertia };
     conn knee <- along (side, up) <- spring 5 { stiffness: k } <- fixed;
     conn knee <- along (up, -side) <- spring 6 { stiffness: 0.25 * k } <- mass 7 { mass: 0.5 * mass } <- free;
-    conn knee -> planar_beam 8 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> held(rz) at (-0.5, knee_y + 1.0);
+    conn knee -> beam 8 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> held(rz) at (-0.5, knee_y + 1.0);
     conn knee <- torsion_spring 9 { stiffness: turn } <- fixed;
 }
 
@@ -123,13 +123,13 @@ system! {
         height: f64, bay: f64, far: f64, ea: f64, ei: f64, m: f64, k_x: f64, k_y: f64, turn: f64, slide_x: f64, slide_y: f64, k: f64,
     }
     fixed at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (0.25, height)
-        -> planar_hinge 2 { stiffness_x: k_x, stiffness_y: k_y, stiffness_theta: turn } -> conn b
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (bay, 1.25 * height)
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (0.25, height)
+        -> hinge 2 { stiffness_x: k_x, stiffness_y: k_y, stiffness_rz: turn } -> conn b
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn c at (bay, 1.25 * height)
         -> slider 4 { along: (slide_x, slide_y) } -> conn d
-        -> planar_beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn e at (far, height)
-        -> pin 6 {} -> planar_beam 7 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pinned at (far, 0.125);
-    conn c -> planar_beam 8 { axial_stiffness: ea, bending_stiffness: 0.5 * ei, mass_per_length: 2.0 * m } -> pinned at (bay, -0.25);
+        -> beam 5 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn e at (far, height)
+        -> pin 6 {} -> beam 7 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> pinned at (far, 0.125);
+    conn c -> beam 8 { axial_stiffness: ea, bending_stiffness: 0.5 * ei, mass_per_length: 2.0 * m } -> pinned at (bay, -0.25);
     conn a -> spring 9 { stiffness: k } -> conn e;
     conn a -> torsion_spring 10 { stiffness: 2.0 * turn } -> conn c;
 }
@@ -146,8 +146,8 @@ system! {
         x: f64, y: f64, tip_x: f64, tip_y: f64, ground: f64, dx: f64, dy: f64, ea: f64, ei: f64, m: f64, k: f64, soft: f64, mass: f64,
         turn: f64, inertia: f64,
     }
-    fixed at (0.0, 0.0) -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (x, y)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn tip at (tip_x, tip_y);
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn a at (x, y)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn tip at (tip_x, tip_y);
     conn a -> spring 3 { stiffness: k } -> mass 4 { mass } -> spring 5 { stiffness: soft } -> mass 6 { mass: 0.5 * mass }
         -> spring 7 { stiffness: k } -> conn g at (ground, -0.75) <- fixed;
     conn tip <- along (dx, dy) <- spring 8 { stiffness: soft } <- mass 9 { mass } <- spring 10 { stiffness: k } <- fixed;
@@ -167,10 +167,10 @@ system! {
         width: f64, height: f64, skew: f64, ea: f64, ei: f64, m: f64, tie: f64, mass: f64, inertia: f64, centre: f64,
     }
     conn a at (0.0, 0.0)
-        -> planar_beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (width, 0.0)
-        -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: 2.0 * m } -> conn c at (width + skew, height)
-        -> planar_beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn d at (skew, height)
-        -> planar_beam 4 { axial_stiffness: ea, bending_stiffness: 4.0 * ei, mass_per_length: m } -> conn a;
+        -> beam 1 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn b at (width, 0.0)
+        -> beam 2 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: 2.0 * m } -> conn c at (width + skew, height)
+        -> beam 3 { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m } -> conn d at (skew, height)
+        -> beam 4 { axial_stiffness: ea, bending_stiffness: 4.0 * ei, mass_per_length: m } -> conn a;
     conn a -> spring 5 { stiffness: tie } -> conn c;
     conn d -> rigid_body 6 { mass, inertia, centre: (centre, height) };
 }

@@ -5,22 +5,22 @@ use mstmm::prelude::*;
 system! {
     #[derive(Clone, Copy)]
     struct Whole { f: f64, r: f64, n: f64, k: f64, ea: f64 }
-    fixed at (0.0, 0.0) -> planar_general_beam 1 {
-        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_flexibility: f, rotary_inertia: r, axial_force: n,
+    fixed at (0.0, 0.0) -> beam 1 {
+        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
         foundation_stiffness: k
-    } -> conn a at (1.2, 0.5) -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned at (1.0, -1.0);
+    } -> conn a at (1.2, 0.5) -> beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned at (1.0, -1.0);
 }
 
 system! {
     struct Cut { f: f64, r: f64, n: f64, k: f64, ea: f64 }
-    fixed at (0.0, 0.0) -> planar_general_beam 1 {
-        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_flexibility: f, rotary_inertia: r, axial_force: n,
+    fixed at (0.0, 0.0) -> beam 1 {
+        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
         foundation_stiffness: k
-    } -> conn b at (0.36, 0.15) -> planar_general_beam 3 {
-        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_flexibility: f, rotary_inertia: r, axial_force: n,
+    } -> conn b at (0.36, 0.15) -> beam 3 {
+        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
         foundation_stiffness: k
-    } -> conn a at (1.2, 0.5) -> planar_beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 }
-        -> conn c at (1.08, -0.4) -> planar_beam 4 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 }
+    } -> conn a at (1.2, 0.5) -> beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 }
+        -> conn c at (1.08, -0.4) -> beam 4 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 }
         -> pinned at (1.0, -1.0);
 }
 
@@ -55,22 +55,10 @@ fn states_inside_of_loaded_members() {
         for lambda in [(0.0, 0.0), (0.0, 0.01), (-0.05, 0.9), (0.0, 3.3), (0.1, 23.0), (0.0, 611.0), (-20.0, 9e3)] {
             let lambda = C::new(lambda.0, lambda.1);
             let pairs = [
-                (
-                    Whole::planar_general_beam_1.uniform_load_x(),
-                    [Cut::planar_general_beam_1.uniform_load_x(), Cut::planar_general_beam_3.uniform_load_x()],
-                ),
-                (
-                    Whole::planar_general_beam_1.uniform_load_y(),
-                    [Cut::planar_general_beam_1.uniform_load_y(), Cut::planar_general_beam_3.uniform_load_y()],
-                ),
-                (
-                    Whole::planar_beam_2.uniform_load_y(),
-                    [Cut::planar_beam_2.uniform_load_y(), Cut::planar_beam_4.uniform_load_y()],
-                ),
-                (
-                    Whole::planar_beam_2.uniform_load_x(),
-                    [Cut::planar_beam_2.uniform_load_x(), Cut::planar_beam_4.uniform_load_x()],
-                ),
+                (Whole::beam_1.uniform_load_x(), [Cut::beam_1.uniform_load_x(), Cut::beam_3.uniform_load_x()]),
+                (Whole::beam_1.uniform_load_y(), [Cut::beam_1.uniform_load_y(), Cut::beam_3.uniform_load_y()]),
+                (Whole::beam_2.uniform_load_y(), [Cut::beam_2.uniform_load_y(), Cut::beam_4.uniform_load_y()]),
+                (Whole::beam_2.uniform_load_x(), [Cut::beam_2.uniform_load_x(), Cut::beam_4.uniform_load_x()]),
             ];
             for (number, (load, parts)) in pairs.into_iter().enumerate() {
                 let states =
@@ -81,12 +69,8 @@ fn states_inside_of_loaded_members() {
                 let sum = |entry| halves.iter().map(|half| half.value(entry).unwrap()).sum::<C>();
                 let [first, second] = [1.3 * 0.3, (0.2_f64 * 0.2 + 1.5 * 1.5).sqrt() * 0.6];
                 let joints = [
-                    (
-                        states.along(Whole::planar_general_beam_1, first).unwrap(),
-                        Cut::conn_b,
-                        Cut::planar_general_beam_1.output(),
-                    ),
-                    (states.along(Whole::planar_beam_2, second).unwrap(), Cut::conn_c, Cut::planar_beam_2.output()),
+                    (states.along(Whole::beam_1, first).unwrap(), Cut::conn_b, Cut::beam_1.output()),
+                    (states.along(Whole::beam_2, second).unwrap(), Cut::conn_c, Cut::beam_2.output()),
                 ];
                 for (inside, point, end) in joints {
                     let actual = [

@@ -123,14 +123,13 @@ fn many_lines_and_beams_give_the_forces_of_exact_solutions() {
 /// Parameters of a general beam with damping.
 fn parameters(random: &mut Random) -> (BeamNumbers, DampingNumbers) {
     let mut some = |most: f64, chance: usize| [if random.below(chance) > 0 { most * random.unit() } else { 0.0 }, 0.0];
-    let (shear_flexibility, rotary_inertia) = (some(0.3, 3), some(0.3, 3));
+    let ([flexibility, _], rotary_inertia) = (some(0.3, 3), some(0.3, 3));
     let beam = BeamNumbers {
         length: [1.0, 0.0],
         bending_stiffness: [0.5 + some(1.0, 9)[0], 0.0],
         mass_per_length: [0.3 + some(1.0, 9)[0], 0.0],
         axial_stiffness: [0.0; 2],
-        shear_flexibility,
-        shear_stiffness: [0.0; 2],
+        shear_stiffness: [if flexibility > 0.0 { 1.0 / flexibility } else { 0.0 }, 0.0],
         rotary_inertia,
         axial_force: [some(2.0, 3)[0] - some(1.0, 2)[0], 0.0],
         shear_layer: some(1.0, 3),
@@ -154,7 +153,7 @@ fn check_pieces<N: Exactly + Level<Word = f64>>(runs: usize) {
             let [loss, time, viscous] = [damping.loss_factor, damping.time, damping.viscous].map(parameter);
             let e = &(&one() + &(&loss * &ExactComplex::of(0.0, 1.0))) * &(&one() + &(&time * lambda));
             let stiffness = &e * &parameter(beam.bending_stiffness);
-            let f = &parameter(beam.shear_flexibility) / &e;
+            let f = if beam.shears() { &one() / &(&parameter(beam.shear_stiffness) * &e) } else { parameter([0.0; 2]) };
             let tension = &parameter(beam.axial_force) + &parameter(beam.shear_layer);
             let l = ExactComplex::of(length, 0.0);
             let scale = &(&l * &l) / &stiffness;

@@ -70,7 +70,7 @@ impl Case {
         let section = self.section;
         let (one, square, length) = (exact(1.0), exact(self.square), exact(self.length));
         let tension = pair(section.axial_force) + pair(section.shear_layer);
-        let flexibility = pair(section.shear_flexibility);
+        let flexibility = if section.shears() { &one / pair(section.shear_stiffness) } else { exact(0.0) };
         let scale = &length * &length / pair(section.bending_stiffness);
         let sigma = &one / (&one + &tension * &flexibility);
         let tau = &flexibility * &sigma / &scale;
