@@ -7,8 +7,8 @@ use mstmm_drawing::Drawing;
 use std::error::Error;
 
 system! {
-    /// Warren truss of three panels on a pin and a roller, with a deck on its lower joints. Bars are tubes;
-    /// at each joint one is continuous with it and all others have pins, so that none is bent by the others.
+    /// Warren truss of three panels on a pin and a roller, with a deck on its lower joints. Bars are tubes with pins at their ends, so that none
+    /// is bent by the others.
     ///
     /// ```text
     ///        u1 ---- u2 ---- u3
@@ -41,35 +41,26 @@ system! {
 
     let half = 0.5 * panel;
     let square = gyration * gyration;
-    let (ea_l, ei_l, m_l) = (modulus * lower, modulus * lower * square, density * lower);
-    let (ea_u, ei_u, m_u) = (modulus * upper, modulus * upper * square, density * upper);
-    let (ea_p, ei_p, m_p) = (modulus * posts, modulus * posts * square, density * posts);
-    let (ea_w, ei_w, m_w) = (modulus * webs, modulus * webs * square, density * webs);
+    section lower_chord { axial_stiffness: modulus * lower, bending_stiffness: modulus * lower * square, mass_per_length: density * lower }
+    section upper_chord { axial_stiffness: modulus * upper, bending_stiffness: modulus * upper * square, mass_per_length: density * upper }
+    section post { axial_stiffness: modulus * posts, bending_stiffness: modulus * posts * square, mass_per_length: density * posts }
+    section web { axial_stiffness: modulus * webs, bending_stiffness: modulus * webs * square, mass_per_length: density * webs }
 
     pinned -> conn l0 at (0.0, 0.0);
     roller -> conn l3 at (3.0 * panel, 0.0);
 
-    conn l0 -> beam l0l1 { axial_stiffness: ea_l, bending_stiffness: ei_l, mass_per_length: m_l }
-        -> pin 1 {} -> conn l1 at (panel, 0.0)
-        -> beam l1l2 { axial_stiffness: ea_l, bending_stiffness: ei_l, mass_per_length: m_l }
-        -> pin 2 {} -> conn l2 at (2.0 * panel, 0.0)
-        -> beam l2l3 { axial_stiffness: ea_l, bending_stiffness: ei_l, mass_per_length: m_l } -> pin 3 {} -> conn l3;
+    conn l0 -> bar l0l1 { ..lower_chord } -> conn l1 at (panel, 0.0)
+            -> bar l1l2 { ..lower_chord } -> conn l2 at (2.0 * panel, 0.0)
+            -> bar l2l3 { ..lower_chord } -> conn l3;
 
-    conn u1 at (half, height)
-        -> beam u1u2 { axial_stiffness: ea_u, bending_stiffness: ei_u, mass_per_length: m_u }
-        -> pin 4 {} -> conn u2 at (panel + half, height)
-        -> beam u2u3 { axial_stiffness: ea_u, bending_stiffness: ei_u, mass_per_length: m_u }
-        -> pin 5 {} -> conn u3 at (2.0 * panel + half, height);
+    conn u1 at (half, height) -> bar u1u2 { ..upper_chord } -> conn u2 at (panel + half, height)
+                              -> bar u2u3 { ..upper_chord } -> conn u3 at (2.0 * panel + half, height);
 
-    conn l0 -> pin 6 {} -> beam l0u1 { axial_stiffness: ea_p, bending_stiffness: ei_p, mass_per_length: m_p } -> pin 7 {} -> conn u1;
-    conn u1 -> pin 8 {} -> beam u1l1 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> pin 9 {} -> conn l1;
-    conn l1 -> pin 10 {} -> beam l1u2 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> pin 11 {} -> conn u2;
-    conn u2 -> pin 12 {} -> beam u2l2 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> pin 13 {} -> conn l2;
-    conn l2 -> pin 14 {} -> beam l2u3 { axial_stiffness: ea_w, bending_stiffness: ei_w, mass_per_length: m_w } -> conn u3;
-    conn u3 -> pin 15 {} -> beam u3l3 { axial_stiffness: ea_p, bending_stiffness: ei_p, mass_per_length: m_p } -> conn l3;
+    conn l0 -> bar l0u1 { ..post } -> conn u1 -> bar u1l1 { ..web } -> conn l1 -> bar l1u2 { ..web } -> conn u2;
+    conn u2 -> bar u2l2 { ..web } -> conn l2 -> bar l2u3 { ..web } -> conn u3 -> bar u3l3 { ..post } -> conn l3;
 
-    conn l1 -> point_mass 16 { mass: deck };
-    conn l2 -> point_mass 17 { mass: deck };
+    conn l1 -> point_mass 1 { mass: deck };
+    conn l2 -> point_mass 2 { mass: deck };
 }
 
 /// A footbridge of steel, eighteen metres long and four metres high.

@@ -6,7 +6,7 @@ mod located;
 mod old_words;
 
 pub(crate) use dimension::Dimension;
-pub(crate) use elements::{DAMPING, ELEMENTS, Keyword, TypeRow, element_of, neutral};
+pub(crate) use elements::{BAR, DAMPING, ELEMENTS, Keyword, TypeRow, element_of, neutral};
 pub(crate) use located::{
     ALONG, AT, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, freedom_of, located_of,
 };
@@ -45,7 +45,6 @@ pub(crate) fn meant_support(word: &str) -> Option<&'static str> {
 
 /// What elements are called elsewhere, and the keywords that are meant: of a model those that it has.
 const OTHER_ELEMENTS: &[(&str, &[&str])] = &[
-    ("bar", &["rod", "beam"]),
     ("bernoulli_beam", &["beam"]),
     ("cable", &["string", "beam"]),
     ("column", &["beam"]),
@@ -56,7 +55,7 @@ const OTHER_ELEMENTS: &[(&str, &[&str])] = &[
     ("link", &["rigid_link"]),
     ("node", &[CONNECTION]),
     ("shock_absorber", &["damper"]),
-    ("truss", &["rod", "beam"]),
+    ("truss", &[BAR, "rod"]),
 ];
 
 /// The keyword, among some, that a word means elsewhere.

@@ -90,6 +90,8 @@ pub(crate) struct Member<'a> {
     /// Its keyword, or what else it is to the user; none of a second support of a body.
     pub(crate) kind: Option<String>,
     pub(crate) freedoms: FreedomSet<'a>,
+    /// The freedoms that its ends do not share with their nodes.
+    pub(crate) released: Freedoms,
     pub(crate) ends: [End; 2],
 }
 

@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a structure that cannot be built fails the test")]
 
 mod bad_numbers;
+mod bars;
 mod drawn;
 pub(crate) mod frames;
 mod general_beams;

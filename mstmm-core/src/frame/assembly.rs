@@ -185,7 +185,8 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         {
             return self.fail(name, Mistake::RigidHinge);
         }
-        let joined = [0, 1].map(|end| self.joined(&entry.ends[end], &entry.ends[1 - end], element));
+        let ends = entry.ends.map(|end| end.releasing(entry.member.released));
+        let joined = [0, 1].map(|end| self.joined(&ends[end], &ends[1 - end], element));
         match joined {
             [Ok(from), Ok(to)] => self.join(name, [from, to], element),
             [Err(mistake), _] | [_, Err(mistake)] => self.fail(name, mistake),

@@ -12,6 +12,7 @@ use crate::frame::error::Mistake;
 use crate::frame::point::InFrame;
 use crate::frame::section::{Parameter, Section, name_of};
 use crate::model::MemberLabel;
+use mstmm_plan::Freedoms;
 
 /// A member of a frame, of the kind of its element.
 pub type Member<K> = MemberLabel<InFrame, K>;
@@ -35,23 +36,33 @@ pub enum OfJoint {}
 impl CarriesLoad for OfBeam {}
 impl CarriesLoad for OfLine {}
 
+/// A beam of the plane with pins at both ends, as those of a truss.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bar(pub Section);
+
 /// What stands between two ends of a frame: an element, or why it is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameMember {
     pub(crate) element: Result<AnyMember<f64>, Mistake>,
+    /// The freedoms that its ends do not share with their points, whatever these say.
+    pub(crate) released: Freedoms,
 }
 
 impl FrameMember {
+    fn of(element: Result<AnyMember<f64>, Mistake>) -> Self {
+        FrameMember { element, released: Freedoms::NONE }
+    }
+
     /// An element that is known.
     pub(crate) fn known(element: impl Into<AnyMember<f64>>) -> Self {
-        FrameMember { element: Ok(element.into()) }
+        FrameMember::of(Ok(element.into()))
     }
 }
 
 /// An element that stands between two ends of a frame of a dimension.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not stand between two ends of a frame of dimension `{D}`",
-    note = "a `Section` is a beam; `Spring`, `Damper`, `Hinge` and others stand there, too"
+    note = "a `Section` is a beam, a `Bar` one with pins at its ends; `Spring`, `Damper`, `Hinge` and others stand there, too"
 )]
 pub trait FrameElement<D: Dimension> {
     /// The kind of its handle.
@@ -156,7 +167,7 @@ impl FrameElement<Line> for Section {
     type Kind = OfBeam;
 
     fn member(self) -> FrameMember {
-        FrameMember { element: along_line(&self) }
+        FrameMember::of(along_line(&self))
     }
 }
 
@@ -164,7 +175,15 @@ impl FrameElement<Plane> for Section {
     type Kind = OfBeam;
 
     fn member(self) -> FrameMember {
-        FrameMember { element: in_plane(&self) }
+        FrameMember::of(in_plane(&self))
+    }
+}
+
+impl FrameElement<Plane> for Bar {
+    type Kind = OfBeam;
+
+    fn member(self) -> FrameMember {
+        FrameMember { released: Freedoms::RZ, ..FrameMember::of(in_plane(&self.0)) }
     }
 }
 

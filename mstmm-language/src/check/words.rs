@@ -5,7 +5,7 @@ use super::{fields, listed, parameters, selves};
 use crate::ast::{Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, element_of, is_element, located_of, meant_element,
+    ALONG, BAR, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, element_of, is_element, located_of, meant_element,
     meant_support, nearest, old_word, support_of,
 };
 use crate::topology::Vertex;
@@ -97,7 +97,9 @@ fn check_label(label: &Label, errors: &mut Errors) {
 
 /// An element has a known keyword and its parameters.
 fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
-    if !is_known(element) {
+    if matches!(&element.kind, Kind::Keyword(keyword) if keyword == BAR) {
+        errors.push(element.kind.place(), format!("`{BAR}` {NEEDS_PLACES}"));
+    } else if !is_known(element) {
         let text = element.kind.name().to_string();
         let message = match (located_of(&text), old_word(&text)) {
             (Some(_), _) => format!("`{text}` {NEEDS_PLACES}"),

@@ -113,6 +113,20 @@ const fn about_input(name: &'static str, parameters: &'static [&'static str]) ->
     TypeRow { name, parameters, renamed: &[("inertia_about_input", "inertia")] }
 }
 
+/// A beam of the plane with pins at its ends, between places.
+pub(crate) const BAR: &str = "bar";
+
+#[rustfmt::skip]
+const BEAMS_OF_THE_PLANE: &[TypeRow] = &[
+    row("PlanarBeam", &[]),
+    row("PlanarRayleighBeam", &["rotary_inertia"]),
+    row("PlanarBeamColumn", &["axial_force"]),
+    row("PlanarFoundationBeam", FOUNDATION),
+    row("PlanarTimoshenkoBeam", SHEAR),
+    row("PlanarGeneralBeam", UNDAMPED),
+    row("PlanarDampedBeam", OF_BEAM),
+];
+
 #[rustfmt::skip]
 pub(crate) const ELEMENTS: &[Keyword] = &[
     keyword("beam", Space::Bending, BENDING, OF_BEAM, &[
@@ -124,15 +138,8 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
         row("GeneralBeam", UNDAMPED),
         row("DampedBeam", OF_BEAM),
     ]),
-    keyword("beam", Space::Planar, STRETCHING, OF_BEAM, &[
-        row("PlanarBeam", &[]),
-        row("PlanarRayleighBeam", &["rotary_inertia"]),
-        row("PlanarBeamColumn", &["axial_force"]),
-        row("PlanarFoundationBeam", FOUNDATION),
-        row("PlanarTimoshenkoBeam", SHEAR),
-        row("PlanarGeneralBeam", UNDAMPED),
-        row("PlanarDampedBeam", OF_BEAM),
-    ]),
+    keyword("beam", Space::Planar, STRETCHING, OF_BEAM, BEAMS_OF_THE_PLANE),
+    keyword(BAR, Space::Planar, STRETCHING, OF_BEAM, BEAMS_OF_THE_PLANE),
     keyword("tapered_beam", Space::Bending, BENDING, TAPERS, &[row("TaperedBeam", TAPERS)]),
     keyword("string", Space::Translation, &["length", "tension", "mass_per_length"], &["foundation_stiffness", "external_damping"], &[
         row("TautString", &["foundation_stiffness"]),

@@ -1,7 +1,7 @@
 //! The keywords of models with locations: what each element is between points.
 
 use super::dimension::Dimension;
-use super::elements::element_of;
+use super::elements::{BAR, element_of};
 use mstmm_plan::Freedoms;
 
 /// What a node of the sketch is in a network of points.
@@ -99,6 +99,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("hinge", Role::Joint, Freedoms::ALL),
     refused("body", [RIGID_BODY; 2]),
     keyword("beam", Role::Member, Freedoms::ALL),
+    LocatedKeyword { instead: [Some("rod"), None], ..keyword(BAR, Role::Member, XY) },
     LocatedKeyword {
         vector: Some("centre"),
         own: Some(&["mass", "inertia", "centre"]),

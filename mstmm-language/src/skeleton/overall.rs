@@ -16,14 +16,17 @@ pub(crate) struct Overall<'s> {
 impl Skeleton<'_> {
     /// The overall transfer equation; none where rustc alone knows the freedoms of a member. The skeleton hangs together.
     pub(crate) fn overall(&self) -> Option<Overall<'_>> {
-        let node = |node: &super::Node<'_>| {
+        let node = |(index, node): (usize, &super::Node<'_>)| {
             let [freedoms, held] = node.known()?;
+            // what ends do not share with it is there, and held where it has it not
+            let here = self.members.iter().filter(|member| self.nodes_of(member).contains(&index));
+            let freedoms = here.fold(freedoms, |sum, member| sum.union(member.released));
             Some(PathNode::new(freedoms, held, node.along.is_some()))
         };
-        let mut nodes = self.nodes.iter().map(node).collect::<Option<Vec<PathNode>>>()?;
+        let mut nodes = self.nodes.iter().enumerate().map(node).collect::<Option<Vec<PathNode>>>()?;
         let member = |member: &super::Member<'_>| {
             let freedoms = member.freedoms.as_known()?;
-            Some(PathMember { nodes: self.nodes_of(member), freedoms, released: 0 })
+            Some(PathMember { nodes: self.nodes_of(member), freedoms, released: 2 * member.released.count() })
         };
         let members = self.members.iter().map(member).collect::<Option<Vec<PathMember>>>()?;
         lead_paths(&mut nodes, &members);

@@ -230,6 +230,7 @@ const _: () = {
                 name: "beam 1",
                 kind: ::core::option::Option::Some("PlanarBeam"),
                 freedoms: mstmm::__private::Freedoms::ALL,
+                released: mstmm::__private::Freedoms::NONE,
                 ends: [
                     mstmm::__private::SketchedEnd {
                         seat: mstmm::__private::Seat::Point(0usize),
@@ -246,6 +247,7 @@ const _: () = {
                 kind: ::core::option::Option::Some("Spring"),
                 freedoms: mstmm::__private::Freedoms::NONE
                     .union(mstmm::__private::Freedoms::X),
+                released: mstmm::__private::Freedoms::NONE,
                 ends: [
                     mstmm::__private::SketchedEnd {
                         seat: mstmm::__private::Seat::Point(1usize),

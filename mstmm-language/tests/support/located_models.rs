@@ -16,7 +16,8 @@ const MODELS: [&str; 2] = [
      conn u <- damper 9 { damping: k } <- along (1.0, 0.0) <- conn c;
      conn e -> torsion_spring 10 { stiffness: k } -> inertia 11 { inertia: k } -> free;
      conn b -> spring 12 { stiffness: k, damping: k } -> conn e -> point_mass 13 { mass: k };
-     conn d -> beam 14 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> free at (k, k)",
+     conn d -> beam 14 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> free at (k, k);
+     conn b -> bar 15 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k } -> pinned at (a, -1.0)",
     "struct Line { l: f64 }
      fixed at 0.0 -> beam 1 { bending_stiffness: l, mass_per_length: l } -> conn a at 0.3 * l
          <- beam 2 { bending_stiffness: l, mass_per_length: l } <- guided at l;

@@ -53,12 +53,12 @@ fn the_portal_is_as_it_is_written() {
     ];
     assert_eq!(points(&portal), named(expected));
     let expected = [
-        ("beam 1", "beam", [0, 1]),
-        ("beam 2", "beam", [1, 2]),
-        ("beam 3", "beam", [2, 3]),
-        ("beam 5", "beam", [5, 4]),
+        ("beam 1", "PlanarBeam", [0, 1]),
+        ("beam 2", "PlanarBeam", [1, 2]),
+        ("beam 3", "PlanarBeam", [2, 3]),
+        ("beam 5", "PlanarBeam", [5, 4]),
         ("pin 4", "pin", [3, 5]),
-        ("spring 7", "spring", [1, 4]),
+        ("spring 7", "Spring", [1, 4]),
     ];
     let expected = expected.map(|(name, kind, ends)| (name.to_owned(), kind, ends.map(Some)));
     assert_eq!(members(&portal), expected);
@@ -126,7 +126,7 @@ fn paths_have_directions_and_a_second_support_is_no_member() {
     );
     let kinds: Vec<_> = members(&system).into_iter().map(|(name, kind, _)| (name, kind)).collect();
     let expected =
-        vec![("mass 2", "tie"), ("spring 3", "spring"), ("spring 4", "spring"), ("torsion_spring 6", "torsion_spring")];
+        vec![("mass 2", "tie"), ("spring 3", "Spring"), ("spring 4", "Spring"), ("torsion_spring 6", "TorsionSpring")];
     assert_eq!(kinds, named(expected));
     let [motion, contact] = ends(&system, "mass 2");
     assert_eq!((motion.position, contact.position, contact.along), (None, Some([4.0, 0.0]), Some([3.0, -4.0])));

@@ -123,7 +123,8 @@ fn joined<T: Real, const NODES: usize, const MEMBERS: usize>(
         }
     };
     let elsewhere = place.filter(|_| place != sketch.nodes[node].place);
-    End { position: elsewhere.map(|place| numbers.place(place)), along, ..End::of(node) }
+    let position = elsewhere.map(|place| numbers.place(place));
+    End { node, position, released: member.released, along }
 }
 
 /// Adds bodies to the estimates: a loop, which would stand in line for each number of nodes.

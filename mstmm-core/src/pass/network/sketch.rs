@@ -84,6 +84,8 @@ pub struct SketchedMember {
     pub kind: Option<&'static str>,
     /// The freedoms of its ends.
     pub freedoms: Freedoms,
+    /// The freedoms that its ends do not share with their nodes, in the axes of the member.
+    pub released: Freedoms,
     /// Its input and its output.
     pub ends: [SketchedEnd; 2],
 }
@@ -162,11 +164,24 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         let mut node = 0;
         while node < NODES {
             let SketchedNode { freedoms, held, along, .. } = self.nodes[node];
-            nodes[node] = PathNode::new(freedoms, held, along.is_some());
+            nodes[node] = PathNode::new(freedoms.union(self.released_at(node)), held, along.is_some());
             node += 1;
         }
         lead_paths(&mut nodes, &self.path_members());
         nodes
+    }
+
+    /// The freedoms that ends of members have at a node and do not share with it: in states there they are, held where the node has them not.
+    const fn released_at(&self, node: usize) -> Freedoms {
+        let (mut released, mut member) = (Freedoms::NONE, 0);
+        while member < MEMBERS {
+            let SketchedMember { released: own, ends: [from, to], .. } = &self.members[member];
+            if self.node_of(from) == node || self.node_of(to) == node {
+                released = released.union(*own);
+            }
+            member += 1;
+        }
+        released
     }
 
     /// Its members as paths know them.
@@ -174,9 +189,9 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         let mut members = [PathMember::NONE; MEMBERS];
         let mut member = 0;
         while member < MEMBERS {
-            let SketchedMember { freedoms, ends: [from, to], .. } = &self.members[member];
+            let SketchedMember { freedoms, released, ends: [from, to], .. } = &self.members[member];
             let nodes = [self.node_of(from), self.node_of(to)];
-            members[member] = PathMember { nodes, freedoms: *freedoms, released: 0 };
+            members[member] = PathMember { nodes, freedoms: *freedoms, released: 2 * released.count() };
             member += 1;
         }
         members

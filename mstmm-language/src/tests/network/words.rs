@@ -36,6 +36,37 @@ fn each_dimension_has_its_keywords() {
     );
 }
 
+/// A bar of a truss stands between places of the plane alone.
+#[test]
+fn bars_stand_in_trusses() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at 0.0 -> bar 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at l;
+                        ^^^ `bar` moves in the plane, but points have one coordinate here: take `rod`
+        ",
+    );
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed -> bar 1 { length: l, axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> free;
+                 ^^^ `bar` stands in models whose points have places: say where they are, `conn a at (x, y)`
+        ",
+    );
+    assert_refused(
+        "
+        struct M { l: f64 }
+        pinned at (0.0, 0.0) -> bar 1 { axial_stiffness: l, mass_per_length: l, bendig_stiffness: l } -> conn a at (l, l)
+                                                                                ^^^^^^^^^^^^^^^^ `bar` has no
+                                                                                | parameter
+                                                                                | `bendig_stiffness`: did you
+                                                                                | mean `bending_stiffness`?
+            -> truss 2 { axial_stiffness: l } -> pinned at (2.0 * l, 0.0);
+               ^^^^^ `truss` is not an element: did you mean `bar`?
+        ",
+    );
+}
+
 #[test]
 fn a_length_follows_from_places() {
     assert_refused(
