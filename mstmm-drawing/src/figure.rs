@@ -64,7 +64,7 @@ pub enum Moves<M> {
 pub(crate) struct Part<M> {
     /// What the source calls it; empty of links that drawings alone have.
     pub(crate) name: String,
-    /// Its keyword.
+    /// The name of its type, or its keyword where it has none.
     pub(crate) word: &'static str,
     pub(crate) kind: Kind,
     /// The anchors of its ends; of a body the points that it ties, the mass centre last.
