@@ -37,12 +37,12 @@ system! {
     let second_moment = PI / 64.0 * (diameter.powi(4) - bore.powi(4));
     // steel, and the shear coefficient of a thick tube
     let (ei, m) = (2.1e11 * second_moment, 7850.0 * area);
-    let shear_flexibility = shear / (0.6 * 8.1e10 * area);
+    let shear_stiffness = 0.6 * 8.1e10 * area / shear;
     let rotary_inertia = shear * 7850.0 * second_moment;
 
     free -> conn rear
-        -> beam 1 { length: span, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (shear_flexibility), rotary_inertia } -> conn front
-        -> beam 2 { length: overhang, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (shear_flexibility), rotary_inertia }
+        -> beam 1 { length: span, bending_stiffness: ei, mass_per_length: m, shear_stiffness, rotary_inertia } -> conn front
+        -> beam 2 { length: overhang, bending_stiffness: ei, mass_per_length: m, shear_stiffness, rotary_inertia }
         -> point_mass 3 { mass: tool, inertia: 0.0 } -> free;
     conn rear <- spring 4 { stiffness: rear } <- fixed;
     conn front <- spring 5 { stiffness: front } <- fixed;

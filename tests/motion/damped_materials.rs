@@ -8,7 +8,7 @@ use mstmm::search::Eigenvalue;
 system! {
     /// Two beams with all that they may have, on a spring.
     struct Row { l: f64, ei: f64, m: f64, f: f64, r: f64, n: f64, k: f64, eta: f64, c: f64, medium: f64, shear: f64, spring: f64 }
-    fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
+    fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n,
             foundation_stiffness: k, loss_factor: eta, kelvin_voigt_time: c, external_damping: medium } -> conn 2
         -> beam 3 { length: 0.8, bending_stiffness: 25.0, mass_per_length: 1.1, shear_stiffness: shear, rotary_inertia: r,
             loss_factor: 0.3 * eta, external_damping: 0.5 * medium } -> free;

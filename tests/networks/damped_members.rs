@@ -132,7 +132,7 @@ fn a_medium_resists_along_members_and_across() {
 
 system! {
     struct Tree { eta: f64, c: f64, medium: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 1.0 / (4e-3), rotary_inertia: 0.02,
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 250.0, rotary_inertia: 0.02,
             axial_force: -10.0, foundation_stiffness: 25.0, loss_factor: eta, external_damping: medium } -> conn 2
         -> beam 3 { length: 0.7, bending_stiffness: 20.0, mass_per_length: 1.0, kelvin_voigt_time: c } -> conn 4 -> free;
     conn 2 <- torsion_spring 6 { stiffness: 4.0, kelvin_voigt_time: c } <- fixed;
@@ -141,7 +141,7 @@ system! {
 
 system! {
     struct Line { eta: f64, c: f64, medium: f64 }
-    fixed at 0.0 -> beam 1 { bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 1.0 / (4e-3), rotary_inertia: 0.02,
+    fixed at 0.0 -> beam 1 { bending_stiffness: 30.0, mass_per_length: 1.5, shear_stiffness: 250.0, rotary_inertia: 0.02,
             axial_force: -10.0, foundation_stiffness: 25.0, loss_factor: eta, external_damping: medium } -> conn 2 at 1.0
         -> beam 3 { bending_stiffness: 20.0, mass_per_length: 1.0, kelvin_voigt_time: c } -> conn 4 at 1.7;
     conn 2 <- torsion_spring 6 { stiffness: 4.0, kelvin_voigt_time: c } <- fixed;

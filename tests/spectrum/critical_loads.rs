@@ -26,7 +26,7 @@ columns! {
 system! {
     struct Sheared { force: f64, flexibility: f64 }
     pinned -> beam 1 {
-        length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force, shear_stiffness: 1.0 / (flexibility)
+        length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, axial_force: -force, shear_stiffness: 1.0 / flexibility
     } -> pinned
 }
 

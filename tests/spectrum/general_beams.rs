@@ -284,7 +284,7 @@ system! {
     struct Mixed { l: f64, ei: f64, m: f64, ga: f64, r: f64, n: f64, k: f64, g: f64 }
     fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r }
         -> beam 2 {
-            length: 1.3 * l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (1.0 / ga), rotary_inertia: r,
+            length: 1.3 * l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r,
             axial_force: n, foundation_stiffness: k, foundation_shear_stiffness: g
         }
         -> beam 3 { length: l, bending_stiffness: ei, mass_per_length: m, foundation_stiffness: k, foundation_shear_stiffness: g }

@@ -23,10 +23,10 @@ system! {
 system! {
     #[derive(Clone, Copy)]
     struct General { ei: f64, m: f64, f: f64, r: f64, n: f64, k: f64 }
-    fixed -> beam 1 { length: 1.0, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n, foundation_stiffness: k }
-        -> beam 2 { length: 1.1, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n, foundation_stiffness: k }
-        -> beam 3 { length: 1.2, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n, foundation_stiffness: k }
-        -> beam 4 { length: 1.3, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n, foundation_stiffness: k } -> free
+    fixed -> beam 1 { length: 1.0, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n, foundation_stiffness: k }
+        -> beam 2 { length: 1.1, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n, foundation_stiffness: k }
+        -> beam 3 { length: 1.2, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n, foundation_stiffness: k }
+        -> beam 4 { length: 1.3, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n, foundation_stiffness: k } -> free
 }
 
 /// Time of a round in ns, at frequencies of a decade.

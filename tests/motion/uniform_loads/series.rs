@@ -8,10 +8,10 @@ system! {
     #[derive(Clone, Copy, Debug)]
     struct General { f: f64, r: f64, n: f64, k: f64, g: f64 }
     pinned -> beam 1 {
-        length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
+        length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n,
         foundation_stiffness: k, foundation_shear_stiffness: g
     } -> beam 3 {
-        length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
+        length: 0.5, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n,
         foundation_stiffness: k, foundation_shear_stiffness: g
     } -> pinned
 }

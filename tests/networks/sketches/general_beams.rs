@@ -13,7 +13,7 @@ mod trees {
 
         fixed -> beam 1 { length: l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r } -> conn 2
             -> beam 3 {
-                length: 1.5 * l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (1.0 / ga), rotary_inertia: r,
+                length: 1.5 * l, bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r,
                 axial_force: n, foundation_stiffness: k
             }
             -> beam 5 { length: l, bending_stiffness: 2.0 * ei, mass_per_length: m, axial_force: -0.1 * n }
@@ -30,7 +30,7 @@ mod sketches {
 
         fixed at 0.0 -> beam 1 { bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r } -> conn 2 at l
             -> beam 3 {
-                bending_stiffness: ei, mass_per_length: m, shear_stiffness: 1.0 / (1.0 / ga), rotary_inertia: r, axial_force: n,
+                bending_stiffness: ei, mass_per_length: m, shear_stiffness: ga, rotary_inertia: r, axial_force: n,
                 foundation_stiffness: k
             } -> conn 4 at 2.5 * l
             -> beam 5 { bending_stiffness: 2.0 * ei, mass_per_length: m, axial_force: -0.1 * n } -> conn 6 at 3.5 * l
@@ -43,10 +43,10 @@ mod sketches {
         pub(super) struct Turned { pub(super) x: f64, pub(super) y: f64, pub(super) ea: f64, pub(super) f: f64, pub(super) r: f64, pub(super) n: f64, pub(super) k: f64 }
 
         fixed at (0.0, 0.0) -> beam 1 {
-            axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
+            axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n,
             foundation_stiffness: k
         } -> conn 2 at (0.4 * x, 0.4 * y) <- beam 3 {
-            axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
+            axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n,
             foundation_stiffness: k
         } <- free at (x, y);
     }
@@ -55,7 +55,7 @@ mod sketches {
 system! {
     struct Cantilever { f: f64, r: f64, n: f64, k: f64 }
     fixed -> beam 1 {
-        length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
+        length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n,
         foundation_stiffness: k
     } -> free
 }

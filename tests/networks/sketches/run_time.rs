@@ -150,7 +150,7 @@ system! {
 
     fixed at 0.0 -> beam 1 { bending_stiffness: 2.0, mass_per_length: 1.5 } -> conn a at l -> pin 2 {}
         -> beam 3 {
-            bending_stiffness: 2.0, mass_per_length: 1.5, shear_stiffness: 1.0 / (0.0625), rotary_inertia: 0.1, axial_force: -0.25,
+            bending_stiffness: 2.0, mass_per_length: 1.5, shear_stiffness: 16.0, rotary_inertia: 0.1, axial_force: -0.25,
             foundation_stiffness: 3.0, foundation_shear_stiffness: 0.5
         } -> conn b at 2.5 * l <- pinned;
     conn a <- spring 4 { stiffness: k } <- mass 5 { mass: 0.7 } <- spring 6 { stiffness: 2.0 * k } <- fixed;

@@ -8,7 +8,7 @@ system! {
     struct Path { f: f64, n: f64, k: f64, c: f64 }
     pinned -> beam 1 { length: 1.3, bending_stiffness: 2.0, mass_per_length: 0.8 } -> conn 2
            -> beam 3 {
-               length: 0.9, bending_stiffness: 1.0, mass_per_length: 0.5, shear_stiffness: 1.0 / (f), rotary_inertia: 0.01, axial_force: n,
+               length: 0.9, bending_stiffness: 1.0, mass_per_length: 0.5, shear_stiffness: 1.0 / f, rotary_inertia: 0.01, axial_force: n,
                foundation_stiffness: k
            } -> point_mass 4 { mass: 0.4, inertia: 0.1 } -> free;
     conn 2 <- spring 5 { stiffness: 3.0, damping: c } <- fixed;
@@ -18,7 +18,7 @@ system! {
     struct Line { f: f64, n: f64, k: f64, c: f64 }
     pinned at 0.0 -> beam 1 { bending_stiffness: 2.0, mass_per_length: 0.8 } -> conn 2 at 1.3
         -> beam 3 {
-            bending_stiffness: 1.0, mass_per_length: 0.5, shear_stiffness: 1.0 / (f), rotary_inertia: 0.01, axial_force: n, foundation_stiffness: k
+            bending_stiffness: 1.0, mass_per_length: 0.5, shear_stiffness: 1.0 / f, rotary_inertia: 0.01, axial_force: n, foundation_stiffness: k
         } -> conn 4 at 2.2 <- point_mass 6 { mass: 0.4, inertia: 0.1 };
     conn 2 <- spring 5 { stiffness: 3.0, damping: c } <- fixed;
 }

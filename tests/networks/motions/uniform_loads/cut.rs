@@ -6,7 +6,7 @@ system! {
     #[derive(Clone, Copy)]
     struct Whole { f: f64, r: f64, n: f64, k: f64, ea: f64 }
     fixed at (0.0, 0.0) -> beam 1 {
-        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
+        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n,
         foundation_stiffness: k
     } -> conn a at (1.2, 0.5) -> beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 } -> pinned at (1.0, -1.0);
 }
@@ -14,10 +14,10 @@ system! {
 system! {
     struct Cut { f: f64, r: f64, n: f64, k: f64, ea: f64 }
     fixed at (0.0, 0.0) -> beam 1 {
-        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
+        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n,
         foundation_stiffness: k
     } -> conn b at (0.36, 0.15) -> beam 3 {
-        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / (f), rotary_inertia: r, axial_force: n,
+        axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0, shear_stiffness: 1.0 / f, rotary_inertia: r, axial_force: n,
         foundation_stiffness: k
     } -> conn a at (1.2, 0.5) -> beam 2 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 }
         -> conn c at (1.08, -0.4) -> beam 4 { axial_stiffness: ea, bending_stiffness: 1.0, mass_per_length: 1.0 }
