@@ -7,7 +7,7 @@ use mstmm::prelude::*;
 
 system! {
     /// A truss of three bars with a loop and a slender brace, whose lower bar is a beam with pins behind it.
-    pub struct Truss { l: f64, ea: f64, ei: f64, m: f64, load: f64 }
+    struct Truss { l: f64, ea: f64, ei: f64, m: f64, load: f64 }
     section steel { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
     pinned -> conn left at (0.0, 0.0) -> bar 1 { ..steel } -> conn top at (l, 1.5 * l) -> bar 2 { ..steel, axial_force: load }
         -> conn foot at (2.0 * l, 0.2 * l);
@@ -18,7 +18,7 @@ system! {
 
 system! {
     /// The same with beams and pins.
-    pub struct Pinned { l: f64, ea: f64, ei: f64, m: f64, load: f64 }
+    struct Pinned { l: f64, ea: f64, ei: f64, m: f64, load: f64 }
     section steel { axial_stiffness: ea, bending_stiffness: ei, mass_per_length: m }
     pinned -> conn left at (0.0, 0.0) -> pin 5 {} -> beam 1 { ..steel } -> pin 6 {} -> conn top at (l, 1.5 * l) -> pin 7 {}
         -> beam 2 { ..steel, axial_force: load } -> pin 8 {} -> conn foot at (2.0 * l, 0.2 * l);
