@@ -216,6 +216,18 @@ impl FrequencyEstimates {
         self.exponents[1]
     }
 
+    /// Logarithms to base 2 of the mean of the largest stiffness and of the largest inertia times a λ² of a size, of translations and of
+    /// rotations; none without both. At rest λ is the least frequency.
+    pub(crate) fn between_stiffness_and_inertia(&self, square: f64) -> [Option<i32>; 2] {
+        let least = 2 * self.least_exponent();
+        let square = if square > 0.0 { exponent(square).max(least) } else { least };
+        [0, 1].map(|kind| {
+            let (stiffness, inertia) = (self.stiffness[kind].greatest, self.inertia[kind].greatest);
+            let are_known = stiffness > 0.0 && inertia > 0.0;
+            are_known.then(|| (exponent(stiffness) + exponent(inertia) + square).div_euclid(2))
+        })
+    }
+
     /// Logarithm to base 2 of a frequency that counts as zero beside any other.
     pub(crate) fn negligible_exponent(&self) -> i32 {
         self.least_exponent() - 20

@@ -60,6 +60,27 @@ impl<S: Scalar> Chart<S> {
         self.entries[triangle::place(row, column)] = entry;
     }
 
+    /// Takes units that are no finer than others.
+    pub(crate) fn coarsen(&mut self, others: Units) {
+        let units = self.units.coarser(others);
+        if units == self.units {
+            return;
+        }
+        let freedoms = Freedoms::SINGLE.into_iter().filter(|kind| self.freedoms.contains(*kind));
+        let mut powers = [1.0; MOST_VARIABLES];
+        for (place, (power, kind)) in powers.iter_mut().zip(freedoms.clone().chain(freedoms)).enumerate() {
+            let is_rotation = kind.is(Freedoms::RZ);
+            let by = units.of(is_rotation) - self.units.of(is_rotation);
+            *power = power_of_two(if self.is_force(place) { -by } else { by });
+        }
+        for row in 0..2 * self.freedoms.count() {
+            for column in 0..=row {
+                self.set(row, column, self.entry(row, column).scaled(powers[row] * powers[column]));
+            }
+        }
+        self.units = units;
+    }
+
     /// Displacements of both ends in the units of the chart, by the places of its variables.
     pub(crate) fn moved(&self, displacements: &[[S; MOST_FREEDOMS]; 2]) -> [S; MOST_VARIABLES] {
         let mut moved = [S::zero(); MOST_VARIABLES];

@@ -6,7 +6,7 @@ use crate::structure::factor::{Factor, LoadEverywhere};
 impl<S: Scalar> Factor<'_, S> {
     /// Adds what acts everywhere to the load of an unknown.
     pub(super) fn load_everywhere(&mut self, slot: usize) {
-        let Some(LoadEverywhere { number, dislocates }) = self.everywhere else { return };
+        let Some(LoadEverywhere { number, dislocates, .. }) = self.everywhere else { return };
         let unknown = &mut self.unknowns[slot];
         if unknown.is_loaded || (unknown.is_force && !dislocates) {
             return;

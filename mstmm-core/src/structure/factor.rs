@@ -4,6 +4,7 @@ use crate::number::{Scalar, Size};
 use crate::structure::tape::Tape;
 use crate::structure::total::Total;
 use crate::structure::triangle::place;
+use crate::structure::units::Units;
 
 /// Size of a pivot beside the largest term of its entry, below which its unknown waits for others to leave: a pivot loses three digits at most.
 /// Pivots vanish where the structure so far has a natural frequency.
@@ -15,11 +16,13 @@ const ROUNDING: f64 = 4.0;
 /// Loads that a factor solves for at once.
 pub(crate) const LOADS: usize = 2;
 
-/// Loads on all displacements of the size of their units, of a number and the next one, and perhaps dislocations.
+/// Loads on all displacements of the size of their units, of a number and the next one, and perhaps dislocations. The finest units of charts are
+/// those of the load: of frequencies that are compared the same, or the loads would differ.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LoadEverywhere {
     pub(crate) number: u32,
     pub(crate) dislocates: bool,
+    pub(crate) units: Units,
 }
 
 /// An unknown that has not left.
@@ -94,6 +97,8 @@ pub struct Factor<'r, S: Scalar> {
     /// The values of all unknowns under each load, once all have left.
     values: Tape<'r, [S; LOADS]>,
     pub(super) entered: u32,
+    /// The finest units that charts may have.
+    pub(crate) units: Units,
     /// The load of all unknowns, if there is one.
     pub(crate) everywhere: Option<LoadEverywhere>,
     /// The node that is taken up, and the first one where a pivot was rounding alone.
@@ -126,6 +131,7 @@ impl<'r, S: Scalar> Factor<'r, S> {
             numbers,
             values,
             entered: 0,
+            units: Units::FINEST,
             everywhere: None,
             node: 0,
             vanished_at: None,

@@ -2,7 +2,7 @@
 
 extern crate std;
 
-use crate::structure::{Factor, NodeUnknowns, in_memory};
+use crate::structure::{Chart, Factor, MOST_VARIABLES, NodeUnknowns, Units, in_memory};
 use nalgebra::SMatrix;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -82,6 +82,27 @@ fn a_factor_without_room_knows_nothing() {
         factor.solve();
         assert!(factor.values_of(&nodes[0], 0)[0].is_nan());
     });
+}
+
+#[test]
+fn coarser_units_change_no_motion() {
+    let chart = Chart::<f64>::spring(3.0);
+    let mut coarser = chart;
+    coarser.coarsen(Units::of_exponents([Some(-24), Some(4)]));
+    assert!(coarser.units.displacement > chart.units.displacement && coarser.entries != chart.entries);
+    let moved = |chart: &Chart<f64>| {
+        // the displacement of one end and the force at the other
+        let mut values = chart.moved(&[[0.5, 0.0, 0.0], [0.0; 3]]);
+        values[1] = 0.75 * f64::from(chart.units.displacement).exp2();
+        chart.motion(&values, &[0.0; MOST_VARIABLES])
+    };
+    let [motion, other] = [&chart, &coarser].map(moved);
+    assert_eq!(motion, other);
+    assert_eq!((motion[1].displacements[0], motion[0].forces[0]), (0.75, -0.75));
+    // coarser ones stay
+    let before = coarser.units;
+    coarser.coarsen(chart.units);
+    assert_eq!(coarser.units, before);
 }
 
 /// Numbers of all sizes, or none.

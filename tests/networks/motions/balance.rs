@@ -217,6 +217,8 @@ fn shapes_of_hard_structures_fit_together() {
 fn shapes_of_random_structures_fit_together() {
     judge("moderate", random_structures(0..30, Spread::Moderate));
     judge("stiff", random_structures(0..30, Spread::Stiff));
+    // a spring is 1e26 times as stiff as the inertia of the first ten modes, in a skew direction
+    judge("a stiff spring", random_structures(141..142, Spread::Stiff));
 }
 
 #[test]

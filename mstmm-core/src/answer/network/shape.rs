@@ -7,8 +7,10 @@ use crate::model::MotionError;
 use crate::number::Scalar;
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, mass_product, mass_product_of_two, motions_under,
+    Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, finest_units, mass_product, mass_product_of_two,
+    motions_under,
 };
+use crate::structure::LoadEverywhere;
 use core::ops::Deref;
 
 /// How often parts of other shapes are taken from one: each time leaves rounding of what was there.
@@ -159,14 +161,11 @@ where
         [0, 1].map(|load| of_size_one(above[load].plus(&below[load], -S::Precise::from_f64(1.0))))
     }
 
-    /// The load of a number.
+    /// The load of a number: forces on all displacements and dislocations, in the units of the root on both sides of it.
     fn load<R: Scalar>(&self, number: u32) -> Loading<'static, R> {
-        Loading::everywhere(number, self.dislocates())
-    }
-
-    /// Whether loads have dislocations: at rest, beside motions without stiffness, they would not be small.
-    fn dislocates(&self) -> bool {
-        !self.x.is_zero()
+        // at rest, beside motions without stiffness, dislocations would not be small
+        let (dislocates, units) = (!self.x.is_zero(), finest_units(self.system, self.x.lambda_squared()));
+        Loading::Everywhere(LoadEverywhere { number, dislocates, units })
     }
 
     fn not_finite(&self) -> MotionError {

@@ -73,6 +73,7 @@ pub(super) fn eliminate<Y, S>(
         };
         for_each_cut(network, (&order, node), at, |member, chart, ends| {
             let nodes = ends.each_ref().map(|end| entered(factor, end.node));
+            chart.coarsen(factor.units);
             let load = loading.on_member(member, network.placement(member), chart);
             let stiffness = &mut stiffnesses[if factor.keeps_rows { member } else { 0 }];
             S::join(factor, stiffness, chart, (ends, nodes.each_ref()), load);

@@ -1,11 +1,11 @@
 //! What sets a network in motion: loads on nodes, motions of supports, loads along members.
 
 use crate::model::SpreadLoad;
-use crate::number::{Frequency, FrequencyPowers, Real, Scalar};
+use crate::number::{Frequency, FrequencyPowers, Real, Scalar, Size};
 use crate::pass::network::member::Placement;
 use crate::pass::network::placed::Placed;
 use crate::structure::{Chart, MOST_VARIABLES};
-use crate::structure::{LoadEverywhere, MemberLoad};
+use crate::structure::{LoadEverywhere, MemberLoad, Units};
 
 /// A harmonic load on one node: forces x and y and a moment on it, or displacements by which its support moves it.
 #[derive(Clone, Copy, Debug)]
@@ -51,10 +51,19 @@ pub(crate) enum Loading<'a, S: Scalar> {
     Nothing,
 }
 
+/// The finest units that charts of motions may have, given λ².
+pub(crate) fn finest_units<Y: Placed, S: Scalar>(network: &Y, lambda_squared: S) -> Units {
+    let square = lambda_squared.size().first();
+    Units::of_exponents(network.frequency_estimates().between_stiffness_and_inertia(square))
+}
+
 impl<S: Scalar> Loading<'_, S> {
-    /// The load of a number: forces on all displacements, and perhaps dislocations.
-    pub(crate) fn everywhere(number: u32, dislocates: bool) -> Self {
-        Loading::Everywhere(LoadEverywhere { number, dislocates })
+    /// The finest units of charts at a frequency: a load everywhere has some of its own.
+    pub(super) fn units<Y: Placed>(&self, network: &Y, at: &FrequencyPowers<S>) -> Units {
+        match self {
+            Loading::Everywhere(load) => load.units,
+            Loading::Acting(..) | Loading::Nothing => finest_units(network, at.lambda_squared),
+        }
     }
 
     /// The forces on the motions of a node. A body resists the motion of its support.

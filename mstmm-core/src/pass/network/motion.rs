@@ -79,6 +79,7 @@ where
                             factor.everywhere = Some(*load);
                         }
                         let at = FrequencyPowers::new(x, true);
+                        factor.units = loading.units(network, &at);
                         eliminate(network, &at, loading, &mut factor, (unknowns, stiffnesses));
                         S::solve(&mut factor);
                         make(&|load| found(network, loading, (&factor, load), (unknowns, stiffnesses)))

@@ -104,7 +104,7 @@ pub(super) fn for_each_cut<Y, S>(
     network: &Y,
     (order, node): (&NetworkOrder<'_>, usize),
     at: &FrequencyPowers<S>,
-    mut take: impl FnMut(usize, &Chart<S>, &[JoinedEnd<S>; 2]),
+    mut take: impl FnMut(usize, &mut Chart<S>, &[JoinedEnd<S>; 2]),
 ) where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter>,
@@ -115,10 +115,10 @@ pub(super) fn for_each_cut<Y, S>(
             continue;
         }
         let placement = network.placement(member);
-        if let Some(chart) = network.chart(member, at, placement.length()) {
+        if let Some(mut chart) = network.chart(member, at, placement.length()) {
             let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
             let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
-            take(member, &chart, &ends);
+            take(member, &mut chart, &ends);
         }
     }
 }
