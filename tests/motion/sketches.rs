@@ -38,9 +38,9 @@ fn steps<Y: DrawnTree>(tree: &Y) -> Vec<Told> {
 #[test]
 fn a_tree_tells_its_names_lengths_and_arms() {
     let bending = Freedoms::Y.union(Freedoms::RZ);
-    let beam = Some(("beam", Extent { output: [1.25, 0.0], centre: None }));
-    let body = Some(("body", Extent { output: [0.5, 0.0], centre: Some([-0.125, 0.0]) }));
-    let spring = Some(("spring", Extent { output: [0.0, 0.0], centre: None }));
+    let beam = Some(("Beam", Extent { output: [1.25, 0.0], centre: None }));
+    let body = Some(("Body", Extent { output: [0.5, 0.0], centre: Some([-0.125, 0.0]) }));
+    let spring = Some(("Spring", Extent { output: [0.0, 0.0], centre: None }));
     let expected: [Told; 8] = [
         ("fixed".into(), vec![], None, bending),
         ("beam 1".into(), vec![0], beam, bending),

@@ -89,7 +89,7 @@ fn without_waves(parameters: &BTreeMap<String, f64>, a: &Ends<'_>, b: &Ends<'_>)
     let turning = a.input.theta * b.input.theta * (of("inertia") - mass * centre * centre);
     Forms {
         mass: at_centre(a) * at_centre(b) * mass + turning,
-        stiffness: both * of("stiffness") + stretched * of("stiffness_y") + twisted * of("stiffness_theta"),
+        stiffness: both * of("stiffness") + stretched * of("stiffness_y") + twisted * of("stiffness_rz"),
         damping: both * of("damping"),
     }
 }

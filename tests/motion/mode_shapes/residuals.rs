@@ -52,8 +52,8 @@ fn larger(a: Units, b: Units) -> Units {
 /// Which of `[Y, Θ]` an element carries.
 pub(crate) fn carries(kind: &str) -> [bool; 2] {
     match kind {
-        "spring" | "damper" | "spring_damper" | "mass" => [true, false],
-        "torsion_spring" | "torsion_damper" | "torsion_spring_damper" | "inertia" => [false, true],
+        "spring" | "damper" | "mass" => [true, false],
+        "torsion_spring" | "torsion_damper" | "inertia" => [false, true],
         _ => [true, true],
     }
 }
@@ -89,11 +89,11 @@ impl Audit<'_> {
         let kappa = of("stiffness") + of("damping") * lambda.norm();
         let (y, theta) = match kind.as_str() {
             "beam" => return section(parameters, squared).units(),
-            "spring" | "damper" | "spring_damper" => (kappa, 0.0),
+            "spring" | "damper" => (kappa, 0.0),
             "mass" => (inertial("mass"), 0.0),
             "inertia" => (0.0, inertial("inertia")),
             "body" | "point_mass" => (inertial("mass"), inertial("inertia")),
-            "elastic_hinge" => (parameters["stiffness_y"], parameters["stiffness_theta"]),
+            "hinge" => (parameters["stiffness_y"], parameters["stiffness_rz"]),
             _ => (0.0, kappa),
         };
         [1.0, 1.0, theta, y]
@@ -279,12 +279,12 @@ impl Audit<'_> {
         let [_, turn, moment, force] = units;
         let soft = |residual: C, kappa: C, unit: f64| residual / (kappa.norm() / unit).max(1.0);
         match kind {
-            "spring" | "damper" | "spring_damper" => vec![(3, q), (3, soft(input.q + kappa * y, kappa, force))],
-            "torsion_spring" | "torsion_damper" | "torsion_spring_damper" => {
+            "spring" | "damper" => vec![(3, q), (3, soft(input.q + kappa * y, kappa, force))],
+            "torsion_spring" | "torsion_damper" => {
                 vec![(2, m), (2, soft(input.m - kappa * theta, kappa, moment / turn))]
             }
-            "elastic_hinge" => {
-                let [ky, kt] = ["stiffness_y", "stiffness_theta"].map(|name| C::new(of(name), 0.0));
+            "hinge" => {
+                let [ky, kt] = ["stiffness_y", "stiffness_rz"].map(|name| C::new(of(name), 0.0));
                 let twist = soft(input.m - kt * theta, kt, moment / turn);
                 vec![(2, m), (2, twist), (3, q), (3, soft(input.q + ky * y, ky, force))]
             }
