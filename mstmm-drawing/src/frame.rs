@@ -6,11 +6,14 @@ use crate::figure::{Anchor, Figure, Holds, Inside, Moves, Part, Support, label_o
 use crate::kind::Kind;
 use crate::lanes::lay_side_by_side;
 use crate::path_places::{Loose, place_paths};
-use crate::vector::{Vector, direction, distance};
+use crate::vector::{Vector, direction, distance, plus};
 use mstmm_core::{Drawn, DrawnBody, DrawnEnd, DrawnPoint, DrawnSupport, Freedoms, Parameter, Real, Sketch};
 
 /// Distance on the paper within which two places are one.
 const SAME: f64 = 1e-6;
+
+/// Distance on the paper from a node of the symbol of what an end does not share with it: a radius of a pin more than its own and that of a node.
+const BESIDE: f64 = 9.0;
 
 /// Puts a sketch on the paper.
 pub(crate) fn figure<Y: Drawn>(sketch: &Sketch<'_, Y>) -> Result<Figure<Y::Model>, DrawingError> {
@@ -101,15 +104,19 @@ impl<M> Builder<M> {
             let inside = Some(Inside::Member(member.label, length)).filter(|_| matches!(kind, Kind::Beam { .. }));
             self.figure.parts.push(Part { name, word: member.kind, kind, ends: ends.into(), inside });
             let line = from.zip(to).and_then(|(from, to)| on_paper([to[0] - from[0], to[1] - from[1]]));
-            for (end, anchor) in member.ends.iter().zip(ends) {
-                self.add_release(end, anchor, along.or(line));
+            for ((end, anchor), inward) in member.ends.iter().zip(ends).zip([1.0, -1.0]) {
+                self.add_release(end, anchor, (along.or(line), inward));
             }
         }
     }
 
-    /// A symbol where the end of a member of a list does not share all motions with its node.
-    fn add_release<T: Real>(&mut self, end: &DrawnEnd<M, T>, anchor: usize, line: Option<Vector>) {
+    /// A symbol beside a node where the end of a member does not share all motions with it, on the member, whose line leads inward or outward.
+    fn add_release<T: Real>(&mut self, end: &DrawnEnd<M, T>, anchor: usize, (line, inward): (Option<Vector>, f64)) {
         let Some([x, y]) = line.filter(|_| !end.released.is_empty() && end.position.is_some()) else { return };
+        let Anchor { at, moves, .. } = &self.figure.anchors[anchor];
+        let beside = Anchor { at: plus(*at, [x, y], inward * BESIDE), moves: moves.copy(), name: None };
+        let anchor = self.figure.anchors.len();
+        self.figure.anchors.push(beside);
         let (word, kind) = if end.released.contains(Freedoms::RZ) {
             ("pin", Kind::Pin)
         } else if end.released.contains(Freedoms::X) {

@@ -13,7 +13,7 @@ pub(crate) use located::{
 use mstmm_plan::Support;
 #[cfg(test)]
 pub(crate) use old_words::OLD_WORDS;
-pub(crate) use old_words::{OldWord, old_word};
+pub(crate) use old_words::{OldWord, old_word, renamed_in};
 
 /// The supports and their keywords.
 pub(crate) const SUPPORTS: &[(&str, Support)] = &[

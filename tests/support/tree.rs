@@ -124,25 +124,32 @@ impl Part {
         }
     }
 
-    /// Names and values of the parameters.
+    /// Names in the language and values of the parameters.
     pub(crate) fn named(mut self) -> Vec<(&'static str, f64)> {
         let values = self.parameters().into_iter().map(|value| *value).collect::<Vec<_>>();
-        self.names().iter().copied().zip(values).collect()
+        let word = |name: &&'static str| match (self, *name) {
+            (Part::RotationalHinge(_), "stiffness") | (_, "stiffness_theta") => "stiffness_rz",
+            (Part::ShearHinge(_), "stiffness") => "stiffness_y",
+            (_, name) => name,
+        };
+        self.names().iter().map(word).zip(values).collect()
     }
 
     /// The keyword of the language.
-    pub(crate) fn keyword(&self) -> String {
-        let text = format!("{self:?}");
-        // `PointMass(PointMass { mass: 1.0, .. })`
-        let (name, _) = text.split_once('(').unwrap_or((&text, ""));
-        let mut keyword = String::new();
-        for letter in name.chars() {
-            if letter.is_uppercase() && !keyword.is_empty() {
-                keyword.push('_');
-            }
-            keyword.push(letter.to_ascii_lowercase());
+    pub(crate) fn keyword(&self) -> &'static str {
+        match self {
+            Part::Beam(_) => "beam",
+            Part::Body(_) => "body",
+            Part::ElasticHinge(_) | Part::RotationalHinge(_) | Part::ShearHinge(_) => "hinge",
+            Part::PointMass(_) => "point_mass",
+            Part::Spring(_) | Part::SpringDamper(_) => "spring",
+            Part::TorsionSpring(_) | Part::TorsionSpringDamper(_) => "torsion_spring",
+            Part::Mass(_) => "mass",
+            Part::Inertia(_) => "inertia",
+            Part::Lever(_) => "rigid_link",
+            Part::Damper(_) => "damper",
+            Part::TorsionDamper(_) => "torsion_damper",
         }
-        keyword
     }
 
     /// Stiffness and damping of a link between two displacements of one kind.

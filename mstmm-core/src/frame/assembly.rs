@@ -212,9 +212,11 @@ impl<'f, D: Dimension> Assembly<'f, D> {
                 if is_along && along.is_none() && !between_places {
                     return Err(Mistake::NoDirection);
                 }
-                self.bring(point, brought_by(element).without(end.released.intersection(Freedoms::RZ)));
                 let (node, place) = (self.points[point].node, end.place.map_or(self.place(point), D::in_plane));
                 let is_elsewhere = place != self.nodes[node].position;
+                // where its point turns, an end beside it moves
+                let arm = if place == self.place(point) { Freedoms::NONE } else { Freedoms::RZ };
+                self.bring(point, brought_by(element).without(end.released.intersection(Freedoms::RZ)).union(arm));
                 let joined = network::End::of(node).releasing(end.released);
                 if is_elsewhere { joined.at(place) } else { joined }
             }

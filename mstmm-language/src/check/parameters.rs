@@ -1,9 +1,10 @@
 //! The parameters of an element: each must be given once, and no others.
 
 use super::listed;
+use super::new_words::value_of;
 use crate::ast::{Element, Parameter};
 use crate::diagnostics::Errors;
-use crate::keywords::{DAMPING, nearest};
+use crate::keywords::{DAMPING, nearest, renamed_in};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
@@ -22,6 +23,10 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
     let Some([required, optional]) = known else { return };
     let mut missing: Vec<&str> = required.iter().copied().filter(|name| !given.contains(*name)).collect();
     let is_unknown = |name: &str| !required.contains(&name) && !optional.contains(&name);
+    let renamed = |parameter: &Parameter| {
+        let word = element.kind.name().to_string();
+        renamed_in(&word, &parameter.name.unraw().to_string(), &value_of(parameter))
+    };
     let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;
     for parameter in element.parameters() {
         let name = parameter.name.unraw().to_string();
@@ -34,6 +39,7 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
         let meant = meant.or(missing.first().copied().filter(|_| is_only_one));
         let hint = match meant {
             _ if DAMPING.contains(&name.as_str()) => advice_on_damping(optional),
+            _ if !renamed(parameter).is_empty() => format!("write `{}`", renamed(parameter).join("` or `")),
             _ if parameter.section.is_some() => format!("it has {}", listed(required.iter().chain(optional).copied())),
             Some(meant) => {
                 missing.retain(|other| *other != meant);

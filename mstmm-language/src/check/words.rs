@@ -109,7 +109,7 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
                     row.map(|row| [row.required.to_vec(), [row.optional, row.one_of].concat()]).unwrap_or_default();
                 in_new_words(element, word, &parameters)
             }
-            (None, None) => unknown_keyword(&text, &ELEMENTS.iter().map(|element| element.name).collect::<Vec<_>>()),
+            (None, None) => unknown_keyword(&text, &of_paths()),
         };
         errors.push(element.kind.place(), message);
     } else if element.parameters.is_none() {
@@ -126,6 +126,13 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
             );
         }
     }
+}
+
+/// The keywords of models without places, each once.
+fn of_paths() -> Vec<&'static str> {
+    let mut names: Vec<&str> = ELEMENTS.iter().map(|element| element.name).filter(|name| *name != BAR).collect();
+    names.dedup();
+    names
 }
 
 /// The message for an unknown keyword of an element.

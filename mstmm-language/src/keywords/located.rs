@@ -99,7 +99,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("hinge", Role::Joint, Freedoms::ALL),
     refused("body", [RIGID_BODY; 2]),
     keyword("beam", Role::Member, Freedoms::ALL),
-    LocatedKeyword { instead: [Some("rod"), None], ..keyword(BAR, Role::Member, XY) },
+    LocatedKeyword { instead: [Some("beam"), None], ..keyword(BAR, Role::Member, XY) },
     LocatedKeyword {
         vector: Some("centre"),
         own: Some(&["mass", "inertia", "centre"]),

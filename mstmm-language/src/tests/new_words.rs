@@ -151,6 +151,48 @@ fn old_words_are_answered_with_the_new_form() {
     );
 }
 
+/// A new form is accepted, or says by `..` what it lacks: sections stay, what an old word needed is asked for, and a slip stays one.
+#[test]
+fn new_forms_keep_what_was_meant() {
+    assert_refused(
+        "
+        struct M { l: f64, k: f64 }
+        section steel { axial_stiffness: k, bending_stiffness: k, mass_per_length: k }
+        fixed -> planar_beam 1 { length: l, ..steel } -> conn a;
+                 ^^^^^^^^^^^ `planar_beam` is `beam` now: write `beam 1 { length: l, ..steel }`
+        conn a -> timoshenko_beam 2 { length: l, bending_stiffness: k, mass_per_length: k } -> conn b;
+                  ^^^^^^^^^^^^^^^ `timoshenko_beam` is `beam` now: write `beam 2 { length: l,
+                  | bending_stiffness: k, mass_per_length: k, axial_stiffness: .., shear_stiffness: ..,
+                  | rotary_inertia: .. }`
+        conn b -> elastic_hinge 3 {} -> conn c;
+                  ^^^^^^^^^^^^^ `elastic_hinge` is `hinge` now: write `hinge 3 { stiffness_y: ..,
+                  | stiffness_rz: .. }`
+        conn c -> rotational_hinge 4 { stifness: k } -> conn d;
+                  ^^^^^^^^^^^^^^^^ `rotational_hinge` is `hinge` now: write `hinge 4 { stifness: k,
+                  | stiffness_rz: .. }`
+        conn d -> planar_body 5 { mass: k, output_x: l, centre_x: -0.5 * l } -> conn e;
+                  ^^^^^^^^^^^ `planar_body` is `body` now: write `body 5 { mass: k, output_x: l, centre_x:
+                  | -0.5 * l, output_y: .., centre_y: .., inertia_about_input: .. }`
+        conn e -> general_beam 6 { length: l, shear_flexibility: f64::max(k, 1.0), shear_stiffness: k, rotary_inertia: -0.0 } -> free;
+                  ^^^^^^^^^^^^ `general_beam` is `beam` now: write `beam 6 { length: l, shear_stiffness: 1.0 /
+                  | (f64::max(k, 1.0)), axial_stiffness: .., bending_stiffness: .., mass_per_length: .. }`
+        conn e <- hinge 7 { stiffness_theta: k } <- fixed;
+                            ^^^^^^^^^^^^^^^ `hinge` has no parameter `stiffness_theta`: write `stiffness_rz:
+                            | k`
+        conn e <- beam 8 { length: l, axial_stiffness: k, bending_stiffness: k, mass_per_length: k, shear_flexibility: 0.1 } <- fixed;
+                                                                                                    ^^^^^^^^^^^^^^^^^
+                                                                                                    | `beam`
+                                                                                                    | has no
+                                                                                                    | parameter
+                                                                                                    | `shear_flexibility`:
+                                                                                                    | write
+                                                                                                    | `shear_stiffness:
+                                                                                                    | 1.0 /
+                                                                                                    | (0.1)`
+        ",
+    );
+}
+
 /// All sources and documents of the repository.
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {

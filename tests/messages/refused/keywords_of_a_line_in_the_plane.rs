@@ -6,9 +6,9 @@ system! {
 //                         ^^^^^^ in the plane a beam stretches, too
         -> body 2 { mass: l, inertia: l, output_x: l, centre_x: l } -> conn b at (l, l)
 //         ^^^^ take `rigid_body`
-        -> hinge 3 { stiffness_y: l, stiffness_rz: l } -> fixed;
+        -> elastic_hinge 3 { stiffness_y: l, stiffness_theta: l } -> fixed;
 //         ^^^^^^^^^^^^^ write `hinge 
-    conn b -> body 4 { } -> fixed;
+    conn b -> planar_body 4 { } -> fixed;
 //            ^^^^^^^^^^^ take `rigid_body`
     conn a -> spatial_beam 5 { } -> plnar_beam 7 { } -> pin8 -> conn b;
 //            ^^^^^^^^^^^^ did you mean `planar_beam`?

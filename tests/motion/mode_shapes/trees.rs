@@ -27,7 +27,7 @@ impl Sketched for Tree {
             ListStep::Connection(_) => Node::Connection(name(index)),
             ListStep::Root(root) => support(root),
             ListStep::Element(part) => Node::Element {
-                kind: part.keyword(),
+                kind: part.keyword().to_owned(),
                 name: name(index),
                 parameters: part.named().into_iter().map(|(name, value)| (name.to_owned(), value)).collect(),
             },

@@ -14,6 +14,7 @@ use crate::pass::network::{
     motion_under,
 };
 use crate::search::ClosedRange;
+use mstmm_plan::Freedoms;
 
 /// Where a resonance is not looked for again, as a part of its frequency.
 const ELSEWHERE: f64 = 0.617;
@@ -279,7 +280,10 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
         Seen::Tied(Tied { node, place, .. }) => (node, offset(system, node, place)),
         Seen::End { member, end } => {
             let placement = system.placement(member);
-            let released = placement.released(end);
+            // a force acts on what the end shares with its node
+            let turns = Freedoms::SINGLE[axis].is(Freedoms::RZ);
+            let of_kind = if turns { Freedoms::RZ } else { Freedoms::X.union(Freedoms::Y) };
+            let released = placement.released(end).intersection(of_kind);
             if !released.is_empty() {
                 return Err(MotionError::NoSuchFreedom { freedom: released });
             }

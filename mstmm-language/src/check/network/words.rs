@@ -112,7 +112,10 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
         return errors.push(element.kind.place(), message);
     };
     if let Some(instead) = row.instead(dimension) {
-        return errors.push(element.kind.place(), format!("`{text}` {}: take `{instead}`", reason(row, instead)));
+        // the old word of the plane had its inertia about its input end
+        let inertia = if old.is_some() { ", whose `inertia` is about its mass centre" } else { "" };
+        let message = format!("`{text}` {}: take `{instead}`{inertia}", reason(row, instead));
+        return errors.push(element.kind.place(), message);
     }
     let [required, optional] = row.parameters(dimension);
     if element.parameters.is_some() {

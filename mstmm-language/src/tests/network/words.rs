@@ -16,7 +16,8 @@ fn each_dimension_has_its_keywords() {
                ^^^^^^^^^^^^^ `elastic_hinge` is `hinge` now: write `hinge 3 { stiffness_y: l, stiffness_rz: l
                | }`
         conn b -> planar_body 4 { } -> fixed;
-                  ^^^^^^^^^^^ `planar_body` has its points by offsets, which places replace: take `rigid_body`
+                  ^^^^^^^^^^^ `planar_body` has its points by offsets, which places replace: take
+                  | `rigid_body`, whose `inertia` is about its mass centre
         conn a -> spatial_beam 5 { } -> plnar_beam 7 { } -> pin8 -> conn b;
                   ^^^^^^^^^^^^ `spatial_beam` is not an element: did you mean `beam`?
                                         ^^^^^^^^^^ `plnar_beam` is not an element: did you mean `beam`?
@@ -43,7 +44,7 @@ fn bars_stand_in_trusses() {
         "
         struct M { l: f64 }
         fixed at 0.0 -> bar 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at l;
-                        ^^^ `bar` moves in the plane, but points have one coordinate here: take `rod`
+                        ^^^ `bar` moves in the plane, but points have one coordinate here: take `beam`
         ",
     );
     assert_refused(
