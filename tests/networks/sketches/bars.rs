@@ -130,3 +130,39 @@ fn bars_of_frames_are_those_of_sketches() {
     frame.body([top], mstmm::frame::PointMass { mass: 2.0 * m * l, inertia: 0.0 });
     assert_near(&frequencies(&TRUSS.build().unwrap()), &frequencies(&frame.build().unwrap()), 1e-14);
 }
+
+/// A force at the end of a bar is one on its point; a couple there finds nothing that takes it.
+#[test]
+fn forces_act_at_the_ends_of_bars() {
+    let truss = TRUSS.build().unwrap();
+    let sway = Truss::conn_top.displacement_x();
+    for (at_end, at_point) in [
+        (Truss::bar_1.output().force_x(), Truss::conn_top.force_x()),
+        (Truss::bar_1.output().force_y(), Truss::conn_top.force_y()),
+    ] {
+        let [one, other] = [at_end, at_point].map(|load| truss.frequency_response(load, sway).unwrap().at(0.7).unwrap());
+        assert!((one - other).abs() <= 1e-14 * other.abs(), "{one} {other}");
+    }
+    assert!(truss.frequency_response(Truss::bar_1.output().torque_z(), sway).is_err());
+}
+
+/// An end beside its point turns it: two bars with an arm between them are a mechanism, with a link in name or without.
+#[test]
+fn an_end_beside_its_point_turns_it() {
+    let steel = Section::new().axial_stiffness(900.0).bending_stiffness(2.0).mass_per_length(1.5);
+    let build = |has_link: bool| {
+        let mut frame = Frame::new();
+        let [a, b, c] = [[0.0, 0.0], [1.0, 1.5], [2.0, 0.0]].map(|place| frame.point(place));
+        frame.hold(a, Support::Pinned);
+        frame.hold(c, Support::Pinned);
+        frame.member(a, b.at([1.1, 1.6]), Bar(steel));
+        frame.member(b, c, Bar(steel));
+        if has_link {
+            frame.body([b], mstmm::frame::RigidLink);
+        }
+        frequencies(&frame.build().unwrap())
+    };
+    let [plain, linked] = [false, true].map(build);
+    assert!(plain[0] == 0.0 && plain[1] > 3.0, "{plain:?}");
+    assert_near(&plain, &linked, 1e-14);
+}
