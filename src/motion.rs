@@ -266,7 +266,7 @@ pub use mstmm_core::Sketch;
 /// assert_eq!(names, ["fixed", "beam 1", "fixed", "spring 2", "conn tip", "free"]);
 /// assert_eq!(steps[4].inputs, [1, 3]);
 /// let DrawnPart::Element { kind, extent } = steps[1].part else { return Err("no element".into()) };
-/// assert_eq!((kind, extent.output), ("beam", [2.0, 0.0]));
+/// assert_eq!((kind, extent.output), ("Beam", [2.0, 0.0]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub use mstmm_core::TreeSketch;
