@@ -4,7 +4,7 @@ use super::listed;
 use super::new_words::value_of;
 use crate::ast::{Element, Parameter};
 use crate::diagnostics::Errors;
-use crate::keywords::{DAMPING, nearest, renamed_in};
+use crate::keywords::{DAMPING, Dimension, ELEMENTS, nearest, renamed_in};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
@@ -39,6 +39,10 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
         let meant = meant.or(missing.first().copied().filter(|_| is_only_one));
         let hint = match meant {
             _ if DAMPING.contains(&name.as_str()) => advice_on_damping(optional),
+            _ if is_of_another_dimension(element, &name) => {
+                let where_it_is = if element.dimension == Dimension::Line { "in the plane" } else { "along a line" };
+                format!("it has that {where_it_is} alone, so remove it")
+            }
             _ if !renamed(parameter).is_empty() => format!("write `{}`", renamed(parameter).join("` or `")),
             _ if parameter.section.is_some() => format!("it has {}", listed(required.iter().chain(optional).copied())),
             Some(meant) => {
@@ -59,6 +63,13 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
         let reason = if in_plane { IN_PLANE } else { "" };
         errors.push(element.place(), format!("`{element}` lacks {}{reason}", listed(missing)));
     }
+}
+
+/// Whether an element of this keyword has a parameter in another dimension.
+fn is_of_another_dimension(element: &Element, name: &str) -> bool {
+    let keyword = element.kind.name().to_string();
+    let mut rows = ELEMENTS.iter().filter(|row| row.name == keyword);
+    rows.any(|row| [row.required, row.optional, row.one_of].concat().contains(&name)) && name != "length"
 }
 
 /// Of parameters that say the same in different ways one is named.

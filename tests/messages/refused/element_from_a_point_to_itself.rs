@@ -5,7 +5,7 @@ system! {
     fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
         -> conn a at (l, 0.0);
     conn a -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn b;
-//            ^^^^^^^^^^^^^ lead it from one point to another
+//            ^^^^^^ lead it from one point to another
     conn a -> pin 3 {} -> conn b;
     conn a -> slider 4 { along: (1.0, 0.0) } -> conn a;
 //            ^^^^^^^^ give its other side a connection of its own

@@ -11,8 +11,8 @@ system! {
     conn b -> planar_body 4 { } -> fixed;
 //            ^^^^^^^^^^^ take `rigid_body`
     conn a -> spatial_beam 5 { } -> plnar_beam 7 { } -> pin8 -> conn b;
-//            ^^^^^^^^^^^^ did you mean `planar_beam`?
-//                                  ^^^^^^^^^^ did you mean `planar_beam`?
+//            ^^^^^^^^^^^^ did you mean `beam`?
+//                                  ^^^^^^^^^^ did you mean `beam`?
 //                                                      ^^^^ put a space before the label, `pin 8`
 }
 

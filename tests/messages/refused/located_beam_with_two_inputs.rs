@@ -8,7 +8,7 @@ system! {
 //                                        ^^ turn one of the arrows round
 //                               ^^^^^ give its other side a connection of its own
     conn b -> beam 3 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l };
-//            ^^^^^^^^^^^^^ end its path with a support or a connection
+//            ^^^^^^ end its path with a support or a connection
     rigid_body 4 { mass: l, inertia: l, centre: (l, l) };
 //  ^^^^^^^^^^^^ lead an arrow to it from a connection with a place
     conn b -> conn b;

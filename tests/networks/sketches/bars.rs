@@ -140,7 +140,8 @@ fn forces_act_at_the_ends_of_bars() {
         (Truss::bar_1.output().force_x(), Truss::conn_top.force_x()),
         (Truss::bar_1.output().force_y(), Truss::conn_top.force_y()),
     ] {
-        let [one, other] = [at_end, at_point].map(|load| truss.frequency_response(load, sway).unwrap().at(0.7).unwrap());
+        let [one, other] =
+            [at_end, at_point].map(|load| truss.frequency_response(load, sway).unwrap().at(0.7).unwrap());
         assert!((one - other).abs() <= 1e-14 * other.abs(), "{one} {other}");
     }
     assert!(truss.frequency_response(Truss::bar_1.output().torque_z(), sway).is_err());

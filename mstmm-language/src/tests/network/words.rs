@@ -37,6 +37,21 @@ fn each_dimension_has_its_keywords() {
     );
 }
 
+#[test]
+fn a_parameter_of_another_dimension_is_removed() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at 0.0 -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l } -> conn a at l
+                                 ^^^^^^^^^^^^^^^ `beam` has no parameter `axial_stiffness`: it has that in the
+                                 | plane alone, so remove it
+            -> hinge 2 { stiffness_x: l, stiffness_rz: l } -> fixed;
+                         ^^^^^^^^^^^ `hinge` has no parameter `stiffness_x`: it has that in the plane alone,
+                         | so remove it
+        ",
+    );
+}
+
 /// A bar of a truss stands between places of the plane alone.
 #[test]
 fn bars_stand_in_trusses() {
