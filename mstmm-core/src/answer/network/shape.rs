@@ -7,10 +7,8 @@ use crate::model::MotionError;
 use crate::number::Scalar;
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, finest_units, mass_product, mass_product_of_two,
-    motions_under,
+    Loading, MovingNetwork, NetworkMotion, Placed, PlaneFrequency, mass_product, mass_product_of_two, motions_under,
 };
-use crate::structure::LoadEverywhere;
 use core::ops::Deref;
 
 /// How often parts of other shapes are taken from one: each time leaves rounding of what was there.
@@ -164,8 +162,7 @@ where
     /// The load of a number: forces on all displacements and dislocations, in the units of the root on both sides of it.
     fn load<R: Scalar>(&self, number: u32) -> Loading<'static, R> {
         // at rest, beside motions without stiffness, dislocations would not be small
-        let (dislocates, units) = (!self.x.is_zero(), finest_units(self.system, self.x.lambda_squared()));
-        Loading::Everywhere(LoadEverywhere { number, dislocates, units })
+        Loading::everywhere(number, !self.x.is_zero(), (self.system, self.x.lambda_squared()))
     }
 
     fn not_finite(&self) -> MotionError {

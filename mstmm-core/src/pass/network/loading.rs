@@ -52,12 +52,17 @@ pub(crate) enum Loading<'a, S: Scalar> {
 }
 
 /// The finest units that charts of motions may have, given λ².
-pub(crate) fn finest_units<Y: Placed, S: Scalar>(network: &Y, lambda_squared: S) -> Units {
+fn finest_units<Y: Placed, S: Scalar>(network: &Y, lambda_squared: S) -> Units {
     let square = lambda_squared.size().first();
     Units::of_exponents(network.frequency_estimates().between_stiffness_and_inertia(square))
 }
 
 impl<S: Scalar> Loading<'_, S> {
+    /// The load of a number: forces on all displacements, and perhaps dislocations, in the units of a network at λ².
+    pub(crate) fn everywhere<Y: Placed, R: Scalar>(number: u32, dislocates: bool, (network, square): (&Y, R)) -> Self {
+        Loading::Everywhere(LoadEverywhere { number, dislocates, units: finest_units(network, square) })
+    }
+
     /// The finest units of charts at a frequency: a load everywhere has some of its own.
     pub(super) fn units<Y: Placed>(&self, network: &Y, at: &FrequencyPowers<S>) -> Units {
         match self {

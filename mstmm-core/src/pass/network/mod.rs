@@ -32,7 +32,7 @@ pub use error::NetworkError;
 pub use evaluate::network_pass;
 pub(crate) use frame::{moved, turned};
 pub use frequency::{MovingNetwork, PlaneFrequency};
-pub(crate) use loading::{ActingLoad, LoadAt, Loading, finest_units};
+pub(crate) use loading::{ActingLoad, LoadAt, Loading};
 pub use member::{End, Member, Placement};
 #[cfg(feature = "std")]
 pub use memory::Vectors;
