@@ -4,6 +4,7 @@ use crate::element::BeamNumbers;
 use crate::elements::shared::compound::Units;
 use crate::model::{Extent, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Single, Truth};
+use compound::GeneralCompound;
 use constants::{Constants, SectionAt};
 use nalgebra::Matrix4;
 use parameters::BeamParameters;
@@ -20,6 +21,7 @@ mod inside;
 mod kinds;
 mod members;
 mod motion;
+mod of_built;
 mod parameters;
 mod transfer;
 mod under_load;
@@ -82,12 +84,21 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
         estimates.moment_of_inertia(r * l);
     }
 
+    /// The mass per length.
+    fn mass_per_length(&self) -> T {
+        self.parameters.mass_per_length
+    }
+
     fn extent(&self) -> Extent {
         Extent::along(self.parameters.length.to_f64())
     }
 
     fn transfer_matrix<S: Frequency<T> + Single>(&self, x: S) -> Matrix4<S> {
         Transfer::new(&self.at(x.lambda_squared())).matrix(&self.parameters.map(S::from_parameter))
+    }
+
+    fn compound<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> GeneralCompound<S> {
+        GeneralCompound::new(self.at(at.lambda_squared), self.units())
     }
 
     fn back_through<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> BackThrough<S> {

@@ -1,6 +1,6 @@
 //! A general beam with damping of its material and of a medium around it.
 
-use crate::element::{Forms, Inside};
+use crate::element::Forms;
 use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::constants::{Constants, SectionAt};
@@ -11,7 +11,7 @@ use crate::elements::shared::bending_chart::{BendingWaves, units_of_waves};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::dissipation::Dissipation;
-use crate::model::{EndMotion, Ends, FrequencyEstimates, State};
+use crate::model::{EndMotion, Ends, FrequencyEstimates};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single};
 use crate::structure::Chart;
 use mstmm_plan::Freedoms;
@@ -40,6 +40,11 @@ impl<T: Parameter> BuiltDampedBeam<T> {
     /// The beam at λ.
     fn at<S: ComplexFrequency<T>>(&self, lambda: S) -> BeamParameters<S> {
         self.with(self.dissipation.factor(lambda), self.dissipation.external(lambda))
+    }
+
+    /// The mass per length.
+    pub(super) fn mass_per_length(&self) -> T {
+        self.beam.mass_per_length()
     }
 
     pub(super) fn estimate(&self, estimates: &mut FrequencyEstimates) {
@@ -123,20 +128,12 @@ impl<T: Real> BuiltDampedBeam<T> {
         }
     }
 
-    pub(super) fn interior<S: ComplexFrequency<T> + Oscillation<T>>(&self, x: S) -> Inside {
-        self.motion(x).interior()
-    }
-
-    pub(super) fn state_at<S: ComplexFrequency<T> + Oscillation<T>>(&self, ends: &Ends<S>, distance: f64) -> State<S> {
-        self.motion(ends.x).state_at(ends, T::from_f64(distance))
-    }
-
     pub(super) fn motion_at<S: ComplexFrequency<T> + Oscillation<T>>(
         &self,
         ends: &Ends<S>,
         distance: f64,
     ) -> EndMotion<S> {
-        EndMotion::bent(self.state_at(ends, distance))
+        EndMotion::bent(self.motion(ends.x).state_at(ends, T::from_f64(distance)))
     }
 
     /// The forms of two motions.

@@ -8,6 +8,7 @@ use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::damped::BuiltDampedBeam;
 use crate::elements::general_beam::kinds::GeneralBeam;
+use crate::elements::general_beam::of_built::{energies_of_built, member_motion_of_built, steps_of_built};
 use crate::elements::general_beam::transfer::BackThrough;
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::dissipation::Dissipation;
@@ -134,83 +135,15 @@ impl<T: Parameter> Element for DampedBeam<T> {
     }
 }
 
-impl<T: Parameter, S: ComplexFrequency<T> + Single> TransferMatrix<S> for DampedBeam<T> {
-    fn transfer_matrix(built: &BuiltDampedBeam<T>, x: S) -> MatrixOf<Self, S> {
-        built.transfer_matrix(x)
-    }
-}
-
-impl<T: Parameter, S: ComplexFrequency<T>> PlaneStep<S> for DampedBeam<T> {
-    type Coefficients = GeneralCompound<S>;
-
-    fn coefficients(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>) -> GeneralCompound<S> {
-        built.compound(at)
-    }
-
-    fn step<C: RootCounter<S>>(compound: &GeneralCompound<S>, input: Subspace<S>, counter: &mut C) -> Subspace<S> {
-        compound.step(input, counter)
-    }
-
-    fn root<C: RootCounter<S>>(
-        compound: &GeneralCompound<S>,
-        input: Subspace<S>,
-        support: Support,
-        counter: &mut C,
-    ) -> Scaled<S> {
-        compound.root(input, support, counter)
-    }
-}
-
-impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> BackTransfer<S> for DampedBeam<T> {
-    type BackCoefficients = BackThrough<S>;
-    const SYMMETRIC: bool = true;
-
-    fn reversed(built: &BuiltDampedBeam<T>) -> BuiltDampedBeam<T> {
-        *built
-    }
-
-    fn back_coefficients(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>) -> BackThrough<S> {
-        built.back_through(at)
-    }
-
-    fn back_transfer(through: &BackThrough<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
-        through.back_transfer(covector)
-    }
-}
+steps_of_built!(DampedBeam at ComplexFrequency);
 
 impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> Energies<S> for DampedBeam<T> {
     type Gradient = DampedBeam<S>;
 
-    fn units(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
-        built.motion(at.x).units()
-    }
-
-    fn mass_form(built: &BuiltDampedBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        built.forms(first, second).mass
-    }
-
-    fn stiffness_form(built: &BuiltDampedBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-        built.forms(first, second).stiffness
-    }
+    energies_of_built!();
 
     fn damping_form(built: &BuiltDampedBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
         built.forms(first, second).damping
-    }
-
-    fn inside(built: &BuiltDampedBeam<T>, x: S) -> Option<Inside> {
-        Some(built.interior(x))
-    }
-
-    fn state_at(built: &BuiltDampedBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
-        built.state_at(ends, distance)
-    }
-
-    fn load_work(built: &BuiltDampedBeam<T>, ends: &Ends<S>) -> Option<S> {
-        Some(built.motion(ends.x).load_work(ends))
-    }
-
-    fn mass_per_length(built: &BuiltDampedBeam<T>) -> S {
-        S::from_parameter(built.beam.parameters.mass_per_length)
     }
 
     fn gradient(built: &BuiltDampedBeam<T>, ends: &Ends<S>) -> DampedBeam<S> {
@@ -236,36 +169,7 @@ impl<T: Parameter, S: ComplexFrequency<T> + ChartScalar> Charted<S> for DampedBe
     }
 }
 
-impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberMotion<S> for DampedBeam<T> {
-    fn forms(built: &BuiltDampedBeam<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
-        built.forms(&first.bending(), &second.bending())
-    }
-
-    fn inside(built: &BuiltDampedBeam<T>, x: S) -> Option<Inside> {
-        Some(built.interior(x))
-    }
-
-    fn motion_at(built: &BuiltDampedBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
-        built.motion_at(&motion.bending(), distance)
-    }
-
-    fn load_work(built: &BuiltDampedBeam<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
-        Some([S::zero(), built.motion(motion.x).load_work(&motion.bending())])
-    }
-
-    fn mass_per_length(built: &BuiltDampedBeam<T>) -> S {
-        S::from_parameter(built.beam.parameters.mass_per_length)
-    }
-
-    fn motion_under_load(
-        built: &BuiltDampedBeam<T>,
-        motion: &MemberEnds<S>,
-        [_, load]: [S; 2],
-        distance: f64,
-    ) -> EndMotion<S> {
-        EndMotion::bent(built.motion(motion.x).state_under(&motion.bending(), load, T::from_f64(distance)))
-    }
-}
+member_motion_of_built!(DampedBeam at ComplexFrequency);
 
 impl<T: Real> CarriesLoad for DampedBeam<T> {}
 

@@ -150,7 +150,7 @@ impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberMotion<S> for Plana
     }
 
     fn inside(built: &BuiltPlanarDampedBeam<T>, x: S) -> Option<Inside> {
-        let (bending, rod) = (built.bending.interior(x), built.rod.inside(x));
+        let (bending, rod) = (built.bending.motion(x).interior(), built.rod.inside(x));
         Some(Inside { wave_number: bending.wave_number.max(rod.wave_number), ..bending })
     }
 

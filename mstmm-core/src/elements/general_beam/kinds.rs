@@ -1,4 +1,4 @@
-//! Beams with some of the parameters of the general beam.
+//! The general beam, and beams with some of its parameters.
 
 use crate::element::{
     BackTransfer, CarriesLoad, Element, Energies, Inside, MatrixOf, MemberNumbers, PlaneStep, TransferMatrix,
@@ -7,6 +7,7 @@ use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::compound::GeneralCompound;
 #[cfg(test)]
 use crate::elements::general_beam::constants::Constants;
+use crate::elements::general_beam::of_built::{energies_of_built, steps_of_built};
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::BackThrough;
 use crate::elements::shared::compliance::{compliance, is_rigid};
@@ -90,86 +91,14 @@ macro_rules! kinds {
             }
         }
 
-        impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for $kind<T> {
-            fn transfer_matrix(built: &BuiltGeneralBeam<T>, x: S) -> MatrixOf<Self, S> {
-                built.transfer_matrix(x)
-            }
-        }
-
-        impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for $kind<T> {
-            type Coefficients = GeneralCompound<S>;
-
-            fn coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> GeneralCompound<S> {
-                GeneralCompound::new(built.at(at.lambda_squared), built.units())
-            }
-
-            fn step<C: RootCounter<S>>(
-                compound: &GeneralCompound<S>,
-                input: Subspace<S>,
-                counter: &mut C,
-            ) -> Subspace<S> {
-                compound.step(input, counter)
-            }
-
-            fn root<C: RootCounter<S>>(
-                compound: &GeneralCompound<S>,
-                input: Subspace<S>,
-                support: Support,
-                counter: &mut C,
-            ) -> Scaled<S> {
-                compound.root(input, support, counter)
-            }
-        }
-
-        impl<T: Real, S: Oscillation<T>> BackTransfer<S> for $kind<T> {
-            type BackCoefficients = BackThrough<S>;
-            const SYMMETRIC: bool = true;
-
-            fn reversed(built: &BuiltGeneralBeam<T>) -> BuiltGeneralBeam<T> {
-                *built
-            }
-
-            fn back_coefficients(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> BackThrough<S> {
-                built.back_through(at)
-            }
-
-            fn back_transfer(through: &BackThrough<S>, _input: &Subspace<S>, covector: Covector<S>) -> Covector<S> {
-                through.back_transfer(covector)
-            }
-        }
+        steps_of_built!($kind at Frequency);
 
         impl<T: Real> CarriesLoad for $kind<T> {}
 
         impl<T: Real, S: Oscillation<T>> Energies<S> for $kind<T> {
             type Gradient = $kind<S>;
 
-            fn units(built: &BuiltGeneralBeam<T>, at: &FrequencyPowers<S>) -> [f64; 2] {
-                built.motion(at.x).units()
-            }
-
-            fn mass_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-                built.forms(first, second).mass
-            }
-
-            fn stiffness_form(built: &BuiltGeneralBeam<T>, first: &Ends<S>, second: &Ends<S>) -> S {
-                built.forms(first, second).stiffness
-            }
-
-            fn inside(built: &BuiltGeneralBeam<T>, x: S) -> Option<Inside> {
-                Some(built.motion(x).interior())
-            }
-
-            fn state_at(built: &BuiltGeneralBeam<T>, ends: &Ends<S>, distance: f64) -> State<S> {
-                built.motion(ends.x).state_at(ends, T::from_f64(distance))
-            }
-
-            fn load_work(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> Option<S> {
-                Some(built.motion(ends.x).load_work(ends))
-            }
-
-            fn mass_per_length(built: &BuiltGeneralBeam<T>) -> S {
-                S::from_parameter(built.parameters.mass_per_length)
-            }
+            energies_of_built!();
 
             fn gradient(built: &BuiltGeneralBeam<T>, ends: &Ends<S>) -> $kind<S> {
                 $kind::of_gradient(built.motion(ends.x).gradient(ends), &built.parameters)

@@ -6,6 +6,7 @@ use crate::element::{
 };
 use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
+use crate::elements::general_beam::of_built::member_motion_of_built;
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::shared::bending_chart::units_of_waves;
 use crate::elements::shared::chart_scalar::ChartScalar;
@@ -44,10 +45,6 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
 }
 
 impl<T: Real> BuiltGeneralBeam<T> {
-    fn member_forms<S: Oscillation<T>>(&self, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
-        self.forms(&first.bending(), &second.bending())
-    }
-
     fn motion_at<S: Oscillation<T>>(&self, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
         EndMotion::bent(self.motion(motion.x).state_at(&motion.bending(), T::from_f64(distance)))
     }
@@ -97,36 +94,7 @@ macro_rules! along_line {
             }
         }
 
-        impl<T: Real, S: Oscillation<T>> MemberMotion<S> for $kind<T> {
-            fn forms(built: &BuiltGeneralBeam<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
-                built.member_forms(first, second)
-            }
-
-            fn inside(built: &BuiltGeneralBeam<T>, x: S) -> Option<Inside> {
-                Some(built.motion(x).interior())
-            }
-
-            fn motion_at(built: &BuiltGeneralBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
-                built.motion_at(motion, distance)
-            }
-
-            fn load_work(built: &BuiltGeneralBeam<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
-                Some([S::zero(), built.motion(motion.x).load_work(&motion.bending())])
-            }
-
-            fn mass_per_length(built: &BuiltGeneralBeam<T>) -> S {
-                S::from_parameter(built.parameters.mass_per_length)
-            }
-
-            fn motion_under_load(
-                built: &BuiltGeneralBeam<T>,
-                motion: &MemberEnds<S>,
-                [_, load]: [S; 2],
-                distance: f64,
-            ) -> EndMotion<S> {
-                EndMotion::bent(built.motion(motion.x).state_under(&motion.bending(), load, T::from_f64(distance)))
-            }
-        }
+        member_motion_of_built!($kind at Oscillation);
 
         impl<T: Real, S: Oscillation<T>> MemberGradient<S> for $kind<T> {
             type Gradient = $kind<S>;
@@ -202,7 +170,7 @@ macro_rules! in_plane {
         impl<T: Real, S: Oscillation<T>> MemberMotion<S> for $planar<T> {
             fn forms(built: &BuiltPlanarGeneralBeam<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
                 let [mass, stiffness] = built.rod.section.forms(&Stretch::of(first), &Stretch::of(second));
-                built.bending.member_forms(first, second).plus(Forms { mass, stiffness, ..Forms::none() })
+                built.bending.forms(&first.bending(), &second.bending()).plus(Forms { mass, stiffness, ..Forms::none() })
             }
 
             fn inside(built: &BuiltPlanarGeneralBeam<T>, x: S) -> Option<Inside> {
@@ -221,7 +189,7 @@ macro_rules! in_plane {
             }
 
             fn mass_per_length(built: &BuiltPlanarGeneralBeam<T>) -> S {
-                S::from_parameter(built.bending.parameters.mass_per_length)
+                S::from_parameter(built.bending.mass_per_length())
             }
 
             fn motion_under_load(
