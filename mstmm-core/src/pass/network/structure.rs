@@ -67,6 +67,8 @@ pub struct Network<E: MemberElement, M: Memory> {
     stiffness: StiffnessRoom<M>,
     order: Order<M>,
     width: usize,
+    /// Stiffnesses and inertias, which motions ask for at each frequency.
+    estimates: FrequencyEstimates,
 }
 
 #[cfg(feature = "std")]
@@ -163,7 +165,12 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
         let ends = of_members.as_mut().iter_mut().zip(placements.as_ref());
         ends.for_each(|(count, placement)| *count = placement.freedoms.count());
         let width = order.get().width(of_nodes.as_ref(), of_members.as_ref());
-        Some(Network { sizes, nodes: own_nodes, motions, members: built, kinds, placements, stiffness, order, width })
+        let mut estimates = FrequencyEstimates::default();
+        built.as_ref().iter().flatten().for_each(|member| E::estimate(member, &mut estimates));
+        nodes.iter().for_each(|node| node.estimate(&mut estimates));
+        estimates.finish();
+        let (nodes, members) = (own_nodes, built);
+        Some(Network { sizes, nodes, motions, members, kinds, placements, stiffness, order, width, estimates })
     }
 
     /// The largest number of unknowns at once: motions of nodes, and what members have of their own.
@@ -288,15 +295,7 @@ impl<E: MemberElement, M: Memory> System for Network<E, M> {
     }
 
     fn frequency_estimates(&self) -> FrequencyEstimates {
-        let mut estimates = FrequencyEstimates::default();
-        for member in self.members.as_ref().iter().flatten() {
-            E::estimate(member, &mut estimates);
-        }
-        for node in self.nodes() {
-            node.estimate(&mut estimates);
-        }
-        estimates.finish();
-        estimates
+        self.estimates
     }
 }
 
