@@ -6,7 +6,8 @@ mod located;
 mod old_words;
 
 pub(crate) use dimension::Dimension;
-pub(crate) use elements::{BAR, DAMPING, ELEMENTS, Keyword, TypeRow, element_of, neutral};
+use elements::BAR;
+pub(crate) use elements::{DAMPING, ELEMENTS, Keyword, TypeRow, element_of, elements_of_paths, has_somewhere, neutral};
 pub(crate) use located::{
     ALONG, AT, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, freedom_of, located_of,
 };

@@ -25,12 +25,9 @@ mod topology;
 pub use expand::expand;
 pub use mstmm_plan::Space;
 
-/// The elements of models without places, for tests and fuzzers: keyword, space of the states, names of the parameters that it must have, and of those
-/// that it may have, and those of which it has one.
+/// The elements of models without places, for tests and fuzzers: keyword, space of the states, names of the parameters that it must have, of
+/// those that it may have, and of those of which it has one.
 pub fn elements() -> impl Iterator<Item = (&'static str, Space, [&'static [&'static str]; 3])> {
     let parameters = |row: &keywords::Keyword| [row.required, row.optional, row.one_of];
-    keywords::ELEMENTS
-        .iter()
-        .filter(|row| row.name != keywords::BAR)
-        .map(move |row| (row.name, row.space, parameters(row)))
+    keywords::elements_of_paths().map(move |row| (row.name, row.space, parameters(row)))
 }

@@ -87,12 +87,18 @@ pub(crate) struct Node<'a> {
 pub(crate) struct Member<'a> {
     pub(crate) what: What<'a>,
     pub(crate) name: String,
-    /// Its keyword, or what else it is to the user; none of a second support of a body.
+    /// The name of its type, or its keyword where it has none; none of a second support of a body.
     pub(crate) kind: Option<String>,
     pub(crate) freedoms: FreedomSet<'a>,
-    /// The freedoms that its ends do not share with their nodes.
-    pub(crate) released: Freedoms,
     pub(crate) ends: [End; 2],
+}
+
+impl Member<'_> {
+    /// The freedoms that its ends do not share with their nodes.
+    pub(crate) fn released(&self) -> Freedoms {
+        let row = self.what.element().and_then(|element| element.kind.located());
+        row.map_or(Freedoms::NONE, |row| row.released)
+    }
 }
 
 /// What stands between two ends.

@@ -1,13 +1,13 @@
 //! Elements in the words that stand for their own.
 
 use crate::ast::{Element, Parameter};
-use crate::keywords::{ELEMENTS, OldWord};
+use crate::keywords::{OldWord, has_somewhere};
 use quote::ToTokens;
 use syn::Expr;
 use syn::ext::IdentExt;
 
-/// What an old word is answered with: the element in the word that stands for it, with the expressions of the user for what that has, and
-/// what it lacks. The parameters of that word are those that must be named, and those that may be.
+/// The answer to an old word: the element in the new word. It has the expressions of the user, and `..` for each parameter that is missing.
+/// `known` are the parameters of the new word: those that must be named, and those that may be.
 pub(super) fn in_new_words(element: &Element, word: &OldWord, known: &[Vec<&'static str>; 2]) -> String {
     let new = match &element.parameters {
         // a second mention, or a slip of which the new word speaks
@@ -24,11 +24,6 @@ pub(super) fn in_new_words(element: &Element, word: &OldWord, known: &[Vec<&'sta
 /// What stands in the braces of the new form.
 fn parameters(element: &Element, word: &OldWord, known: &[Vec<&'static str>; 2]) -> Vec<String> {
     let is_here = |name: &str| known.iter().flatten().any(|known| *known == name);
-    // what the word has elsewhere means nothing here; what it has nowhere is a slip of which the new word speaks
-    let is_elsewhere = |name: &str| {
-        let mut rows = ELEMENTS.iter().filter(|row| row.name == word.new);
-        rows.any(|row| [row.required, row.optional, row.one_of].concat().contains(&name))
-    };
     let (mut written, mut named) = (Vec::new(), Vec::new());
     for parameter in element.parameters() {
         let (old, value) = (parameter.name.unraw().to_string(), value_of(parameter));
@@ -38,7 +33,8 @@ fn parameters(element: &Element, word: &OldWord, known: &[Vec<&'static str>; 2])
         }
         let text = match &parameter.section {
             Some(section) => Some(format!("..{section}")),
-            None => word.parameter(&old, &value).filter(|_| is_here(&new) || !is_elsewhere(&new)),
+            // what the word has elsewhere means nothing here; what it has nowhere is a slip, of which the new word speaks
+            None => word.parameter(&old, &value).filter(|_| is_here(&new) || !has_somewhere(word.new, &new)),
         };
         written.extend(text.filter(|text| !written.contains(text)));
         named.push(new);

@@ -4,7 +4,7 @@ use super::listed;
 use super::new_words::value_of;
 use crate::ast::{Element, Parameter};
 use crate::diagnostics::Errors;
-use crate::keywords::{DAMPING, Dimension, ELEMENTS, nearest, renamed_in};
+use crate::keywords::{DAMPING, Dimension, has_somewhere, nearest, renamed_in};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
@@ -23,10 +23,7 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
     let Some([required, optional]) = known else { return };
     let mut missing: Vec<&str> = required.iter().copied().filter(|name| !given.contains(*name)).collect();
     let is_unknown = |name: &str| !required.contains(&name) && !optional.contains(&name);
-    let renamed = |parameter: &Parameter| {
-        let word = element.kind.name().to_string();
-        renamed_in(&word, &parameter.name.unraw().to_string(), &value_of(parameter))
-    };
+    let keyword = element.kind.name().to_string();
     let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;
     for parameter in element.parameters() {
         let name = parameter.name.unraw().to_string();
@@ -37,13 +34,15 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
         let meant = candidates().find(|known| known.starts_with(&format!("{name}_")));
         let meant = meant.or_else(|| nearest(candidates(), &name));
         let meant = meant.or(missing.first().copied().filter(|_| is_only_one));
+        let renamed = renamed_in(&keyword, &name, &value_of(parameter));
         let hint = match meant {
             _ if DAMPING.contains(&name.as_str()) => advice_on_damping(optional),
-            _ if is_of_another_dimension(element, &name) => {
-                let where_it_is = if element.dimension == Dimension::Line { "in the plane" } else { "along a line" };
-                format!("it has that {where_it_is} alone, so remove it")
+            // of a length between places a message of its own speaks
+            _ if has_somewhere(&keyword, &name) && name != "length" => {
+                let other = if element.dimension == Dimension::Line { "in the plane" } else { "along a line" };
+                format!("it has that {other} alone, so remove it")
             }
-            _ if !renamed(parameter).is_empty() => format!("write `{}`", renamed(parameter).join("` or `")),
+            _ if !renamed.is_empty() => format!("write `{}`", renamed.join("` or `")),
             _ if parameter.section.is_some() => format!("it has {}", listed(required.iter().chain(optional).copied())),
             Some(meant) => {
                 missing.retain(|other| *other != meant);
@@ -63,13 +62,6 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
         let reason = if in_plane { IN_PLANE } else { "" };
         errors.push(element.place(), format!("`{element}` lacks {}{reason}", listed(missing)));
     }
-}
-
-/// Whether an element of this keyword has a parameter in another dimension.
-fn is_of_another_dimension(element: &Element, name: &str) -> bool {
-    let keyword = element.kind.name().to_string();
-    let mut rows = ELEMENTS.iter().filter(|row| row.name == keyword);
-    rows.any(|row| [row.required, row.optional, row.one_of].concat().contains(&name)) && name != "length"
 }
 
 /// Of parameters that say the same in different ways one is named.

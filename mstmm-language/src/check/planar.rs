@@ -1,7 +1,7 @@
 //! Whether a model without places moves along a line or in the plane.
 
 use crate::ast::{Element, Kind, Model};
-use crate::keywords::{BAR, Dimension, ELEMENTS, old_word};
+use crate::keywords::{Dimension, elements_of_paths, old_word};
 use mstmm_plan::Space;
 
 /// The parameters that elements have in the plane alone. A `rod` has an axial stiffness in a path of one motion.
@@ -15,12 +15,8 @@ pub(crate) fn dimension_of_paths(model: &Model) -> Dimension {
 fn is_planar(element: &Element) -> bool {
     let Kind::Keyword(keyword) = &element.kind else { return false };
     let keyword = keyword.to_string();
-    // a bar needs places, as its message says
-    if keyword == BAR {
-        return false;
-    }
     let name = old_word(&keyword).map_or(keyword.as_str(), |word| word.new);
-    let mut rows = ELEMENTS.iter().filter(|row| row.name == name);
+    let mut rows = elements_of_paths().filter(|row| row.name == name);
     let spaces = (rows.next().map(|row| row.space), rows.next().map(|row| row.space));
     match spaces {
         // a word that is one thing along a line and another one in the plane

@@ -5,8 +5,8 @@ use super::{fields, listed, parameters, selves};
 use crate::ast::{Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, BAR, CONNECTION, ELEMENTS, HELD, SUPPORTS, apart, element_of, is_element, located_of, meant_element,
-    meant_support, nearest, old_word, support_of,
+    ALONG, CONNECTION, HELD, Keyword, SUPPORTS, apart, element_of, elements_of_paths, is_element, located_of,
+    meant_element, meant_support, nearest, old_word, support_of,
 };
 use crate::topology::Vertex;
 use syn::Ident;
@@ -64,9 +64,12 @@ pub(crate) fn is_doubtful(vertex: &Vertex<'_>) -> bool {
     }
 }
 
-/// Whether the language or rustc knows the kind: rustc knows types of the user.
+/// Whether the language or rustc knows the kind in a model without places: rustc knows types of the user.
 fn is_known(element: &Element) -> bool {
-    matches!(element.kind, Kind::Type(_)) || element.known().is_some()
+    match &element.kind {
+        Kind::Keyword(keyword) => elements_of_paths().any(|row| keyword == row.name),
+        Kind::Type(_) => true,
+    }
 }
 
 /// A word that stands alone is a support.
@@ -97,17 +100,13 @@ fn check_label(label: &Label, errors: &mut Errors) {
 
 /// An element has a known keyword and its parameters.
 fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
-    if matches!(&element.kind, Kind::Keyword(keyword) if keyword == BAR) {
-        errors.push(element.kind.place(), format!("`{BAR}` {NEEDS_PLACES}"));
-    } else if !is_known(element) {
+    if !is_known(element) {
         let text = element.kind.name().to_string();
         let message = match (located_of(&text), old_word(&text)) {
             (Some(_), _) => format!("`{text}` {NEEDS_PLACES}"),
             (None, Some(word)) => {
                 let row = element_of(word.new, element.dimension);
-                let parameters =
-                    row.map(|row| [row.required.to_vec(), [row.optional, row.one_of].concat()]).unwrap_or_default();
-                in_new_words(element, word, &parameters)
+                in_new_words(element, word, &row.map(Keyword::parameters).unwrap_or_default())
             }
             (None, None) => unknown_keyword(&text, &of_paths()),
         };
@@ -115,7 +114,7 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
     } else if element.parameters.is_none() {
         errors.push(element.place(), without_parameters(element, model));
     } else {
-        let known = element.known().map(|row| [row.required.to_vec(), [row.optional, row.one_of].concat()]);
+        let known = element.known().map(Keyword::parameters);
         parameters::parameters(element, known.as_ref(), errors);
         parameters::one_of_them(element, errors);
         if parameters::names_nothing(element) {
@@ -130,7 +129,7 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
 
 /// The keywords of models without places, each once.
 fn of_paths() -> Vec<&'static str> {
-    let mut names: Vec<&str> = ELEMENTS.iter().map(|element| element.name).filter(|name| *name != BAR).collect();
+    let mut names: Vec<&str> = elements_of_paths().map(|element| element.name).collect();
     names.dedup();
     names
 }

@@ -41,6 +41,11 @@ pub(crate) fn neutral(parameter: &str) -> f64 {
 }
 
 impl Keyword {
+    /// The parameters that must be named, and those that may be.
+    pub(crate) fn parameters(&self) -> [Vec<&'static str>; 2] {
+        [self.required.to_vec(), [self.optional, self.one_of].concat()]
+    }
+
     /// The type that has all named parameters. A name that the keyword has not is an error elsewhere.
     pub(crate) fn type_with(&self, is_named: impl Fn(&str) -> bool) -> &'static TypeRow {
         let named = || self.optional.iter().chain(self.one_of).filter(|name| is_named(name));
@@ -113,8 +118,8 @@ const fn about_input(name: &'static str, parameters: &'static [&'static str]) ->
     TypeRow { name, parameters, renamed: &[("inertia_about_input", "inertia")] }
 }
 
-/// A beam of the plane with pins at its ends, between places.
-pub(crate) const BAR: &str = "bar";
+/// A beam of the plane with pins at its ends. It stands between places alone.
+pub(super) const BAR: &str = "bar";
 
 #[rustfmt::skip]
 const BEAMS_OF_THE_PLANE: &[TypeRow] = &[
@@ -197,6 +202,17 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
 
 /// The rotation of a hinge, in the words of its type.
 const TURNING: &[(&str, &str)] = &[("stiffness_rz", "stiffness_theta")];
+
+/// The elements of models without places.
+pub(crate) fn elements_of_paths() -> impl Iterator<Item = &'static Keyword> {
+    ELEMENTS.iter().filter(|row| row.name != BAR)
+}
+
+/// Whether an element of a keyword has a parameter, along a line or in the plane.
+pub(crate) fn has_somewhere(keyword: &str, parameter: &str) -> bool {
+    let mut rows = ELEMENTS.iter().filter(|row| row.name == keyword);
+    rows.any(|row| row.parameters().concat().contains(&parameter))
+}
 
 /// The element behind a keyword: along a line or in the plane, where it differs.
 pub(crate) fn element_of(keyword: &str, dimension: Dimension) -> Option<&'static Keyword> {

@@ -41,6 +41,8 @@ pub(crate) struct LocatedKeyword {
     pub(crate) vector: Option<&'static str>,
     /// The freedoms that it brings to a point.
     pub(crate) brings: Freedoms,
+    /// The freedoms that its ends do not share with their points.
+    pub(crate) released: Freedoms,
     /// The keyword to take instead with one coordinate, and with two.
     instead: [Option<&'static str>; 2],
 }
@@ -71,7 +73,7 @@ impl LocatedKeyword {
 const XY: Freedoms = Freedoms::X.union(Freedoms::Y);
 
 const fn keyword(name: &'static str, role: Role, brings: Freedoms) -> LocatedKeyword {
-    LocatedKeyword { name, role, own: None, vector: None, brings, instead: [None, None] }
+    LocatedKeyword { name, role, own: None, vector: None, brings, released: Freedoms::NONE, instead: [None, None] }
 }
 
 /// A keyword of models without locations alone, with those to take instead.
@@ -99,7 +101,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("hinge", Role::Joint, Freedoms::ALL),
     refused("body", [RIGID_BODY; 2]),
     keyword("beam", Role::Member, Freedoms::ALL),
-    LocatedKeyword { instead: [Some("beam"), None], ..keyword(BAR, Role::Member, XY) },
+    LocatedKeyword { released: Freedoms::RZ, instead: [Some("beam"), None], ..keyword(BAR, Role::Member, XY) },
     LocatedKeyword {
         vector: Some("centre"),
         own: Some(&["mass", "inertia", "centre"]),

@@ -2,8 +2,8 @@
 
 use super::names::{Naming, join_name};
 use super::{Axis, Body, End, Member, Node, Point, Seat, Skeleton, Support, Vector, What};
-use crate::ast::{Coordinates, Element, Kind};
-use crate::keywords::{BAR, located_of};
+use crate::ast::{Coordinates, Element};
+use crate::keywords::located_of;
 use crate::network::{self, Classes, FreedomSet, Holds, Joint, Network};
 use mstmm_plan::Freedoms;
 use syn::Expr;
@@ -101,14 +101,7 @@ impl<'a> Assembly<'a> {
         let axis = direction.map_or(Axis::X, Axis::Along);
         let freedoms = FreedomSet::known(if direction.is_some() { held.union(Freedoms::Y) } else { held });
         let ends = [Seat::Node(holds), Seat::Point(point)].map(|seat| End { seat, axis });
-        self.skeleton.members.push(Member {
-            what: What::Rigid,
-            name,
-            kind: None,
-            freedoms,
-            released: Freedoms::NONE,
-            ends,
-        });
+        self.skeleton.members.push(Member { what: What::Rigid, name, kind: None, freedoms, ends });
     }
 
     fn body(&mut self, element: &'a Element, point: usize, centre: &'a [Expr]) {
@@ -131,15 +124,12 @@ impl<'a> Assembly<'a> {
         let freedoms = FreedomSet::known(ties.intersection(self.network.dimension.freedoms()));
         // a hinge has its stiffnesses, other joints are rigid
         let what = if joint.element.known().is_some() { What::Hinge(joint.element) } else { What::Rigid };
-        let (kind, released) = (Some(joint.element.type_name()), Freedoms::NONE);
-        self.skeleton.members.push(Member { what, name, kind, freedoms, released, ends });
+        self.skeleton.members.push(Member { what, name, kind: Some(joint.element.type_name()), freedoms, ends });
     }
 
     pub(super) fn element(&mut self, element: &'a Element, freedoms: FreedomSet<'a>, ends: [End; 2]) {
         let (name, kind) = (element.to_string(), Some(element.type_name()));
-        let is_bar = matches!(&element.kind, Kind::Keyword(keyword) if keyword == BAR);
-        let released = if is_bar { Freedoms::RZ } else { Freedoms::NONE };
-        self.skeleton.members.push(Member { what: What::Element(element), name, kind, freedoms, released, ends });
+        self.skeleton.members.push(Member { what: What::Element(element), name, kind, freedoms, ends });
     }
 
     /// A direction, by its index.

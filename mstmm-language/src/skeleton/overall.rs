@@ -20,13 +20,13 @@ impl Skeleton<'_> {
             let [freedoms, held] = node.known()?;
             // what ends do not share with it is there, and held where it has it not
             let here = self.members.iter().filter(|member| self.nodes_of(member).contains(&index));
-            let freedoms = here.fold(freedoms, |sum, member| sum.union(member.released));
+            let freedoms = here.fold(freedoms, |sum, member| sum.union(member.released()));
             Some(PathNode::new(freedoms, held, node.along.is_some()))
         };
         let mut nodes = self.nodes.iter().enumerate().map(node).collect::<Option<Vec<PathNode>>>()?;
         let member = |member: &super::Member<'_>| {
             let freedoms = member.freedoms.as_known()?;
-            Some(PathMember { nodes: self.nodes_of(member), freedoms, released: 2 * member.released.count() })
+            Some(PathMember { nodes: self.nodes_of(member), freedoms, released: 2 * member.released().count() })
         };
         let members = self.members.iter().map(member).collect::<Option<Vec<PathMember>>>()?;
         lead_paths(&mut nodes, &members);

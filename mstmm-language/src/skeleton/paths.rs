@@ -66,14 +66,7 @@ impl<'a> Assembly<'a> {
             let ends = [end, self.contact(path, contact)];
             let name = self.skeleton.nodes[node].name.clone();
             let (kind, freedoms) = (Some("tie".to_owned()), freedoms.clone());
-            self.skeleton.members.push(Member {
-                what: What::Rigid,
-                name,
-                kind,
-                freedoms,
-                released: Freedoms::NONE,
-                ends,
-            });
+            self.skeleton.members.push(Member { what: What::Rigid, name, kind, freedoms, ends });
         }
         end
     }

@@ -80,7 +80,7 @@ fn sketched_member(member: &Member<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let (name, kind) = (&member.name, option(member.kind.as_ref(), names));
     let freedoms = freedom_set(&member.freedoms, names);
-    let released = self::freedoms(member.released, names);
+    let released = self::freedoms(member.released(), names);
     let ends = member.ends.iter().map(|end| sketched_end(end, names));
     quote_spanned! {names.here=>
         #private::SketchedMember {
