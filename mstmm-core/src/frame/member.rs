@@ -36,7 +36,7 @@ pub enum OfJoint {}
 impl CarriesLoad for OfBeam {}
 impl CarriesLoad for OfLine {}
 
-/// A beam of the plane with pins at both ends, as those of a truss.
+/// A bar of a truss: a beam of the plane with a pin at each end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar(pub Section);
 
@@ -112,7 +112,7 @@ macro_rules! beam {
     };
 }
 
-/// The beam of a section with all parameters but those of damping, or with these, too.
+/// The general beam of a section. After `damped` it has the parameters of damping, too.
 macro_rules! uniform {
     ($beam:ident of $section:ident { $($needed:ident),* }) => {
         beam!($beam of $section { $($needed),* } {

@@ -15,7 +15,7 @@ pub(crate) struct Ball<N: Number> {
 /// A bound is the rounded sum and product of some ten positive numbers, and takes leading words for numbers: each is a relative 2u at most.
 pub(crate) const ROUNDED: f64 = 1.0 + 1e-14;
 
-/// Below the size of a number by more than its leading word may be above it.
+/// It multiplies the leading word of a number, which is above the number by a relative 2u at most: the product is below the number.
 pub(crate) const LOWERED: f64 = 1.0 - 1e-14;
 
 impl<N: Number> Ball<N> {

@@ -16,8 +16,8 @@ const ROUNDING: f64 = 4.0;
 /// Loads that a factor solves for at once.
 pub(crate) const LOADS: usize = 2;
 
-/// Loads on all displacements of the size of their units, of a number and the next one, and perhaps dislocations. The finest units of charts are
-/// those of the load: of frequencies that are compared the same, or the loads would differ.
+/// The loads of a number and of the next one: on all displacements, of the size of their units, and perhaps dislocations. Motions at two frequencies
+/// are compared under the same load, so the load has the finest units of charts for both.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LoadEverywhere {
     pub(crate) number: u32,

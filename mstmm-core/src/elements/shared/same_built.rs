@@ -1,6 +1,6 @@
 //! Elements that are other elements with other parameters: once both are built they are the same.
 
-/// Transfer and steps of an element as those of another one that is built to the same.
+/// `$kind` builds what `$base` builds, so it has the transfer matrix and the steps of `$base`.
 macro_rules! steps_as {
     ($kind:ident as $base:ident) => {
         impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for $kind<T> {
@@ -62,7 +62,7 @@ macro_rules! steps_as {
 }
 pub(crate) use steps_as;
 
-/// Units and forms of an element, as those of another one that is built to the same.
+/// The element builds what `$base` builds, so it has the units and the forms of `$base`.
 macro_rules! forms_as {
     ($base:ident) => {
         fn units(built: &Self::Built, at: &FrequencyPowers<S>) -> [f64; 2] {

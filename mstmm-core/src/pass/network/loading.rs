@@ -63,7 +63,7 @@ impl<S: Scalar> Loading<'_, S> {
         Loading::Everywhere(LoadEverywhere { number, dislocates, units: finest_units(network, square) })
     }
 
-    /// The finest units of charts at a frequency: a load everywhere has some of its own.
+    /// The finest units that charts have at a frequency. A load everywhere brings its own.
     pub(super) fn units<Y: Placed>(&self, network: &Y, at: &FrequencyPowers<S>) -> Units {
         match self {
             Loading::Everywhere(load) => load.units,

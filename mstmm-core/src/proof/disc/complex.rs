@@ -16,7 +16,7 @@ pub(crate) struct ComplexBall<N> {
     pub(crate) rad: f64,
 }
 
-/// `e^δ - 1` is at most so many times δ up to 1, since it is convex: `e - 1`, rounded up.
+/// It multiplies δ: `e^δ - 1` is convex, so it is below `(e - 1) δ` for δ up to 1. This is `e - 1`, rounded up.
 const GROWTH: f64 = 1.7183;
 
 /// The size of a complex number, rounded by a few u.

@@ -19,8 +19,8 @@ use num_complex::Complex;
 /// the smaller, the wider the disc (Cauchy); elements with poles near λ need a narrow disc. The theorem holds with each radius.
 const WIDE: [f64; 5] = [3e-2, 3e-3, 1e-4, 1e-6, 1e-8];
 
-/// Steps in which the solution is improved, each by the digits of the inverse: five times six digits are those of a ball. The residual that is left is
-/// bounded after any number of steps.
+/// Steps that improve the solution. Each adds the digits of the inverse, six at least: five steps reach the 30 digits of a ball. The bound of the
+/// residual holds after any number of steps.
 const STEPS: usize = 5;
 
 /// Rounds in which the sizes of rows are made equal. Each halves the exponents that are left, which eight rounds take from ±1000 to ±4. The powers of two

@@ -48,7 +48,7 @@ impl<N: Level> Summed for Ball<N> {
 /// The factorials over which the series of [`short_sums`] begin; from one term to the next they grow by two.
 pub(crate) const FIRSTS: [usize; 7] = [1, 2, 3, 4, 2, 3, 5];
 
-/// The series of W, R/2, V, E, c₂, c₃ and `(1 - c₁)/d`, up to so many terms, by s, d and δ: see [`Equations::short`].
+/// The series of W, R/2, V, E, c₂, c₃ and `(1 - c₁)/d` in s, d and δ, with a number of terms. [`Equations::short`] derives them.
 #[inline(always)]
 pub(crate) fn short_sums<X: Summed>([s, d, square]: [X; 3], terms: usize) -> [X; 7] {
     let (zero, one) = (X::of(0.0), X::of(1.0));
