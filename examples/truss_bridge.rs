@@ -120,7 +120,7 @@ fn show_shape(system: &TrussBridgeSystem) -> Result<(), Box<dyn Error>> {
 fn show_forces(bridge: &TrussBridge, system: &TrussBridgeSystem) -> Result<(), Box<dyn Error>> {
     println!("\nForces in bars under 1 N downwards at l1, tension positive");
     println!("bar                  found [N]   method of joints [N]   difference");
-    let bars = system.sketch().members().filter(|member| member.kind == "PlanarBeam");
+    let bars = system.sketch().members().filter(|member| member.kind == "Beam");
     for (bar, expected) in bars.zip(method_of_joints(bridge)) {
         let upwards = TrussBridge::conn_l1.force_y();
         let found = -system.frequency_response(upwards, bar.ends[0].label.axial_force())?.at(0.0)?;

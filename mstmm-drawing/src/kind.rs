@@ -32,7 +32,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// The symbol behind the name of a type, such as `PlanarBeam`, or the keyword of a joint.
+    /// The symbol behind the name of a type, such as `GeneralBeam`, or the keyword of a joint.
     pub(crate) fn of(word: &str) -> Kind {
         let word = word.replace('_', "").to_lowercase();
         let has = |part: &str| word.contains(part);

@@ -5,7 +5,10 @@ mod coordinates;
 pub(crate) use coordinates::{Coordinates, place_of, tuple_parts};
 
 use crate::diagnostics::Place;
-use crate::keywords::{Dimension, Keyword, LocatedKeyword, RIGID_LINK, TypeRow, element_of, located_of, neutral};
+use crate::keywords::{
+    Dimension, Keyword, LocatedKeyword, RIGID_LINK, STRING, STRING_BETWEEN_PLACES, TypeRow, element_of, located_of,
+    neutral,
+};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use std::collections::BTreeSet;
@@ -223,7 +226,27 @@ impl Element {
     /// The row of the element's keyword; `None` for a type of the user and for a misspelt keyword.
     pub(crate) fn known(&self) -> Option<&'static Keyword> {
         match &self.kind {
-            Kind::Keyword(keyword) => element_of(&keyword.to_string(), self.dimension),
+            Kind::Keyword(keyword) => {
+                let is_of_path = keyword == STRING && !self.is_string_between_places();
+                let dimension = if is_of_path { Dimension::Line } else { self.dimension };
+                element_of(&keyword.to_string(), dimension)
+            }
+            Kind::Type(_) => None,
+        }
+    }
+
+    /// Whether it is a string between two places of the plane; one of a path names its length.
+    fn is_string_between_places(&self) -> bool {
+        matches!(&self.kind, Kind::Keyword(keyword) if keyword == STRING)
+            && self.dimension == Dimension::Plane
+            && !self.gives("length")
+    }
+
+    /// The row of the element's keyword in models with locations.
+    pub(crate) fn located(&self) -> Option<&'static LocatedKeyword> {
+        match &self.kind {
+            Kind::Keyword(_) if self.is_string_between_places() => Some(&STRING_BETWEEN_PLACES),
+            Kind::Keyword(keyword) => located_of(&keyword.to_string()),
             Kind::Type(_) => None,
         }
     }
@@ -231,6 +254,11 @@ impl Element {
     /// Its type in `mstmm_core::elements`, which its parameters select; `None` for a type of the user and for a misspelt keyword.
     pub(crate) fn type_row(&self) -> Option<&'static TypeRow> {
         Some(self.known()?.type_with(|name| self.gives(name)))
+    }
+
+    /// Whether it stretches beside what its type is.
+    pub(crate) fn stretches(&self) -> bool {
+        self.known().is_some_and(|keyword| keyword.stretches)
     }
 
     /// The name of its type, or its keyword where it has none. A rigid link of the plane is a body without mass.
@@ -267,7 +295,7 @@ impl Element {
 
     /// Whether places give the element its length: its keyword asks for one where models have no locations.
     pub(crate) fn has_length_of_places(&self) -> bool {
-        self.kind.located().is_some_and(LocatedKeyword::spans_places)
+        self.located().is_some_and(LocatedKeyword::spans_places)
     }
 }
 
@@ -278,14 +306,6 @@ impl Kind {
             Kind::Keyword(keyword) => keyword,
             // a parsed path has a segment
             Kind::Type(path) => &path.segments[path.segments.len() - 1].ident,
-        }
-    }
-
-    /// The row of the element's keyword in models with locations.
-    pub(crate) fn located(&self) -> Option<&'static LocatedKeyword> {
-        match self {
-            Kind::Keyword(keyword) => located_of(&keyword.to_string()),
-            Kind::Type(_) => None,
         }
     }
 

@@ -96,7 +96,7 @@ pub(crate) struct Member<'a> {
 impl Member<'_> {
     /// The freedoms that its ends do not share with their nodes.
     pub(crate) fn released(&self) -> Freedoms {
-        let row = self.what.element().and_then(|element| element.kind.located());
+        let row = self.what.element().and_then(|element| element.located());
         row.map_or(Freedoms::NONE, |row| row.released)
     }
 }

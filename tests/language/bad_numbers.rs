@@ -2,7 +2,7 @@
 
 mod one_element;
 
-use mstmm::elements::ELEMENTS;
+use mstmm::elements::{ELEMENTS, STRETCHING};
 use mstmm::prelude::*;
 use mstmm::search::SearchError;
 use one_element::{C, Range, SCENES};
@@ -57,8 +57,9 @@ fn same(a: f64, b: f64) -> bool {
 /// Oracle: the list of the core.
 #[test]
 fn every_element_of_the_language_has_its_scene() {
-    let mut tested: Vec<&str> = SCENES.iter().map(|scene| scene.type_name).collect();
-    let mut elements: Vec<&str> = ELEMENTS.iter().map(|element| element.name).collect();
+    let mut tested: Vec<String> = SCENES.iter().map(|scene| scene.type_name.to_owned()).collect();
+    let in_plane = STRETCHING.iter().map(|name| format!("Planar{name}"));
+    let mut elements: Vec<String> = ELEMENTS.iter().map(|element| element.name.to_owned()).chain(in_plane).collect();
     tested.sort_unstable();
     elements.sort_unstable();
     assert_eq!(tested, elements, "scenes of support/one_element.rs, and elements of the core");

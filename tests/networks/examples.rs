@@ -83,7 +83,7 @@ fn forces_in_the_truss_balance_at_every_joint() {
         let forces: Vec<f64> = system
             .sketch()
             .members()
-            .filter(|member| member.kind == "PlanarBeam")
+            .filter(|member| member.kind == "Beam")
             .map(|bar| {
                 let force = bar.ends[0].label.axial_force();
                 -system.frequency_response(TrussBridge::conn_l1.force_y(), force).unwrap().at(0.0).unwrap()

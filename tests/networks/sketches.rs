@@ -10,6 +10,7 @@ mod line;
 mod lists;
 mod overall;
 mod run_time;
+mod strings;
 
 use crate::checks::Found;
 use crate::judgement::{judge_frequencies, judge_reference_cases};

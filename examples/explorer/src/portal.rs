@@ -7,7 +7,7 @@ use crate::shown::Shown;
 use crate::slider::Slider;
 use core::iter::once;
 use mstmm::Complex;
-use mstmm::elements::PlanarBeam;
+use mstmm::elements::{Beam, InPlane};
 use mstmm::motion::MemberLabel;
 use mstmm::prelude::*;
 
@@ -49,7 +49,7 @@ const MODES: usize = 5;
 const PIECES: [f64; 2] = [6.0, 30.0];
 
 /// The beams with both ends, in the order of the path.
-type Beams = [(MemberLabel<Portal, PlanarBeam<f64>>, [[f64; 2]; 2]); 4];
+type Beams = [(MemberLabel<Portal, InPlane<Beam<f64>>>, [[f64; 2]; 2]); 4];
 
 impl Portal {
     fn beams(&self) -> Beams {

@@ -125,6 +125,8 @@ pub enum MemberNumbers {
     Tapered(TaperedNumbers),
     /// A line in the freedom of that index.
     Line(usize, LineNumbers),
+    /// A string in the plane: the lines along it and across it. Between two places it is as long as these are apart.
+    String([LineNumbers; 2]),
     /// A spring in the freedom of that index.
     Spring(usize, Exact),
     /// A joint, which ties freedoms rigidly or by springs; zero where there is none.
@@ -135,6 +137,8 @@ pub enum MemberNumbers {
     DampedBeam(BeamNumbers, DampingNumbers),
     /// A line with damping, in the freedom of that index.
     DampedLine(usize, LineNumbers, DampingNumbers),
+    /// A string in the plane with damping.
+    DampedString([LineNumbers; 2], DampingNumbers),
     /// A spring or a dashpot in the freedom of that index.
     DampedSpring(usize, Exact, DampingNumbers),
 }
@@ -173,8 +177,24 @@ impl MemberNumbers {
         match *self {
             MemberNumbers::DampedBeam(beam, damping) => (MemberNumbers::Beam(beam), damping),
             MemberNumbers::DampedLine(freedom, line, damping) => (MemberNumbers::Line(freedom, line), damping),
+            MemberNumbers::DampedString(lines, damping) => (MemberNumbers::String(lines), damping),
             MemberNumbers::DampedSpring(freedom, spring, damping) => (MemberNumbers::Spring(freedom, spring), damping),
             undamped => (undamped, DampingNumbers::default()),
+        }
+    }
+
+    /// The element with an axial stiffness; of one that has none in these numbers nothing is known.
+    pub(crate) fn stretching(self, axial_stiffness: Exact) -> Self {
+        let lines =
+            |across: LineNumbers| [LineNumbers { stiffness: axial_stiffness, foundation: [0.0; 2], ..across }, across];
+        match self {
+            MemberNumbers::Line(_, across) => MemberNumbers::String(lines(across)),
+            MemberNumbers::DampedLine(_, across, damping) => MemberNumbers::DampedString(lines(across), damping),
+            MemberNumbers::Beam(beam) => MemberNumbers::Beam(BeamNumbers { axial_stiffness, ..beam }),
+            MemberNumbers::DampedBeam(beam, damping) => {
+                MemberNumbers::DampedBeam(BeamNumbers { axial_stiffness, ..beam }, damping)
+            }
+            _ => MemberNumbers::Other,
         }
     }
 
@@ -188,13 +208,12 @@ impl MemberNumbers {
         }
     }
 
-    /// A plain beam, as long as its parameter says, without longitudinal vibration if its axial stiffness is zero.
-    pub(crate) fn beam<T: Parameter>([length, axial_stiffness, bending_stiffness, mass_per_length]: [T; 4]) -> Self {
+    /// A plain beam, as long as its parameter says, without longitudinal vibration.
+    pub(crate) fn beam<T: Parameter>([length, bending_stiffness, mass_per_length]: [T; 3]) -> Self {
         MemberNumbers::Beam(BeamNumbers {
             length: length.words(),
             bending_stiffness: bending_stiffness.words(),
             mass_per_length: mass_per_length.words(),
-            axial_stiffness: axial_stiffness.words(),
             ..BeamNumbers::default()
         })
     }

@@ -2,22 +2,21 @@
 
 use crate::element::{
     ByName, Charted, Element, MemberChart, MemberElement, MemberGradient, MemberMatrix, MemberNumbers, MemberSlopes,
-    MemberTransfer, MemberVisit, MemberWork, VisitMember, along_member, member_transfer, space_of,
+    MemberTransfer, MemberVisit, MemberWork, VisitMember, along_member, member_transfer,
 };
 use crate::elements::joint::Joint;
-use crate::elements::planar_beam::{BuiltPlanarBeam, PlanarBeam};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::{
-    DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper, GeneralBeam,
-    PlanarDampedBeam, PlanarGeneralBeam, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring,
+    Across, Beam, DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper,
+    GeneralBeam, InPlane, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring,
     TorsionSpringDamper,
 };
 use crate::model::{FrequencyEstimates, InvalidParameter};
-use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real, Single};
+use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Real, Scalar, Single};
 use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 
-/// The cross section of a beam between two points, which give its length: a [`PlanarBeam`] without it.
+/// The cross section of a beam between two points, which give its length: an [`InPlane`] of a [`Beam`] without it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section<T> {
     /// Axial stiffness EA \[N\], positive.
@@ -29,15 +28,22 @@ pub struct Section<T> {
 }
 
 impl<T> Section<T> {
-    fn beam(self, length: T) -> PlanarBeam<T> {
+    fn beam(self, length: T) -> InPlane<Beam<T>>
+    where
+        T: Scalar,
+    {
         let Section { axial_stiffness, bending_stiffness, mass_per_length } = self;
-        PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length }
+        InPlane { axial_stiffness, across: Beam { length, bending_stiffness, mass_per_length } }
     }
 }
 
+/// The freedoms of the ends of beams along a line, and of strings in the plane.
+const ACROSS: Freedoms = Freedoms::Y.union(Freedoms::RZ);
+const DISPLACEMENTS: Freedoms = Freedoms::X.union(Freedoms::Y);
+
 /// Declares an enum of members, and one of them built.
 macro_rules! any_member {
-    ($(#[$doc:meta])* $name:ident, $built:ident, $frequency:ident: $($beam:ident)* ; $($connector:ident)*) => {
+    ($(#[$doc:meta])* $name:ident, $built:ident, $frequency:ident: $($beam:ident($kind:ty) in $freedoms:expr,)* ; $($connector:ident)*) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum $name<T: Real> {
@@ -46,8 +52,8 @@ macro_rules! any_member {
             /// A joint of two points at one place.
             Joint(Joint<T>),
             $(
-                #[doc = concat!("A [`", stringify!($beam), "`], whose length is that between its ends.")]
-                $beam($beam<T>),
+                #[doc = concat!("A `", stringify!($kind), "`, whose length is that between its ends.")]
+                $beam($kind),
             )*
             $(
                 #[doc = concat!("A [`", stringify!($connector), "`]: of a translation along the member, of a rotation about z.")]
@@ -59,12 +65,12 @@ macro_rules! any_member {
         #[derive(Clone, Copy, Debug)]
         pub enum $built<T: Real> {
             /// A built beam.
-            Beam(BuiltPlanarBeam<T>),
+            Beam(<InPlane<Beam<T>> as Element>::Built),
             /// A built joint.
             Joint(Joint<T>),
             $(
-                #[doc = concat!("A built [`", stringify!($beam), "`].")]
-                $beam(<$beam<T> as Element>::Built),
+                #[doc = concat!("A built `", stringify!($kind), "`.")]
+                $beam(<$kind as Element>::Built),
             )*
             $(
                 #[doc = concat!("A built [`", stringify!($connector), "`].")]
@@ -85,8 +91,8 @@ macro_rules! any_member {
         }
 
         $(
-            impl<T: Real> From<$beam<T>> for $name<T> {
-                fn from(beam: $beam<T>) -> Self {
+            impl<T: Real> From<$kind> for $name<T> {
+                fn from(beam: $kind) -> Self {
                     $name::$beam(beam)
                 }
             }
@@ -103,16 +109,16 @@ macro_rules! any_member {
         impl<T: Real> MemberElement for $name<T> {
             type Parameter = T;
             type Built = $built<T>;
-            const MAY_BUCKLE: bool = <PlanarBeam<T> as Element>::MAY_BUCKLE
+            const MAY_BUCKLE: bool = <InPlane<Beam<T>> as Element>::MAY_BUCKLE
                 || <Joint<T> as Element>::MAY_BUCKLE
-                $(|| <$beam<T> as Element>::MAY_BUCKLE)*
+                $(|| <$kind as Element>::MAY_BUCKLE)*
                 $(|| <$connector<T> as Element>::MAY_BUCKLE)*;
 
             fn may_buckle(built: &$built<T>) -> bool {
                 match built {
-                    $built::Beam(_) => <PlanarBeam<T> as Element>::MAY_BUCKLE,
+                    $built::Beam(_) => <InPlane<Beam<T>> as Element>::MAY_BUCKLE,
                     $built::Joint(_) => <Joint<T> as Element>::MAY_BUCKLE,
-                    $($built::$beam(_) => <$beam<T> as Element>::MAY_BUCKLE,)*
+                    $($built::$beam(_) => <$kind as Element>::MAY_BUCKLE,)*
                     $($built::$connector(_) => <$connector<T> as Element>::MAY_BUCKLE,)*
                 }
             }
@@ -121,7 +127,7 @@ macro_rules! any_member {
                 Ok(match self {
                     $name::Beam(section) => $built::Beam(section.beam(length).build()?),
                     $name::Joint(joint) => $built::Joint(joint.build()?),
-                    $($name::$beam(beam) => $built::$beam($beam { length, ..beam }.build()?),)*
+                    $($name::$beam(beam) => $built::$beam(beam.of_length(length).build()?),)*
                     $($name::$connector(connector) => $built::$connector(connector.build()?),)*
                 })
             }
@@ -130,7 +136,7 @@ macro_rules! any_member {
                 match self {
                     $name::Beam(_) => "beam",
                     $name::Joint(_) => "joint",
-                    $($name::$beam(_) => "beam",)*
+                    $($name::$beam(_) => if $freedoms.contains(Freedoms::RZ) { "beam" } else { "string" },)*
                     $($name::$connector(_) => stringify!($connector),)*
                 }
             }
@@ -139,7 +145,7 @@ macro_rules! any_member {
                 match self {
                     $name::Beam(_) => Freedoms::ALL,
                     $name::Joint(joint) => joint.freedoms(),
-                    $($name::$beam(_) => space_of::<$beam<T>>(),)*
+                    $($name::$beam(_) => $freedoms,)*
                     $($name::$connector(_) => along_member::<$connector<T>>(),)*
                 }
             }
@@ -150,18 +156,18 @@ macro_rules! any_member {
 
             fn estimate(built: &$built<T>, estimates: &mut FrequencyEstimates) {
                 match built {
-                    $built::Beam(beam) => <PlanarBeam<T> as Element>::estimate(beam, estimates),
+                    $built::Beam(beam) => <InPlane<Beam<T>> as Element>::estimate(beam, estimates),
                     $built::Joint(joint) => <Joint<T> as Element>::estimate(joint, estimates),
-                    $($built::$beam(built) => <$beam<T> as Element>::estimate(built, estimates),)*
+                    $($built::$beam(built) => <$kind as Element>::estimate(built, estimates),)*
                     $($built::$connector(built) => <$connector<T> as Element>::estimate(built, estimates),)*
                 }
             }
 
             fn member_numbers(built: &$built<T>) -> MemberNumbers {
                 match built {
-                    $built::Beam(beam) => <PlanarBeam<T> as Element>::member_numbers(beam),
+                    $built::Beam(beam) => <InPlane<Beam<T>> as Element>::member_numbers(beam),
                     $built::Joint(joint) => <Joint<T> as Element>::member_numbers(joint),
-                    $($built::$beam(built) => <$beam<T> as Element>::member_numbers(built),)*
+                    $($built::$beam(built) => <$kind as Element>::member_numbers(built),)*
                     $($built::$connector(built) => <$connector<T> as Element>::member_numbers(built),)*
                 }
             }
@@ -170,9 +176,9 @@ macro_rules! any_member {
         impl<T: Real, S: $frequency<T> + ChartScalar> MemberChart<S> for $name<T> {
             fn chart(built: &$built<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
                 match built {
-                    $built::Beam(beam) => <PlanarBeam<T> as Charted<S>>::chart(beam, at, length),
+                    $built::Beam(beam) => <InPlane<Beam<T>> as Charted<S>>::chart(beam, at, length),
                     $built::Joint(joint) => <Joint<T> as Charted<S>>::chart(joint, at, length),
-                    $($built::$beam(built) => <$beam<T> as Charted<S>>::chart(built, at, length),)*
+                    $($built::$beam(built) => <$kind as Charted<S>>::chart(built, at, length),)*
                     $($built::$connector(built) => <$connector<T> as Charted<S>>::chart(built, at, length),)*
                 }
             }
@@ -181,9 +187,9 @@ macro_rules! any_member {
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberVisit<S> for $name<T> {
             fn visit<V: VisitMember<S>>(built: &$built<T>, visitor: V) -> V::Output {
                 match built {
-                    $built::Beam(beam) => visitor.member::<PlanarBeam<T>>(beam),
+                    $built::Beam(beam) => visitor.member::<InPlane<Beam<T>>>(beam),
                     $built::Joint(joint) => visitor.member::<Joint<T>>(joint),
-                    $($built::$beam(built) => visitor.member::<$beam<T>>(built),)*
+                    $($built::$beam(built) => visitor.member::<$kind>(built),)*
                     $($built::$connector(built) => visitor.member::<$connector<T>>(built),)*
                 }
             }
@@ -192,9 +198,9 @@ macro_rules! any_member {
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberSlopes<S> for $name<T> {
             fn slope(built: &$built<T>, work: &MemberWork<S>, name: &str) -> Option<S> {
                 match built {
-                    $built::Beam(beam) => <PlanarBeam<T> as MemberGradient<S>>::member_gradient(beam, work).by_name(name),
+                    $built::Beam(beam) => <InPlane<Beam<T>> as MemberGradient<S>>::member_gradient(beam, work).by_name(name),
                     $built::Joint(joint) => <Joint<T> as MemberGradient<S>>::member_gradient(joint, work).by_name(name),
-                    $($built::$beam(beam) => <$beam<T> as MemberGradient<S>>::member_gradient(beam, work).by_name(name),)*
+                    $($built::$beam(beam) => <$kind as MemberGradient<S>>::member_gradient(beam, work).by_name(name),)*
                     $($built::$connector(built) => {
                         <$connector<T> as MemberGradient<S>>::member_gradient(built, work).by_name(name)
                     })*
@@ -205,9 +211,9 @@ macro_rules! any_member {
         impl<T: Real, S: $frequency<T> + Single> MemberMatrix<S> for $name<T> {
             fn transfer(built: &$built<T>, x: S) -> MemberTransfer<S> {
                 match built {
-                    $built::Beam(beam) => member_transfer::<PlanarBeam<T>, S>(beam, x),
+                    $built::Beam(beam) => member_transfer::<InPlane<Beam<T>>, S>(beam, x),
                     $built::Joint(joint) => member_transfer::<Joint<T>, S>(joint, x),
-                    $($built::$beam(built) => member_transfer::<$beam<T>, S>(built, x),)*
+                    $($built::$beam(built) => member_transfer::<$kind, S>(built, x),)*
                     $($built::$connector(built) => member_transfer::<$connector<T>, S>(built, x),)*
                 }
             }
@@ -218,12 +224,21 @@ macro_rules! any_member {
 any_member!(
     /// Any member without damping.
     UndampedMember, BuiltUndampedMember, Frequency:
-    PlanarGeneralBeam GeneralBeam; Spring TorsionSpring TautString Rod Shaft
+    GeneralInPlane(InPlane<GeneralBeam<T>>) in Freedoms::ALL,
+    GeneralBeam(GeneralBeam<T>) in ACROSS,
+    StringInPlane(InPlane<TautString<T>>) in DISPLACEMENTS,
+    ; Spring TorsionSpring TautString Rod Shaft
 );
 any_member!(
     /// Any member; a network with a damper has complex eigenvalues only.
     AnyMember, BuiltAnyMember, ComplexFrequency:
-    PlanarGeneralBeam GeneralBeam PlanarDampedBeam DampedBeam;
+    GeneralInPlane(InPlane<GeneralBeam<T>>) in Freedoms::ALL,
+    GeneralBeam(GeneralBeam<T>) in ACROSS,
+    StringInPlane(InPlane<TautString<T>>) in DISPLACEMENTS,
+    DampedInPlane(InPlane<DampedBeam<T>>) in Freedoms::ALL,
+    DampedBeam(DampedBeam<T>) in ACROSS,
+    DampedStringInPlane(InPlane<DampedString<T>>) in DISPLACEMENTS,
+    ;
     Spring TorsionSpring Damper TorsionDamper SpringDamper TorsionSpringDamper TautString Rod Shaft
     DampedSpring DampedTorsionSpring DampedString DampedRod DampedShaft
 );
@@ -234,8 +249,9 @@ impl<T: Real> AnyMember<T> {
         Some(match self {
             AnyMember::Beam(section) => section.into(),
             AnyMember::Joint(joint) => joint.into(),
-            AnyMember::PlanarGeneralBeam(beam) => beam.into(),
+            AnyMember::GeneralInPlane(beam) => beam.into(),
             AnyMember::GeneralBeam(beam) => beam.into(),
+            AnyMember::StringInPlane(string) => string.into(),
             AnyMember::Spring(spring) => spring.into(),
             AnyMember::TorsionSpring(spring) => spring.into(),
             AnyMember::TautString(string) => string.into(),

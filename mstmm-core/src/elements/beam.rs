@@ -98,7 +98,7 @@ impl<T: Parameter> Element for Beam<T> {
 
     fn member_numbers(built: &BuiltBeam<T>) -> MemberNumbers {
         let Beam { length, bending_stiffness, mass_per_length } = built.parameters;
-        MemberNumbers::beam([length, T::zero(), bending_stiffness, mass_per_length])
+        MemberNumbers::beam([length, bending_stiffness, mass_per_length])
     }
 }
 

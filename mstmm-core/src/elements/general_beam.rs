@@ -15,7 +15,6 @@ mod compound;
 mod constants;
 mod damped;
 mod damped_beam;
-mod damped_planar;
 mod held;
 mod inside;
 mod kinds;
@@ -28,11 +27,7 @@ mod under_load;
 mod wave_pair;
 
 pub use damped_beam::DampedBeam;
-pub use damped_planar::PlanarDampedBeam;
 pub use kinds::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
-pub use members::{
-    PlanarBeamColumn, PlanarFoundationBeam, PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam,
-};
 
 /// A beam with its quantities that do not depend on the frequency.
 #[derive(Clone, Copy, Debug)]
@@ -105,13 +100,13 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
         BackThrough::new(Transfer::new(&self.at(at.lambda_squared)), &self.parameters.map(S::from_parameter))
     }
 
-    /// Its numbers, with an axial stiffness; zero without longitudinal vibration.
-    fn numbers(&self, axial_stiffness: T) -> BeamNumbers {
+    /// Its numbers.
+    fn numbers(&self) -> BeamNumbers {
         BeamNumbers {
             length: self.parameters.length.words(),
             bending_stiffness: self.parameters.bending_stiffness.words(),
             mass_per_length: self.parameters.mass_per_length.words(),
-            axial_stiffness: axial_stiffness.words(),
+            axial_stiffness: [0.0; 2],
             shear_stiffness: self.shear_stiffness.words(),
             rotary_inertia: self.parameters.rotary_inertia.words(),
             axial_force: self.parameters.axial_force.words(),

@@ -12,12 +12,12 @@ mod damped_wave_line;
 mod elastic_hinge;
 mod general_beam;
 mod hinge;
+pub(crate) mod in_plane;
 pub(crate) mod joint;
 #[cfg(test)]
 mod laws;
 mod lever;
 mod line;
-mod planar_beam;
 mod planar_body;
 mod planar_hinge;
 mod point_mass;
@@ -31,14 +31,11 @@ pub use body::{Body, BodyColumn, CentralBody, CentralBodyColumn};
 pub use damped_spring::{DampedSpring, DampedTorsionSpring};
 pub use damped_wave_line::{DampedRod, DampedShaft, DampedString};
 pub use elastic_hinge::ElasticHinge;
-pub use general_beam::{
-    BeamColumn, DampedBeam, FoundationBeam, GeneralBeam, PlanarBeamColumn, PlanarDampedBeam, PlanarFoundationBeam,
-    PlanarGeneralBeam, PlanarRayleighBeam, PlanarTimoshenkoBeam, RayleighBeam, TimoshenkoBeam,
-};
+pub use general_beam::{BeamColumn, DampedBeam, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
 pub use hinge::{RotationalHinge, ShearHinge};
+pub use in_plane::{Across, InPlane, Stretching};
 pub use lever::{Lever, LeverColumn};
 pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, TorsionSpring, TorsionSpringDamper};
-pub use planar_beam::PlanarBeam;
 pub use planar_body::{PlanarBody, PlanarCentralBody};
 pub use planar_hinge::PlanarHinge;
 pub use point_mass::PointMass;
@@ -64,7 +61,8 @@ macro_rules! elements {
         undamped { $($element:ident { $($field:ident),* })* }
         damped { $($damped:ident { $($damped_field:ident),* })* }
         planar { $($planar:ident { $($planar_field:ident),* })* }
-        planar damped { $($planar_damped:ident { $($planar_damped_field:ident),* })* }
+        stretching { $($stretching:ident)* }
+        stretching damped { $($stretching_damped:ident)* }
     ) => {
         /// All element types.
         #[doc(hidden)]
@@ -72,13 +70,15 @@ macro_rules! elements {
             $(row!($element { $($field),* }),)*
             $(row!($damped { $($damped_field),* }),)*
             $(row!($planar { $($planar_field),* }),)*
-            $(row!($planar_damped { $($planar_damped_field),* }),)*
         ];
+
+        /// Those that stretch as well in the plane, as an [`InPlane`].
+        #[doc(hidden)]
+        pub const STRETCHING: &[&str] = &[$(stringify!($stretching),)* $(stringify!($stretching_damped),)*];
 
         $(by_name!($element { $($field),* });)*
         $(by_name!($damped { $($damped_field),* });)*
         $(by_name!($planar { $($planar_field),* });)*
-        $(by_name!($planar_damped { $($planar_damped_field),* });)*
 
         /// Hands the elements of the plane method to a macro: those without damping, then those with.
         macro_rules! stepping_elements {
@@ -95,6 +95,7 @@ macro_rules! elements {
             ($law:ident) => {
                 $($law::<$element<f64>>();)*
                 $($law::<$planar<f64>>();)*
+                $($law::<InPlane<$stretching<f64>>>();)*
             };
         }
         #[cfg(test)]
@@ -103,7 +104,8 @@ macro_rules! elements {
                 $($law::<$element<f64>>();)*
                 $($law::<$damped<f64>>();)*
                 $($law::<$planar<f64>>();)*
-                $($law::<$planar_damped<f64>>();)*
+                $($law::<InPlane<$stretching<f64>>>();)*
+                $($law::<InPlane<$stretching_damped<f64>>>();)*
             };
         }
         #[cfg(test)]
@@ -189,27 +191,10 @@ elements! {
     planar {
         PlanarBody { mass, inertia, output_x, output_y, centre_x, centre_y }
         PlanarCentralBody { mass, inertia, output_x, output_y, centre_x, centre_y }
-        PlanarBeam { length, axial_stiffness, bending_stiffness, mass_per_length }
         PlanarHinge { stiffness_x, stiffness_y, stiffness_theta }
-        PlanarRayleighBeam { length, axial_stiffness, bending_stiffness, mass_per_length, rotary_inertia }
-        PlanarTimoshenkoBeam {
-            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia
-        }
-        PlanarBeamColumn { length, axial_stiffness, bending_stiffness, mass_per_length, axial_force }
-        PlanarFoundationBeam {
-            length, axial_stiffness, bending_stiffness, mass_per_length, foundation_stiffness, foundation_shear_stiffness
-        }
-        PlanarGeneralBeam {
-            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force,
-            foundation_stiffness, foundation_shear_stiffness
-        }
     }
-    planar damped {
-        PlanarDampedBeam {
-            length, axial_stiffness, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force,
-            foundation_stiffness, foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
-        }
-    }
+    stretching { Beam RayleighBeam TimoshenkoBeam BeamColumn FoundationBeam GeneralBeam TautString }
+    stretching damped { DampedBeam DampedString }
 }
 
 #[cfg(test)]
@@ -222,7 +207,8 @@ mod tests {
         let (_, exports) = include_str!("mod.rs").split_once("pub use ").unwrap();
         let (exports, _) = exports.split_once("/// An element type").unwrap();
         let names = exports.split(['{', '}', ',', ':', ' ', ';', '\n']);
-        let is_type = |name: &&str| name.starts_with(char::is_uppercase) && !name.starts_with("Any");
+        let are_none = ["AnyElement", "AnyUndamped", "Across", "InPlane", "Stretching"];
+        let is_type = |name: &&str| name.starts_with(char::is_uppercase) && !are_none.contains(name);
         let mut exported: Vec<&str> = names.filter(is_type).collect();
         let mut rows: Vec<&str> = ELEMENTS.iter().map(|row| row.name).collect();
         exported.sort_unstable();

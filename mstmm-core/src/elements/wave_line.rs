@@ -298,7 +298,7 @@ wave_lines! {
     /// Transfer matrix on `[Y, Q]`, `Q = -EA Y'`: that of a [`TautString`] with EA in place of its tension.
     ///
     /// # Source
-    /// Longitudinal vibration as in [`PlanarBeam`](crate::elements::PlanarBeam), here with a foundation, as of a pile in soil.
+    /// Longitudinal vibration as in [`InPlane`](crate::elements::InPlane), here with a foundation, as of a pile in soil.
     Rod in Translation, Y {
         /// Length l \[m\], positive.
         length;

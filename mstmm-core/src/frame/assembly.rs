@@ -324,17 +324,10 @@ impl<'f, D: Dimension> Assembly<'f, D> {
 /// The freedoms that an element brings to a point.
 fn brought_by(element: AnyMember<f64>) -> Freedoms {
     let freedoms = element.freedoms();
-    match freedoms.count() {
+    match freedoms.contains(Freedoms::RZ) {
+        true if freedoms.is(Freedoms::RZ) && !element.is_joint() => Freedoms::RZ,
         // joints share what they tie, and what they let go moves on both sides
-        _ if element.is_joint() => {
-            if freedoms.contains(Freedoms::RZ) {
-                Freedoms::ALL
-            } else {
-                XY
-            }
-        }
-        1 if freedoms.is(Freedoms::RZ) => Freedoms::RZ,
-        1 => XY,
-        _ => Freedoms::ALL,
+        true => Freedoms::ALL,
+        false => XY,
     }
 }

@@ -16,6 +16,13 @@ pub enum Mistake {
         /// The parameter that it needs.
         parameter: &'static str,
     },
+    /// A section names a parameter that the element has not.
+    Foreign {
+        /// The element.
+        element: &'static str,
+        /// The parameter.
+        parameter: &'static str,
+    },
     /// A beam along a line names an axial stiffness.
     AxialStiffness,
     /// A shear stiffness is not positive.
@@ -68,6 +75,7 @@ impl fmt::Display for Mistake {
                 )
             }
             Mistake::Missing { parameter } => write!(f, "`{parameter}` is missing"),
+            Mistake::Foreign { element, parameter } => write!(f, "a {element} has no `{parameter}`"),
             Mistake::AxialStiffness => write!(f, "a beam along a line moves across it and has no `axial_stiffness`"),
             Mistake::ShearStiffness { value } => write!(f, "shear_stiffness is {value}, but must be positive"),
             Mistake::Parameter(error) => write!(f, "{error}"),

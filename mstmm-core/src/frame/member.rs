@@ -3,9 +3,8 @@
 use crate::element::CarriesLoad;
 use crate::elements::any_member::{AnyMember, Section as PlainSection};
 use crate::elements::{
-    DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper, GeneralBeam,
-    PlanarDampedBeam, PlanarGeneralBeam, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring,
-    TorsionSpringDamper,
+    DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper, GeneralBeam, InPlane,
+    Rod, Shaft, Spring, SpringDamper, TautString as PathString, TorsionDamper, TorsionSpring, TorsionSpringDamper,
 };
 use crate::frame::dimension::{Dimension, Line, Plane};
 use crate::frame::error::Mistake;
@@ -39,6 +38,26 @@ impl CarriesLoad for OfLine {}
 /// A bar of a truss: a beam of the plane with a pin at each end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar(pub Section);
+
+/// A taut string of the plane, which moves across itself against its tension, and stretches.
+///
+/// ```
+/// use mstmm_core::Support;
+/// use mstmm_core::frame::{Frame, Section, TautString};
+///
+/// let wire = Section::new().tension(5e4).axial_stiffness(2e7).mass_per_length(1.5);
+/// let mut frame = Frame::new();
+/// let [left, right] = [[0.0, 0.0], [30.0, 40.0]].map(|place| frame.point(place));
+/// frame.hold(left, Support::Pinned);
+/// frame.hold(right, Support::Pinned);
+/// frame.member(left, right, TautString(wire));
+/// let first = frame.build()?.frequencies(1)?[0].omega;
+/// assert!((first - core::f64::consts::PI / 50.0 * (5e4_f64 / 1.5).sqrt()).abs() < 1e-12);
+/// # use mstmm_core::search::NaturalFrequencies;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TautString(pub Section);
 
 /// What stands between two ends of a frame: an element, or why it is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,32 +122,36 @@ fn names(section: &Section, parameters: &[Parameter]) -> bool {
 
 /// The beam of a section with all parameters of a type. Its length is that between its ends.
 macro_rules! beam {
-    ($beam:ident of $section:ident { $($needed:ident),* } { $($optional:ident),* }) => {
-        AnyMember::from($beam {
+    ($beam:ident of $section:ident { $($optional:ident),* }) => {
+        $beam {
             length: 0.0,
-            $($needed: needed($section, Parameter::$needed)?,)*
+            bending_stiffness: needed($section, Parameter::bending_stiffness)?,
+            mass_per_length: needed($section, Parameter::mass_per_length)?,
             $($optional: or_neutral($section, Parameter::$optional),)*
-        })
+        }
     };
 }
 
-/// The general beam of a section. After `damped` it has the parameters of damping, too.
-macro_rules! uniform {
-    ($beam:ident of $section:ident { $($needed:ident),* }) => {
-        beam!($beam of $section { $($needed),* } {
-            shear_stiffness, rotary_inertia, axial_force, foundation_stiffness, foundation_shear_stiffness
-        })
-    };
-    (damped $beam:ident of $section:ident { $($needed:ident),* }) => {
-        beam!($beam of $section { $($needed),* } {
-            shear_stiffness, rotary_inertia, axial_force, foundation_stiffness, foundation_shear_stiffness,
-            loss_factor, kelvin_voigt_time, external_damping
-        })
-    };
+/// The general beam of a section.
+fn general(section: &Section) -> Result<GeneralBeam<f64>, Mistake> {
+    Ok(beam!(GeneralBeam of section {
+        shear_stiffness, rotary_inertia, axial_force, foundation_stiffness, foundation_shear_stiffness
+    }))
 }
 
-/// Checks that a shear stiffness is positive.
-fn check_shear(section: &Section) -> Result<(), Mistake> {
+/// The beam with damping of a section.
+fn damped(section: &Section) -> Result<DampedBeam<f64>, Mistake> {
+    Ok(beam!(DampedBeam of section {
+        shear_stiffness, rotary_inertia, axial_force, foundation_stiffness, foundation_shear_stiffness,
+        loss_factor, kelvin_voigt_time, external_damping
+    }))
+}
+
+/// Checks that a beam has no tension, and that its shear stiffness is positive.
+fn check(section: &Section) -> Result<(), Mistake> {
+    if section.get(Parameter::tension).is_some() {
+        return Err(Mistake::Foreign { element: "beam", parameter: name_of(Parameter::tension) });
+    }
     match or_neutral(section, Parameter::shear_stiffness) {
         value if value > 0.0 => Ok(()),
         value => Err(Mistake::ShearStiffness { value }),
@@ -140,26 +163,53 @@ fn along_line(section: &Section) -> Result<AnyMember<f64>, Mistake> {
     if section.get(Parameter::axial_stiffness).is_some() {
         return Err(Mistake::AxialStiffness);
     }
-    check_shear(section)?;
-    Ok(if names(section, &LOSSES) {
-        uniform!(damped DampedBeam of section { bending_stiffness, mass_per_length })
-    } else {
-        uniform!(GeneralBeam of section { bending_stiffness, mass_per_length })
-    })
+    check(section)?;
+    Ok(if names(section, &LOSSES) { damped(section)?.into() } else { general(section)?.into() })
 }
 
 /// The beam of a section in the plane.
 fn in_plane(section: &Section) -> Result<AnyMember<f64>, Mistake> {
     let axial_stiffness = needed(section, Parameter::axial_stiffness)?;
-    check_shear(section)?;
+    check(section)?;
     Ok(if names(section, &LOSSES) {
-        uniform!(damped PlanarDampedBeam of section { axial_stiffness, bending_stiffness, mass_per_length })
+        InPlane { axial_stiffness, across: damped(section)? }.into()
     } else if names(section, &GENERAL) {
-        uniform!(PlanarGeneralBeam of section { axial_stiffness, bending_stiffness, mass_per_length })
+        InPlane { axial_stiffness, across: general(section)? }.into()
     } else {
         let bending_stiffness = needed(section, Parameter::bending_stiffness)?;
         let mass_per_length = needed(section, Parameter::mass_per_length)?;
         PlainSection { axial_stiffness, bending_stiffness, mass_per_length }.into()
+    })
+}
+
+/// The parameters of a string.
+const OF_STRING: [Parameter; 5] = [
+    Parameter::axial_stiffness,
+    Parameter::tension,
+    Parameter::mass_per_length,
+    Parameter::foundation_stiffness,
+    Parameter::external_damping,
+];
+
+/// The string of a section in the plane.
+fn string(section: &Section) -> Result<AnyMember<f64>, Mistake> {
+    if let Some(parameter) = section.named_beside(&OF_STRING) {
+        return Err(Mistake::Foreign { element: "string", parameter });
+    }
+    let axial_stiffness = needed(section, Parameter::axial_stiffness)?;
+    let length = 0.0;
+    let tension = needed(section, Parameter::tension)?;
+    let mass_per_length = needed(section, Parameter::mass_per_length)?;
+    let foundation_stiffness = or_neutral(section, Parameter::foundation_stiffness);
+    Ok(match section.get(Parameter::external_damping) {
+        None => {
+            let across = PathString { length, tension, mass_per_length, foundation_stiffness };
+            InPlane { axial_stiffness, across }.into()
+        }
+        Some(external_damping) => {
+            let across = DampedString { length, tension, mass_per_length, foundation_stiffness, external_damping };
+            InPlane { axial_stiffness, across }.into()
+        }
     })
 }
 
@@ -176,6 +226,14 @@ impl FrameElement<Plane> for Section {
 
     fn member(self) -> FrameMember {
         FrameMember::of(in_plane(&self))
+    }
+}
+
+impl FrameElement<Plane> for TautString {
+    type Kind = OfBeam;
+
+    fn member(self) -> FrameMember {
+        FrameMember::of(string(&self.0))
     }
 }
 
@@ -201,5 +259,5 @@ macro_rules! everywhere {
 }
 everywhere! {
     OfSpring: Spring TorsionSpring Damper TorsionDamper SpringDamper TorsionSpringDamper DampedSpring DampedTorsionSpring;
-    OfLine: TautString Rod Shaft DampedString DampedRod DampedShaft;
+    OfLine: PathString Rod Shaft DampedString DampedRod DampedShaft;
 }

@@ -21,7 +21,7 @@ pub use entries::{Body, Frame, Named};
 pub use error::{BuildError, BuildErrors, Mistake};
 pub use holds::{Hold, Roller};
 pub use joints::{Hinge, Pin, Slider};
-pub use member::{Bar, FrameElement, FrameMember, Member, OfBeam, OfJoint, OfLine, OfSpring};
+pub use member::{Bar, FrameElement, FrameMember, Member, OfBeam, OfJoint, OfLine, OfSpring, TautString};
 pub use point::{InFrame, Point};
 pub use section::{Section, UnknownParameter};
 pub use structure::{DampedStructure, Framework, Structure};

@@ -1,4 +1,4 @@
-//! The section of a beam: parameters by name. A parameter that is not named is absent.
+//! The section of a beam or a string: parameters by name. A parameter that is not named is absent.
 
 use core::fmt;
 
@@ -35,6 +35,8 @@ parameters! {
     bending_stiffness,
     /// Mass per length m [kg/m], positive.
     mass_per_length,
+    /// Tension H of a string \[N\], positive.
+    tension,
     /// Shear stiffness kGA \[N\], positive; infinite is rigid, as if not named.
     shear_stiffness,
     /// Rotary inertia per length ρI [kg m], zero or positive.
@@ -53,7 +55,7 @@ parameters! {
     external_damping,
 }
 
-/// The section of a beam. What it names selects the beam: with bending stiffness and mass it is that of Euler and Bernoulli, with more it has
+/// The section of a beam, a bar or a string. What it names selects the beam: with bending stiffness and mass it is that of Euler and Bernoulli, with more it has
 /// shear, rotary inertia, an axial force, a foundation, or damping.
 ///
 /// ```
@@ -90,6 +92,12 @@ impl Section {
             }
             None => Err(UnknownParameter { name: name.into() }),
         }
+    }
+
+    /// The first parameter that is named and none of some.
+    pub(crate) fn named_beside(&self, parameters: &[Parameter]) -> Option<&'static str> {
+        let is_known = |place: usize| parameters.iter().any(|parameter| *parameter as usize == place);
+        (0..NAMES.len()).find(|place| self.values[*place].is_some() && !is_known(*place)).map(|place| NAMES[place])
     }
 
     /// The value of a parameter, if it is named.

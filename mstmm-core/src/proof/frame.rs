@@ -156,6 +156,12 @@ impl Nodes {
                 let ends = [&first[1], &first[2], &second[1], &second[2]];
                 joining.add_bending((beam, &damping), length, ends.map(|row| row.terms()));
             }
+            MemberNumbers::String(lines) => {
+                for (line, freedom) in lines.iter().zip([0, 1]) {
+                    let ends = [first[freedom].terms(), second[freedom].terms()];
+                    joining.add_line((line, &damping), length, ends);
+                }
+            }
             MemberNumbers::Line(freedom, line) => {
                 let ends = [first[*freedom].terms(), second[*freedom].terms()];
                 joining.add_line((line, &damping), Ball::of_pair(line.length), ends);
@@ -270,6 +276,7 @@ fn freedoms_of(numbers: &MemberNumbers) -> Freedoms {
     match &numbers.parted().0 {
         MemberNumbers::Beam(beam) if beam.axial_stiffness == [0.0; 2] => Freedoms::Y.union(Freedoms::RZ),
         MemberNumbers::Beam(_) => Freedoms::ALL,
+        MemberNumbers::String(_) => Freedoms::X.union(Freedoms::Y),
         MemberNumbers::Line(freedom, _) | MemberNumbers::Spring(freedom, _) => Freedoms::SINGLE[*freedom],
         MemberNumbers::Joint(rigid, elastic) => {
             let elastic = Freedoms::SINGLE.into_iter().zip(elastic).filter(|(_, stiffness)| **stiffness != [0.0; 2]);

@@ -47,7 +47,7 @@ fn lines_of_frames_are_the_shape_along_their_members() {
         let picture = Picture::of(Drawing::of(&portal).unwrap().mode(&shape).unwrap());
         let sketch = FrameAnalysis::sketch(&portal);
         let mut count = 0;
-        for member in sketch.members().filter(|member| member.kind == "PlanarBeam") {
+        for member in sketch.members().filter(|member| member.kind == "Beam") {
             let [from, to] = member.ends.map(|end| end.position.unwrap());
             let length = (to[0] - from[0]).hypot(to[1] - from[1]);
             check_line(&picture, &member.name.to_string(), |part| {

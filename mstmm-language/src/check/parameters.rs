@@ -4,7 +4,7 @@ use super::listed;
 use super::new_words::value_of;
 use crate::ast::{Element, Parameter};
 use crate::diagnostics::Errors;
-use crate::keywords::{DAMPING, Dimension, has_somewhere, nearest, renamed_in};
+use crate::keywords::{AXIAL_STIFFNESS, DAMPING, Dimension, STRING, has_somewhere, nearest, renamed_in};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
@@ -58,8 +58,16 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
     }
     // what a section that is not there may have is not missed
     if !missing.is_empty() && element.spread.is_empty() {
-        let in_plane = missing.contains(&"axial_stiffness") && element.known().is_some_and(|row| row.name == "beam");
-        let reason = if in_plane { IN_PLANE } else { "" };
+        let reason = match element.known() {
+            Some(row) if row.stretches && missing.contains(&AXIAL_STIFFNESS) => {
+                if row.name == STRING {
+                    BETWEEN_PLACES
+                } else {
+                    IN_PLANE
+                }
+            }
+            _ => "",
+        };
         errors.push(element.place(), format!("`{element}` lacks {}{reason}", listed(missing)));
     }
 }
@@ -85,6 +93,8 @@ pub(super) fn one_of_them(element: &Element, errors: &mut Errors) {
 }
 
 /// Why a beam needs more in the plane.
+/// What a string between two places needs, and what one of a path has instead.
+const BETWEEN_PLACES: &str = ": between places a string stretches, too; one of a path of one motion names its `length`";
 const IN_PLANE: &str = ": in the plane a beam stretches, too; a large number is one that hardly does";
 
 /// Whether an element names none of the parameters of which it needs one: a hinge in which nothing gives way.

@@ -1,6 +1,7 @@
 //! Names and paths that several emitted items share, and where errors in them are shown.
 
 use crate::ast::{Element, Kind, Model};
+use crate::keywords::AXIAL_STIFFNESS;
 use crate::plan::support;
 use crate::spans::emitted_at;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -50,7 +51,7 @@ impl Names {
         self.at(element.kind.place().last)
     }
 
-    /// Path of an element's type, at the user's tokens.
+    /// Path of an element's type, at the user's tokens; of one that stretches that across itself.
     pub(super) fn element_type(&self, element: &Element) -> TokenStream {
         match &element.kind {
             Kind::Type(path) => quote::ToTokens::to_token_stream(path),
@@ -78,7 +79,44 @@ impl Names {
             Kind::Type(_) => element.kind.place().last,
         };
         let scalar = located(scalar, span);
-        quote_spanned!(span=> #kind<#scalar>)
+        let kind = quote_spanned!(span=> #kind<#scalar>);
+        if !element.stretches() {
+            return kind;
+        }
+        let in_plane = self.in_plane(span);
+        quote_spanned!(span=> #in_plane<#kind>)
+    }
+
+    /// Path of the type of what stretches in the plane.
+    fn in_plane(&self, span: Span) -> TokenStream {
+        let private = private_at(&self.facade, span);
+        quote_spanned!(span=> #private::elements::InPlane)
+    }
+
+    /// The struct of an element's parameters, all at its keyword, where rustc shows what is missing.
+    pub(super) fn literal(&self, element: &Element, fields: &[(Ident, TokenStream)]) -> TokenStream {
+        let (kind, span) = (self.element_type(element), element.kind.place().last);
+        let literal = |kind: &TokenStream, fields: &mut dyn Iterator<Item = &(Ident, TokenStream)>| {
+            let fields = fields.map(|(name, value)| quote_spanned!(self.at(name.span())=> #name: #value));
+            let fields: Vec<TokenStream> = fields.collect();
+            quote_spanned!(span=> #kind { #(#fields,)* })
+        };
+        if !element.stretches() {
+            return literal(&kind, &mut fields.iter());
+        }
+        let (along, across): (Vec<_>, Vec<_>) = fields.iter().partition(|(name, _)| name == AXIAL_STIFFNESS);
+        let across = (Ident::new("across", span), literal(&kind, &mut across.into_iter()));
+        literal(&self.in_plane(span), &mut along.into_iter().chain([&across]))
+    }
+
+    /// A field of the struct of an element's parameters, or of derivatives with respect to them.
+    pub(super) fn field_of(&self, element: &Element, parameter: &Ident) -> TokenStream {
+        let field = element.field(parameter);
+        if element.stretches() && field != AXIAL_STIFFNESS {
+            let across = Ident::new("across", field.span());
+            return quote_spanned!(field.span()=> #across.#field);
+        }
+        quote_spanned!(field.span()=> #field)
     }
 
     /// `<Type<T> as Trait>`, at the user's tokens.

@@ -215,29 +215,29 @@ fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
 fn built(element: &Element, place: &mut usize, names: &Names) -> TokenStream {
     let (span, field, name) = (names.at_element(element), element_field(element, names), element.to_string());
     let (build, of_system) = (names.function_at("build", span), names.element(element));
-    let parameters = element.parameters().map(|parameter| {
-        let (name, of_place) = (element.field(&parameter.name), *place);
-        *place += 1;
-        quote_spanned!(names.at(name.span())=> #name: number(#of_place))
-    });
-    let (kind, omitted, called) =
-        (names.element_type(element), omitted(element, names), names.called(element.renamed()));
-    // all at the keyword, where rustc then shows what is missing
-    let literal = quote_spanned!(element.kind.place().last=> #kind { #(#parameters,)* #(#omitted,)* });
+    let (literal, called) =
+        (names.literal(element, &fields_of(element, place, names)), names.called(element.renamed()));
     quote_spanned!(span=> #field: #build::<#of_system>(#literal, #name)#called?)
 }
 
-/// The parameters that were left out, as if they were not there.
-pub(super) fn omitted(element: &Element, names: &Names) -> impl Iterator<Item = TokenStream> {
-    let (span, private) = (names.at_element(element), names.private.clone());
-    element.omitted().map(move |(name, value)| {
-        let name = Ident::new(name, span);
+/// The fields of an element's parameters: those that are given with the numbers from a place on, those that were left out as if they were
+/// not there.
+pub(super) fn fields_of(element: &Element, place: &mut usize, names: &Names) -> Vec<(Ident, TokenStream)> {
+    let (span, private) = (names.at_element(element), &names.private);
+    let given = element.parameters().map(|parameter| {
+        let (name, of_place) = (element.field(&parameter.name), *place);
+        *place += 1;
+        let number = quote_spanned!(names.at(name.span())=> number(#of_place));
+        (name, number)
+    });
+    let omitted = element.omitted().map(|(name, value)| {
         let value = match value {
             f64::INFINITY => quote_spanned!(span=> ::core::primitive::f64::INFINITY),
             _ => quote_spanned!(span=> 0.0),
         };
-        quote_spanned!(span=> #name: #private::Scalar::from_f64(#value))
-    })
+        (Ident::new(name, span), quote_spanned!(span=> #private::Scalar::from_f64(#value)))
+    });
+    given.chain(omitted).collect()
 }
 
 /// A parameter as a number; a type that is not `f64` is shown at the expression.

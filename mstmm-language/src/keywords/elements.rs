@@ -19,7 +19,14 @@ pub(crate) struct Keyword {
     pub(crate) one_of: &'static [&'static str],
     /// What it may be, cheapest first: it is the first type that has all named parameters.
     pub(crate) types: &'static [TypeRow],
+    /// Whether it is such a type across itself and stretches as well: an `InPlane` of that type, which has the axial stiffness.
+    pub(crate) stretches: bool,
+    /// Whether it stands between places alone.
+    needs_places: bool,
 }
+
+/// The parameter that what stretches has beside those of its type.
+pub(crate) const AXIAL_STIFFNESS: &str = "axial_stiffness";
 
 /// A type in `mstmm_core::elements`.
 #[derive(Debug, PartialEq, Eq)]
@@ -82,8 +89,19 @@ const UNDAMPED: &[&str] =
 const SHEAR: &[&str] = &["shear_stiffness", "rotary_inertia"];
 const FOUNDATION: &[&str] = &["foundation_stiffness", "foundation_shear_stiffness"];
 
+/// A string: a path of one motion, or a member between two places of the plane.
+pub(crate) const STRING: &str = "string";
+
+const OF_STRING: &[&str] = &["foundation_stiffness", "external_damping"];
+
+#[rustfmt::skip]
+const STRINGS: &[TypeRow] = &[
+    row("TautString", &["foundation_stiffness"]),
+    row("DampedString", OF_STRING),
+];
+
 const BENDING: &[&str] = &["length", "bending_stiffness", "mass_per_length"];
-const STRETCHING: &[&str] = &["length", "axial_stiffness", "bending_stiffness", "mass_per_length"];
+const STRETCHING: &[&str] = &["length", AXIAL_STIFFNESS, "bending_stiffness", "mass_per_length"];
 
 const TAPERS: &[&str] = &[
     "width_taper",
@@ -107,7 +125,7 @@ const fn keyword(
     optional: &'static [&'static str],
     types: &'static [TypeRow],
 ) -> Keyword {
-    Keyword { name, space, required, optional, one_of: &[], types }
+    Keyword { name, space, required, optional, one_of: &[], types, stretches: false, needs_places: false }
 }
 
 /// The inertia of a body: about its mass centre, or about its input end.
@@ -122,34 +140,28 @@ const fn about_input(name: &'static str, parameters: &'static [&'static str]) ->
 pub(super) const BAR: &str = "bar";
 
 #[rustfmt::skip]
-const BEAMS_OF_THE_PLANE: &[TypeRow] = &[
-    row("PlanarBeam", &[]),
-    row("PlanarRayleighBeam", &["rotary_inertia"]),
-    row("PlanarBeamColumn", &["axial_force"]),
-    row("PlanarFoundationBeam", FOUNDATION),
-    row("PlanarTimoshenkoBeam", SHEAR),
-    row("PlanarGeneralBeam", UNDAMPED),
-    row("PlanarDampedBeam", OF_BEAM),
+const BEAMS: &[TypeRow] = &[
+    row("Beam", &[]),
+    row("RayleighBeam", &["rotary_inertia"]),
+    row("BeamColumn", &["axial_force"]),
+    row("FoundationBeam", FOUNDATION),
+    row("TimoshenkoBeam", SHEAR),
+    row("GeneralBeam", UNDAMPED),
+    row("DampedBeam", OF_BEAM),
 ];
 
 #[rustfmt::skip]
 pub(crate) const ELEMENTS: &[Keyword] = &[
-    keyword("beam", Space::Bending, BENDING, OF_BEAM, &[
-        row("Beam", &[]),
-        row("RayleighBeam", &["rotary_inertia"]),
-        row("BeamColumn", &["axial_force"]),
-        row("FoundationBeam", FOUNDATION),
-        row("TimoshenkoBeam", SHEAR),
-        row("GeneralBeam", UNDAMPED),
-        row("DampedBeam", OF_BEAM),
-    ]),
-    keyword("beam", Space::Planar, STRETCHING, OF_BEAM, BEAMS_OF_THE_PLANE),
-    keyword(BAR, Space::Planar, STRETCHING, OF_BEAM, BEAMS_OF_THE_PLANE),
+    keyword("beam", Space::Bending, BENDING, OF_BEAM, BEAMS),
+    Keyword { stretches: true, ..keyword("beam", Space::Planar, STRETCHING, OF_BEAM, BEAMS) },
+    Keyword { stretches: true, needs_places: true, ..keyword(BAR, Space::Planar, STRETCHING, OF_BEAM, BEAMS) },
     keyword("tapered_beam", Space::Bending, BENDING, TAPERS, &[row("TaperedBeam", TAPERS)]),
-    keyword("string", Space::Translation, &["length", "tension", "mass_per_length"], &["foundation_stiffness", "external_damping"], &[
-        row("TautString", &["foundation_stiffness"]),
-        row("DampedString", &["foundation_stiffness", "external_damping"]),
-    ]),
+    keyword(STRING, Space::Translation, &["length", "tension", "mass_per_length"], OF_STRING, STRINGS),
+    Keyword {
+        stretches: true,
+        needs_places: true,
+        ..keyword(STRING, Space::Planar, &["length", AXIAL_STIFFNESS, "tension", "mass_per_length"], OF_STRING, STRINGS)
+    },
     keyword("rod", Space::Translation, &["length", "axial_stiffness", "mass_per_length"], &["foundation_stiffness", "loss_factor", "kelvin_voigt_time", "external_damping"], &[
         row("Rod", &["foundation_stiffness"]),
         row("DampedRod", &["foundation_stiffness", "loss_factor", "kelvin_voigt_time", "external_damping"]),
@@ -205,7 +217,7 @@ const TURNING: &[(&str, &str)] = &[("stiffness_rz", "stiffness_theta")];
 
 /// The elements of models without places.
 pub(crate) fn elements_of_paths() -> impl Iterator<Item = &'static Keyword> {
-    ELEMENTS.iter().filter(|row| row.name != BAR)
+    ELEMENTS.iter().filter(|row| !row.needs_places)
 }
 
 /// Whether an element of a keyword has a parameter, along a line or in the plane.

@@ -1,7 +1,7 @@
 //! The keywords of models with locations: what each element is between points.
 
 use super::dimension::Dimension;
-use super::elements::{BAR, element_of};
+use super::elements::{BAR, STRING, element_of};
 use mstmm_plan::Freedoms;
 
 /// What a node of the sketch is in a network of points.
@@ -58,11 +58,18 @@ impl LocatedKeyword {
         self.role == Role::Member
     }
 
+    /// The freedoms in which its ends act on it, whether they share them with their points or not.
+    pub(crate) fn acts_in(&self) -> Freedoms {
+        self.brings.union(self.released)
+    }
+
     /// The parameters that must be named, and those that may be left out.
     pub(crate) fn parameters(&self, dimension: Dimension) -> [Vec<&'static str>; 2] {
         if let Some(own) = self.own {
             return [own.to_vec(), Vec::new()];
         }
+        // a path of one motion is the same in the plane
+        let dimension = if self.role == Role::Path { Dimension::Line } else { dimension };
         let row = element_of(self.name, dimension);
         let [mut required, optional] = row.map_or([&[][..]; 2], |row| [row.required, row.optional]).map(<[_]>::to_vec);
         required.retain(|name| !(self.spans_places() && *name == "length"));
@@ -86,6 +93,10 @@ const fn refused(name: &'static str, instead: [&'static str; 2]) -> LocatedKeywo
 pub(crate) const RIGID_BODY: &str = "rigid_body";
 pub(crate) const RIGID_LINK: &str = "rigid_link";
 
+/// A string between two places, which names no length.
+pub(crate) const STRING_BETWEEN_PLACES: LocatedKeyword =
+    LocatedKeyword { instead: [Some("beam"), None], ..keyword(STRING, Role::Member, XY) };
+
 #[rustfmt::skip]
 pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("spring", Role::Path, XY),
@@ -94,7 +105,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("torsion_damper", Role::Path, Freedoms::RZ),
     keyword("mass", Role::Path, XY),
     keyword("inertia", Role::Path, Freedoms::RZ),
-    keyword("string", Role::Path, XY),
+    keyword(STRING, Role::Path, XY),
     keyword("rod", Role::Path, XY),
     keyword("shaft", Role::Path, Freedoms::RZ),
     keyword("point_mass", Role::PointMass, XY),
@@ -102,6 +113,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     refused("body", [RIGID_BODY; 2]),
     keyword("beam", Role::Member, Freedoms::ALL),
     LocatedKeyword { released: Freedoms::RZ, instead: [Some("beam"), None], ..keyword(BAR, Role::Member, XY) },
+    STRING_BETWEEN_PLACES,
     LocatedKeyword {
         vector: Some("centre"),
         own: Some(&["mass", "inertia", "centre"]),
@@ -128,7 +140,7 @@ pub(crate) const ALONG: &str = "along";
 /// The freedoms that [`HELD`] may name.
 pub(crate) const FREEDOMS: &[(&str, Freedoms)] = &[("x", Freedoms::X), ("y", Freedoms::Y), ("rz", Freedoms::RZ)];
 
-/// The row of a keyword in models with locations.
+/// The row of a keyword in models with locations; of a string that of a path.
 pub(crate) fn located_of(keyword: &str) -> Option<&'static LocatedKeyword> {
     LOCATED.iter().find(|row| row.name == keyword)
 }

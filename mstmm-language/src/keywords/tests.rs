@@ -1,7 +1,8 @@
 //! The rows of the keywords are those of the core, and of the documentation.
 
 use super::*;
-use mstmm_core::elements::{ELEMENTS as OF_CORE, Row};
+use mstmm_core::elements::{ELEMENTS as OF_CORE, Row, STRETCHING};
+use mstmm_plan::Space;
 use std::collections::BTreeSet;
 
 fn sorted<'a>(names: impl IntoIterator<Item = &'a str>) -> BTreeSet<&'a str> {
@@ -17,8 +18,15 @@ fn each_type_of_a_keyword_is_one_of_the_core_with_its_state_and_parameters() {
             let of_core = OF_CORE.iter().find(|of_core| of_core.name == row.name);
             let of_core = of_core.unwrap_or_else(|| panic!("no `{}` in the core", row.name));
             let fields = keyword.required.iter().chain(row.parameters).map(|name| row.field(name));
-            assert_eq!(sorted(fields), sorted(of_core.parameters.iter().copied()), "{} {}", keyword.name, row.name);
-            assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
+            let along = keyword.stretches.then_some(AXIAL_STIFFNESS);
+            let expected = of_core.parameters.iter().copied().chain(along);
+            assert_eq!(sorted(fields), sorted(expected), "{} {}", keyword.name, row.name);
+            if keyword.stretches {
+                assert!(STRETCHING.contains(&row.name), "{} {}", keyword.name, row.name);
+                assert_eq!(keyword.space, Space::Planar, "{}", keyword.name);
+            } else {
+                assert_eq!(keyword.space, of_core.space, "{}", keyword.name);
+            }
         }
     }
 }
@@ -68,7 +76,7 @@ fn the_parameters_of_a_beam_select_its_type() {
     ] {
         let taken = |dimension| element_of("beam", dimension).unwrap().type_with(|name| named.contains(&name)).name;
         assert_eq!(taken(Dimension::Line), of_line, "{named:?}");
-        assert_eq!(taken(Dimension::Plane), format!("Planar{of_line}"), "{named:?}");
+        assert_eq!(taken(Dimension::Plane), of_line, "{named:?}");
     }
 }
 

@@ -198,7 +198,7 @@ fn holds(support: &ast::Support, freedoms: Freedoms) -> Holds<'_> {
 
 /// The parts of the parameter that is a place or a direction; empty for an element without one.
 fn vector(element: &Element) -> Vec<Expr> {
-    let name = element.kind.located().and_then(|row| row.vector);
+    let name = element.located().and_then(|row| row.vector);
     let mut named = element.parameters().filter(|parameter| name.is_some_and(|name| parameter.name.unraw() == name));
     let value = named.next().map(|parameter| parameter.expression());
     value.map_or_else(Vec::new, |value| match tuple_parts(&value) {

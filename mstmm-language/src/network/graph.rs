@@ -35,7 +35,7 @@ impl<'a> Vertex<'a> {
         let role = match element.kind {
             _ if !element.label.is_well_formed() => Role::Unknown,
             Kind::Type(_) => Role::Path,
-            Kind::Keyword(_) => element.kind.located().map_or(Role::Unknown, |row| row.role),
+            Kind::Keyword(_) => element.located().map_or(Role::Unknown, |row| row.role),
         };
         Vertex { node: Named::Element(element), role }
     }
@@ -64,7 +64,7 @@ impl<'a> Vertex<'a> {
 
     /// The row of its keyword, if it is an element.
     pub(crate) fn row(&self) -> Option<&'static LocatedKeyword> {
-        self.as_element()?.kind.located()
+        self.as_element()?.located()
     }
 
     /// Whether it is an element without parameters.

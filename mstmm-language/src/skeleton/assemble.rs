@@ -3,7 +3,7 @@
 use super::names::{Naming, join_name};
 use super::{Axis, Body, End, Member, Node, Point, Seat, Skeleton, Support, Vector, What};
 use crate::ast::{Coordinates, Element};
-use crate::keywords::located_of;
+use crate::keywords::{LocatedKeyword, located_of};
 use crate::network::{self, Classes, FreedomSet, Holds, Joint, Network};
 use mstmm_plan::Freedoms;
 use syn::Expr;
@@ -25,7 +25,8 @@ impl<'a> Skeleton<'a> {
         }
         for member in &network.members {
             let ends = member.ends.map(|point| End { seat: Seat::Point(point), axis: Axis::Member });
-            let freedoms = FreedomSet::known(network.dimension.freedoms());
+            let acts_in = member.element.located().map_or(Freedoms::ALL, LocatedKeyword::acts_in);
+            let freedoms = FreedomSet::known(acts_in.intersection(network.dimension.freedoms()));
             assembly.element(member.element, freedoms, ends);
         }
         network.joints.iter().for_each(|joint| assembly.joint(joint));

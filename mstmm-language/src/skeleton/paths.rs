@@ -90,7 +90,7 @@ impl<'a> Assembly<'a> {
 
 /// Whether an element of a path is a mass or an inertia.
 fn is_mass(element: &PathElement<'_>) -> bool {
-    let row = element.element.kind.located();
+    let row = element.element.located();
     row.is_some_and(|row| row.name == "mass" || row.name == "inertia")
 }
 

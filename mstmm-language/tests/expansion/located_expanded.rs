@@ -30,8 +30,8 @@ pub struct Mast {
 pub struct MastSystem<T: mstmm::__private::Parameter = f64> {
     skeleton: mstmm::__private::Skeleton<T, 3usize, 2usize>,
     /// `beam 1`
-    member_0: <mstmm::__private::elements::PlanarBeam<
-        T,
+    member_0: <mstmm::__private::elements::InPlane<
+        mstmm::__private::elements::Beam<T>,
     > as mstmm::__private::Element>::Built,
     /// `spring guy`
     member_1: <mstmm::__private::elements::Spring<
@@ -146,7 +146,7 @@ const _: () = {
         /// `beam 1`
         pub const beam_1: mstmm::__private::MemberLabel<
             Mast,
-            mstmm::__private::elements::PlanarBeam<f64>,
+            mstmm::__private::elements::InPlane<mstmm::__private::elements::Beam<f64>>,
         > = mstmm::__private::MemberLabel::member(0usize);
         /// `spring guy`
         pub const spring_guy: mstmm::__private::MemberLabel<
@@ -228,7 +228,7 @@ const _: () = {
         members: [
             mstmm::__private::SketchedMember {
                 name: "beam 1",
-                kind: ::core::option::Option::Some("PlanarBeam"),
+                kind: ::core::option::Option::Some("Beam"),
                 freedoms: mstmm::__private::Freedoms::ALL,
                 released: mstmm::__private::Freedoms::NONE,
                 ends: [
@@ -289,13 +289,17 @@ const _: () = {
             let skeleton = mstmm::__private::Skeleton::new(&SKETCH, &numbers)?;
             let mut system = MastSystem {
                 member_0: mstmm::__private::build_member::<
-                    mstmm::__private::elements::PlanarBeam<T>,
+                    mstmm::__private::elements::InPlane<
+                        mstmm::__private::elements::Beam<T>,
+                    >,
                 >(
-                    mstmm::__private::elements::PlanarBeam {
-                        length: skeleton.length(0usize),
+                    mstmm::__private::elements::InPlane {
                         axial_stiffness: number(10usize),
-                        bending_stiffness: number(11usize),
-                        mass_per_length: number(12usize),
+                        across: mstmm::__private::elements::Beam {
+                            length: skeleton.length(0usize),
+                            bending_stiffness: number(11usize),
+                            mass_per_length: number(12usize),
+                        },
                     },
                     "beam 1",
                 )?,
@@ -320,7 +324,9 @@ const _: () = {
             system
                 .skeleton
                 .describe::<
-                    mstmm::__private::elements::PlanarBeam<T>,
+                    mstmm::__private::elements::InPlane<
+                        mstmm::__private::elements::Beam<T>,
+                    >,
                 >(0usize, &system.member_0, &mut system.estimates);
             system
                 .skeleton
@@ -337,8 +343,8 @@ const _: () = {
         type Parameter = T;
         const HAS_PHASES: bool = false;
         const IS_NETWORK: bool = true;
-        const MAY_BUCKLE: bool = <mstmm::__private::elements::PlanarBeam<
-            T,
+        const MAY_BUCKLE: bool = <mstmm::__private::elements::InPlane<
+            mstmm::__private::elements::Beam<T>,
         > as mstmm::__private::Element>::MAY_BUCKLE
             || <mstmm::__private::elements::Spring<
                 T,
@@ -419,7 +425,9 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::Charted<S>,
+        mstmm::__private::elements::InPlane<
+            mstmm::__private::elements::Beam<T>,
+        >: mstmm::__private::Charted<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::Charted<S>,
     {
         fn chart(
@@ -434,8 +442,8 @@ const _: () = {
             };
             if let ::core::option::Option::Some(built) = built {
                 return ::core::option::Option::Some(
-                    <mstmm::__private::elements::PlanarBeam<
-                        T,
+                    <mstmm::__private::elements::InPlane<
+                        mstmm::__private::elements::Beam<T>,
                     > as mstmm::__private::Charted<S>>::chart(built, at, length),
                 );
             }
@@ -458,7 +466,9 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::Charted<S>,
+        mstmm::__private::elements::InPlane<
+            mstmm::__private::elements::Beam<T>,
+        >: mstmm::__private::Charted<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::Charted<S>,
         S: mstmm::__private::StructureScalar,
     {
@@ -475,7 +485,9 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::MemberMotion<S>,
+        mstmm::__private::elements::InPlane<
+            mstmm::__private::elements::Beam<T>,
+        >: mstmm::__private::MemberMotion<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::MemberMotion<S>,
     {
         fn visit_member<V: mstmm::__private::VisitMember<S>>(
@@ -489,7 +501,12 @@ const _: () = {
             };
             if let ::core::option::Option::Some(built) = built {
                 return ::core::option::Option::Some(
-                    visitor.member::<mstmm::__private::elements::PlanarBeam<T>>(built),
+                    visitor
+                        .member::<
+                            mstmm::__private::elements::InPlane<
+                                mstmm::__private::elements::Beam<T>,
+                            >,
+                        >(built),
                 );
             }
             let built = match member {
@@ -515,7 +532,9 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::InPlane<
+            mstmm::__private::elements::Beam<T>,
+        >: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
         S: mstmm::__private::Single,
     {
@@ -531,7 +550,9 @@ const _: () = {
             if let ::core::option::Option::Some(built) = built {
                 return ::core::option::Option::Some(
                     mstmm::__private::member_transfer::<
-                        mstmm::__private::elements::PlanarBeam<T>,
+                        mstmm::__private::elements::InPlane<
+                            mstmm::__private::elements::Beam<T>,
+                        >,
                         S,
                     >(built, x),
                 );
@@ -556,7 +577,9 @@ const _: () = {
     where
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
-        mstmm::__private::elements::PlanarBeam<T>: mstmm::__private::TransferMatrix<S>,
+        mstmm::__private::elements::InPlane<
+            mstmm::__private::elements::Beam<T>,
+        >: mstmm::__private::TransferMatrix<S>,
         mstmm::__private::elements::Spring<T>: mstmm::__private::TransferMatrix<S>,
         S: mstmm::__private::Single,
     {
@@ -593,11 +616,13 @@ const _: () = {
         T: mstmm::__private::Real,
         S: mstmm::__private::Frequency<T>,
         S: mstmm::__private::PlaneFrequency<T>,
-        mstmm::__private::elements::PlanarBeam<
-            T,
+        mstmm::__private::elements::InPlane<
+            mstmm::__private::elements::Beam<T>,
         >: mstmm::__private::MemberGradient<
             S,
-            Gradient = mstmm::__private::elements::PlanarBeam<S>,
+            Gradient = mstmm::__private::elements::InPlane<
+                mstmm::__private::elements::Beam<S>,
+            >,
         >,
         mstmm::__private::elements::Spring<
             T,
@@ -620,12 +645,12 @@ const _: () = {
             let lamp = chain.variable(self.field_lamp);
             let mut lengths = [mstmm::__private::Scalar::from_f64(0.0); 2usize];
             let values = ();
-            let gradient = <mstmm::__private::elements::PlanarBeam<
-                T,
+            let gradient = <mstmm::__private::elements::InPlane<
+                mstmm::__private::elements::Beam<T>,
             > as mstmm::__private::MemberGradient<
                 S,
             >>::member_gradient(&self.member_0, &works[0usize]);
-            lengths[0usize] = gradient.length;
+            lengths[0usize] = gradient.across.length;
             let values = (stiffness,);
             let gradient = <mstmm::__private::elements::Spring<
                 T,

@@ -47,7 +47,7 @@ pub(crate) struct Parameter {
 
 /// A scene of one element; its functions take the values of the parameters in order.
 pub(crate) struct Scene {
-    /// Name of the type in the core, which the model has, too.
+    /// Name of the type in the core, which the model has, too; before that of a type that stretches `Planar`.
     pub(crate) type_name: &'static str,
     /// Keyword and label.
     pub(crate) element: &'static str,
@@ -168,7 +168,7 @@ scenes! {
         length: Moderate, torsional_stiffness: Moderate, inertia_per_length: Moderate,
     } -> free undamped;
     PlanarBeam = fixed -> beam {
-        length: Positive, axial_stiffness: Positive, bending_stiffness: Positive, mass_per_length: Positive,
+        length: Moderate, axial_stiffness: Moderate, bending_stiffness: Moderate, mass_per_length: Moderate,
     } -> free undamped;
     RayleighBeam = fixed -> beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, rotary_inertia: TameOrZero,

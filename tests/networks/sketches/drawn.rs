@@ -53,10 +53,10 @@ fn the_portal_is_as_it_is_written() {
     ];
     assert_eq!(points(&portal), named(expected));
     let expected = [
-        ("beam 1", "PlanarBeam", [0, 1]),
-        ("beam 2", "PlanarBeam", [1, 2]),
-        ("beam 3", "PlanarBeam", [2, 3]),
-        ("beam 5", "PlanarBeam", [5, 4]),
+        ("beam 1", "Beam", [0, 1]),
+        ("beam 2", "Beam", [1, 2]),
+        ("beam 3", "Beam", [2, 3]),
+        ("beam 5", "Beam", [5, 4]),
         ("pin 4", "pin", [3, 5]),
         ("spring 7", "Spring", [1, 4]),
     ];

@@ -7,14 +7,14 @@ use crate::elements::general_beam::constants::{Constants, SectionAt};
 use crate::elements::general_beam::inside::BeamMotion;
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
+use crate::elements::in_plane::across::freedoms_of_beam;
 use crate::elements::shared::bending_chart::{BendingWaves, units_of_waves};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::dissipation::Dissipation;
-use crate::model::{EndMotion, Ends, FrequencyEstimates};
+use crate::model::{Ends, FrequencyEstimates};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single};
 use crate::structure::Chart;
-use mstmm_plan::Freedoms;
 use nalgebra::Matrix4;
 
 /// A beam with damping: at λ it is the beam with `EI e`, `kGA e` and `k + c_e λ`, `e = (1 + iη)(1 + cλ)`, whose formulas hold for complex
@@ -73,17 +73,16 @@ impl<T: Parameter> BuiltDampedBeam<T> {
         BackThrough::new(Transfer::new(&beam.section(at.lambda_squared)), &beam)
     }
 
-    /// The chart of a beam of a length with its bending at four places, given all freedoms of its ends and the axial impedance.
+    /// The chart of a beam of a length, beside a motion along it where that has an impedance.
     pub(super) fn chart<S: ComplexFrequency<T> + ChartScalar>(
         &self,
         at: &FrequencyPowers<S>,
         length: S,
-        freedoms: Freedoms,
-        axial: f64,
-        places: [usize; 4],
+        along: Option<f64>,
     ) -> Chart<S> {
-        let units = units_of_waves(&self.beam.impedances(at.lambda_squared, axial), at.lambda_squared);
-        let mut chart = Chart::empty(freedoms, units);
+        let impedances = self.beam.impedances(at.lambda_squared, along.unwrap_or(f64::INFINITY));
+        let (freedoms, places) = freedoms_of_beam(along.is_some());
+        let mut chart = Chart::empty(freedoms, units_of_waves(&impedances, at.lambda_squared));
         let beam = BeamParameters { length, ..self.at(at.x) };
         if self.beam.parameters.bends_only() {
             S::enter_bending(&beam.bending_waves(at.lambda_squared), &mut chart, places);
@@ -126,14 +125,6 @@ impl<T: Real> BuiltDampedBeam<T> {
             sigma: constants.sigma,
             flexibility: constants.sigma * beam.shear_flexibility,
         }
-    }
-
-    pub(super) fn motion_at<S: ComplexFrequency<T> + Oscillation<T>>(
-        &self,
-        ends: &Ends<S>,
-        distance: f64,
-    ) -> EndMotion<S> {
-        EndMotion::bent(self.motion(ends.x).state_at(ends, T::from_f64(distance)))
     }
 
     /// The forms of two motions.

@@ -8,15 +8,17 @@ use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::damped::BuiltDampedBeam;
 use crate::elements::general_beam::kinds::GeneralBeam;
-use crate::elements::general_beam::of_built::{energies_of_built, member_motion_of_built, steps_of_built};
+use crate::elements::general_beam::of_built::{energies_of_built, members_of_built, steps_of_built};
 use crate::elements::general_beam::transfer::BackThrough;
+use crate::elements::in_plane::across::{Across, AlongGradient, ChartedAcross, Stretching};
 use crate::elements::shared::chart_scalar::ChartScalar;
+use crate::elements::shared::damped_line::DampedLine;
 use crate::elements::shared::dissipation::Dissipation;
 use crate::model::{Bending, EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, State};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
 use crate::structure::Chart;
 use crate::subspace::{Covector, RootCounter, Subspace};
-use mstmm_plan::{Freedoms, Support};
+use mstmm_plan::Support;
 
 /// Uniform beam with damping of its material and of a medium around it, exact at every frequency: a [`GeneralBeam`] with
 /// `EI (1 + iη)(1 + cλ)`, `kGA (1 + iη)(1 + cλ)` and `k + c_e λ`, which exists at complex frequencies λ only.
@@ -131,7 +133,7 @@ impl<T: Parameter> Element for DampedBeam<T> {
     }
 
     fn member_numbers(built: &BuiltDampedBeam<T>) -> MemberNumbers {
-        MemberNumbers::Beam(built.beam.numbers(T::zero())).damped(built.dissipation.numbers())
+        MemberNumbers::Beam(built.beam.numbers()).damped(built.dissipation.numbers())
     }
 }
 
@@ -162,14 +164,34 @@ impl<S: Scalar> DampedBeam<S> {
     }
 }
 
-impl<T: Parameter, S: ComplexFrequency<T> + ChartScalar> Charted<S> for DampedBeam<T> {
-    fn chart(built: &BuiltDampedBeam<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
-        let freedoms = Freedoms::Y.union(Freedoms::RZ);
-        built.chart(at, length, freedoms, f64::INFINITY, [0, 1, 2, 3])
+members_of_built!(DampedBeam at ComplexFrequency);
+
+impl<S: Scalar> Across for DampedBeam<S> {
+    type Number = S;
+
+    fn of_length(self, length: S) -> Self {
+        DampedBeam { length, ..self }
+    }
+
+    fn and_along(mut self, along: AlongGradient<S>) -> Self {
+        let [loss, time, external] = along.damping;
+        self.length += along.length;
+        self.mass_per_length += along.mass;
+        self.loss_factor += loss;
+        self.kelvin_voigt_time += time;
+        self.external_damping += external;
+        self
     }
 }
 
-member_motion_of_built!(DampedBeam at ComplexFrequency);
+/// The line along it is damped alike, and the medium around it resists both displacements.
+impl<T: Parameter> Stretching for DampedBeam<T> {
+    type Line = DampedLine<T>;
+
+    fn line(built: &BuiltDampedBeam<T>, axial_stiffness: T) -> Result<DampedLine<T>, InvalidParameter> {
+        Ok(DampedLine { line: built.beam.line_along(axial_stiffness)?, dissipation: built.dissipation })
+    }
+}
 
 impl<T: Real> CarriesLoad for DampedBeam<T> {}
 

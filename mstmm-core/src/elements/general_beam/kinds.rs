@@ -87,7 +87,7 @@ macro_rules! kinds {
             }
 
             fn member_numbers(built: &BuiltGeneralBeam<T>) -> MemberNumbers {
-                MemberNumbers::Beam(built.numbers(T::zero()))
+                MemberNumbers::Beam(built.numbers())
             }
         }
 

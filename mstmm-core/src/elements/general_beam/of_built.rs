@@ -88,9 +88,21 @@ macro_rules! energies_of_built {
 }
 pub(super) use energies_of_built;
 
-/// The motion of a beam along a line between its ends, at the frequencies of a trait.
-macro_rules! member_motion_of_built {
+/// The chart and the motion of a beam between two points of a line, at the frequencies of a trait.
+macro_rules! members_of_built {
     ($beam:ident at $frequency:ident) => {
+        impl<T: Parameter, S: $frequency<T> + ChartScalar> ChartedAcross<S> for $beam<T> {
+            fn chart_across(built: &Self::Built, at: &FrequencyPowers<S>, length: S, along: Option<f64>) -> Chart<S> {
+                built.chart(at, length, along)
+            }
+        }
+
+        impl<T: Parameter, S: $frequency<T> + ChartScalar> Charted<S> for $beam<T> {
+            fn chart(built: &Self::Built, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
+                built.chart(at, length, None)
+            }
+        }
+
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberMotion<S> for $beam<T> {
             fn forms(built: &Self::Built, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
                 built.forms(&first.bending(), &second.bending())
@@ -123,4 +135,4 @@ macro_rules! member_motion_of_built {
         }
     };
 }
-pub(super) use member_motion_of_built;
+pub(super) use members_of_built;

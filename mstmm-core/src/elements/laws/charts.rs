@@ -105,16 +105,16 @@ fn charts_are_transfer_matrices_of_all_charted_elements() {
     charts_are_transfer_matrices::<Rod<f64>>();
     charts_are_transfer_matrices::<Shaft<f64>>();
     charts_are_transfer_matrices::<Beam<f64>>();
-    charts_are_transfer_matrices::<PlanarBeam<f64>>();
+    charts_are_transfer_matrices::<InPlane<Beam<f64>>>();
     charts_are_transfer_matrices::<GeneralBeam<f64>>();
-    charts_are_transfer_matrices::<PlanarGeneralBeam<f64>>();
+    charts_are_transfer_matrices::<InPlane<GeneralBeam<f64>>>();
     charts_are_transfer_matrices::<DampedSpring<f64>>();
     charts_are_transfer_matrices::<DampedTorsionSpring<f64>>();
     charts_are_transfer_matrices::<DampedString<f64>>();
     charts_are_transfer_matrices::<DampedRod<f64>>();
     charts_are_transfer_matrices::<DampedShaft<f64>>();
     charts_are_transfer_matrices::<DampedBeam<f64>>();
-    charts_are_transfer_matrices::<PlanarDampedBeam<f64>>();
+    charts_are_transfer_matrices::<InPlane<DampedBeam<f64>>>();
 }
 
 #[test]
@@ -138,15 +138,16 @@ pub(super) fn frequencies() -> impl Iterator<Item = f64> {
 
 #[test]
 fn charts_of_short_waves_keep_all_digits() {
-    let beam = PlanarBeam { length: 1.3, axial_stiffness: 60.0, bending_stiffness: 0.7, mass_per_length: 2.1 };
-    let built = built(beam);
+    let across = Beam { length: 1.3, bending_stiffness: 0.7, mass_per_length: 2.1 };
+    let built = built(InPlane { axial_stiffness: 60.0, across });
     for omega in frequencies().filter(|omega| *omega < 90.0) {
         // states grow as e^z, to 1e7 here: their squares leave half of the digits
         let exactly = DoubleDouble::from(omega);
-        let length = DoubleDouble::from(beam.length);
-        let exact = PlanarBeam::chart(&built, &FrequencyPowers::new::<f64>(exactly, true), length);
-        assert_in_relation(&exact, &columns::<PlanarBeam<f64>, DoubleDouble>(&built, exactly), Space::Planar, 1e-14);
-        let chart: Chart<f64> = PlanarBeam::chart(&built, &FrequencyPowers::new::<f64>(omega, true), beam.length);
+        let length = DoubleDouble::from(across.length);
+        let exact = InPlane::<Beam<f64>>::chart(&built, &FrequencyPowers::new::<f64>(exactly, true), length);
+        assert_in_relation(&exact, &columns::<InPlane<Beam<f64>>, DoubleDouble>(&built, exactly), Space::Planar, 1e-14);
+        let at = FrequencyPowers::new::<f64>(omega, true);
+        let chart: Chart<f64> = InPlane::<Beam<f64>>::chart(&built, &at, across.length);
         assert_eq!((chart.forces, chart.units, chart.below), (exact.forces, exact.units, exact.below), "{omega}");
         // wave numbers carry four roundings
         let phase = 1.0 + (2.1_f64 / 0.7).sqrt().sqrt() * 1.3 * omega.sqrt() + omega * 1.3 * (2.1_f64 / 60.0).sqrt();
@@ -161,8 +162,9 @@ fn charts_of_short_waves_keep_all_digits() {
 fn entries_of_charts_are_bounded() {
     for omega in frequencies() {
         // an axis that is softer than bending would have units of its own
-        let beam = PlanarBeam { length: 1.3, axial_stiffness: 6e9, bending_stiffness: 0.7, mass_per_length: 2.1 };
-        let chart: Chart<f64> = PlanarBeam::chart(&built(beam), &FrequencyPowers::new::<f64>(omega, true), beam.length);
+        let across = Beam { length: 1.3, bending_stiffness: 0.7, mass_per_length: 2.1 };
+        let (built, at) = (built(InPlane { axial_stiffness: 6e9, across }), FrequencyPowers::new::<f64>(omega, true));
+        let chart: Chart<f64> = InPlane::<Beam<f64>>::chart(&built, &at, across.length);
         let waves = [1, 2, 4, 5].map(|row| [1, 2, 4, 5].map(|column| chart.entry(row, column)));
         assert!(waves.as_flattened().iter().all(|entry| entry.abs() < 8.0), "{omega}: {waves:?}");
     }

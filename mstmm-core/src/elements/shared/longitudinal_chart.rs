@@ -1,7 +1,7 @@
 //! The chart of longitudinal vibration, and of that of strings and shafts.
 
 use crate::elements::shared::chart_form::{Factors, Form};
-use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Scaled, Size, Truth};
+use crate::number::{Scalar, Scaled, Size, Truth};
 use crate::structure::Chart;
 use core::f64::consts::FRAC_1_PI;
 
@@ -15,15 +15,6 @@ pub struct LongitudinalWaves<S> {
 }
 
 impl<S: Scalar> LongitudinalWaves<S> {
-    /// The waves of an axial stiffness, a mass per length and a length, without what `build` has rounded.
-    pub(crate) fn exact<T: Parameter>(at: &FrequencyPowers<S>, stiffness_and_mass: [T; 2], length: S) -> Self
-    where
-        S: Frequency<T>,
-    {
-        let [ea, m] = stiffness_and_mass.map(S::from_parameter);
-        LongitudinalWaves { square: at.lambda_squared * (m / ea * length * length), stiffness: ea / length }
-    }
-
     /// The usual size of a force per displacement: the stiffness, or that times the wave number.
     pub(crate) fn unit(&self) -> f64 {
         let zeta = self.square.sqrt().size().first();

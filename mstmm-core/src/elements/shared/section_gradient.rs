@@ -4,7 +4,7 @@ use crate::element::MemberWork;
 use crate::elements::shared::line_forms::half;
 use crate::number::{Frequency, Parameter};
 
-/// `∂L/∂EI`, `∂L/∂m` and `∂L/∂l` of bending, or of longitudinal vibration with EA, with the displacements of both ends held.
+/// `∂L/∂EI`, `∂L/∂m` and `∂L/∂l` of bending, with the displacements of both ends held.
 pub(crate) struct SectionGradient<S> {
     pub(crate) stiffness: S,
     pub(crate) mass: S,
@@ -12,24 +12,6 @@ pub(crate) struct SectionGradient<S> {
 }
 
 impl<S> SectionGradient<S> {
-    /// Of longitudinal vibration.
-    ///
-    /// What the output end adds to L as the member grows is its density there, less the force times the slope: `-f²/2EA + λ² m u²/2`.
-    pub(crate) fn of_rod<T: Parameter>(work: &MemberWork<S>, stiffness_and_mass: [T; 2]) -> Self
-    where
-        S: Frequency<T>,
-    {
-        let [ea, m] = stiffness_and_mass.map(S::from_parameter);
-        let square = work.x.lambda_squared();
-        let (kinetic, output) = (work.kinetic[0], &work.ends[1]);
-        let [force, displacement] = [output.forces[0], output.displacements[0]];
-        SectionGradient {
-            stiffness: (half(work.of_ends(0)) - square * kinetic) / ea,
-            mass: square * kinetic / m,
-            length: half(square * m * displacement * displacement - force * force / ea),
-        }
-    }
-
     /// Of bending. The growth of the output end adds `-M²/2EI + λ² m y²/2 - f θ`, with its force f and its moment M.
     pub(crate) fn of_bending<T: Parameter>(work: &MemberWork<S>, stiffness_and_mass: [T; 2]) -> Self
     where

@@ -44,7 +44,7 @@ pub struct DrawnPoint<M, T> {
 pub struct DrawnMember<M, T> {
     /// What errors call it.
     pub name: Spot,
-    /// The name of its type, such as `PlanarBeam`, or the keyword of a joint that has none, such as `pin`; `tie` where the motion of a path is
+    /// The name of its type, such as `GeneralBeam`, or the keyword of a joint that has none, such as `pin`; `tie` where the motion of a path is
     /// that of a point in a direction; of a list what errors call its element.
     pub kind: &'static str,
     /// Its input end and its output end.

@@ -106,7 +106,7 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
         return errors.push(element.kind.place(), message);
     }
     // what was a body of paths is what bodies of paths are
-    let Some(row) = element.kind.located().or(old.map(|(_, new)| new)) else {
+    let Some(row) = element.located().or(old.map(|(_, new)| new)) else {
         let known = LOCATED.iter().filter(|row| row.instead(dimension).is_none());
         let message = unknown_keyword(&text, &known.map(|row| row.name).collect::<Vec<_>>());
         return errors.push(element.kind.place(), message);
@@ -180,7 +180,7 @@ fn check_vector(parameter: &Parameter, dimension: Dimension, errors: &mut Errors
 
 /// A rigid body has its parameters at one of its mentions.
 fn check_bodies(model: &Model, dimension: Dimension, errors: &mut Errors) {
-    let is_body = |element: &&Element| element.kind.located().is_some_and(|row| row.role == Role::RigidBody);
+    let is_body = |element: &&Element| element.located().is_some_and(|row| row.role == Role::RigidBody);
     let mut defined = BTreeSet::new();
     for body in model.elements().filter(is_body).filter(|body| body.parameters.is_some()) {
         if !defined.insert(body.label.to_string()) {

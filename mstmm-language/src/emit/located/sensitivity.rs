@@ -9,7 +9,7 @@ use crate::ast::Model;
 use crate::check::Derivatives;
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, TokenStream};
-use quote::quote_spanned;
+use quote::{ToTokens, quote_spanned};
 use syn::{Expr, Index};
 
 /// `impl Fields` and `impl PlaneChain<S>`.
@@ -104,13 +104,15 @@ fn summand(index: usize, member: &Member<'_>, derivatives: &Derivatives, names: 
     let gradient = names.trait_at("MemberGradient", span);
     let parameters = derivatives.of(element);
     let field_of = |name: &Ident| match member.what {
-        What::Hinge(_) => field_of_joint(name),
-        What::Element(_) | What::Rigid => element.field(name),
+        What::Hinge(_) => field_of_joint(name).to_token_stream(),
+        What::Element(_) | What::Rigid => names.field_of(element, name),
     };
     let (parameters, values): (Vec<_>, Vec<_>) = parameters.iter().map(|(name, value)| (field_of(name), value)).unzip();
     let order = (0..values.len()).map(Index::from);
-    let length =
-        element.has_length_of_places().then(|| quote_spanned!(names.here=> lengths[#index] = gradient.length;));
+    let length = element.has_length_of_places().then(|| {
+        let length = names.field_of(element, &Ident::new("length", names.here));
+        quote_spanned!(names.here=> lengths[#index] = gradient.#length;)
+    });
     quote_spanned! {names.here=>
         let values = (#(#values,)*);
         let gradient = <#kind as #gradient>::member_gradient(&self.#field, &works[#index]);

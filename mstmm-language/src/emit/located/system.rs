@@ -1,6 +1,6 @@
 //! Emits the built system of a model with locations, `build()`, and its traits.
 
-use super::super::system::{build_functions, kept_fields, omitted, values_of_fields};
+use super::super::system::{build_functions, fields_of, kept_fields, values_of_fields};
 use super::super::{Names, implement};
 use super::numbers::geometry;
 use super::{answers_of_members, bounds, by_type, field};
@@ -74,7 +74,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
     build_functions(model, doc, &body, names)
 }
 
-/// A built member, with the numbers from a place on: `member_3: build_member::<PlanarBeam<T>>(PlanarBeam { length: .., .. }, name)?`.
+/// A built member, with the numbers from a place on: `member_3: build_member::<InPlane<Beam<T>>>(InPlane { .. }, name)?`.
 fn built(index: usize, member: &Member<'_>, place: &mut usize, names: &Names) -> TokenStream {
     let (span, kind, name) = (member.span(names), member.kind(names), &member.name);
     let (field, build) = (field(index, span), names.function_at("build_member", span));
@@ -124,18 +124,11 @@ fn called_in_joint(element: &Element, names: &Names) -> TokenStream {
 /// The struct of an element's parameters, with its length where its type has one.
 fn literal(index: usize, element: &Element, place: &mut usize, names: &Names) -> TokenStream {
     let span = names.at_element(element);
-    let parameters = element.parameters().map(|parameter| {
-        let (name, of_place) = (element.field(&parameter.name), *place);
-        *place += 1;
-        quote_spanned!(names.at(name.span())=> #name: number(#of_place))
-    });
-    let parameters: Vec<TokenStream> = parameters.collect();
-    let length = element.has_length_of_places().then(|| {
-        let length = Ident::new("length", span);
-        quote_spanned!(span=> #length: skeleton.length(#index),)
-    });
-    let (literal, omitted) = (names.element_type(element), omitted(element, names));
-    quote_spanned!(element.kind.place().last=> #literal { #length #(#parameters,)* #(#omitted,)* })
+    let mut fields = fields_of(element, place, names);
+    if element.has_length_of_places() {
+        fields.insert(0, (Ident::new("length", span), quote_spanned!(span=> skeleton.length(#index))));
+    }
+    names.literal(element, &fields)
 }
 
 /// `impl System`.
