@@ -15,7 +15,6 @@ impl Range {
     /// Values outside, those next to the limit among them.
     fn outside(self) -> Vec<f64> {
         let finite: &[f64] = match self {
-            Range::Positive => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
             Range::Moderate | Range::Tame | Range::TameOrRigid => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
             Range::Invertible | Range::InvertibleOrRigid => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
             Range::NonNegative | Range::ModerateOrZero | Range::TameOrZero => &[-TINY, -1.0, f64::MIN],
@@ -32,7 +31,6 @@ impl Range {
     /// Values inside, the limits among them.
     fn inside(self) -> &'static [f64] {
         match self {
-            Range::Positive => &[TINY, f64::MIN_POSITIVE, 1.0, f64::MAX],
             Range::Moderate => &[1e-60, 1.0, 1e60],
             Range::ModerateOrZero => &[0.0, -0.0, TINY, 1e-60, 1.0, 1e60],
             Range::Invertible => &[f64::MIN_POSITIVE, 1.0, f64::MAX],

@@ -12,8 +12,6 @@ type AtOmega = fn(&[f64], f64) -> Scaled<f64>;
 /// Which values a parameter may have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Range {
-    /// Greater than zero.
-    Positive,
     /// Greater than zero, and not extreme.
     Moderate,
     /// Zero, or greater and not extreme.

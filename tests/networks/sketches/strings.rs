@@ -79,7 +79,8 @@ fn sensitivities_of_strings_are_differences() {
     let root = |mast: Mast| mast.build().unwrap().frequencies(4).unwrap()[3];
     let found = MAST.build().unwrap();
     let derivatives = found.sensitivity(&root(MAST)).unwrap();
-    let fields: [(&str, fn(&mut Mast) -> &mut f64); 4] =
+    type Field = fn(&mut Mast) -> &mut f64;
+    let fields: [(&str, Field); 4] =
         [("l", |mast| &mut mast.l), ("ea", |mast| &mut mast.ea), ("h", |mast| &mut mast.h), ("m", |mast| &mut mast.m)];
     for ((name, field), (of, derivative)) in fields.into_iter().zip(derivatives.iter()) {
         assert_eq!(name, of);

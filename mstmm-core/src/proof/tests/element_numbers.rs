@@ -239,8 +239,9 @@ fn check(runs: usize) {
         assert!(wrong.is_empty(), "{name}: {wrong:?}");
     }
     let mut names: Vec<&str> = table.iter().map(|row| row.0).filter(|name| *name != "Joint").collect();
-    // what stretches is tested twice
-    let mut rows: Vec<&str> = ELEMENTS.iter().map(|row| row.name).chain(STRETCHING.iter().copied()).collect();
+    // what stretches is tested twice, but a string, which is two lines
+    let in_plane = STRETCHING.iter().copied().filter(|name| !name.contains("String"));
+    let mut rows: Vec<&str> = ELEMENTS.iter().map(|row| row.name).chain(in_plane).collect();
     rows.retain(|name| !name.contains("Damp"));
     names.sort_unstable();
     rows.sort_unstable();
@@ -256,6 +257,21 @@ fn counts_step_where_the_transfer_matrix_is_singular() {
 #[ignore = "long: .ci/long"]
 fn counts_step_where_many_transfer_matrices_are_singular() {
     check(1_000);
+}
+
+/// A string in the plane is a rod and a string of a path.
+#[test]
+fn a_string_in_the_plane_is_two_lines() {
+    let mut p = Parameters { random: Random::new(23) };
+    let [length, tension, mass_per_length, foundation_stiffness] = [0.5; 4].map(|decades| p.size(decades));
+    let axial_stiffness = p.size(0.5);
+    let across = TautString { length, tension, mass_per_length, foundation_stiffness };
+    let zero = DoubleDouble::from_f64(0.0);
+    let along = Rod { length, axial_stiffness, mass_per_length, foundation_stiffness: zero };
+    let lines = [TautString::member_numbers(&across.build().unwrap()), Rod::member_numbers(&along.build().unwrap())];
+    let [MemberNumbers::Line(_, across_it), MemberNumbers::Line(_, along_it)] = lines else { panic!("no lines") };
+    let string = InPlane { axial_stiffness, across }.build().unwrap();
+    assert_eq!(InPlane::<TautString<_>>::member_numbers(&string), MemberNumbers::String([along_it, across_it]));
 }
 
 /// Numbers that are off by the last word of a parameter are seen: a test of the test above.
