@@ -74,6 +74,27 @@ fn strings_are_bars_in_tension_that_do_not_bend() {
     assert!((strain - 1.0).abs() < 1e-13 && (kinetic - 1.0).abs() < 1e-13, "{strain} {kinetic}");
 }
 
+/// However little a bar in tension bends, its energies take no longer: its short waves decay beside its ends.
+#[test]
+fn energies_of_a_bar_that_hardly_bends_are_those_of_a_string() {
+    let Mast { l, ea, h, m } = MAST;
+    let (strings, bars) = (MAST.build().unwrap(), HardlyBending { l, ea, h, m }.build().unwrap());
+    let [root, other] = [strings.frequencies(4).unwrap()[3], bars.frequencies(4).unwrap()[3]];
+    let (shape, barred) = (strings.mode_shape(&root).unwrap(), bars.mode_shape(&other).unwrap());
+    let (one, bar) =
+        (shape.energy_shares(Mast::string_3).unwrap(), barred.energy_shares(HardlyBending::bar_3).unwrap());
+    assert!((one.strain - bar.strain).abs() < 1e-5 && (one.kinetic - bar.kinetic).abs() < 1e-5, "{one:?} {bar:?}");
+}
+
+system! {
+    /// Bars in tension whose short waves decay a million times along them.
+    struct HardlyBending { l: f64, ea: f64, h: f64, m: f64 }
+    section guy { axial_stiffness: ea, axial_force: h, mass_per_length: m, bending_stiffness: 1e-10 }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 4e3, bending_stiffness: 60.0, mass_per_length: 3.0 } -> conn head at (0.2 * l, l);
+    pinned at (-0.8 * l, 0.0) -> bar 2 { ..guy } -> conn head -> bar 3 { ..guy } -> pinned at (1.5 * l, -0.1 * l);
+    conn head -> point_mass 4 { mass: 2.0 };
+}
+
 #[test]
 fn sensitivities_of_strings_are_differences() {
     let root = |mast: Mast| mast.build().unwrap().frequencies(4).unwrap()[3];

@@ -4,6 +4,7 @@ use crate::elements::general_beam::constants::SectionAt;
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::units_of_states;
 use crate::elements::general_beam::wave_pair::{Form, WavePair, larger_sum};
+use crate::elements::shared::gauss::Decaying;
 use crate::model::{Ends, State};
 use crate::number::{Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
@@ -177,6 +178,13 @@ impl<T: Real> WavePair<Complex<T>> {
     pub(super) fn largest_wave(&self) -> f64 {
         let [larger, smaller] = self.squares().map(|square| Scalar::sqrt(square).size());
         larger.max(smaller)
+    }
+
+    /// Both waves, the shorter one first.
+    pub(super) fn decaying(&self) -> [Decaying; 2] {
+        let roots = self.squares().map(Scalar::sqrt);
+        let [one, other] = roots.map(|root| Decaying { number: root.size(), decay: root.re.to_f64() });
+        if one.number < other.number { [other, one] } else { [one, other] }
     }
 
     /// The largest power of e by which a wave grows along the beam.

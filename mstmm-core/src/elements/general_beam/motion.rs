@@ -5,7 +5,7 @@ use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::inside::{BeamMotion, Inside};
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::shared::dissipation::UndampedForms;
-use crate::elements::shared::gauss::integrals;
+use crate::elements::shared::gauss::integrals_beside_ends;
 use crate::elements::shared::line_forms::{half, smaller_sum};
 use crate::model::{Ends, State};
 use crate::number::{Oscillation, Real};
@@ -107,9 +107,10 @@ impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
     }
 
     fn products(&self, first: &Ends<S>, (other, second): (&Self, &Ends<S>)) -> Products<S> {
-        let waves = self.largest_wave().max(other.largest_wave());
+        let (of_one, of_other) = (self.section.waves.decaying(), other.section.waves.decaying());
+        let waves = [0, 1].map(|wave| of_one[wave].beside(of_other[wave]));
         let (one, two) = (Inside::new(self, first), Inside::new(other, second));
-        let [deflection, rotation, moment, shear, slope] = integrals(self.beam.length, waves, |distance| {
+        let [deflection, rotation, moment, shear, slope] = integrals_beside_ends(self.beam.length, waves, |distance| {
             let u: State<S> = one.state_at(distance);
             let v = if first == second { u } else { two.state_at(distance) };
             let ([slope, shear], [other_slope, other_shear]) = (self.slope_and_shear(&u), other.slope_and_shear(&v));
