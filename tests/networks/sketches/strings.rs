@@ -84,6 +84,13 @@ fn energies_of_a_bar_that_hardly_bends_are_those_of_a_string() {
     let (one, bar) =
         (shape.energy_shares(Mast::string_3).unwrap(), barred.energy_shares(HardlyBending::bar_3).unwrap());
     assert!((one.strain - bar.strain).abs() < 1e-5 && (one.kinetic - bar.kinetic).abs() < 1e-5, "{one:?} {bar:?}");
+    assert_eq!(shape.nodes(Mast::string_3).unwrap(), barred.nodes(HardlyBending::bar_3).unwrap());
+    let largest = |shape: [f64; 2]| f64::hypot(shape[0], shape[1]);
+    let [one, other] = [
+        shape.with_unit_deflection().unwrap().node(1).unwrap(),
+        barred.with_unit_deflection().unwrap().node(1).unwrap(),
+    ];
+    assert!((largest([one[0], one[1]]) - largest([other[0], other[1]])).abs() < 1e-5, "{one:?} {other:?}");
 }
 
 system! {

@@ -180,6 +180,12 @@ impl<T: Real> WavePair<Complex<T>> {
         larger.max(smaller)
     }
 
+    /// The largest number times l by which a wave turns along the beam.
+    pub(super) fn largest_travelling(&self) -> f64 {
+        let [first, second] = self.squares().map(|square| Scalar::sqrt(square).im.to_f64().abs());
+        first.max(second)
+    }
+
     /// Both waves, the shorter one first.
     pub(super) fn decaying(&self) -> [Decaying; 2] {
         let roots = self.squares().map(Scalar::sqrt);

@@ -71,10 +71,10 @@ impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
         self.section.waves.largest_wave()
     }
 
-    /// The length and the largest wave number.
+    /// The length and the largest wave number of what travels: a wave that decays beside an end has no nodes.
     pub(super) fn interior(&self) -> Interior {
         let length = self.beam.length.to_f64();
-        Interior { length, wave_number: self.largest_wave() / length }
+        Interior { length, wave_number: self.section.waves.largest_travelling() / length }
     }
 
     /// The state at a distance from the input end.
