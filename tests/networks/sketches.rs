@@ -6,6 +6,7 @@ mod bars;
 mod drawn;
 pub(crate) mod frames;
 mod general_beams;
+mod hinges;
 mod line;
 mod lists;
 mod overall;

@@ -6,8 +6,8 @@ use crate::element::{
 use crate::elements::shared::connector::{Tie, chart_of_ties};
 use crate::elements::shared::line_forms::half;
 use crate::elements::{ElasticHinge, PlanarHinge};
-use crate::model::{FrequencyEstimates, InvalidParameter, Planar, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Parameter, Single};
+use crate::model::{EndMotion, FrequencyEstimates, InvalidParameter, Planar, Requirement};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Single, Truth};
 use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 use nalgebra::Matrix6;
@@ -27,6 +27,15 @@ pub struct Joint<T> {
     rigid: Freedoms,
     /// The stiffnesses of x and y [N/m] and about z [N m/rad].
     elastic: [Option<T>; 3],
+}
+
+/// The elongation of a spring: its force says how long it is, however stiff it is; where it has no stiffness displacements do.
+fn elongation<T: Parameter, S: Frequency<T>>(stiffness: T, ends: &[EndMotion<S>; 2], freedom: usize) -> S {
+    let [input, output] = ends;
+    if stiffness.vanishes().all() {
+        return output.displacements[freedom] - input.displacements[freedom];
+    }
+    output.forces[freedom] / S::from_parameter(stiffness)
 }
 
 /// The parameters by which hinges give the stiffnesses.
@@ -103,7 +112,7 @@ impl<T: Parameter> Element for Joint<T> {
 
     fn build(self) -> Result<Self, InvalidParameter> {
         for (name, stiffness) in NAMES.into_iter().zip(self.elastic) {
-            stiffness.map_or(Ok(()), |stiffness| Requirement::Invertible.check(name, stiffness))?;
+            stiffness.map_or(Ok(()), |stiffness| Requirement::InvertibleOrZero.check(name, stiffness))?;
         }
         Ok(self)
     }
@@ -142,11 +151,11 @@ impl<T: Parameter, S: Frequency<T>> Charted<S> for Joint<T> {
 impl<T: Parameter, S: Frequency<T>> MemberGradient<S> for Joint<T> {
     type Gradient = PlanarHinge<S>;
 
-    /// Half of the square of the elongation of each spring, which its force says, however stiff it is.
+    /// Half of the square of the elongation of each spring, which one without stiffness has, too.
     fn member_gradient(built: &Self, work: &MemberWork<S>) -> PlanarHinge<S> {
         let [stiffness_x, stiffness_y, stiffness_theta] = [0, 1, 2].map(|freedom| {
             built.elastic[freedom].map_or(S::zero(), |stiffness| {
-                let elongation = work.ends[1].forces[freedom] / S::from_parameter(stiffness);
+                let elongation = elongation(stiffness, &work.ends, freedom);
                 half(elongation * elongation)
             })
         });
@@ -155,13 +164,13 @@ impl<T: Parameter, S: Frequency<T>> MemberGradient<S> for Joint<T> {
 }
 
 impl<T: Parameter, S: Frequency<T>> MemberMotion<S> for Joint<T> {
-    /// Stiffnesses times the elongations of both motions, which forces say.
+    /// Stiffnesses times the elongations of both motions.
     fn forms(built: &Self, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
         let mut stiffness = S::zero();
         for (freedom, own) in built.elastic.iter().enumerate() {
             let Some(own) = own else { continue };
-            let forces = [first, second].map(|motion| motion.ends[1].forces[freedom]);
-            stiffness += forces[0] * forces[1] / S::from_parameter(*own);
+            let [one, other]: [S; 2] = [first, second].map(|motion| elongation(*own, &motion.ends, freedom));
+            stiffness += one * other * S::from_parameter(*own);
         }
         Forms { stiffness, ..Forms::none() }
     }

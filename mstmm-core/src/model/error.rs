@@ -14,6 +14,8 @@ pub enum Requirement {
     Invertible,
     /// Greater than zero, with a finite reciprocal, or infinite, which is rigid.
     InvertibleOrInfinite,
+    /// Zero, or greater with a finite reciprocal: a spring that lets go where it is zero.
+    InvertibleOrZero,
     /// Positive, and not so extreme that products with the other parameters of the element leave the range of the type.
     Rescale,
     /// Finite and not less than zero.
@@ -58,6 +60,7 @@ impl fmt::Display for Requirement {
             Requirement::Positive => write!(f, "positive and finite"),
             Requirement::Invertible => write!(f, "positive and finite, with a finite reciprocal"),
             Requirement::InvertibleOrInfinite => write!(f, "positive, with a finite reciprocal; infinite is rigid"),
+            Requirement::InvertibleOrZero => write!(f, "zero, or positive and finite, with a finite reciprocal"),
             Requirement::Rescale => write!(f, "positive, and not too extreme beside the other parameters"),
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
@@ -93,11 +96,22 @@ pub struct InvalidParameter {
 impl fmt::Display for InvalidParameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let InvalidParameter { parameter, value, requirement } = self;
-        write!(f, "{parameter} is {value}, but must be {requirement}")
+        write!(f, "{parameter} is {}, but must be {requirement}", Readable(*value))
     }
 }
 
 impl core::error::Error for InvalidParameter {}
+
+/// A number in messages: with an exponent where it would have many digits.
+pub(crate) struct Readable(pub(crate) f64);
+
+impl fmt::Display for Readable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Readable(value) = *self;
+        let is_short = value == 0.0 || !value.is_finite() || (1e-6..1e16).contains(&value.abs());
+        if is_short { write!(f, "{value}") } else { write!(f, "{value:e}") }
+    }
+}
 
 impl InvalidParameter {
     /// The parameter farthest from 1, of those whose products leave the range of the type; the first of several.
@@ -151,6 +165,7 @@ impl Requirement {
             Requirement::Positive | Requirement::Rescale | Requirement::Apart { .. } => number > 0.0,
             Requirement::Direction => is_size_of_direction(number),
             Requirement::Invertible => number > 0.0 && reciprocal().is_finite(),
+            Requirement::InvertibleOrZero => number == 0.0 || number > 0.0 && reciprocal().is_finite(),
             Requirement::InvertibleOrInfinite => {
                 return if number > 0.0 && (number == f64::INFINITY || reciprocal().is_finite()) {
                     Ok(())
