@@ -50,7 +50,8 @@ impl Force {
     pub(crate) fn acts_in<M>(self, kind: Kind, inside: &Inside<M>) -> bool {
         let is_beam = matches!(kind, Kind::Beam { .. });
         match inside {
-            Inside::Member(..) => is_beam,
+            // a string between two places has no moment
+            Inside::Member(..) => is_beam || matches!(kind, Kind::Line) && self != Force::Moment,
             Inside::Element { .. } => is_beam && self != Force::Axial,
         }
     }

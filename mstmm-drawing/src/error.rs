@@ -34,7 +34,7 @@ pub enum DrawingError {
         name: String,
     },
     /// No member has such a force.
-    #[error("no member has a {force} to be drawn")]
+    #[error("of no member is a {force} drawn")]
     NoForce {
         /// The force.
         force: &'static str,

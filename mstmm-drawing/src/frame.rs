@@ -100,8 +100,10 @@ impl<M> Builder<M> {
             let length = from.zip(to).map_or(0.0, |(from, to)| distance(from, to));
             self.directions.resize(self.figure.parts.len(), None);
             self.directions.push(along);
-            // lines of paths have lengths of their own, and stretch evenly enough
-            let inside = Some(Inside::Member(member.label, length)).filter(|_| matches!(kind, Kind::Beam { .. }));
+            // lines of paths have lengths of their own, and stretch evenly enough; a string between two places moves across itself
+            let bends = matches!(kind, Kind::Beam { .. })
+                || matches!(kind, Kind::Line) && member.freedoms.contains(Freedoms::Y);
+            let inside = Some(Inside::Member(member.label, length)).filter(|_| bends);
             self.figure.parts.push(Part { name, word: member.kind, kind, ends: ends.into(), inside });
             let line = from.zip(to).and_then(|(from, to)| on_paper([to[0] - from[0], to[1] - from[1]]));
             for ((end, anchor), inward) in member.ends.iter().zip(ends).zip([1.0, -1.0]) {

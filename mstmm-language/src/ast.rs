@@ -290,7 +290,17 @@ impl Element {
     pub(crate) fn omitted(&self) -> impl Iterator<Item = (&'static str, f64)> {
         let row = self.type_row();
         let all = row.map_or(&[][..], |row| row.parameters).iter().copied().filter(|name| !self.gives(name));
-        all.map(move |name| (row.map_or(name, |row| row.field(name)), neutral(name)))
+        all.map(move |name| {
+            // a freedom with a dashpot gives way: it has no stiffness where none is named
+            let has_dashpot = name.strip_prefix("stiffness_").is_some_and(|of| self.gives(&format!("damping_{of}")));
+            let value = if has_dashpot { 0.0 } else { neutral(name) };
+            (row.map_or(name, |row| row.field(name)), value)
+        })
+    }
+
+    /// Whether it is of a type that has a loss factor.
+    pub(crate) fn has_losses(&self) -> bool {
+        self.type_row().is_some_and(|row| row.parameters.contains(&"loss_factor"))
     }
 
     /// Whether places give the element its length: its keyword asks for one where models have no locations.

@@ -50,7 +50,7 @@ pub(crate) fn meant_support(word: &str) -> Option<&'static str> {
 /// What elements are called elsewhere, and the keywords that are meant: of a model those that it has.
 const OTHER_ELEMENTS: &[(&str, &[&str])] = &[
     ("bernoulli_beam", &["beam"]),
-    ("cable", &["string", "beam"]),
+    ("cable", &[STRING, "beam"]),
     ("column", &["beam"]),
     ("corner", &[CONNECTION]),
     ("dashpot", &["damper"]),
@@ -58,8 +58,10 @@ const OTHER_ELEMENTS: &[(&str, &[&str])] = &[
     ("joint", &[CONNECTION]),
     ("link", &["rigid_link"]),
     ("node", &[CONNECTION]),
+    ("rope", &[STRING]),
     ("shock_absorber", &["damper"]),
     ("truss", &[BAR, "rod"]),
+    ("wire", &[STRING]),
 ];
 
 /// The keyword, among some, that a word means elsewhere.

@@ -17,14 +17,16 @@ impl Range {
         let finite: &[f64] = match self {
             Range::Moderate | Range::Tame | Range::TameOrRigid => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
             Range::Invertible | Range::InvertibleOrRigid => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
+            Range::ZeroOrRigid => &[-TINY, TINY, 1e-309, -1.0, f64::MIN],
             Range::NonNegative | Range::ModerateOrZero | Range::TameOrZero => &[-TINY, -1.0, f64::MIN],
             Range::Position => &[],
             // -1/f - G
             Range::Tension => &[-2.0, -3.0, f64::MIN],
             Range::Taper => &[0.999_999_1, 1.0, 2.0, f64::MAX, -1.000_001e6, f64::MIN],
         };
-        let is_rigid =
-            |value: f64| value == f64::INFINITY && matches!(self, Range::InvertibleOrRigid | Range::TameOrRigid);
+        let is_rigid = |value: f64| {
+            value == f64::INFINITY && matches!(self, Range::InvertibleOrRigid | Range::TameOrRigid | Range::ZeroOrRigid)
+        };
         [&NOT_FINITE, finite].concat().into_iter().filter(|&value| !is_rigid(value)).collect()
     }
 
@@ -33,6 +35,7 @@ impl Range {
         match self {
             Range::Moderate => &[1e-60, 1.0, 1e60],
             Range::ModerateOrZero => &[0.0, -0.0, TINY, 1e-60, 1.0, 1e60],
+            Range::ZeroOrRigid => &[0.0, -0.0, 1e-60, 1.0, 1e60, f64::INFINITY],
             Range::Invertible => &[f64::MIN_POSITIVE, 1.0, f64::MAX],
             Range::InvertibleOrRigid => &[f64::MIN_POSITIVE, 1.0, f64::MAX, f64::INFINITY],
             Range::NonNegative => &[0.0, -0.0, TINY, f64::MIN_POSITIVE, 1.0, f64::MAX],

@@ -4,6 +4,7 @@ use crate::element::{
     ByName, Charted, Element, MemberChart, MemberElement, MemberGradient, MemberMatrix, MemberNumbers, MemberSlopes,
     MemberTransfer, MemberVisit, MemberWork, VisitMember, along_member, member_transfer,
 };
+use crate::elements::damped_hinge::DampedJoint;
 use crate::elements::joint::Joint;
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::{
@@ -43,14 +44,16 @@ const DISPLACEMENTS: Freedoms = Freedoms::X.union(Freedoms::Y);
 
 /// Declares an enum of members, and one of them built.
 macro_rules! any_member {
-    ($(#[$doc:meta])* $name:ident, $built:ident, $frequency:ident: $($beam:ident($kind:ty) in $freedoms:expr,)* ; $($connector:ident)*) => {
+    ($(#[$doc:meta])* $name:ident, $built:ident, $frequency:ident: $($beam:ident($kind:ty) in $freedoms:expr,)* ; $($connector:ident)* ; $($joint:ident)*) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum $name<T: Real> {
             /// A beam with bending and longitudinal vibration.
             Beam(Section<T>),
-            /// A joint of two points at one place.
-            Joint(Joint<T>),
+            $(
+                #[doc = concat!("A [`", stringify!($joint), "`] of two points at one place.")]
+                $joint($joint<T>),
+            )*
             $(
                 #[doc = concat!("A `", stringify!($kind), "`, whose length is that between its ends.")]
                 $beam($kind),
@@ -66,8 +69,10 @@ macro_rules! any_member {
         pub enum $built<T: Real> {
             /// A built beam.
             Beam(<InPlane<Beam<T>> as Element>::Built),
-            /// A built joint.
-            Joint(Joint<T>),
+            $(
+                #[doc = concat!("A built [`", stringify!($joint), "`].")]
+                $joint(<$joint<T> as Element>::Built),
+            )*
             $(
                 #[doc = concat!("A built `", stringify!($kind), "`.")]
                 $beam(<$kind as Element>::Built),
@@ -84,11 +89,13 @@ macro_rules! any_member {
             }
         }
 
-        impl<T: Real> From<Joint<T>> for $name<T> {
-            fn from(joint: Joint<T>) -> Self {
-                $name::Joint(joint)
+        $(
+            impl<T: Real> From<$joint<T>> for $name<T> {
+                fn from(joint: $joint<T>) -> Self {
+                    $name::$joint(joint)
+                }
             }
-        }
+        )*
 
         $(
             impl<T: Real> From<$kind> for $name<T> {
@@ -110,14 +117,14 @@ macro_rules! any_member {
             type Parameter = T;
             type Built = $built<T>;
             const MAY_BUCKLE: bool = <InPlane<Beam<T>> as Element>::MAY_BUCKLE
-                || <Joint<T> as Element>::MAY_BUCKLE
+                $(|| <$joint<T> as Element>::MAY_BUCKLE)*
                 $(|| <$kind as Element>::MAY_BUCKLE)*
                 $(|| <$connector<T> as Element>::MAY_BUCKLE)*;
 
             fn may_buckle(built: &$built<T>) -> bool {
                 match built {
                     $built::Beam(_) => <InPlane<Beam<T>> as Element>::MAY_BUCKLE,
-                    $built::Joint(_) => <Joint<T> as Element>::MAY_BUCKLE,
+                    $($built::$joint(_) => <$joint<T> as Element>::MAY_BUCKLE,)*
                     $($built::$beam(_) => <$kind as Element>::MAY_BUCKLE,)*
                     $($built::$connector(_) => <$connector<T> as Element>::MAY_BUCKLE,)*
                 }
@@ -126,7 +133,7 @@ macro_rules! any_member {
             fn build(self, length: T) -> Result<$built<T>, InvalidParameter> {
                 Ok(match self {
                     $name::Beam(section) => $built::Beam(section.beam(length).build()?),
-                    $name::Joint(joint) => $built::Joint(joint.build()?),
+                    $($name::$joint(joint) => $built::$joint(joint.build()?),)*
                     $($name::$beam(beam) => $built::$beam(beam.of_length(length).build()?),)*
                     $($name::$connector(connector) => $built::$connector(connector.build()?),)*
                 })
@@ -135,7 +142,7 @@ macro_rules! any_member {
             fn name(&self) -> &'static str {
                 match self {
                     $name::Beam(_) => "beam",
-                    $name::Joint(_) => "joint",
+                    $($name::$joint(_) => "joint",)*
                     $($name::$beam(_) => if $freedoms.contains(Freedoms::RZ) { "beam" } else { "string" },)*
                     $($name::$connector(_) => stringify!($connector),)*
                 }
@@ -144,20 +151,20 @@ macro_rules! any_member {
             fn freedoms(&self) -> Freedoms {
                 match self {
                     $name::Beam(_) => Freedoms::ALL,
-                    $name::Joint(joint) => joint.freedoms(),
+                    $($name::$joint(joint) => joint.freedoms(),)*
                     $($name::$beam(_) => $freedoms,)*
                     $($name::$connector(_) => along_member::<$connector<T>>(),)*
                 }
             }
 
             fn is_joint(&self) -> bool {
-                matches!(self, $name::Joint(_))
+                matches!(self, $($name::$joint(_))|*)
             }
 
             fn estimate(built: &$built<T>, estimates: &mut FrequencyEstimates) {
                 match built {
                     $built::Beam(beam) => <InPlane<Beam<T>> as Element>::estimate(beam, estimates),
-                    $built::Joint(joint) => <Joint<T> as Element>::estimate(joint, estimates),
+                    $($built::$joint(joint) => <$joint<T> as Element>::estimate(joint, estimates),)*
                     $($built::$beam(built) => <$kind as Element>::estimate(built, estimates),)*
                     $($built::$connector(built) => <$connector<T> as Element>::estimate(built, estimates),)*
                 }
@@ -166,7 +173,7 @@ macro_rules! any_member {
             fn member_numbers(built: &$built<T>) -> MemberNumbers {
                 match built {
                     $built::Beam(beam) => <InPlane<Beam<T>> as Element>::member_numbers(beam),
-                    $built::Joint(joint) => <Joint<T> as Element>::member_numbers(joint),
+                    $($built::$joint(joint) => <$joint<T> as Element>::member_numbers(joint),)*
                     $($built::$beam(built) => <$kind as Element>::member_numbers(built),)*
                     $($built::$connector(built) => <$connector<T> as Element>::member_numbers(built),)*
                 }
@@ -177,7 +184,7 @@ macro_rules! any_member {
             fn chart(built: &$built<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
                 match built {
                     $built::Beam(beam) => <InPlane<Beam<T>> as Charted<S>>::chart(beam, at, length),
-                    $built::Joint(joint) => <Joint<T> as Charted<S>>::chart(joint, at, length),
+                    $($built::$joint(joint) => <$joint<T> as Charted<S>>::chart(joint, at, length),)*
                     $($built::$beam(built) => <$kind as Charted<S>>::chart(built, at, length),)*
                     $($built::$connector(built) => <$connector<T> as Charted<S>>::chart(built, at, length),)*
                 }
@@ -188,7 +195,7 @@ macro_rules! any_member {
             fn visit<V: VisitMember<S>>(built: &$built<T>, visitor: V) -> V::Output {
                 match built {
                     $built::Beam(beam) => visitor.member::<InPlane<Beam<T>>>(beam),
-                    $built::Joint(joint) => visitor.member::<Joint<T>>(joint),
+                    $($built::$joint(joint) => visitor.member::<$joint<T>>(joint),)*
                     $($built::$beam(built) => visitor.member::<$kind>(built),)*
                     $($built::$connector(built) => visitor.member::<$connector<T>>(built),)*
                 }
@@ -199,7 +206,7 @@ macro_rules! any_member {
             fn slope(built: &$built<T>, work: &MemberWork<S>, name: &str) -> Option<S> {
                 match built {
                     $built::Beam(beam) => <InPlane<Beam<T>> as MemberGradient<S>>::member_gradient(beam, work).by_name(name),
-                    $built::Joint(joint) => <Joint<T> as MemberGradient<S>>::member_gradient(joint, work).by_name(name),
+                    $($built::$joint(joint) => <$joint<T> as MemberGradient<S>>::member_gradient(joint, work).by_name(name),)*
                     $($built::$beam(beam) => <$kind as MemberGradient<S>>::member_gradient(beam, work).by_name(name),)*
                     $($built::$connector(built) => {
                         <$connector<T> as MemberGradient<S>>::member_gradient(built, work).by_name(name)
@@ -212,7 +219,7 @@ macro_rules! any_member {
             fn transfer(built: &$built<T>, x: S) -> MemberTransfer<S> {
                 match built {
                     $built::Beam(beam) => member_transfer::<InPlane<Beam<T>>, S>(beam, x),
-                    $built::Joint(joint) => member_transfer::<Joint<T>, S>(joint, x),
+                    $($built::$joint(joint) => member_transfer::<$joint<T>, S>(joint, x),)*
                     $($built::$beam(built) => member_transfer::<$kind, S>(built, x),)*
                     $($built::$connector(built) => member_transfer::<$connector<T>, S>(built, x),)*
                 }
@@ -227,7 +234,7 @@ any_member!(
     GeneralInPlane(InPlane<GeneralBeam<T>>) in Freedoms::ALL,
     GeneralBeam(GeneralBeam<T>) in ACROSS,
     StringInPlane(InPlane<TautString<T>>) in DISPLACEMENTS,
-    ; Spring TorsionSpring TautString Rod Shaft
+    ; Spring TorsionSpring TautString Rod Shaft; Joint
 );
 any_member!(
     /// Any member; a network with a damper has complex eigenvalues only.
@@ -240,7 +247,7 @@ any_member!(
     DampedStringInPlane(InPlane<DampedString<T>>) in DISPLACEMENTS,
     ;
     Spring TorsionSpring Damper TorsionDamper SpringDamper TorsionSpringDamper TautString Rod Shaft
-    DampedSpring DampedTorsionSpring DampedString DampedRod DampedShaft
+    DampedSpring DampedTorsionSpring DampedString DampedRod DampedShaft; Joint DampedJoint
 );
 
 impl<T: Real> AnyMember<T> {

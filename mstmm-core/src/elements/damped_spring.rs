@@ -5,83 +5,16 @@ use crate::element::{
     MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::connector::connector;
-use crate::elements::shared::dissipation::{Dissipation, UndampedForms};
-use crate::elements::shared::line_forms::{elongations, half, unit_of};
+use crate::elements::shared::damped_stiffness::DampedStiffness;
+use crate::elements::shared::line_forms::{elongations, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_stiffness};
-use crate::elements::shared::massless::{elongation, off_pole};
+use crate::elements::shared::massless::off_pole;
 use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement, Rotation, StateSpace, Translation};
-use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single};
+use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::structure::Chart;
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Space};
 use nalgebra::Matrix2;
-
-/// A spring with damping of its material, and a dashpot beside it, which is the external damping of its elongation.
-#[derive(Clone, Copy, Debug)]
-pub struct DampedStiffness<T> {
-    stiffness: T,
-    dissipation: Dissipation<T>,
-}
-
-impl<T: Parameter> DampedStiffness<T> {
-    fn new([stiffness, loss_factor, time, damping]: [T; 4]) -> Result<Self, InvalidParameter> {
-        Requirement::Invertible.check("stiffness", stiffness)?;
-        Requirement::NonNegative.check("damping", damping)?;
-        let dissipation = Dissipation { loss_factor, time, external: damping };
-        dissipation.check()?;
-        Ok(DampedStiffness { stiffness, dissipation })
-    }
-
-    /// The dynamic stiffness `κ = K (1 + iη)(1 + cλ) + dλ`.
-    fn at<S: ComplexFrequency<T>>(&self, lambda: S) -> S {
-        self.dissipation.factor(lambda) * self.stiffness + self.dissipation.external(lambda)
-    }
-
-    /// The sum of the sizes of K, Kcλ and dλ: for an overdamped motion κ itself cancels.
-    fn size(&self, lambda: f64) -> f64 {
-        let [stiffness, damping] = [self.stiffness, self.viscous()].map(T::to_f64);
-        stiffness + damping * lambda
-    }
-
-    /// The dashpot that its viscous damping is, `Kc + d`.
-    fn viscous(&self) -> T {
-        self.stiffness * self.dissipation.time + self.dissipation.external
-    }
-
-    /// Adds the spring to the estimates.
-    fn estimate(
-        &self,
-        estimates: &mut FrequencyEstimates,
-        [stiffness, damping]: [fn(&mut FrequencyEstimates, f64); 2],
-    ) {
-        stiffness(estimates, self.stiffness.to_f64());
-        damping(estimates, self.viscous().to_f64());
-        self.dissipation.estimate(estimates);
-    }
-}
-
-impl<T: Real> DampedStiffness<T> {
-    /// The forms of two motions, the first at λ, given the product of their elongations.
-    fn forms<S: ComplexFrequency<T> + Oscillation<T>>(&self, lambda: S, elongations: S) -> Forms<S> {
-        let none = S::zero();
-        let strain = elongations * self.stiffness;
-        self.dissipation.forms(lambda, UndampedForms { mass: none, strain, restoring: none, displacement: elongations })
-    }
-
-    /// The derivatives of the dynamic work with respect to stiffness, loss factor, time and damping, given the square of the elongation.
-    fn gradient<S: ComplexFrequency<T> + Oscillation<T>>(&self, lambda: S, square: S) -> [S; 4] {
-        let [loss, time, damping] = self.dissipation.gradient(lambda, [square * self.stiffness, square]);
-        [half(square) * self.dissipation.factor_of_motion(lambda), loss, time, damping]
-    }
-
-    /// The elongation of a member in a freedom.
-    fn elongation<S: ComplexFrequency<T> + Oscillation<T>>(&self, motion: &MemberEnds<S>, freedom: usize) -> S {
-        let lambda = Scalar::sqrt(motion.x.lambda_squared().size());
-        let material = self.dissipation.factor_of_motion(motion.x) * self.stiffness;
-        let kappa = material + self.dissipation.external(motion.x);
-        elongation(kappa, self.size(lambda), &motion.ends, freedom)
-    }
-}
 
 /// Declares springs by their space and coordinate, and the estimates that stiffness and damping enter.
 macro_rules! damped_springs {
@@ -102,7 +35,7 @@ macro_rules! damped_springs {
             type Built = DampedStiffness<T>;
 
             fn build(self) -> Result<DampedStiffness<T>, InvalidParameter> {
-                DampedStiffness::new([$(self.$field),*])
+                DampedStiffness::new(Requirement::Invertible, [$(self.$field),*], ["stiffness", "damping"])
             }
 
             fn member_numbers(built: &DampedStiffness<T>) -> MemberNumbers {

@@ -64,11 +64,6 @@ impl<T> Joint<T> {
 
 #[cfg(feature = "std")]
 impl<T> Joint<T> {
-    /// A joint that ties some freedoms rigidly and others by springs.
-    pub(crate) fn of(rigid: Freedoms, elastic: [Option<T>; 3]) -> Self {
-        Joint { rigid, elastic }
-    }
-
     /// Whether it has no spring.
     pub(crate) fn is_rigid(&self) -> bool {
         self.elastic.iter().all(Option::is_none)

@@ -7,6 +7,7 @@ mod any;
 pub(crate) mod any_member;
 mod beam;
 mod body;
+pub(crate) mod damped_hinge;
 mod damped_spring;
 mod damped_wave_line;
 mod elastic_hinge;
@@ -28,6 +29,7 @@ mod wave_line;
 pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
 pub use body::{Body, BodyColumn, CentralBody, CentralBodyColumn};
+pub use damped_hinge::{DampedHinge, DampedPlanarHinge};
 pub use damped_spring::{DampedSpring, DampedTorsionSpring};
 pub use damped_wave_line::{DampedRod, DampedShaft, DampedString};
 pub use elastic_hinge::ElasticHinge;
@@ -61,6 +63,7 @@ macro_rules! elements {
         undamped { $($element:ident { $($field:ident),* })* }
         damped { $($damped:ident { $($damped_field:ident),* })* }
         planar { $($planar:ident { $($planar_field:ident),* })* }
+        planar damped { $($planar_damped:ident { $($planar_damped_field:ident),* })* }
         stretching { $($stretching:ident)* }
         stretching damped { $($stretching_damped:ident)* }
     ) => {
@@ -70,6 +73,7 @@ macro_rules! elements {
             $(row!($element { $($field),* }),)*
             $(row!($damped { $($damped_field),* }),)*
             $(row!($planar { $($planar_field),* }),)*
+            $(row!($planar_damped { $($planar_damped_field),* }),)*
         ];
 
         /// Those that stretch as well in the plane, as an [`InPlane`].
@@ -79,6 +83,7 @@ macro_rules! elements {
         $(by_name!($element { $($field),* });)*
         $(by_name!($damped { $($damped_field),* });)*
         $(by_name!($planar { $($planar_field),* });)*
+        $(by_name!($planar_damped { $($planar_damped_field),* });)*
 
         /// Hands the elements of the plane method to a macro: those without damping, then those with.
         macro_rules! stepping_elements {
@@ -104,6 +109,7 @@ macro_rules! elements {
                 $($law::<$element<f64>>();)*
                 $($law::<$damped<f64>>();)*
                 $($law::<$planar<f64>>();)*
+                $($law::<$planar_damped<f64>>();)*
                 $($law::<InPlane<$stretching<f64>>>();)*
                 $($law::<InPlane<$stretching_damped<f64>>>();)*
             };
@@ -180,6 +186,7 @@ elements! {
             length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force, foundation_stiffness,
             foundation_shear_stiffness, loss_factor, kelvin_voigt_time, external_damping
         }
+        DampedHinge { stiffness_y, stiffness_theta, damping_y, damping_theta, loss_factor, kelvin_voigt_time }
         DampedString { length, tension, mass_per_length, foundation_stiffness, external_damping }
         DampedRod {
             length, axial_stiffness, mass_per_length, foundation_stiffness, loss_factor, kelvin_voigt_time, external_damping
@@ -192,6 +199,11 @@ elements! {
         PlanarBody { mass, inertia, output_x, output_y, centre_x, centre_y }
         PlanarCentralBody { mass, inertia, output_x, output_y, centre_x, centre_y }
         PlanarHinge { stiffness_x, stiffness_y, stiffness_theta }
+    }
+    planar damped {
+        DampedPlanarHinge {
+            stiffness_x, stiffness_y, stiffness_theta, damping_x, damping_y, damping_theta, loss_factor, kelvin_voigt_time
+        }
     }
     stretching { Beam RayleighBeam TimoshenkoBeam BeamColumn FoundationBeam GeneralBeam TautString }
     stretching damped { DampedBeam DampedString }

@@ -179,10 +179,12 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             Ok(element) => element,
             Err(mistake) => return self.fail(name, mistake),
         };
-        if let AnyMember::Joint(joint) = element
-            && joint.is_rigid()
-            && joint.freedoms() == D::FREEDOMS
-        {
+        let is_rigid = match element {
+            AnyMember::Joint(joint) => joint.is_rigid(),
+            AnyMember::DampedJoint(joint) => joint.is_rigid(),
+            _ => false,
+        };
+        if is_rigid && element.freedoms() == D::FREEDOMS {
             return self.fail(name, Mistake::RigidHinge);
         }
         let ends = entry.ends.map(|end| end.releasing(entry.member.released));

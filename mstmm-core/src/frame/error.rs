@@ -71,7 +71,7 @@ impl fmt::Display for Mistake {
             Mistake::Missing { parameter: "axial_stiffness" } => {
                 write!(
                     f,
-                    "`axial_stiffness` is missing: in the plane a beam stretches, too; a large number is nearly rigid"
+                    "`axial_stiffness` is missing: in the plane beams and strings stretch, too; a large number is nearly rigid"
                 )
             }
             Mistake::Missing { parameter } => write!(f, "`{parameter}` is missing"),
@@ -90,7 +90,7 @@ impl fmt::Display for Mistake {
                 )
             }
             Mistake::SamePlace => {
-                write!(f, "both ends are at one place: a beam has a length, a spring there a direction")
+                write!(f, "both ends are at one place: beams and strings have a length, a spring there a direction")
             }
             Mistake::TwoPlaces => write!(f, "the ends of a joint are at one place, and its are at two"),
             Mistake::RigidHinge => write!(f, "it names no stiffness and would be rigid: `stiffness_rz(0.0)`, or `Pin`"),
@@ -153,7 +153,11 @@ impl Mistake {
             NetworkError::InvalidNode { problem, .. } => Mistake::Number { problem },
             NetworkError::Parameter { error, .. } => {
                 // frames say rz, as they say x and y
-                let parameter = if error.parameter == "stiffness_theta" { "stiffness_rz" } else { error.parameter };
+                let parameter = match error.parameter {
+                    "stiffness_theta" => "stiffness_rz",
+                    "damping_theta" => "damping_rz",
+                    other => other,
+                };
                 Mistake::Parameter(InvalidParameter { parameter, ..error })
             }
             NetworkError::SamePlace { .. } => Mistake::SamePlace,

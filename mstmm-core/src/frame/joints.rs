@@ -1,5 +1,6 @@
 //! Joints: members between two points at one place.
 
+use crate::elements::damped_hinge::DampedJoint;
 use crate::elements::joint::Joint;
 use crate::frame::dimension::{Dimension, Plane};
 use crate::frame::member::{FrameElement, FrameMember, OfJoint};
@@ -23,36 +24,55 @@ use mstmm_plan::Freedoms;
 /// # let _ = soft;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// With a damping, a loss factor or a time of Kelvin and Voigt it has complex stiffnesses `κ = K (1 + iη)(1 + cλ) + dλ`, and the frame eigenvalues.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hinge {
-    elastic: [Option<f64>; 3],
+    stiffness: [Option<f64>; 3],
+    damping: [Option<f64>; 3],
+    /// Loss factor and time of Kelvin and Voigt.
+    losses: [Option<f64>; 2],
+}
+
+/// Declares what a hinge names, by its place.
+macro_rules! named {
+    ($($(#[$doc:meta])* $name:ident: $list:ident[$place:literal];)*) => {
+        impl Hinge {
+            $(
+                $(#[$doc])*
+                #[must_use]
+                pub const fn $name(mut self, value: f64) -> Self {
+                    self.$list[$place] = Some(value);
+                    self
+                }
+            )*
+        }
+    };
+}
+
+named! {
+    /// The stiffness along x [N/m].
+    stiffness_x: stiffness[0];
+    /// The stiffness along y [N/m].
+    stiffness_y: stiffness[1];
+    /// The stiffness of the rotation [N m/rad].
+    stiffness_rz: stiffness[2];
+    /// The damping of a dashpot along x [N s/m].
+    damping_x: damping[0];
+    /// The damping of a dashpot along y [N s/m].
+    damping_y: damping[1];
+    /// The damping of a dashpot about z [N m s/rad].
+    damping_rz: damping[2];
+    /// The loss factor η of all stiffnesses.
+    loss_factor: losses[0];
+    /// The time c of Kelvin and Voigt of all stiffnesses \[s\].
+    kelvin_voigt_time: losses[1];
 }
 
 impl Hinge {
     /// A hinge that names nothing yet: it would be rigid.
     pub const fn new() -> Self {
-        Hinge { elastic: [None; 3] }
-    }
-
-    /// The stiffness along x [N/m].
-    #[must_use]
-    pub const fn stiffness_x(mut self, stiffness: f64) -> Self {
-        self.elastic[0] = Some(stiffness);
-        self
-    }
-
-    /// The stiffness along y [N/m].
-    #[must_use]
-    pub const fn stiffness_y(mut self, stiffness: f64) -> Self {
-        self.elastic[1] = Some(stiffness);
-        self
-    }
-
-    /// The stiffness of the rotation [N m/rad].
-    #[must_use]
-    pub const fn stiffness_rz(mut self, stiffness: f64) -> Self {
-        self.elastic[2] = Some(stiffness);
-        self
+        Hinge { stiffness: [None; 3], damping: [None; 3], losses: [None; 2] }
     }
 }
 
@@ -68,9 +88,11 @@ impl<D: Dimension> FrameElement<D> for Hinge {
     type Kind = OfJoint;
 
     fn member(self) -> FrameMember {
-        let rigid = Freedoms::SINGLE.into_iter().zip(self.elastic).filter(|(_, stiffness)| stiffness.is_none());
-        let rigid = rigid.fold(Freedoms::NONE, |sum, (freedom, _)| sum.union(freedom)).intersection(D::FREEDOMS);
-        FrameMember::known(Joint::of(rigid, self.elastic))
+        let Hinge { stiffness, damping, losses } = self;
+        if damping.iter().chain(&losses).all(Option::is_none) {
+            return FrameMember::known(Joint::hinge(D::FREEDOMS, stiffness));
+        }
+        FrameMember::known(DampedJoint::hinge(D::FREEDOMS, stiffness, damping, losses.map(Option::unwrap_or_default)))
     }
 }
 

@@ -81,7 +81,8 @@ impl FrameMember {
 /// An element that stands between two ends of a frame of a dimension.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not stand between two ends of a frame of dimension `{D}`",
-    note = "a `Section` is a beam, a `Bar` one with pins at its ends; `Spring`, `Damper`, `Hinge` and others stand there, too"
+    note = "a `Section` is a beam, a `Bar` one with pins at its ends, a `TautString` a string of the plane; `Spring`, `Damper`, `Hinge` and others \
+            stand there, too"
 )]
 pub trait FrameElement<D: Dimension> {
     /// The kind of its handle.

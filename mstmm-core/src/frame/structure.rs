@@ -210,7 +210,8 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
             // the length of a beam is that between its points
             "length" if self.placement(member).freedoms.count() > 1 => None,
             "stiffness_rz" => of("stiffness_theta"),
-            "stiffness_theta" => None,
+            "damping_rz" => of("damping_theta"),
+            "stiffness_theta" | "damping_theta" => None,
             _ => of(name),
         }
     }
@@ -288,7 +289,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> 
                 (0..self.points.len()).find(|point| here(*point)).or_else(|| self.points.iter().position(at))
             };
             let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, point(end)));
-            DrawnMember { name: Spot::Member(index), kind, ends, label }
+            DrawnMember { name: Spot::Member(index), kind, freedoms: placement.freedoms, ends, label }
         })
     }
 

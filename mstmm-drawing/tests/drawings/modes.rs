@@ -39,6 +39,26 @@ fn check_line(picture: &Picture, name: &str, displacement: impl Fn(f64) -> [f64;
     }
 }
 
+system! {
+    /// A string between two places, and a beam that carries it.
+    struct Guyed { h: f64 }
+    fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 4e3, bending_stiffness: 60.0, mass_per_length: 3.0 } -> conn head at (0.0, 2.5)
+        -> string 2 { axial_stiffness: 800.0, tension: h, mass_per_length: 0.2 } -> pinned at (3.0, 0.0);
+}
+
+#[test]
+fn lines_of_strings_between_places_are_their_shape() {
+    let guyed = Guyed { h: 20.0 }.build().unwrap();
+    for root in &guyed.first_frequencies::<3>().unwrap() {
+        let shape = guyed.mode_shape(root).unwrap();
+        let picture = Picture::of(Drawing::of(&guyed).unwrap().mode(&shape).unwrap());
+        check_line(&picture, "string 2", |part| {
+            let state = shape.along(Guyed::string_2, part * f64::hypot(3.0, 2.5)).unwrap();
+            [state.displacement_x, state.displacement_y]
+        });
+    }
+}
+
 #[test]
 fn lines_of_frames_are_the_shape_along_their_members() {
     let portal = crate::frames::portal();

@@ -30,13 +30,17 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
         if !is_unknown(&name) || parameter.is_told {
             continue;
         }
-        let candidates = || missing.iter().chain(optional).copied();
+        // a string that names a length is a path of one motion
+        let length =
+            (element.located().is_some_and(|row| row.name == STRING) && !element.gives("length")).then_some("length");
+        let candidates = || missing.iter().chain(optional).copied().chain(length);
         let meant = candidates().find(|known| known.starts_with(&format!("{name}_")));
         let meant = meant.or_else(|| nearest(candidates(), &name));
         let meant = meant.or(missing.first().copied().filter(|_| is_only_one));
         let renamed = renamed_in(&keyword, &name, &value_of(parameter));
         let hint = match meant {
             _ if DAMPING.contains(&name.as_str()) => advice_on_damping(optional),
+            _ if keyword == STRING && name == AXIAL_STIFFNESS && element.gives("length") => ALONG_ITS_PATH.to_owned(),
             // of a length between places a message of its own speaks
             _ if has_somewhere(&keyword, &name) && name != "length" => {
                 let other = if element.dimension == Dimension::Line { "in the plane" } else { "along a line" };
@@ -45,7 +49,7 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
             _ if !renamed.is_empty() => format!("write `{}`", renamed.join("` or `")),
             _ if parameter.section.is_some() => format!("it has {}", listed(required.iter().chain(optional).copied())),
             Some(meant) => {
-                missing.retain(|other| *other != meant);
+                missing.retain(|other| *other != meant && !(meant == "length" && *other == AXIAL_STIFFNESS));
                 format!("did you mean `{meant}`?")
             }
             None => format!("it has {}", listed(required.iter().chain(optional).copied())),
@@ -93,6 +97,10 @@ pub(super) fn one_of_them(element: &Element, errors: &mut Errors) {
 }
 
 /// Why a beam needs more in the plane.
+/// Why a string of a path has no axial stiffness.
+const ALONG_ITS_PATH: &str = "with `length` it is a path of one motion and does not stretch: remove it, or remove `length` where it stands between two \
+                              places of the plane";
+
 /// What a string between two places needs, and what one of a path has instead.
 const BETWEEN_PLACES: &str = ": between places a string stretches, too; one of a path of one motion names its `length`";
 const IN_PLANE: &str = ": in the plane a beam stretches, too; a large number is one that hardly does";
@@ -100,7 +108,9 @@ const IN_PLANE: &str = ": in the plane a beam stretches, too; a large number is 
 /// Whether an element names none of the parameters of which it needs one: a hinge in which nothing gives way.
 pub(super) fn names_nothing(element: &Element) -> bool {
     let needs_one = element.known().is_some_and(|row| row.required.is_empty() && row.name == "hinge");
-    needs_one && element.parameters.is_some() && element.parameters().next().is_none()
+    // a misspelt one has a message of its own
+    let gives_no_way = |parameter: &Parameter| DAMPING.iter().any(|name| parameter.name.unraw() == name);
+    needs_one && element.parameters.is_some() && element.spread.is_empty() && element.parameters().all(gives_no_way)
 }
 
 /// Advice for a parameter of damping that an element does not take, given those that it takes.

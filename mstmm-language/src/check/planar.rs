@@ -5,7 +5,7 @@ use crate::keywords::{Dimension, elements_of_paths, old_word};
 use mstmm_plan::Space;
 
 /// The parameters that elements have in the plane alone. A `rod` has an axial stiffness in a path of one motion.
-const OF_THE_PLANE: [&str; 4] = ["axial_stiffness", "output_y", "centre_y", "stiffness_x"];
+const OF_THE_PLANE: [&str; 5] = ["axial_stiffness", "output_y", "centre_y", "stiffness_x", "damping_x"];
 
 /// The dimension of a model without places: the plane, if an element names what there is in the plane alone.
 pub(crate) fn dimension_of_paths(model: &Model) -> Dimension {

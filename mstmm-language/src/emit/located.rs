@@ -10,7 +10,7 @@ mod sketch;
 mod system;
 
 use super::{Names, fields, labels, parameters, searched};
-use crate::ast::Model;
+use crate::ast::{Element, Model};
 use crate::check::Derivatives;
 use crate::network::Network;
 use crate::skeleton::{Member, Skeleton, What};
@@ -90,7 +90,9 @@ impl Member<'_> {
         match self.what {
             What::Element(element) => names.element(element),
             What::Hinge(_) | What::Rigid => {
-                let (joint, parameter) = (names.function_at("Joint", span), &names.parameter);
+                let has_losses = self.what.element().is_some_and(Element::has_losses);
+                let joint = if has_losses { "DampedJoint" } else { "Joint" };
+                let (joint, parameter) = (names.function_at(joint, span), &names.parameter);
                 quote_spanned!(span=> #joint<#parameter>)
             }
         }

@@ -202,18 +202,33 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     keyword("rigid_link", Space::Planar, &["output_x", "output_y"], &[], &[
         row("PlanarBody", &["mass", "inertia", "centre_x", "centre_y"]),
     ]),
-    keyword("hinge", Space::Bending, &[], &["stiffness_y", "stiffness_rz"], &[
+    keyword("hinge", Space::Bending, &[], OF_HINGE, &[
         TypeRow { renamed: &[("stiffness_rz", "stiffness")], ..row("RotationalHinge", &["stiffness_rz"]) },
         TypeRow { renamed: &[("stiffness_y", "stiffness")], ..row("ShearHinge", &["stiffness_y"]) },
         TypeRow { renamed: TURNING, ..row("ElasticHinge", &["stiffness_y", "stiffness_rz"]) },
+        TypeRow { renamed: TURNING, ..row("DampedHinge", OF_HINGE) },
     ]),
-    keyword("hinge", Space::Planar, &[], &["stiffness_x", "stiffness_y", "stiffness_rz"], &[
+    keyword("hinge", Space::Planar, &[], OF_PLANAR_HINGE, &[
         TypeRow { renamed: TURNING, ..row("PlanarHinge", &["stiffness_x", "stiffness_y", "stiffness_rz"]) },
+        TypeRow { renamed: TURNING, ..row("DampedPlanarHinge", OF_PLANAR_HINGE) },
     ]),
 ];
 
 /// The rotation of a hinge, in the words of its type.
-const TURNING: &[(&str, &str)] = &[("stiffness_rz", "stiffness_theta")];
+const TURNING: &[(&str, &str)] = &[("stiffness_rz", "stiffness_theta"), ("damping_rz", "damping_theta")];
+
+const OF_HINGE: &[&str] =
+    &["stiffness_y", "stiffness_rz", "damping_y", "damping_rz", "loss_factor", "kelvin_voigt_time"];
+const OF_PLANAR_HINGE: &[&str] = &[
+    "stiffness_x",
+    "stiffness_y",
+    "stiffness_rz",
+    "damping_x",
+    "damping_y",
+    "damping_rz",
+    "loss_factor",
+    "kelvin_voigt_time",
+];
 
 /// The elements of models without places.
 pub(crate) fn elements_of_paths() -> impl Iterator<Item = &'static Keyword> {

@@ -20,6 +20,8 @@ pub(crate) enum Range {
     Invertible,
     /// The same, or infinite, which is rigid.
     InvertibleOrRigid,
+    /// Zero, or greater with a finite reciprocal and not extreme, or infinite, which is rigid.
+    ZeroOrRigid,
     /// Zero or greater.
     NonNegative,
     /// Greater than zero, so that the fourth power is not extreme.
@@ -202,6 +204,14 @@ scenes! {
     PlanarHinge = fixed -> hinge {
         stiffness_x: InvertibleOrRigid, stiffness_y: InvertibleOrRigid, stiffness_rz: InvertibleOrRigid,
     } -> free undamped;
+    DampedHinge = fixed -> hinge {
+        stiffness_y: ZeroOrRigid, stiffness_rz: ZeroOrRigid, damping_y: ModerateOrZero, damping_rz: ModerateOrZero,
+        loss_factor: ModerateOrZero, kelvin_voigt_time: ModerateOrZero,
+    } -> free;
+    DampedPlanarHinge = fixed -> hinge {
+        stiffness_x: ZeroOrRigid, stiffness_y: ZeroOrRigid, stiffness_rz: ZeroOrRigid, damping_x: ModerateOrZero,
+        damping_y: ModerateOrZero, damping_rz: ModerateOrZero, loss_factor: ModerateOrZero, kelvin_voigt_time: ModerateOrZero,
+    } -> free;
     RotationalHinge = fixed -> hinge { stiffness_rz: NonNegative } -> free undamped;
     ShearHinge = fixed -> hinge { stiffness_y: NonNegative } -> free undamped;
     Lever = fixed -> rigid_link { output_x: Position } -> free undamped;

@@ -202,7 +202,7 @@ fn all_that_is_wrong_is_said_at_once_by_name() {
         [
             "body 0: a point or a member of another frame: each frame has handles of its own",
             "path point 0: springs that move and springs that turn meet at this point of a path, or nothing does",
-            "member \"column\": `axial_stiffness` is missing: in the plane a beam stretches, too; a large number is nearly rigid",
+            "member \"column\": `axial_stiffness` is missing: in the plane beams and strings stretch, too; a large number is nearly rigid",
             "member 1: it ends at the ground or at a path, which have no place: end it at a point",
             "member 2: it acts on a point in no direction: `point.along([dx, dy])`",
             "member 3: it names no stiffness and would be rigid: `stiffness_rz(0.0)`, or `Pin`",
@@ -237,9 +237,10 @@ fn numbers_out_of_their_ranges_are_named() {
             format!("member 3: {direction}"),
             format!("member 5: {direction}"),
             "member 0: mass_per_length is -1, but must be positive and finite".to_owned(),
-            "member 1: both ends are at one place: a beam has a length, a spring there a direction".to_owned(),
+            "member 1: both ends are at one place: beams and strings have a length, a spring there a direction"
+                .to_owned(),
             "member 6: the ends of a joint are at one place, and its are at two".to_owned(),
-            "member 7: stiffness_rz is -2, but must be positive and finite, with a finite reciprocal".to_owned(),
+            "member 7: stiffness_rz is -2, but must be zero, or positive and finite, with a finite reciprocal".to_owned(),
             "point \"far\": its place is not finite".to_owned(),
         ]
     );

@@ -124,6 +124,16 @@ fn sensitivities_of_strings_are_differences() {
     }
 }
 
+/// A string turns nothing at its ends.
+#[test]
+fn ends_of_strings_have_no_rotation() {
+    let mast = MAST.build().unwrap();
+    let sway = Mast::conn_head.displacement_x();
+    assert!(mast.frequency_response(Mast::string_2.output().torque_z(), sway).is_err());
+    assert!(mast.frequency_response(Mast::conn_head.force_x(), Mast::string_2.output().rotation_z()).is_err());
+    assert!(mast.frequency_response(Mast::conn_head.force_x(), Mast::beam_1.output().rotation_z()).is_ok());
+}
+
 /// A determinant beside that of the proof: its sign changes at the same frequencies.
 #[test]
 fn the_overall_matrix_of_strings_is_singular_at_their_frequencies() {

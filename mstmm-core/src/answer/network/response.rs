@@ -282,6 +282,9 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
             let placement = system.placement(member);
             // a force acts on what the end shares with its node
             let turns = Freedoms::SINGLE[axis].is(Freedoms::RZ);
+            if turns && !placement.freedoms.contains(Freedoms::RZ) {
+                return Err(MotionError::NoSuchFreedom { freedom: Freedoms::RZ });
+            }
             let of_kind = if turns { Freedoms::RZ } else { Freedoms::X.union(Freedoms::Y) };
             let released = placement.released(end).intersection(of_kind);
             if !released.is_empty() {

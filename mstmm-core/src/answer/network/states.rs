@@ -217,6 +217,12 @@ pub(super) fn check_freedom<Y: Placed>(system: &Y, site: Site, axis: usize) -> R
     let freedom = Freedoms::SINGLE[axis];
     match located(system, site)? {
         Seen::Tied(Tied { freedoms, .. }) if !freedoms.contains(freedom) => Err(MotionError::NoSuchFreedom { freedom }),
+        // an end moves as its point does, and turns where the member does
+        Seen::End { member, .. }
+            if freedom.is(Freedoms::RZ) && !system.placement(member).freedoms.contains(freedom) =>
+        {
+            Err(MotionError::NoSuchFreedom { freedom })
+        }
         _ => Ok(()),
     }
 }

@@ -11,6 +11,7 @@ pub(crate) mod compliance;
 pub(crate) mod compound;
 pub(crate) mod connector;
 pub(crate) mod damped_line;
+pub(crate) mod damped_stiffness;
 pub(crate) mod dissipation;
 pub(crate) mod gauss;
 pub(crate) mod krylov;

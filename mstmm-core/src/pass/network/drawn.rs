@@ -47,6 +47,8 @@ pub struct DrawnMember<M, T> {
     /// The name of its type, such as `GeneralBeam`, or the keyword of a joint that has none, such as `pin`; `tie` where the motion of a path is
     /// that of a point in a direction; of a list what errors call its element.
     pub kind: &'static str,
+    /// The freedoms in which it acts at its ends, in its own axes: X along it.
+    pub freedoms: Freedoms,
     /// Its input end and its output end.
     pub ends: [DrawnEnd<M, T>; 2],
     /// The member as motions are asked about it.
@@ -103,7 +105,7 @@ pub struct DrawnSupport<T> {
 }
 
 plain!(DrawnPoint<M, T: Parameter>, name, position, node, freedoms, label);
-plain!(DrawnMember<M, T: Parameter>, name, kind, ends, label);
+plain!(DrawnMember<M, T: Parameter>, name, kind, freedoms, ends, label);
 plain!(DrawnEnd<M, T: Parameter>, point, position, along, released, node, rests, label);
 
 impl<M, T: Real> DrawnEnd<M, T> {
@@ -145,7 +147,8 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             let placement = system.placement(index);
             let label = MemberLabel::member(index);
             let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, point(&member.ends[end])));
-            Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, ends, label })
+            let freedoms = placement.freedoms;
+            Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, freedoms, ends, label })
         })
     }
 
@@ -187,7 +190,7 @@ impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
         self.kinds().iter().enumerate().map(|(index, kind)| {
             let (placement, label) = (self.placement(index), MemberLabel::member(index));
             let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, Some(placement.node_of(end))));
-            DrawnMember { name: Spot::Member(index), kind, ends, label }
+            DrawnMember { name: Spot::Member(index), kind, freedoms: placement.freedoms, ends, label }
         })
     }
 

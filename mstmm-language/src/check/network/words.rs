@@ -7,8 +7,8 @@ use super::dimension;
 use crate::ast::{Coordinates, Element, Kind, Model, Node, Parameter, Support, place_of, tuple_parts};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, freedom_of, located_of,
-    old_word,
+    ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, STRING, freedom_of,
+    located_of, old_word,
 };
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
@@ -107,8 +107,11 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
     }
     // what was a body of paths is what bodies of paths are
     let Some(row) = element.located().or(old.map(|(_, new)| new)) else {
-        let known = LOCATED.iter().filter(|row| row.instead(dimension).is_none());
-        let message = unknown_keyword(&text, &known.map(|row| row.name).collect::<Vec<_>>());
+        // a string has two rows
+        let is_listed =
+            |row: &&LocatedKeyword| row.instead(dimension).is_none() && !(row.name == STRING && row.spans_places());
+        let known: Vec<&str> = LOCATED.iter().filter(is_listed).map(|row| row.name).collect();
+        let message = unknown_keyword(&text, &known);
         return errors.push(element.kind.place(), message);
     };
     if let Some(instead) = row.instead(dimension) {

@@ -3,9 +3,9 @@
 use super::super::sensitivity::{fields, variables};
 use super::super::{Names, implement};
 use super::numbers::{Number, geometry};
-use super::system::FREEDOMS_OF_JOINT;
+use super::system::fields_of_joint;
 use super::{by_type, field};
-use crate::ast::Model;
+use crate::ast::{Element, Model};
 use crate::check::Derivatives;
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, TokenStream};
@@ -83,7 +83,9 @@ fn gradient_bound(member: &Member<'_>, names: &Names) -> TokenStream {
         What::Element(element) => names.element_over(element, frequency),
         What::Hinge(_) | What::Rigid => {
             let elements = names.function_at("elements", span);
-            quote_spanned!(span=> #elements::PlanarHinge<#frequency>)
+            let has_losses = member.what.element().is_some_and(Element::has_losses);
+            let hinge = Ident::new(if has_losses { "DampedPlanarHinge" } else { "PlanarHinge" }, span);
+            quote_spanned!(span=> #elements::#hinge<#frequency>)
         }
     };
     let motion = names.trait_with("MemberGradient", span, &quote_spanned!(span=> Gradient = #gradient));
@@ -92,7 +94,7 @@ fn gradient_bound(member: &Member<'_>, names: &Names) -> TokenStream {
 
 /// The field of the derivatives of a joint, at the user's token.
 fn field_of_joint(parameter: &Ident) -> Ident {
-    let field = FREEDOMS_OF_JOINT.iter().find(|(_, names)| names.iter().any(|name| parameter == name));
+    let field = fields_of_joint().find(|(_, name)| parameter == name);
     field.map_or_else(|| parameter.clone(), |(field, _)| Ident::new(field, parameter.span()))
 }
 

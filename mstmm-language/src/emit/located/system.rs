@@ -84,10 +84,20 @@ fn built(index: usize, member: &Member<'_>, place: &mut usize, names: &Names) ->
             quote_spanned!(span=> <#kind>::rigid(#freedoms))
         }
         What::Hinge(element) => {
-            let elastic = FREEDOMS_OF_JOINT.map(|(_, words)| elastic(element, words, *place, names));
+            let first = *place;
             *place += element.parameters().count();
+            let optional = |words: &[&str]| optional_number(element, words, first, names);
             let freedoms = super::sketch::freedom_set(&member.freedoms, names);
-            quote_spanned!(span=> <#kind>::hinge(#freedoms, [#(#elastic),*]))
+            let stiffness = STIFFNESSES_OF_JOINT.map(|(_, words)| optional(words));
+            if element.has_losses() {
+                let damping = DAMPINGS_OF_JOINT.map(|(_, word)| optional(&[word]));
+                let losses = ["loss_factor", "kelvin_voigt_time"].map(|word| optional(&[word]));
+                let private = &names.private;
+                let zero = quote_spanned!(span=> #private::Scalar::from_f64(0.0));
+                quote_spanned!(span=> <#kind>::hinge(#freedoms, [#(#stiffness),*], [#(#damping),*], [#(#losses.unwrap_or(#zero)),*]))
+            } else {
+                quote_spanned!(span=> <#kind>::hinge(#freedoms, [#(#stiffness),*]))
+            }
         }
         What::Element(element) => literal(index, element, place, names),
     };
@@ -99,15 +109,23 @@ fn built(index: usize, member: &Member<'_>, place: &mut usize, names: &Names) ->
     quote_spanned!(span=> #field: #build::<#kind>(#value, #name)#called?)
 }
 
-/// The fields of the derivatives of a joint, and the parameters that each may be: about z and the displacements.
-pub(super) const FREEDOMS_OF_JOINT: [(&str, &[&str]); 3] = [
+/// The fields of the derivatives of a joint, and the parameters that each may be: of displacements and about z.
+const STIFFNESSES_OF_JOINT: [(&str, &[&str]); 3] = [
     ("stiffness_x", &["stiffness_x"]),
     ("stiffness_y", &["stiffness_y"]),
     ("stiffness_theta", &["stiffness_rz", "stiffness_theta"]),
 ];
+const DAMPINGS_OF_JOINT: [(&str, &str); 3] =
+    [("damping_x", "damping_x"), ("damping_y", "damping_y"), ("damping_theta", "damping_rz")];
 
-/// The stiffness of a hinge in a freedom, if it is named: `Some(number(3))`.
-fn elastic(element: &Element, words: &[&str], first: usize, names: &Names) -> TokenStream {
+/// The fields of the derivatives of a joint, each with a parameter that it is.
+pub(super) fn fields_of_joint() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let stiffnesses = STIFFNESSES_OF_JOINT.into_iter();
+    stiffnesses.flat_map(|(field, words)| words.iter().map(move |word| (field, *word))).chain(DAMPINGS_OF_JOINT)
+}
+
+/// A parameter of a hinge, if it is named: `Some(number(3))`.
+fn optional_number(element: &Element, words: &[&str], first: usize, names: &Names) -> TokenStream {
     let named = element.parameters().position(|parameter| words.iter().any(|word| parameter.name.unraw() == word));
     let Some(index) = named else { return quote_spanned!(names.here=> ::core::option::Option::None) };
     let place = first + index;
@@ -116,9 +134,7 @@ fn elastic(element: &Element, words: &[&str], first: usize, names: &Names) -> To
 
 /// What gives errors about a joint the names of the parameters of its hinge.
 fn called_in_joint(element: &Element, names: &Names) -> TokenStream {
-    let is_other = |field: &str, word: &str| field != word && element.gives(word);
-    let other = FREEDOMS_OF_JOINT.iter().flat_map(|(field, words)| words.iter().map(move |word| (*field, *word)));
-    names.called(other.filter(|(field, word)| is_other(field, word)))
+    names.called(fields_of_joint().filter(|(field, word)| field != word && element.gives(word)))
 }
 
 /// The struct of an element's parameters, with its length where its type has one.
