@@ -9,5 +9,5 @@ system! {
 fn main() {
     let system = Frame { length: 1.0, ea: 1.0, ei: 1.0, m: 1.0 }.build().unwrap();
     let _ = system.characteristic(2.0);
-//                 ^^^^^^^^^^^^^^ trait bound `PlanarBeam<f64>: PlaneStep<_>` was not satisfied
+//                 ^^^^^^^^^^^^^^ trait bound `InPlane<mstmm::elements::Beam<f64>>: PlaneStep<_>` was not satisfied
 }
