@@ -62,7 +62,7 @@ pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use element::visit::{Visit, VisitStep};
 pub use elements::any_member::{AnyMember, BuiltAnyMember, BuiltUndampedMember, Section, UndampedMember};
-pub use elements::damped_hinge::DampedJoint;
+pub use elements::damped_joint::DampedJoint;
 pub use elements::joint::Joint;
 pub use elements::shared::bending_chart::BendingWaves;
 pub use elements::shared::chart_scalar::ChartScalar;

@@ -4,7 +4,7 @@ use crate::element::{
     ByName, Charted, Element, MemberChart, MemberElement, MemberGradient, MemberMatrix, MemberNumbers, MemberSlopes,
     MemberTransfer, MemberVisit, MemberWork, VisitMember, along_member, member_transfer,
 };
-use crate::elements::damped_hinge::DampedJoint;
+use crate::elements::damped_joint::DampedJoint;
 use crate::elements::joint::Joint;
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::{

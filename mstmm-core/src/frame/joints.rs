@@ -1,6 +1,6 @@
 //! Joints: members between two points at one place.
 
-use crate::elements::damped_hinge::DampedJoint;
+use crate::elements::damped_joint::DampedJoint;
 use crate::elements::joint::Joint;
 use crate::frame::dimension::{Dimension, Plane};
 use crate::frame::member::{FrameElement, FrameMember, OfJoint};

@@ -240,7 +240,8 @@ fn numbers_out_of_their_ranges_are_named() {
             "member 1: both ends are at one place: beams and strings have a length, a spring there a direction"
                 .to_owned(),
             "member 6: the ends of a joint are at one place, and its are at two".to_owned(),
-            "member 7: stiffness_rz is -2, but must be zero, or positive and finite, with a finite reciprocal".to_owned(),
+            "member 7: stiffness_rz is -2, but must be zero, or positive and finite, with a finite reciprocal"
+                .to_owned(),
             "point \"far\": its place is not finite".to_owned(),
         ]
     );

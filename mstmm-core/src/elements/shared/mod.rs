@@ -12,6 +12,7 @@ pub(crate) mod compound;
 pub(crate) mod connector;
 pub(crate) mod damped_line;
 pub(crate) mod damped_stiffness;
+pub(crate) mod damped_ties;
 pub(crate) mod dissipation;
 pub(crate) mod gauss;
 pub(crate) mod krylov;
