@@ -59,7 +59,8 @@ fn same(a: f64, b: f64) -> bool {
 #[test]
 fn every_element_of_the_language_has_its_scene() {
     let mut tested: Vec<String> = SCENES.iter().map(|scene| scene.type_name.to_owned()).collect();
-    let in_plane = STRETCHING.iter().map(|name| format!("Planar{name}"));
+    // a string that stretches stands between places, which these scenes have none of
+    let in_plane = STRETCHING.iter().filter(|name| !name.ends_with("String")).map(|name| format!("Planar{name}"));
     let mut elements: Vec<String> = ELEMENTS.iter().map(|element| element.name.to_owned()).chain(in_plane).collect();
     tested.sort_unstable();
     elements.sort_unstable();
@@ -76,8 +77,10 @@ fn a_value_out_of_range_is_refused_by_the_names_of_element_and_parameter() {
                 let Err(error) = (scene.build)(&scene.with(index, bad)) else { panic!("{what} is accepted") };
                 assert_eq!((error.element, error.parameter), (scene.element, parameter.name), "{what}");
                 assert!(same(error.value, bad), "{what}, reported as {}", error.value);
-                let message = format!("{}: {} is {bad}, but must be ", scene.element, parameter.name);
-                assert!(error.to_string().starts_with(&message), "{what}: {error}");
+                let message = error.to_string();
+                let told = message.strip_prefix(&format!("{}: {} is ", scene.element, parameter.name));
+                let number = told.and_then(|told| told.split_once(", but must be ")).map(|(number, _)| number.parse());
+                assert!(matches!(number, Some(Ok(number)) if same(number, bad)), "{what}: {error}");
             }
         }
     }

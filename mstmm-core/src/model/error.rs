@@ -96,6 +96,9 @@ pub struct InvalidParameter {
 impl fmt::Display for InvalidParameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let InvalidParameter { parameter, value, requirement } = self;
+        if let (Requirement::Apart { from, to }, true) = (requirement, *value == f64::INFINITY) {
+            return write!(f, "{parameter} is infinite: {from} and {to} are farther apart than numbers reach");
+        }
         write!(f, "{parameter} is {}, but must be {requirement}", Readable(*value))
     }
 }
@@ -226,6 +229,16 @@ impl core::error::Error for ParameterError {}
 mod tests {
     use super::*;
     use std::string::ToString;
+
+    #[test]
+    fn numbers_of_messages_are_short_and_places_far_apart_are_told() {
+        let error = Requirement::Invertible.check("stiffness", 1e-320).unwrap_err().to_string();
+        assert_eq!(error, "stiffness is 1e-320, but must be positive and finite, with a finite reciprocal");
+        let apart = Requirement::Apart { from: "a", to: "b" };
+        let error = apart.check("length", f64::INFINITY).unwrap_err().to_string();
+        assert_eq!(error, "length is infinite: a and b are farther apart than numbers reach");
+        assert!(apart.check("length", 0.0).unwrap_err().to_string().ends_with("a and b are at one place"));
+    }
 
     #[test]
     fn message_names_element_parameter_and_value() {

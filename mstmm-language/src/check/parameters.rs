@@ -23,37 +23,13 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
     let Some([required, optional]) = known else { return };
     let mut missing: Vec<&str> = required.iter().copied().filter(|name| !given.contains(*name)).collect();
     let is_unknown = |name: &str| !required.contains(&name) && !optional.contains(&name);
-    let keyword = element.kind.name().to_string();
     let is_only_one = given.iter().filter(|name| is_unknown(name)).count() == 1 && missing.len() == 1;
     for parameter in element.parameters() {
         let name = parameter.name.unraw().to_string();
         if !is_unknown(&name) || parameter.is_told {
             continue;
         }
-        // a string that names a length is a path of one motion
-        let length =
-            (element.located().is_some_and(|row| row.name == STRING) && !element.gives("length")).then_some("length");
-        let candidates = || missing.iter().chain(optional).copied().chain(length);
-        let meant = candidates().find(|known| known.starts_with(&format!("{name}_")));
-        let meant = meant.or_else(|| nearest(candidates(), &name));
-        let meant = meant.or(missing.first().copied().filter(|_| is_only_one));
-        let renamed = renamed_in(&keyword, &name, &value_of(parameter));
-        let hint = match meant {
-            _ if DAMPING.contains(&name.as_str()) => advice_on_damping(optional),
-            _ if keyword == STRING && name == AXIAL_STIFFNESS && element.gives("length") => ALONG_ITS_PATH.to_owned(),
-            // of a length between places a message of its own speaks
-            _ if has_somewhere(&keyword, &name) && name != "length" => {
-                let other = if element.dimension == Dimension::Line { "in the plane" } else { "along a line" };
-                format!("it has that {other} alone, so remove it")
-            }
-            _ if !renamed.is_empty() => format!("write `{}`", renamed.join("` or `")),
-            _ if parameter.section.is_some() => format!("it has {}", listed(required.iter().chain(optional).copied())),
-            Some(meant) => {
-                missing.retain(|other| *other != meant && !(meant == "length" && *other == AXIAL_STIFFNESS));
-                format!("did you mean `{meant}`?")
-            }
-            None => format!("it has {}", listed(required.iter().chain(optional).copied())),
-        };
+        let hint = instead_of(parameter, element, [required, optional], (&mut missing, is_only_one));
         let owner = match parameter.section {
             Some(_) => element.to_string(),
             None => element.kind.name().to_string(),
@@ -73,6 +49,45 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
             _ => "",
         };
         errors.push(element.place(), format!("`{element}` lacks {}{reason}", listed(missing)));
+    }
+}
+
+/// Advice for a parameter that an element does not have. A missing parameter that it names is missing no more.
+fn instead_of(
+    parameter: &Parameter,
+    element: &Element,
+    [required, optional]: [&[&'static str]; 2],
+    (missing, is_only_one): (&mut Vec<&'static str>, bool),
+) -> String {
+    let (keyword, name) = (element.kind.name().to_string(), parameter.name.unraw().to_string());
+    let renamed = renamed_in(&keyword, &name, &value_of(parameter));
+    if DAMPING.contains(&name.as_str()) {
+        return advice_on_damping(optional);
+    }
+    if keyword == STRING && name == AXIAL_STIFFNESS && element.gives("length") {
+        return ALONG_ITS_PATH.to_owned();
+    }
+    // of a length between places a message of its own speaks
+    if has_somewhere(&keyword, &name) && name != "length" {
+        let other = if element.dimension == Dimension::Line { "in the plane" } else { "along a line" };
+        return format!("it has that {other} alone, so remove it");
+    }
+    if !renamed.is_empty() {
+        return format!("write `{}`", renamed.join("` or `"));
+    }
+    // a string that names a length is a path of one motion
+    let is_between_places = element.located().is_some_and(|row| row.name == STRING) && !element.gives("length");
+    let length = is_between_places.then_some("length");
+    let candidates = || missing.iter().chain(optional).copied().chain(length);
+    let meant = candidates().find(|known| known.starts_with(&format!("{name}_")));
+    let meant = meant.or_else(|| nearest(candidates(), &name));
+    let meant = meant.or(missing.first().copied().filter(|_| is_only_one));
+    match meant.filter(|_| parameter.section.is_none()) {
+        Some(meant) => {
+            missing.retain(|other| *other != meant && !(meant == "length" && *other == AXIAL_STIFFNESS));
+            format!("did you mean `{meant}`?")
+        }
+        None => format!("it has {}", listed(required.iter().chain(optional).copied())),
     }
 }
 
@@ -96,13 +111,13 @@ pub(super) fn one_of_them(element: &Element, errors: &mut Errors) {
     }
 }
 
-/// Why a beam needs more in the plane.
 /// Why a string of a path has no axial stiffness.
 const ALONG_ITS_PATH: &str = "with `length` it is a path of one motion and does not stretch: remove it, or remove `length` where it stands between two \
                               places of the plane";
 
 /// What a string between two places needs, and what one of a path has instead.
 const BETWEEN_PLACES: &str = ": between places a string stretches, too; one of a path of one motion names its `length`";
+/// Why a beam needs more in the plane.
 const IN_PLANE: &str = ": in the plane a beam stretches, too; a large number is one that hardly does";
 
 /// Whether an element names none of the parameters of which it needs one: a hinge in which nothing gives way.

@@ -82,8 +82,8 @@ impl<T: Real> DampedTies<T> {
     }
 }
 
-/// A stiffness from a compliance: an infinite one is no hinge, an infinite stiffness is rigid.
+/// A stiffness from a sample: of an infinite sample it is negative, since zero lets go and an infinite stiffness is rigid.
 #[cfg(test)]
-pub(crate) fn by_compliance(compliance: f64) -> f64 {
-    1.0 / compliance
+pub(crate) fn by_compliance(sample: f64) -> f64 {
+    1.0 / sample - 0.1
 }
