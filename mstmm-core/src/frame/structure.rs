@@ -1,7 +1,8 @@
 //! Built frames: structures that are searched and asked.
 
 use crate::element::{
-    MemberChart, MemberElement, MemberMatrix, MemberSlopes, MemberTransfer, MemberVisit, MemberWork, VisitMember,
+    MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberSlopes, MemberTransfer, MemberVisit, MemberWork,
+    VisitMember,
 };
 use crate::elements::any_member::{AnyMember, UndampedMember};
 use crate::frame::assembly::{Assembly, NetworkMember};
@@ -156,6 +157,10 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Placed for Framework<D, E>
 
     fn placement(&self, member: usize) -> &Placement<f64> {
         self.network.placement(member)
+    }
+
+    fn numbers(&self) -> &[MemberNumbers] {
+        self.network.numbers()
     }
 
     fn place(&self, place: usize) -> [f64; 2] {

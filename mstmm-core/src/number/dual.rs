@@ -306,6 +306,8 @@ impl<T: Real> Parameter for Dual<T> {
 impl<T: Real> Real for Dual<T> {
     type Extended = Self;
 
+    const IS_ITS_WORDS: bool = false;
+
     #[inline]
     fn exp(self) -> Self {
         let exp = self.value.exp();

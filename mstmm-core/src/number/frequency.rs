@@ -47,6 +47,9 @@ pub trait Real: Parameter + Single + PartialOrd + NumAssign {
     /// Whether there is an extended precision.
     const HAS_EXTENDED: bool = false;
 
+    /// Whether [words](Parameter::words) are all of a number: beside them a dual number has a derivative.
+    const IS_ITS_WORDS: bool = true;
+
     /// Exponential function.
     fn exp(self) -> Self;
 

@@ -355,11 +355,7 @@ const _: () = {
             self.skeleton.in_numbers(&mstmm::__private::Placed::order(self))
         }
         fn name_parts(&self, visitor: &mut dyn mstmm::__private::Visitor) {
-            mstmm::__private::visit_network(
-                self,
-                &|member| self.skeleton.numbers()[member],
-                visitor,
-            );
+            mstmm::__private::visit_network(self, visitor);
         }
         fn spot_of(&self, place: ::core::primitive::usize) -> mstmm::__private::Spot {
             mstmm::__private::Placed::spot(self, place)
@@ -389,6 +385,9 @@ const _: () = {
             member: ::core::primitive::usize,
         ) -> &mstmm::__private::Placement<T> {
             self.skeleton.placement(member)
+        }
+        fn numbers(&self) -> &[mstmm::__private::MemberNumbers] {
+            self.skeleton.numbers()
         }
         fn spot(&self, node: ::core::primitive::usize) -> mstmm::__private::Spot {
             SKETCH.spot(node)

@@ -3,7 +3,7 @@
 use crate::number::{Frequency, FrequencyPowers, Scaled};
 use crate::pass::network::loading::Loading;
 use crate::pass::network::memory::Memory;
-use crate::pass::network::placed::{PlacedCharts, for_each_cut};
+use crate::pass::network::placed::{ChartsOfEqual, PlacedCharts, for_each_cut};
 use crate::structure::{Factor, MemberStiffness, NodeUnknowns, StructureScalar, Total, with_many};
 use crate::subspace::RootCounter;
 
@@ -61,7 +61,7 @@ pub(super) fn eliminate<Y, S>(
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + StructureScalar,
 {
-    let order = network.order();
+    let (order, mut charts) = (network.order(), ChartsOfEqual::new());
     for &node in order.nodes {
         factor.node = node as u32;
         let mut entered = |factor: &mut Factor<'_, S>, node: usize| {
@@ -71,7 +71,7 @@ pub(super) fn eliminate<Y, S>(
             }
             *unknowns
         };
-        for_each_cut(network, (&order, node), at, |member, chart, ends| {
+        for_each_cut(network, (&order, node), (at, &mut charts), |member, chart, ends| {
             let nodes = ends.each_ref().map(|end| entered(factor, end.node));
             chart.coarsen(factor.units);
             let load = loading.on_member(member, network.placement(member), chart);

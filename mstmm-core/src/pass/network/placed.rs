@@ -1,8 +1,8 @@
 //! A network as its evaluation reads it: nodes, members, and the order in which nodes leave.
 
-use crate::element::VisitMember;
+use crate::element::{MemberNumbers, VisitMember};
 use crate::model::{Handle, MotionError, Spot, Tied};
-use crate::number::{Frequency, FrequencyPowers};
+use crate::number::{Frequency, FrequencyPowers, Real, Scalar};
 use crate::pass::characteristic::System;
 use crate::pass::network::member::Placement;
 use crate::pass::network::memory::Memory;
@@ -22,6 +22,9 @@ pub trait Placed: System {
 
     /// Where a member stands.
     fn placement(&self, member: usize) -> &Placement<Self::Parameter>;
+
+    /// The members in numbers, as far as they are known so.
+    fn numbers(&self) -> &[MemberNumbers];
 
     /// A place that rigid bodies tie.
     fn place(&self, place: usize) -> [Self::Parameter; 2];
@@ -98,12 +101,55 @@ pub trait PlacedMotions<S: Frequency<Self::Parameter>>: Placed {
     fn visit_member<V: VisitMember<S>>(&self, member: usize, visitor: V) -> Option<V::Output>;
 }
 
+/// Charts that are kept: frames have few kinds of members beside each other.
+const KEPT: usize = 4;
+
+/// The charts of the last members that differ, at one frequency: equal members have one chart.
+pub(super) struct ChartsOfEqual<S: Scalar> {
+    /// A member with its length and its chart.
+    kept: [Option<(usize, S, Chart<S>)>; KEPT],
+    /// The place of the next one.
+    next: usize,
+}
+
+impl<S: Scalar> ChartsOfEqual<S> {
+    /// No chart yet.
+    pub(super) fn new() -> Self {
+        ChartsOfEqual { kept: [const { None }; KEPT], next: 0 }
+    }
+
+    /// The chart of a member.
+    fn chart<Y>(&mut self, network: &Y, member: usize, at: &FrequencyPowers<S>) -> Option<Chart<S>>
+    where
+        Y: PlacedCharts<S>,
+        S: Frequency<Y::Parameter>,
+    {
+        let (placement, all) = (network.placement(member), network.numbers());
+        let (length, numbers) = (placement.length(), &all[member]);
+        if !Y::Parameter::IS_ITS_WORDS || matches!(numbers, MemberNumbers::Other) {
+            return network.chart(member, at, length);
+        }
+        let is_equal = |(other, other_length, _): &&(usize, S, Chart<S>)| {
+            *other_length == length
+                && all[*other] == *numbers
+                && network.placement(*other).freedoms.is(placement.freedoms)
+        };
+        if let Some((_, _, chart)) = self.kept.iter().flatten().find(is_equal) {
+            return Some(*chart);
+        }
+        let chart = network.chart(member, at, length)?;
+        self.kept[self.next] = Some((member, length, chart));
+        self.next = (self.next + 1) % KEPT;
+        Some(chart)
+    }
+}
+
 /// Hands on each member that is cut by the elimination of a node, with its chart and where its ends are joined.
 #[inline(always)]
 pub(super) fn for_each_cut<Y, S>(
     network: &Y,
     (order, node): (&NetworkOrder<'_>, usize),
-    at: &FrequencyPowers<S>,
+    (at, charts): (&FrequencyPowers<S>, &mut ChartsOfEqual<S>),
     mut take: impl FnMut(usize, &mut Chart<S>, &[JoinedEnd<S>; 2]),
 ) where
     Y: PlacedCharts<S>,
@@ -115,7 +161,7 @@ pub(super) fn for_each_cut<Y, S>(
             continue;
         }
         let placement = network.placement(member);
-        if let Some(mut chart) = network.chart(member, at, placement.length()) {
+        if let Some(mut chart) = charts.chart(network, member, at) {
             let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
             let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
             take(member, &mut chart, &ends);

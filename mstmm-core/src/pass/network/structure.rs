@@ -1,6 +1,8 @@
 //! A network with its order of elimination.
 
-use crate::element::{MemberChart, MemberElement, MemberMatrix, MemberTransfer, MemberVisit, VisitMember};
+use crate::element::{
+    MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberTransfer, MemberVisit, VisitMember,
+};
 #[cfg(feature = "std")]
 use crate::element::{MemberSlopes, MemberWork};
 use crate::model::{FrequencyEstimates, Spot, is_size_of_direction};
@@ -283,7 +285,7 @@ impl<E: MemberElement, M: Memory> System for Network<E, M> {
     }
 
     fn name_parts(&self, visitor: &mut dyn Visitor) {
-        visit_network(self, &|member| self.stiffness.numbers()[member], visitor);
+        visit_network(self, visitor);
     }
 
     fn spot_of(&self, place: usize) -> Spot {
@@ -316,6 +318,10 @@ impl<E: MemberElement, M: Memory> Placed for Network<E, M> {
 
     fn placement(&self, member: usize) -> &Placement<E::Parameter> {
         &self.placements.as_ref()[member]
+    }
+
+    fn numbers(&self) -> &[MemberNumbers] {
+        self.stiffness.numbers()
     }
 
     fn order(&self) -> NetworkOrder<'_> {

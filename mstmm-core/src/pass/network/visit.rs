@@ -6,8 +6,8 @@ use crate::pass::network::placed::Placed;
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visitor};
 use mstmm_plan::Freedoms;
 
-/// Names the members and nodes of a network, given the numbers of each member.
-pub fn visit_network<Y: Placed>(network: &Y, numbers: &dyn Fn(usize) -> MemberNumbers, visitor: &mut dyn Visitor) {
+/// Names the members and nodes of a network.
+pub fn visit_network<Y: Placed>(network: &Y, visitor: &mut dyn Visitor) {
     let order = network.order();
     for &node in order.nodes {
         let ends = order.incidence.ends(node);
@@ -17,10 +17,10 @@ pub fn visit_network<Y: Placed>(network: &Y, numbers: &dyn Fn(usize) -> MemberNu
             has_joints = false;
             for &end in ends.iter().filter(|&&end| order.is_first_at(end, node)) {
                 let member = end / 2;
-                let numbers = numbers(member);
+                let numbers = &network.numbers()[member];
                 if matches!(numbers, MemberNumbers::Joint(..)) == are_joints {
                     let ends = [end_of(network, member, 0), end_of(network, member, 1)];
-                    visitor.member((member, network.placement(member).freedoms), &numbers, &ends, node);
+                    visitor.member((member, network.placement(member).freedoms), numbers, &ends, node);
                 } else {
                     has_joints = !are_joints;
                 }

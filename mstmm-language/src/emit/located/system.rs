@@ -168,7 +168,7 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
             }
 
             fn name_parts(&self, visitor: &mut dyn #private::Visitor) {
-                #private::visit_network(self, &|member| self.skeleton.numbers()[member], visitor);
+                #private::visit_network(self, visitor);
             }
 
             fn spot_of(&self, place: ::core::primitive::usize) -> #private::Spot {
@@ -210,6 +210,10 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
 
             fn placement(&self, member: ::core::primitive::usize) -> &#private::Placement<#parameter> {
                 self.skeleton.placement(member)
+            }
+
+            fn numbers(&self) -> &[#private::MemberNumbers] {
+                self.skeleton.numbers()
             }
 
             fn spot(&self, node: ::core::primitive::usize) -> #private::Spot {
