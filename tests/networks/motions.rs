@@ -4,6 +4,7 @@ mod at_rest;
 mod balance;
 mod by_minors;
 mod damped;
+mod equal_members;
 mod exact;
 mod in_time;
 mod inside;
