@@ -34,9 +34,9 @@ pub enum InNetwork {}
 /// A plane structure of beams, springs and dampers between nodes, at any angle, with any number of closed loops.
 ///
 /// Nodes are eliminated one after the other. With `std` a network is as large as the program wants: its memory, and that of what it is asked, is on
-/// the heap. Without `std` it stands in [`Arrays`] of a size that the compiler knows. There an evaluation takes a stack of `2 WIDTH²` numbers and
-/// some 100 bytes per unknown: 8 bytes a number of `f64`, 16 with its slope, and each twice as much in extended precision, where the search of a
-/// doubtful result has 32. A motion takes `WIDTH²` numbers more for each of `NODES` nodes. Searches for natural frequencies take up to 60 kB more.
+/// the heap. Without `std` it stands in [`Arrays`] of a size that the compiler knows. There an evaluation takes a stack of
+/// `2 WIDTH²` numbers, 110 for the charts of members that may be equal, and some 100 bytes per unknown: 8 bytes a number of `f64`, 16 with its
+/// slope, and each twice as much in extended precision, where the search of a doubtful result has 32. A motion takes `WIDTH²` numbers more for each of `NODES` nodes. Searches for natural frequencies take up to 60 kB more.
 ///
 /// ```
 /// use mstmm_core::search::NaturalFrequencies;
